@@ -1,0 +1,168 @@
+//! One algorithm a file; a [`Query`] in, an [`Answer`] out, events on the way.
+
+use crate::geometry::{Body, DVec2, Enclosure, Feature};
+use crate::trace::{NoTrace, Trace};
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum QueryKind {
+    /// The AABB of one body, or of two together.
+    Bounds,
+    /// Whether two bodies overlap; touching counts.
+    Overlap,
+    /// Signed separation of two bodies.
+    Separation,
+    /// First contact of two bodies that do not turn.
+    LinearSweep,
+    /// First contact of two bodies that move and turn.
+    TimeOfImpact,
+    /// How far any point of a body can move.
+    MotionBound,
+}
+
+/// A question about one or two bodies.
+#[derive(Clone, Copy, Debug)]
+pub struct Query<'s> {
+    /// What is asked.
+    pub kind: QueryKind,
+    /// Body A.
+    pub a: &'s Body,
+    /// Body B, where the question is about two.
+    pub b: Option<&'s Body>,
+    /// The moment, for bounds, overlap and separation.
+    pub time: f64,
+    /// As written, in world units; the one in force is in the answer.
+    pub tolerance: f64,
+    /// Step cap of the iterative algorithms.
+    pub max_iterations: usize,
+}
+
+/// A row in the table of algorithms.
+pub struct Algorithm {
+    /// Its word in a scene file.
+    pub name: &'static str,
+    /// One line for `tracefig list`, with the source.
+    pub about: &'static str,
+    /// The questions it answers.
+    pub kinds: &'static [QueryKind],
+    /// Whether it takes this pair of shapes; the text says which shapes it takes.
+    pub shapes: fn(&Query) -> Result<(), &'static str>,
+    /// Answers without a trace.
+    pub quiet: fn(&Query, &mut NoTrace) -> Answer,
+    /// Answers, and records what it did.
+    pub traced: fn(&Query, &mut Trace) -> Answer,
+}
+
+/// Every algorithm; the first that takes a query is its default.
+pub static ALGORITHMS: &[Algorithm] = &[];
+
+/// What a query found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Answer {
+    /// To [`QueryKind::Bounds`].
+    Bounds(Bounds),
+    /// To [`QueryKind::Overlap`].
+    Overlap(Overlap),
+    /// To [`QueryKind::Separation`].
+    Separation(Separation),
+    /// To [`QueryKind::LinearSweep`] and [`QueryKind::TimeOfImpact`].
+    Impact(Impact),
+    /// To [`QueryKind::MotionBound`].
+    MotionBound(MotionBound),
+}
+
+/// An axis-aligned bounding box, rounded outward.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// Smallest coordinates.
+    pub min: DVec2,
+    /// Largest coordinates.
+    pub max: DVec2,
+    /// (min + max) / 2.
+    pub center: DVec2,
+    /// Rounded up: center ± `half_extents` holds the body.
+    pub half_extents: DVec2,
+}
+
+/// Whether two bodies overlap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Overlap {
+    /// None where rounding forbids a verdict.
+    pub overlap: Option<bool>,
+    /// Encloses the exact separation (or is one-sided: `hi` infinite after a separating axis).
+    pub separation_bounds: Enclosure,
+}
+
+/// Signed separation with its witnesses. p_B − p_A = s n.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Separation {
+    /// World units; the distance apart, or minus the penetration depth.
+    pub separation: f64,
+    /// Encloses the exact value.
+    pub bounds: Enclosure,
+    /// Unit vector from A to B along which B moves apart.
+    pub normal: DVec2,
+    /// Directions with the same depth or distance within the bounds; 0 where all tie.
+    pub ties: u32,
+    /// Witness points on A and B, world.
+    pub points: [DVec2; 2],
+    /// The features of A and B that carry them.
+    pub features: [Feature; 2],
+}
+
+/// Why a time of impact was not decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reason {
+    /// Rounding forbids a verdict.
+    WithinRounding,
+    /// The bodies come within the tolerance and no contact is proved.
+    WithinTolerance,
+    /// The step cap was reached.
+    IterationLimit,
+    /// Steps no longer move t.
+    Stalled,
+}
+
+/// How a motion ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Outcome {
+    /// First contact.
+    Hit {
+        /// The last moment proved free (`lo`), and contact proved at or before (`hi`).
+        time: Enclosure,
+        /// The pair at `time.lo`.
+        contact: Separation,
+    },
+    /// No contact in [0, 1].
+    Miss,
+    /// Touching or inside at t = 0.
+    Overlapping {
+        /// The pair at t = 0.
+        contact: Separation,
+    },
+    /// Not decided.
+    Unresolved {
+        /// Why.
+        reason: Reason,
+        /// Proved free until here.
+        free_until: f64,
+    },
+}
+
+/// Answer of a sweep or a time of impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// How it ends.
+    pub outcome: Outcome,
+    /// In force, world units; 0 for a linear sweep.
+    pub tolerance: f64,
+    /// Distance queries made.
+    pub iterations: usize,
+}
+
+/// How far any point of a body, or of two relative to each other, can move over t in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionBound {
+    /// World units, rounded up.
+    pub bound: f64,
+}

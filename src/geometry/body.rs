@@ -1,0 +1,68 @@
+//! A shape with its pose at t = 0 and its constant velocities over t in [0, 1].
+
+use glam::DVec2;
+
+use super::{Degrees, Shape};
+
+/// A shape, where it is at t = 0, and how it moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Body {
+    /// The shape, in the body's frame.
+    pub shape: Shape,
+    /// World position of the body's origin at t = 0, in world units.
+    pub position: DVec2,
+    /// Angle at t = 0.
+    pub angle: Degrees,
+    /// World units per unit of time.
+    pub velocity: DVec2,
+    /// Degrees per unit of time, about the body's origin.
+    pub spin: Degrees,
+}
+
+/// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures; the
+/// certified queries work from the body itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// World position of the body's origin.
+    pub position: DVec2,
+    /// Cosine of the angle.
+    pub cos: f64,
+    /// Sine of the angle.
+    pub sin: f64,
+}
+
+/// A quarter turn counter-clockwise: (−y, x).
+#[must_use]
+pub fn perp(v: DVec2) -> DVec2 {
+    DVec2::new(-v.y, v.x)
+}
+
+impl Pose {
+    /// A point of the body's frame, in the world.
+    #[must_use]
+    pub fn point(&self, local: DVec2) -> DVec2 {
+        self.position + self.vector(local)
+    }
+
+    /// A vector of the body's frame, in the world.
+    #[must_use]
+    pub fn vector(&self, v: DVec2) -> DVec2 {
+        DVec2::new(self.cos * v.x - self.sin * v.y, self.sin * v.x + self.cos * v.y)
+    }
+
+    /// A world point in the body's frame.
+    #[must_use]
+    pub fn inverse_point(&self, world: DVec2) -> DVec2 {
+        let v = world - self.position;
+        DVec2::new(self.cos * v.x + self.sin * v.y, self.cos * v.y - self.sin * v.x)
+    }
+}
+
+impl Body {
+    /// Where the body is at time `t`.
+    #[must_use]
+    pub fn pose_at(&self, t: f64) -> Pose {
+        let radians = (self.angle.0 + self.spin.0 * t).to_radians();
+        Pose { position: self.position + self.velocity * t, cos: libm::cos(radians), sin: libm::sin(radians) }
+    }
+}

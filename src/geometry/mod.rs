@@ -1,0 +1,51 @@
+//! Points, poses, shapes and their motion, in world units, y up.
+//!
+//! A body is a convex *core* (one, two or more vertices) swept by a disc of radius r, that moves with constant
+//! velocities over t in [0, 1] and turns about its own origin.
+
+mod body;
+mod degrees;
+pub mod shape;
+
+pub use body::{Body, Pose, perp};
+pub use degrees::Degrees;
+pub use glam::DVec2;
+pub use shape::Shape;
+
+/// A part of a body's boundary, numbered in the file's order of vertices; edge i runs from vertex i to i + 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Feature {
+    /// A corner, or the one point of a circle.
+    Vertex(usize),
+    /// The side from vertex i to vertex i + 1.
+    Edge(usize),
+}
+
+/// Which of the two bodies of a query.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// The first body of the query.
+    A,
+    /// The second body of the query.
+    B,
+}
+
+impl Side {
+    /// The other body.
+    #[must_use]
+    pub fn other(self) -> Self {
+        match self {
+            Self::A => Self::B,
+            Self::B => Self::A,
+        }
+    }
+}
+
+/// A closed interval that holds an exact value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    /// Not above the exact value.
+    pub lo: f64,
+    /// Not below the exact value.
+    pub hi: f64,
+}

@@ -1,0 +1,271 @@
+//! The one vocabulary of events for all algorithms.
+//!
+//! Facts own their data and are in world space or, where said, in configuration space (B ⊖ A = {b − a}).
+
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+
+/// A vertex that is farthest along a direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportVertex {
+    /// Index in the file's order of vertices.
+    pub index: usize,
+    /// World position, at the time of the query.
+    pub point: DVec2,
+}
+
+/// What a candidate is the best of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// The signed distance nearest to zero from below: the depth so far.
+    LeastPenetrating,
+    /// The smallest positive distance: the distance so far.
+    LeastPositive,
+}
+
+/// Why a ray was not tested against an edge, or what came of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Culling {
+    /// The edge faces away from the ray; it was skipped.
+    BackFacing,
+    /// The ray crosses the edge's line outside the edge, or beyond its end.
+    Missed,
+    /// The ray enters here.
+    Hit,
+}
+
+/// A moment in [0, 1] and where the moving pair is then.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// Time in [0, 1].
+    pub time: f64,
+    /// Angle of A then, in degrees.
+    pub angle_a: f64,
+    /// Angle of B then, in degrees.
+    pub angle_b: f64,
+}
+
+/// Something an algorithm did or found.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// An algorithm began, with the pair as it is at a moment. An advancement begins a distance query each step.
+    Started {
+        /// Its name in the table of algorithms.
+        algorithm: &'static str,
+        /// The moment it looks at.
+        at: Moment,
+    },
+    /// The centres and radii of two circles were compared.
+    CirclesCompared {
+        /// World centres of A and B.
+        centers: [DVec2; 2],
+        /// Their radii r₁ and r₂.
+        radii: [f64; 2],
+        /// ‖A − B‖².
+        distance_squared: f64,
+        /// (r₁ + r₂)².
+        radii_squared: f64,
+        /// Whether the squared test alone settled the question.
+        early_out: bool,
+    },
+    /// The penetration of two circles was measured: p = ‖A − B‖ − (r₁ + r₂), N = (A − B)/‖A − B‖, P = N p.
+    PenetrationMeasured {
+        /// Signed; negative when the circles overlap.
+        p: f64,
+        /// Unit vector from B to A, the article's N.
+        direction: DVec2,
+        /// The vector that moves B until they just touch.
+        vector: DVec2,
+    },
+    /// The smallest and largest coordinates of a body were found.
+    BoundsFound {
+        /// Which of the query's bodies; None for the union.
+        of: Option<Side>,
+        /// Corner of smallest coordinates.
+        min: DVec2,
+        /// Corner of largest coordinates.
+        max: DVec2,
+        /// Vertices that touch each side: left, bottom, right, top.
+        touching: [Vec<SupportVertex>; 4],
+    },
+    /// The extents of two AABBs were compared axis by axis: D = |c_B − c_A| − (h_A + h_B).
+    ExtentsCompared {
+        /// Centres of A and B.
+        centers: [DVec2; 2],
+        /// Their half-extents.
+        half_extents: [DVec2; 2],
+        /// D by component; negative where the boxes overlap on that axis.
+        gap: DVec2,
+    },
+    /// A circle's centre was clamped to a box, in the box's frame.
+    Clamped {
+        /// The body that is the box.
+        body: Side,
+        /// V: from the box's centre to the circle's, in the box's frame.
+        v: DVec2,
+        /// The box's half-extents.
+        half_extents: DVec2,
+        /// V, clamped to the half-extents.
+        clamped: DVec2,
+        /// B_c in the world: the point of the box closest to the circle.
+        closest: DVec2,
+        /// D = B − B_c in the world.
+        d: DVec2,
+        /// The circle's radius.
+        radius: f64,
+    },
+    /// The supporting vertices along a direction were found, all of them when they tie.
+    SupportFound {
+        /// The body that was asked.
+        body: Side,
+        /// The direction, in the world.
+        direction: DVec2,
+        /// One vertex, or two when an edge is square to the direction.
+        vertices: Vec<SupportVertex>,
+    },
+    /// An edge of B ⊖ A was found.
+    DifferenceEdgeFound {
+        /// The body whose edge it is.
+        source: Side,
+        /// That edge's index on its body.
+        edge: usize,
+        /// The supporting vertex of the other body.
+        vertex: usize,
+        /// Start, in configuration space, counter-clockwise.
+        from: DVec2,
+        /// End.
+        to: DVec2,
+        /// Outward unit normal of B ⊖ A.
+        normal: DVec2,
+        /// Signed distance of the origin from the edge's line: positive when the origin is outside it.
+        distance: f64,
+    },
+    /// B ⊖ A is round: its core is a point, or it has a radius. Emitted once, beside the edges of the core.
+    DifferenceRounded {
+        /// The centre where the core is a point.
+        center: Option<DVec2>,
+        /// r_A + r_B.
+        radius: f64,
+    },
+    /// The origin was projected onto an edge or disc of B ⊖ A.
+    OriginProjected {
+        /// The foot, in configuration space.
+        foot: DVec2,
+        /// Signed distance from the origin to the foot.
+        distance: f64,
+    },
+    /// A better answer than before was found.
+    CandidateImproved {
+        /// Best of what.
+        goal: Goal,
+        /// Signed distance.
+        distance: f64,
+        /// Where the origin projects, in configuration space.
+        foot: DVec2,
+        /// The body whose edge or vertex carries it, with its feature.
+        source: (Side, Feature),
+    },
+    /// The pair was projected on an axis (separating-axis test).
+    AxisTested {
+        /// The unit axis.
+        axis: DVec2,
+        /// The body whose edge gave it.
+        source: (Side, Feature),
+        /// A's interval along the axis.
+        interval_a: Enclosure,
+        /// B's interval along the axis.
+        interval_b: Enclosure,
+        /// Gap along the axis; negative when the intervals overlap.
+        gap: f64,
+    },
+    /// An axis separates the pair; a test for overlap may stop here.
+    SeparatingAxisFound {
+        /// Unit vector from A to B.
+        normal: DVec2,
+        /// Positive gap along it.
+        gap: f64,
+    },
+    /// GJK chose a new simplex.
+    SimplexUpdated {
+        /// Its vertices in B ⊖ A.
+        vertices: Vec<DVec2>,
+        /// The point of it closest to the origin.
+        closest: DVec2,
+        /// The support direction that follows.
+        direction: DVec2,
+    },
+    /// EPA expanded its polytope.
+    PolytopeExpanded {
+        /// Its vertices, counter-clockwise, in B ⊖ A.
+        vertices: Vec<DVec2>,
+        /// Distance of the nearest edge from the origin.
+        nearest: f64,
+    },
+    /// The ray from the origin along the relative velocity was held against an edge or vertex disc of B ⊖ A.
+    RayClipped {
+        /// The body whose edge it is, with its feature.
+        source: (Side, Feature),
+        /// Start of the edge (offset by the radius), or the disc's centre twice.
+        from: DVec2,
+        /// End.
+        to: DVec2,
+        /// What came of it.
+        outcome: Culling,
+        /// Time at which the ray meets the edge's line, where it was computed.
+        time: Option<f64>,
+    },
+    /// An advancement took one step.
+    Advanced {
+        /// From 0.
+        step: usize,
+        /// The moment before the step.
+        at: Moment,
+        /// Signed separation there.
+        separation: f64,
+        /// Unit normal from A to B.
+        normal: DVec2,
+        /// Witness points on A and B.
+        points: [DVec2; 2],
+        /// Closest point of B ⊖ A, in configuration space at that moment (for `ray-clipping`: at t = 0, where the
+        /// estimate moves instead).
+        closest: DVec2,
+        /// The estimate on the ray, in the same space: the origin, or t v for `ray-clipping`.
+        estimate: DVec2,
+        /// Closing speed v·n.
+        closing_speed: f64,
+        /// Bound on the approach used: v·n + r_A|ω_A| + r_B|ω_B|.
+        bound: f64,
+        /// Time after the step; None where the algorithm stopped here.
+        next: Option<f64>,
+    },
+    /// The swept axis: for all of [from, to] the pair is apart along an axis that turns with a body.
+    AxisSwept {
+        /// Start of the covered time.
+        from: f64,
+        /// End of the covered time.
+        to: f64,
+        /// The body in whose frame the axis is fixed.
+        owner: Side,
+        /// Unit axis, in that body's frame, from the owner to the other.
+        normal: DVec2,
+    },
+    /// The farthest a point of a body can move was bounded: L = θ r.
+    MotionBounded {
+        /// The body.
+        body: Side,
+        /// Distance of its farthest point from its origin.
+        radius: f64,
+        /// |ω| over the time, in radians.
+        theta: f64,
+        /// θ r.
+        arc: f64,
+        /// Length of the linear part.
+        linear: f64,
+        /// Every vertex at that distance.
+        vertices: Vec<SupportVertex>,
+    },
+    /// An algorithm ended; a short word for the story, as "hit" or "separating axis".
+    Finished {
+        /// How.
+        outcome: &'static str,
+    },
+}

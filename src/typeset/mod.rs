@@ -1,0 +1,1 @@
+//! Words and `$…$` formulas to runs of glyphs with their extents.
