@@ -54,7 +54,11 @@ pub struct SceneQuery {
 
 impl std::fmt::Debug for SceneQuery {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("SceneQuery").field("kind", &self.kind).field("of", &self.of).field("algorithm", &self.algorithm.name).finish_non_exhaustive()
+        f.debug_struct("SceneQuery")
+            .field("kind", &self.kind)
+            .field("of", &self.of)
+            .field("algorithm", &self.algorithm.name)
+            .finish_non_exhaustive()
     }
 }
 
