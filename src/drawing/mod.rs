@@ -1,4 +1,18 @@
 //! The display list: paths, glyph runs and groups with roles and accessible names, in page pixels, y down.
+//!
+//! This list is closed: an output format draws a [`Drawing`] by looking at these types and at nothing else. A circle
+//! stays a circle and an arc an arc, so that each format can choose its own way to say them.
+
+mod extent;
+mod paint;
+mod path;
+
+use std::sync::Arc;
+
+pub use paint::{Cap, Color, Halo, Paint, Pattern, PatternKind, Role, Stroke};
+pub use path::{Contour, Path, Segment};
+
+use crate::typeset::Line;
 
 /// A page point in pixels, x right, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -7,4 +21,99 @@ pub struct Point {
     pub x: f64,
     /// Down.
     pub y: f64,
+}
+
+impl Point {
+    /// The point `x` right and `y` down of the page's upper left corner.
+    #[must_use]
+    pub fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+}
+
+/// A page rectangle in pixels, `x0 ≤ x1` and `y0 ≤ y1`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rect {
+    /// Left.
+    pub x0: f64,
+    /// Top.
+    pub y0: f64,
+    /// Right.
+    pub x1: f64,
+    /// Bottom.
+    pub y1: f64,
+}
+
+/// One figure, ready to be written in any format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawing {
+    /// Page width in pixels.
+    pub width: f64,
+    /// Page height in pixels.
+    pub height: f64,
+    /// Prefix of every id in an SVG: a letter, then letters, digits, `-` and `_`.
+    pub id: String,
+    /// The title as plain text; the short alternative text.
+    pub title: String,
+    /// The long alternative text.
+    pub desc: String,
+    /// The page's colour, opaque.
+    pub background: Paint,
+    /// The other colours of an "auto" theme, for readers whose system is dark; empty for a fixed theme.
+    pub dark: Vec<(Role, Color)>,
+    /// JSON that says what is shown: format version, hash, answer, numbers of the trace. May be empty.
+    pub metadata: String,
+    /// Hash of the scene and its options, as text. May be empty.
+    pub hash: String,
+    /// Everything drawn, in painting order.
+    pub items: Vec<Item>,
+}
+
+/// One entry of the display list.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Item {
+    /// Items that belong together.
+    Group(Group),
+    /// A filled or stroked contour.
+    Path(Path),
+    /// A line of text.
+    Text(Text),
+}
+
+/// Items that belong together: a panel, a layer, a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Name of the layer or part; in an SVG the end of the group's id and its class.
+    pub name: String,
+    /// The role that its items play, where they share one.
+    pub role: Option<Role>,
+    /// Accessible name: what a reader who can't see hears.
+    pub label: Option<String>,
+    /// From 0 to 1, for the group as a whole.
+    pub opacity: f64,
+    /// Nothing is drawn outside it.
+    pub clip: Option<Rect>,
+    /// What it holds, in painting order.
+    pub items: Vec<Item>,
+}
+
+impl Group {
+    /// An empty group of full opacity, without role, label or clip.
+    #[must_use]
+    pub fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), role: None, label: None, opacity: 1.0, clip: None, items: Vec::new() }
+    }
+}
+
+/// A line of text at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Text {
+    /// The set line; shared, as labels are measured, placed and drawn.
+    pub line: Arc<Line>,
+    /// Left end of the baseline.
+    pub origin: Point,
+    /// Colour of the glyphs.
+    pub paint: Paint,
+    /// Drawn behind the glyphs.
+    pub halo: Option<Halo>,
 }

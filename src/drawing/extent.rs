@@ -1,0 +1,179 @@
+//! How much of the page an item covers.
+
+use super::{Contour, Group, Item, Path, Point, Rect, Segment, Text};
+
+impl Rect {
+    /// The rectangle between two corners, in any order.
+    #[must_use]
+    pub fn new(p: Point, q: Point) -> Self {
+        Self { x0: p.x.min(q.x), y0: p.y.min(q.y), x1: p.x.max(q.x), y1: p.y.max(q.y) }
+    }
+
+    /// The smallest rectangle that holds both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        Self {
+            x0: self.x0.min(other.x0),
+            y0: self.y0.min(other.y0),
+            x1: self.x1.max(other.x1),
+            y1: self.y1.max(other.y1),
+        }
+    }
+
+    /// What both have in common, if they meet.
+    #[must_use]
+    pub fn intersection(self, other: Self) -> Option<Self> {
+        let r = Self {
+            x0: self.x0.max(other.x0),
+            y0: self.y0.max(other.y0),
+            x1: self.x1.min(other.x1),
+            y1: self.y1.min(other.y1),
+        };
+        (r.x0 <= r.x1 && r.y0 <= r.y1).then_some(r)
+    }
+
+    /// Moved outward by `d` page pixels on each side.
+    #[must_use]
+    pub fn grown(self, d: f64) -> Self {
+        Self { x0: self.x0 - d, y0: self.y0 - d, x1: self.x1 + d, y1: self.y1 + d }
+    }
+
+    /// Width in page pixels.
+    #[must_use]
+    pub fn width(self) -> f64 {
+        self.x1 - self.x0
+    }
+
+    /// Height in page pixels.
+    #[must_use]
+    pub fn height(self) -> f64 {
+        self.y1 - self.y0
+    }
+
+    /// The middle.
+    #[must_use]
+    pub fn center(self) -> Point {
+        Point::new(0.5 * (self.x0 + self.x1), 0.5 * (self.y0 + self.y1))
+    }
+
+    /// Whether the point lies in it or on its border.
+    #[must_use]
+    pub fn contains(self, p: Point) -> bool {
+        self.x0 <= p.x && p.x <= self.x1 && self.y0 <= p.y && p.y <= self.y1
+    }
+}
+
+impl Contour {
+    /// The extent of the line itself, without its stroke's width; `None` where it has no points. Curves are
+    /// measured by their control points, arcs exactly.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Contour, Point, Rect};
+    /// let circle = Contour::Circle { center: Point::new(5.0, 6.0), radius: 2.0 };
+    /// assert_eq!(circle.bounds(), Some(Rect { x0: 3.0, y0: 4.0, x1: 7.0, y1: 8.0 }));
+    /// ```
+    #[must_use]
+    pub fn bounds(&self) -> Option<Rect> {
+        match self {
+            Self::Circle { center, radius } => Some(Rect::new(*center, *center).grown(*radius)),
+            Self::Segments(segments) => segments.iter().filter_map(segment_bounds).reduce(Rect::union),
+        }
+    }
+}
+
+fn segment_bounds(segment: &Segment) -> Option<Rect> {
+    match *segment {
+        Segment::Move(p) | Segment::Line(p) => Some(Rect::new(p, p)),
+        Segment::Quad(c, p) => Some(Rect::new(c, p)),
+        Segment::Cubic(c, d, p) => Some(Rect::new(c, d).union(Rect::new(p, p))),
+        Segment::Arc { center, radius, start, sweep } => Some(arc_bounds(center, radius, start, sweep)),
+        Segment::Close => None,
+    }
+}
+
+/// Its ends, and each of the circle's four extreme points that it passes.
+fn arc_bounds(center: Point, radius: f64, start: f64, sweep: f64) -> Rect {
+    use std::f64::consts::FRAC_PI_2;
+    let at =
+        |angle: f64| Point::new(center.x + radius * libm::cos(angle), center.y + radius * libm::sin(angle));
+    let mut bounds = Rect::new(at(start), at(start + sweep));
+    let (lo, hi) = (start.min(start + sweep), start.max(start + sweep));
+    let first = (lo / FRAC_PI_2).ceil();
+    for quarter in 0..4 {
+        let angle = (first + f64::from(quarter)) * FRAC_PI_2;
+        if angle <= hi {
+            let p = at(angle);
+            bounds = bounds.union(Rect::new(p, p));
+        }
+    }
+    bounds
+}
+
+impl Path {
+    /// The area that it may paint: its line and half its stroke's width around it.
+    #[must_use]
+    pub fn extent(&self) -> Option<Rect> {
+        let half = self.stroke.as_ref().map_or(0.0, |s| 0.5 * s.width);
+        self.contour.bounds().map(|r| r.grown(half))
+    }
+}
+
+impl Text {
+    /// The box of its line, halo excluded: from its start to its advance width, its ascent to its descent.
+    #[must_use]
+    pub fn bounds(&self) -> Rect {
+        let Point { x, y } = self.origin;
+        Rect { x0: x, y0: y - self.line.ascent, x1: x + self.line.width, y1: y + self.line.descent }
+    }
+}
+
+impl Group {
+    /// The area that its items may paint, cut by its clip.
+    #[must_use]
+    pub fn extent(&self) -> Option<Rect> {
+        let all = self.items.iter().filter_map(Item::extent).reduce(Rect::union)?;
+        match self.clip {
+            Some(clip) => all.intersection(clip),
+            None => Some(all),
+        }
+    }
+}
+
+impl Item {
+    /// The area that it may paint; `None` where it paints nothing.
+    #[must_use]
+    pub fn extent(&self) -> Option<Rect> {
+        match self {
+            Self::Group(group) => group.extent(),
+            Self::Path(path) => path.extent(),
+            Self::Text(text) => Some(text.bounds().grown(text.halo.map_or(0.0, |h| h.width))),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_arc_reaches_the_extreme_points_that_it_passes_and_no_others() {
+        use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+        let r = arc_bounds(Point::new(0.0, 0.0), 2.0, -FRAC_PI_4, FRAC_PI_2);
+        assert!((r.x1 - 2.0).abs() < 1e-12, "passes the right: {r:?}");
+        assert!((r.x0 - std::f64::consts::SQRT_2).abs() < 1e-12, "not the left: {r:?}");
+        let r = arc_bounds(Point::new(0.0, 0.0), 2.0, FRAC_PI_4, -FRAC_PI_2);
+        assert!((r.x1 - 2.0).abs() < 1e-12, "backwards too: {r:?}");
+        let r = arc_bounds(Point::new(1.0, 1.0), 2.0, 0.3, 2.0 * std::f64::consts::PI);
+        assert!((r.x0 + 1.0).abs() < 1e-12 && (r.y1 - 3.0).abs() < 1e-12, "a full turn is the circle: {r:?}");
+    }
+
+    #[test]
+    fn a_clip_cuts_the_extent_of_its_group() {
+        let mut group = Group::new("panel");
+        let contour = Contour::Circle { center: Point::new(0.0, 0.0), radius: 10.0 };
+        let paint = super::super::Paint::role(super::super::Role::Ink, super::super::Color::hex(0));
+        group.items.push(Item::Path(Path::filled(contour, paint)));
+        group.clip = Some(Rect { x0: 0.0, y0: -5.0, x1: 50.0, y1: 5.0 });
+        assert_eq!(group.extent(), Some(Rect { x0: 0.0, y0: -5.0, x1: 10.0, y1: 5.0 }));
+    }
+}

@@ -1,0 +1,167 @@
+//! Colours by role, strokes, patterns and halos.
+
+/// What a thing is; decides its colour everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Role {
+    /// Shape A.
+    A,
+    /// Shape B.
+    B,
+    /// The Minkowski difference.
+    Difference,
+    /// Now: the changed thing.
+    Now,
+    /// The minimum translation, and the separation of bodies apart.
+    Translation,
+    /// Text and main lines.
+    Ink,
+    /// Secondary lines and notes.
+    Muted,
+    /// Grid lines.
+    Grid,
+    /// The page.
+    Background,
+}
+
+impl Role {
+    /// Every role.
+    pub const ALL: [Self; 9] = [
+        Self::A,
+        Self::B,
+        Self::Difference,
+        Self::Now,
+        Self::Translation,
+        Self::Ink,
+        Self::Muted,
+        Self::Grid,
+        Self::Background,
+    ];
+
+    /// Its word, as in `--tracefig-a`.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::drawing::Role::Translation.name(), "translation");
+    /// ```
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::A => "a",
+            Self::B => "b",
+            Self::Difference => "difference",
+            Self::Now => "now",
+            Self::Translation => "translation",
+            Self::Ink => "ink",
+            Self::Muted => "muted",
+            Self::Grid => "grid",
+            Self::Background => "background",
+        }
+    }
+}
+
+/// An sRGB colour, 8 bits a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Color {
+    /// Red.
+    pub r: u8,
+    /// Green.
+    pub g: u8,
+    /// Blue.
+    pub b: u8,
+}
+
+impl Color {
+    /// The colour written `#RRGGBB` for `0xRRGGBB`.
+    ///
+    /// ```
+    /// use tracefig::drawing::Color;
+    /// assert_eq!(Color::hex(0xA3161F), Color { r: 0xA3, g: 0x16, b: 0x1F });
+    /// ```
+    #[must_use]
+    pub const fn hex(rgb: u32) -> Self {
+        let [_, r, g, b] = rgb.to_be_bytes();
+        Self { r, g, b }
+    }
+}
+
+/// A colour in its role.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Paint {
+    /// The role whose custom property a page may set; none for a colour that must not follow.
+    pub role: Option<Role>,
+    /// The colour where nobody sets another.
+    pub color: Color,
+    /// From 0 to 1.
+    pub opacity: f64,
+}
+
+impl Paint {
+    /// An opaque colour in a role.
+    #[must_use]
+    pub const fn role(role: Role, color: Color) -> Self {
+        Self { role: Some(role), color, opacity: 1.0 }
+    }
+
+    /// The same colour at `opacity`.
+    #[must_use]
+    pub const fn with_opacity(self, opacity: f64) -> Self {
+        Self { opacity, ..self }
+    }
+}
+
+/// How the ends of an open line, and of dashes, look.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Cap {
+    /// Cut at the end.
+    #[default]
+    Butt,
+    /// A half disc beyond the end; makes dots of dashes of length 0.
+    Round,
+}
+
+/// A line along a contour; joins are round.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub paint: Paint,
+    /// Its width in page pixels.
+    pub width: f64,
+    /// Lengths of dashes and gaps in page pixels, alternating, an even number; empty for a solid line.
+    pub dash: Vec<f64>,
+    /// Its ends.
+    pub cap: Cap,
+}
+
+impl Stroke {
+    /// A solid line.
+    #[must_use]
+    pub fn solid(paint: Paint, width: f64) -> Self {
+        Self { paint, width, dash: Vec::new(), cap: Cap::Butt }
+    }
+}
+
+/// Marks repeated over an area, so that it is told apart without colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// Which marks.
+    pub kind: PatternKind,
+    /// Their colour.
+    pub paint: Paint,
+}
+
+/// The marks of a [`Pattern`]; their phase is that of the page, so that neighbours agree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PatternKind {
+    /// Lines at 45°, rising to the right.
+    Hatch,
+    /// Dots on a square grid turned by 45°.
+    Dots,
+}
+
+/// A wider copy of the glyphs behind them, that keeps them readable on lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Halo {
+    /// Its colour, mostly the background's.
+    pub paint: Paint,
+    /// How far it reaches beyond the glyphs, in page pixels.
+    pub width: f64,
+}
