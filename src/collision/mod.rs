@@ -20,6 +20,31 @@ pub enum QueryKind {
     MotionBound,
 }
 
+impl QueryKind {
+    /// All of them, in the order of `tracefig list`.
+    pub const ALL: [Self; 6] = [
+        Self::Bounds,
+        Self::Overlap,
+        Self::Separation,
+        Self::LinearSweep,
+        Self::TimeOfImpact,
+        Self::MotionBound,
+    ];
+
+    /// Its word in scene files and answers.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Bounds => "bounds",
+            Self::Overlap => "overlap",
+            Self::Separation => "separation",
+            Self::LinearSweep => "linear-sweep",
+            Self::TimeOfImpact => "time-of-impact",
+            Self::MotionBound => "motion-bound",
+        }
+    }
+}
+
 /// A question about one or two bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct Query<'s> {
@@ -51,6 +76,14 @@ pub struct Algorithm {
     pub quiet: fn(&Query, &mut NoTrace) -> Answer,
     /// Answers, and records what it did.
     pub traced: fn(&Query, &mut Trace) -> Answer,
+}
+
+impl Algorithm {
+    /// Answers without a trace.
+    #[must_use]
+    pub fn answer(&self, query: &Query) -> Answer {
+        (self.quiet)(query, &mut NoTrace)
+    }
 }
 
 /// Every algorithm; the first that takes a query is its default.
@@ -121,6 +154,19 @@ pub enum Reason {
     IterationLimit,
     /// Steps no longer move t.
     Stalled,
+}
+
+impl Reason {
+    /// Its word in answers.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::WithinRounding => "within-rounding",
+            Self::WithinTolerance => "within-tolerance",
+            Self::IterationLimit => "iteration-limit",
+            Self::Stalled => "stalled",
+        }
+    }
 }
 
 /// How a motion ends.

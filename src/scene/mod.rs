@@ -1,8 +1,31 @@
 //! The scene file: what it may hold, how it is read, and what is wrong with it.
 
+mod answer;
+mod body;
+mod checked;
+mod fields;
+mod json;
+mod labels;
+pub mod limits;
+mod node;
+mod panels;
+mod problem;
+mod question;
+mod read;
+mod source;
+mod stream;
+mod toml;
+
 use std::ops::Range;
 
-use crate::collision::{Algorithm, QueryKind};
+pub use answer::{answer_json, answer_text};
+pub use fields::{Field, Holds, TABLES, TableRows, shape_rows};
+pub use problem::{ERRORS, ErrorCode, Fault, Problem};
+pub use read::read;
+pub use source::{Place, Source, Syntax};
+pub use stream::{Reply, solve, solve_jsonl_line};
+
+use crate::collision::{Algorithm, Query, QueryKind};
 use crate::geometry::Body;
 
 /// A value and its bytes in the source.
@@ -31,6 +54,24 @@ pub struct Scene {
     pub labels: Vec<(Spanned<String>, LabelOverride)>,
     /// The page.
     pub canvas: Canvas,
+}
+
+impl Scene {
+    /// The question with its bodies, as an algorithm takes it.
+    #[must_use]
+    pub fn query_of_bodies(&self) -> Query<'_> {
+        self.query_at(self.query.time)
+    }
+
+    /// The same question at another moment.
+    #[must_use]
+    pub fn query_at(&self, time: f64) -> Query<'_> {
+        // The reader has checked that a query is of one or two shapes that exist.
+        let body =
+            |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape)).map(|(_, body)| body);
+        let SceneQuery { kind, tolerance, max_iterations, .. } = self.query;
+        Query { kind, a: body(0).unwrap_or(&self.shapes[0].1), b: body(1), time, tolerance, max_iterations }
+    }
 }
 
 /// The question of a scene.

@@ -1,0 +1,117 @@
+//! `[shapes.NAME]`: a shape of one of the kinds of [`KINDS`], its pose and its motion.
+
+use std::ops::Range;
+
+use crate::geometry::shape::{FieldType, FieldValue, KINDS, Kind};
+use crate::geometry::{Body, DVec2, Degrees, Shape};
+
+use super::Spanned;
+use super::checked::{Checked, as_list, as_text, check};
+use super::fields::{BODY, shape_rows};
+use super::node::{Node, number};
+use super::problem::{Fault, Problems};
+
+/// A shape as read: its name is known to the query even where the rest of it is wrong.
+pub(super) struct Read {
+    pub(super) name: Spanned<String>,
+    pub(super) body: Option<Body>,
+}
+
+/// Longest name of a shape, in characters; it is written on the shape.
+const MAX_NAME: usize = 40;
+
+/// Reads one shape.
+pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Read {
+    let length = name.value.chars().count();
+    if length > MAX_NAME {
+        let fault =
+            Fault::OverLimit { what: "a name".to_owned(), limit: MAX_NAME, unit: "characters", got: length };
+        p.add(fault, &name.span);
+    }
+    let before = p.len();
+    let body = body(name, node, p).filter(|_| p.len() == before);
+    Read { name: name.clone(), body }
+}
+
+fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
+    let Some(kind) =
+        node.get("kind").and_then(as_text).and_then(|word| KINDS.iter().find(|k| k.name == word))
+    else {
+        without_kind(name, node, p);
+        return None;
+    };
+    let table = check(node, &name.value, &with_article(kind.name), &shape_rows(kind), p)?;
+    if !kind.turns {
+        for key in ["angle_deg", "angular_velocity_deg"] {
+            if let Some(angle) = table.number(key).filter(|angle| angle.value != 0.0) {
+                p.add(Fault::FixedAngle { kind: kind.name, key, got: number(angle.value) }, &angle.span);
+            }
+        }
+    }
+    let shape = shape(kind, &table, p)?;
+    let number = |key| table.number(key).map_or(0.0, |n| n.value);
+    Some(Body {
+        shape,
+        position: table.pair("position").unwrap_or(DVec2::ZERO),
+        angle: Degrees(number("angle_deg")),
+        velocity: table.pair("velocity").unwrap_or(DVec2::ZERO),
+        spin: Degrees(number("angular_velocity_deg")),
+    })
+}
+
+/// Without a kind the other keys can't be judged; what the kind itself lacks is told.
+fn without_kind(name: &Spanned<String>, node: &Node, p: &mut Problems) {
+    let kind_row = &BODY.fields[..1];
+    match node.entries().map(|entries| entries.iter().find(|(key, _)| key.value == "kind")) {
+        Some(Some(entry)) => {
+            let kind_only =
+                Node { value: super::node::NodeValue::Table(vec![entry.clone()]), span: node.span.clone() };
+            check(&kind_only, &name.value, BODY.place, kind_row, p);
+        }
+        Some(None) => {
+            let place = format!("the shape `{}`", name.value);
+            let fault =
+                Fault::MissingKey { key: "kind".to_owned(), place, expected: kind_row[0].holds.expected() };
+            p.add(fault, &node.span);
+        }
+        None => {
+            check(node, &name.value, BODY.place, kind_row, p);
+        }
+    }
+}
+
+fn with_article(kind: &str) -> String {
+    let article = if kind.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    format!("{article} {kind}")
+}
+
+fn shape(kind: &Kind, table: &Checked<'_>, p: &mut Problems) -> Option<Shape> {
+    let wanted = |name: &str| table.get(name).is_some();
+    if !kind.fields.iter().all(|f| wanted(f.name) || !f.required) {
+        return None;
+    }
+    let values: Vec<Option<FieldValue>> = kind
+        .fields
+        .iter()
+        .map(|f| match f.holds {
+            FieldType::Number => table.number(f.name).map(|n| FieldValue::Number(n.value)),
+            FieldType::Point => table.pair(f.name).map(FieldValue::Point),
+            FieldType::Points => table.points(f.name).map(FieldValue::Points),
+        })
+        .collect();
+    match (kind.build)(&values) {
+        Ok(shape) => Some(shape),
+        Err(error) => {
+            let span = element_span(table, error.field, error.element);
+            p.add(Fault::Shape(error), &span);
+            None
+        }
+    }
+}
+
+/// The corner at fault, the field, or the whole shape.
+fn element_span(table: &Checked<'_>, field: &str, element: Option<usize>) -> Range<usize> {
+    let Some(node) = table.get(field) else { return table.span.clone() };
+    let item = element.and_then(|i| as_list(node)?.get(i));
+    item.unwrap_or(node).span.clone()
+}

@@ -1,0 +1,268 @@
+//! A table of the file, checked against its rows: unknown keys, missing keys, wrong types, numbers out of range.
+//!
+//! What a [`Checked`] gives out has been checked; where a value was wrong, the problem is noted and the key reads as
+//! if left out.
+
+use std::ops::Range;
+
+use crate::geometry::DVec2;
+
+use super::Spanned;
+use super::fields::{Field, Holds};
+use super::limits::{MAX_CORNERS, MAX_TEXT};
+use super::node::{Node, NodeValue, number};
+use super::problem::{Fault, Problems};
+
+/// A table and those of its values that are what their rows say.
+pub(crate) struct Checked<'n> {
+    pub(crate) span: Range<usize>,
+    good: Vec<(&'static str, &'n Node)>,
+}
+
+/// Checks a table against its rows. None where it is no table.
+pub(crate) fn check<'n>(
+    node: &'n Node,
+    key: &str,
+    place: &str,
+    rows: &[Field],
+    p: &mut Problems,
+) -> Option<Checked<'n>> {
+    let Some(entries) = node.entries() else {
+        let fault =
+            Fault::WrongType { key: key.to_owned(), expected: "a table".to_owned(), got: node.describe() };
+        p.add(fault, &node.span);
+        return None;
+    };
+    let mut good = Vec::new();
+    for (key, value) in entries {
+        match rows.iter().find(|row| row.name == key.value) {
+            None => {
+                let known = rows.iter().map(|row| row.name.to_owned()).collect();
+                p.add(
+                    Fault::UnknownKey { key: key.value.clone(), place: place.to_owned(), known },
+                    &key.span,
+                );
+            }
+            Some(row) if holds(value, row, p) => good.push((row.name, value)),
+            Some(_) => {}
+        }
+    }
+    for row in rows.iter().filter(|row| row.required && node.get(row.name).is_none()) {
+        let fault = Fault::MissingKey {
+            key: row.name.to_owned(),
+            place: place.to_owned(),
+            expected: row.holds.expected(),
+        };
+        p.add(fault, &node.span);
+    }
+    Some(Checked { span: node.span.clone(), good })
+}
+
+impl<'n> Checked<'n> {
+    pub(crate) fn get(&self, key: &str) -> Option<&'n Node> {
+        self.good.iter().find(|(name, _)| *name == key).map(|&(_, node)| node)
+    }
+
+    pub(crate) fn number(&self, key: &str) -> Option<Spanned<f64>> {
+        let node = self.get(key)?;
+        as_number(node).map(|value| Spanned { value, span: node.span.clone() })
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "checked to be whole and in range"
+    )]
+    pub(crate) fn count(&self, key: &str) -> Option<Spanned<usize>> {
+        self.number(key).map(|n| Spanned { value: n.value as usize, span: n.span })
+    }
+
+    pub(crate) fn text(&self, key: &str) -> Option<Spanned<String>> {
+        let node = self.get(key)?;
+        as_text(node).map(|text| Spanned { value: text.to_owned(), span: node.span.clone() })
+    }
+
+    pub(crate) fn pair(&self, key: &str) -> Option<DVec2> {
+        as_pair(self.get(key)?)
+    }
+
+    pub(crate) fn points(&self, key: &str) -> Option<Vec<DVec2>> {
+        as_list(self.get(key)?)?.iter().map(as_pair).collect()
+    }
+
+    pub(crate) fn switch(&self, key: &str) -> Option<bool> {
+        match self.get(key)?.value {
+            NodeValue::Bool(b) => Some(b),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn numbers<const N: usize>(&self, key: &str) -> Option<Spanned<[f64; N]>> {
+        let node = self.get(key)?;
+        let numbers: Option<Vec<f64>> = as_list(node)?.iter().map(as_number).collect();
+        Some(Spanned { value: numbers?.try_into().ok()?, span: node.span.clone() })
+    }
+}
+
+pub(crate) fn as_number(node: &Node) -> Option<f64> {
+    match node.value {
+        NodeValue::Number(x) => Some(x),
+        _ => None,
+    }
+}
+
+pub(crate) fn as_text(node: &Node) -> Option<&str> {
+    match &node.value {
+        NodeValue::Text(t) => Some(t),
+        _ => None,
+    }
+}
+
+pub(crate) fn as_list(node: &Node) -> Option<&[Node]> {
+    match &node.value {
+        NodeValue::List(items) => Some(items),
+        _ => None,
+    }
+}
+
+fn as_pair(node: &Node) -> Option<DVec2> {
+    match as_list(node)? {
+        [x, y] => Some(DVec2::new(as_number(x)?, as_number(y)?)),
+        _ => None,
+    }
+}
+
+/// Whether a value is what its row says; notes what is wrong.
+fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
+    let key = row.name;
+    match row.holds {
+        Holds::Text => match as_text(node) {
+            Some(text) => short_enough(text, key, &node.span, p),
+            None => wrong(node, row, p),
+        },
+        Holds::Word { what, known } => match as_text(node) {
+            None => wrong(node, row, p),
+            Some(word) => {
+                let known = known();
+                let found = known.iter().any(|k| k == word);
+                if !found {
+                    p.add(Fault::UnknownWord { what, got: word.to_owned(), known }, &node.span);
+                }
+                found
+            }
+        },
+        Holds::Number { min, max } => in_range(node, row, min, max, p),
+        Holds::Count { min, max } => whole(node, row, (min, max), p),
+        Holds::Switch => matches!(node.value, NodeValue::Bool(_)) || wrong(node, row, p),
+        Holds::Pair => numbers(node, row, 2, p),
+        Holds::Rectangle => numbers(node, row, 4, p),
+        Holds::Points => points(node, row, p),
+        Holds::Names => match as_list(node) {
+            Some(items) if items.iter().all(|i| as_text(i).is_some()) => true,
+            _ => wrong(node, row, p),
+        },
+        Holds::Moment => match &node.value {
+            NodeValue::Number(_) => in_range(node, row, 0.0, 1.0, p),
+            NodeValue::Text(word) if ["start", "hit", "end"].contains(&word.as_str()) => true,
+            NodeValue::Text(word) => {
+                let known = ["start", "hit", "end"].map(str::to_owned).to_vec();
+                p.add(Fault::UnknownWord { what: "moment", got: word.clone(), known }, &node.span);
+                false
+            }
+            _ => wrong(node, row, p),
+        },
+        Holds::LabelPlace => match &node.value {
+            NodeValue::Text(_) => true,
+            NodeValue::List(_) => numbers(node, row, 2, p),
+            _ => wrong(node, row, p),
+        },
+        Holds::Layers | Holds::List(_) => as_list(node).is_some() || wrong(node, row, p),
+        Holds::Tables(_) | Holds::Table => node.entries().is_some() || wrong(node, row, p),
+        Holds::Anything => true,
+    }
+}
+
+fn wrong(node: &Node, row: &Field, p: &mut Problems) -> bool {
+    let fault =
+        Fault::WrongType { key: row.name.to_owned(), expected: row.holds.expected(), got: node.describe() };
+    p.add(fault, &node.span);
+    false
+}
+
+/// Whether a text is short enough to be typeset.
+pub(crate) fn short_enough(text: &str, key: &str, span: &Range<usize>, p: &mut Problems) -> bool {
+    let got = text.chars().count();
+    if got > MAX_TEXT {
+        p.add(Fault::OverLimit { what: format!("`{key}`"), limit: MAX_TEXT, unit: "characters", got }, span);
+    }
+    got <= MAX_TEXT
+}
+
+/// Whether a value is a finite number.
+pub(crate) fn finite(node: &Node, row: &Field, p: &mut Problems) -> bool {
+    match as_number(node) {
+        Some(x) if x.is_finite() => true,
+        Some(x) => {
+            p.add(Fault::NotFinite { key: row.name.to_owned(), got: number(x) }, &node.span);
+            false
+        }
+        None => wrong(node, row, p),
+    }
+}
+
+fn in_range(node: &Node, row: &Field, min: f64, max: f64, p: &mut Problems) -> bool {
+    if !finite(node, row, p) {
+        return false;
+    }
+    let inside = as_number(node).is_some_and(|x| min <= x && x <= max);
+    if !inside {
+        out_of_range(node, row, p);
+    }
+    inside
+}
+
+#[expect(clippy::cast_precision_loss, reason = "the limits are far below 2⁵³")]
+fn whole(node: &Node, row: &Field, (min, max): (usize, usize), p: &mut Problems) -> bool {
+    if !finite(node, row, p) {
+        return false;
+    }
+    let inside = as_number(node).is_some_and(|x| x.fract() == 0.0 && min as f64 <= x && x <= max as f64);
+    if !inside {
+        out_of_range(node, row, p);
+    }
+    inside
+}
+
+fn out_of_range(node: &Node, row: &Field, p: &mut Problems) {
+    let fault =
+        Fault::OutOfRange { key: row.name.to_owned(), expected: row.holds.expected(), got: node.describe() };
+    p.add(fault, &node.span);
+}
+
+/// Whether a value is a list of `n` finite numbers.
+fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
+    match as_list(node) {
+        // Not `all`: each wrong number is told.
+        Some(items) if items.len() == n => {
+            let row = Field { holds: Holds::Number { min: f64::MIN, max: f64::MAX }, ..*row };
+            items.iter().fold(true, |good, item| finite(item, &row, p) && good)
+        }
+        _ => wrong(node, row, p),
+    }
+}
+
+fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
+    let Some(items) = as_list(node) else { return wrong(node, row, p) };
+    if items.len() > MAX_CORNERS {
+        let fault = Fault::OverLimit {
+            what: format!("`{}`", row.name),
+            limit: MAX_CORNERS,
+            unit: "points",
+            got: items.len(),
+        };
+        p.add(fault, &node.span);
+        return false;
+    }
+    let row = Field { holds: Holds::Pair, ..*row };
+    items.iter().fold(true, |good, item| numbers(item, &row, 2, p) && good)
+}

@@ -1,0 +1,262 @@
+//! The table of fields: what each table of a scene may hold.
+//!
+//! One row a key. The reader checks a table against its rows, messages list them, `tracefig list` prints them. The
+//! fields of the kinds of shape are in [`crate::geometry::shape::KINDS`] and become rows here by [`shape_rows`].
+
+use crate::collision::{ALGORITHMS, QueryKind};
+use crate::geometry::shape::{FieldType, KINDS, Kind};
+
+use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MIN_CANVAS};
+
+/// What a key holds.
+#[derive(Clone, Copy, Debug)]
+pub enum Holds {
+    /// Any text.
+    Text,
+    /// One of the known words.
+    Word {
+        /// What the word is, for messages.
+        what: &'static str,
+        /// The words.
+        known: fn() -> Vec<String>,
+    },
+    /// A finite number in a closed range.
+    Number {
+        /// Smallest.
+        min: f64,
+        /// Largest.
+        max: f64,
+    },
+    /// A whole number in a closed range.
+    Count {
+        /// Smallest.
+        min: usize,
+        /// Largest.
+        max: usize,
+    },
+    /// true or false.
+    Switch,
+    /// Two numbers.
+    Pair,
+    /// Corners x0, y0, x1, y1 of a rectangle.
+    Rectangle,
+    /// Pairs of numbers.
+    Points,
+    /// Names of shapes of the scene.
+    Names,
+    /// A number in [0, 1], or "start", "hit", "end".
+    Moment,
+    /// "NE", or an offset in pixels.
+    LabelPlace,
+    /// Layers, by name or as tables.
+    Layers,
+    /// Tables by name; the words say of what.
+    Tables(&'static str),
+    /// A list of tables; the words say of what.
+    List(&'static str),
+    /// One table.
+    Table,
+    /// Anything; not read.
+    Anything,
+}
+
+/// A key of a table in a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// The key.
+    pub name: &'static str,
+    /// What it holds.
+    pub holds: Holds,
+    /// Whether it may not be left out.
+    pub required: bool,
+    /// One line, with unit and default.
+    pub about: &'static str,
+}
+
+const fn must(name: &'static str, holds: Holds, about: &'static str) -> Field {
+    Field { name, holds, required: true, about }
+}
+
+const fn may(name: &'static str, holds: Holds, about: &'static str) -> Field {
+    Field { name, holds, required: false, about }
+}
+
+/// A table of a scene and its keys.
+#[derive(Clone, Copy, Debug)]
+pub struct TableRows {
+    /// Where it stands, as `[query]`.
+    pub header: &'static str,
+    /// How messages call it, as "the query".
+    pub place: &'static str,
+    /// Its keys.
+    pub fields: &'static [Field],
+}
+
+const ANY_NUMBER: Holds = Holds::Number { min: f64::MIN, max: f64::MAX };
+
+/// The top of a file.
+pub(super) static ROOT: TableRows = TableRows {
+    header: "(top)",
+    place: "the scene",
+    fields: &[
+        may("title", Holds::Text, "title of the figure"),
+        may("caption", Holds::Text, "caption below the figure"),
+        must("shapes", Holds::Tables("shapes"), "the shapes by name: one or two"),
+        must("query", Holds::Table, "the question"),
+        may("panels", Holds::List("panels"), "what is drawn, from left to right"),
+        may("labels", Holds::Tables("labels"), "texts and places of labels, by label key"),
+        may("canvas", Holds::Table, "the page"),
+        may("id", Holds::Anything, "copied to the answer of `solve --jsonl`"),
+        may("expected", Holds::Anything, "not read; a place for the known answer in suites of tests"),
+    ],
+};
+
+/// What every shape may have besides the fields of its kind.
+pub(super) static BODY: TableRows = TableRows {
+    header: "[shapes.NAME]",
+    place: "a shape",
+    fields: &[
+        must("kind", Holds::Word { what: "kind of shape", known: kind_words }, "the kind of shape"),
+        may("position", Holds::Pair, "world position of the body's origin at t = 0; default [0, 0]"),
+        may("angle_deg", ANY_NUMBER, "angle at t = 0, degrees counter-clockwise; default 0"),
+        may("velocity", Holds::Pair, "world units per unit of time; default [0, 0]"),
+        may(
+            "angular_velocity_deg",
+            ANY_NUMBER,
+            "degrees per unit of time, about the body's origin; default 0",
+        ),
+    ],
+};
+
+/// The question.
+pub(super) static QUERY: TableRows = TableRows {
+    header: "[query]",
+    place: "the query",
+    fields: &[
+        must("kind", Holds::Word { what: "kind of query", known: query_words }, "what is asked"),
+        must("of", Holds::Names, "names of the shapes: the first is A, the second B"),
+        may(
+            "algorithm",
+            Holds::Word { what: "algorithm", known: algorithm_words },
+            "default: the best for the pair",
+        ),
+        may(
+            "time",
+            Holds::Number { min: 0.0, max: 1.0 },
+            "the moment, for bounds, overlap, separation; default 0",
+        ),
+        may("tolerance", Holds::Number { min: 0.0, max: f64::MAX }, "world units; default 1e-12"),
+        may("max_iterations", Holds::Count { min: 1, max: MAX_ITERATIONS }, "step cap; default 20000"),
+    ],
+};
+
+/// A panel.
+pub(super) static PANEL: TableRows = TableRows {
+    header: "[[panels]]",
+    place: "a panel",
+    fields: &[
+        may("title", Holds::Text, "title above the panel"),
+        may("space", Holds::Word { what: "space", known: space_words }, "what it shows; default \"world\""),
+        may("frame", Holds::Text, "the shape in whose frame it is drawn, for space = \"body\""),
+        may("time", Holds::Moment, "its moment; default: the query's"),
+        may(
+            "step",
+            Holds::Count { min: 1, max: MAX_ITERATIONS },
+            "its moment as the algorithm's step, from 1",
+        ),
+        must("layers", Holds::Layers, "what is drawn, in this order"),
+        may(
+            "view",
+            Holds::Rectangle,
+            "world rectangle that must be visible: [x0, y0, x1, y1]; default: a fit",
+        ),
+    ],
+};
+
+/// A label written as a table.
+pub(super) static LABEL: TableRows = TableRows {
+    header: "[labels]",
+    place: "a label",
+    fields: &[
+        may("text", Holds::Text, "text instead of the default"),
+        may("at", Holds::LabelPlace, "pins it: \"NE\", or an offset [dx, dy] in pixels, y down"),
+        may("hide", Holds::Switch, "true: it is not drawn"),
+    ],
+};
+
+/// The page.
+pub(super) static CANVAS: TableRows = TableRows {
+    header: "[canvas]",
+    place: "the canvas",
+    fields: &[
+        may("width", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 960"),
+        may("height", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 540"),
+        may("theme", Holds::Text, "name of the theme; default \"light\""),
+    ],
+};
+
+/// Every table of a scene but the fields of the kinds of shape.
+pub static TABLES: [&TableRows; 6] = [&ROOT, &BODY, &QUERY, &PANEL, &LABEL, &CANVAS];
+
+/// All the rows of a kind of shape: those of every shape and its own.
+#[must_use]
+pub fn shape_rows(kind: &Kind) -> Vec<Field> {
+    let own = kind.fields.iter().map(|f| Field {
+        name: f.name,
+        holds: match f.holds {
+            FieldType::Number => ANY_NUMBER,
+            FieldType::Point => Holds::Pair,
+            FieldType::Points => Holds::Points,
+        },
+        required: f.required,
+        about: f.about,
+    });
+    BODY.fields.iter().copied().chain(own).collect()
+}
+
+fn kind_words() -> Vec<String> {
+    KINDS.iter().map(|k| k.name.to_owned()).collect()
+}
+
+fn query_words() -> Vec<String> {
+    QueryKind::ALL.iter().map(|k| k.word().to_owned()).collect()
+}
+
+fn algorithm_words() -> Vec<String> {
+    ALGORITHMS.iter().map(|a| a.name.to_owned()).collect()
+}
+
+fn space_words() -> Vec<String> {
+    ["world", "configuration", "body"].map(str::to_owned).to_vec()
+}
+
+impl Holds {
+    /// What is expected, for messages: "a number in [0, 1]".
+    #[must_use]
+    pub fn expected(&self) -> String {
+        match *self {
+            Self::Text => "a text".to_owned(),
+            Self::Word { what, .. } => format!("a word, the {what}"),
+            Self::Number { min, max } => match (min == f64::MIN, max == f64::MAX) {
+                (true, _) => "a number".to_owned(),
+                (false, true) => format!("a number of at least {min}"),
+                (false, false) => format!("a number in [{min}, {max}]"),
+            },
+            Self::Count { min, max } => format!("a whole number in [{min}, {max}]"),
+            Self::Switch => "true or false".to_owned(),
+            Self::Pair => "two numbers [x, y]".to_owned(),
+            Self::Rectangle => "four numbers [x0, y0, x1, y1]".to_owned(),
+            Self::Points => "a list of points [[x, y], …]".to_owned(),
+            Self::Names => "a list of names of shapes".to_owned(),
+            Self::Moment => "a number in [0, 1], \"start\", \"hit\" or \"end\"".to_owned(),
+            Self::LabelPlace => {
+                "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()
+            }
+            Self::Layers => "a list of layers, each a name or a table { layer = \"…\", … }".to_owned(),
+            Self::Tables(what) => format!("a table of {what} by name"),
+            Self::List(what) => format!("a list of {what}"),
+            Self::Table => "a table".to_owned(),
+            Self::Anything => "anything".to_owned(),
+        }
+    }
+}

@@ -1,0 +1,31 @@
+//! How large a scene may be.
+//!
+//! Each limit is far above what a figure can show and low enough that no scene within them takes seconds or
+//! gigabytes: a hostile file gets an error and not the machine.
+
+/// Bytes of a scene file, 8 MiB. Corners in full precision take some 40 bytes, so all of [`MAX_CORNERS`] fit.
+pub const MAX_FILE_BYTES: usize = 8 << 20;
+/// Levels of tables and lists in one another; a scene needs 5 (panels, panel, layers, layer, list of an option).
+pub const MAX_NESTING: usize = 16;
+/// Corners of one shape. Pairs of edges are visited one by one by the simplest algorithm: 10⁸ of them, under a second.
+pub const MAX_CORNERS: usize = 10_000;
+/// Characters of a title, caption, label or word.
+pub const MAX_TEXT: usize = 4_000;
+/// Panels of a figure; they stand side by side, so that many are unreadable long before.
+pub const MAX_PANELS: usize = 32;
+/// Layers of a panel.
+pub const MAX_LAYERS: usize = 200;
+/// Entries of `[labels]`.
+pub const MAX_LABELS: usize = 1_000;
+/// Values in a list of an option.
+pub const MAX_OPTION_VALUES: usize = 1_000;
+/// Page pixels of a side of the canvas; at `--scale 2` 8192 dots.
+pub const MAX_CANVAS: f64 = 4096.0;
+/// Smallest side of the canvas that can hold a panel with its margins.
+pub const MIN_CANVAS: f64 = 100.0;
+/// Steps of an iterative algorithm; each leaves a few events of some 200 bytes in a trace.
+pub const MAX_ITERATIONS: usize = 100_000;
+/// Step cap where the scene gives none. A graze with a gap of 1e-6 takes conservative advancement 12,405 steps.
+pub const DEFAULT_ITERATIONS: usize = 20_000;
+/// World units; where the scene gives no `tolerance`.
+pub const DEFAULT_TOLERANCE: f64 = 1e-12;

@@ -1,0 +1,157 @@
+//! `[[panels]]`: spaces, moments and layers. Layers and their options stay words with their place; the figure's table
+//! of layers judges them.
+
+use super::checked::{Checked, as_list, as_number, as_text, check, short_enough};
+use super::fields::PANEL;
+use super::limits::{MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
+use super::node::{Node, NodeValue, number};
+use super::problem::{Fault, Problems};
+use super::read::too_many;
+use super::{LayerSpec, Panel, Space, Spanned, Value, When};
+
+/// Reads all panels; those that are wrong are told and left out.
+pub(super) fn read(top: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Vec<Panel> {
+    let Some(node) = top.get("panels") else { return Vec::new() };
+    let items = as_list(node).unwrap_or_default();
+    if items.len() > MAX_PANELS {
+        too_many("`panels`", MAX_PANELS, "panels", items.len(), &node.span, p);
+        return Vec::new();
+    }
+    items.iter().filter_map(|item| panel(item, names, p)).collect()
+}
+
+fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Panel> {
+    let table = check(node, "panels", PANEL.place, PANEL.fields, p)?;
+    let space = space(&table, names, p);
+    let when = when(&table, p);
+    let view = table.numbers::<4>("view");
+    if let Some(Spanned { value: [x0, y0, x1, y1], span }) = &view
+        && (x0 >= x1 || y0 >= y1)
+    {
+        let got = format!("[{}, {}, {}, {}]", number(*x0), number(*y0), number(*x1), number(*y1));
+        p.add(
+            Fault::OutOfRange { key: "view".to_owned(), expected: "x0 < x1 and y0 < y1".to_owned(), got },
+            span,
+        );
+    }
+    let layers = table.get("layers").map_or(Vec::new(), |node| layers(node, p));
+    Some(Panel { title: table.text("title"), space: space?, when, layers, view, span: table.span.clone() })
+}
+
+fn space(table: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Option<Space> {
+    let word = table.text("space");
+    let frame = table.text("frame");
+    let is_body = word.as_ref().is_some_and(|w| w.value == "body");
+    match (is_body, frame) {
+        (true, Some(frame)) => {
+            let found = names.iter().position(|n| n.value == frame.value);
+            if found.is_none() {
+                let known = names.iter().map(|n| n.value.clone()).collect();
+                p.add(Fault::UnknownBody { got: frame.value, known }, &frame.span);
+            }
+            found.map(Space::Body)
+        }
+        (true, None) => {
+            let place = "a panel with `space = \"body\"`".to_owned();
+            let expected = "the name of a shape".to_owned();
+            let span = word.map_or(table.span.clone(), |w| w.span);
+            p.add(Fault::MissingKey { key: "frame".to_owned(), place, expected }, &span);
+            None
+        }
+        (false, Some(frame)) => {
+            let message = "`frame` applies to `space = \"body\"` only".to_owned();
+            p.add(Fault::Conflict { message }, &frame.span);
+            None
+        }
+        (false, None) if word.is_some_and(|w| w.value == "configuration") => Some(Space::Configuration),
+        (false, None) => Some(Space::World),
+    }
+}
+
+fn when(table: &Checked<'_>, p: &mut Problems) -> Option<Spanned<When>> {
+    let time = table.get("time").and_then(|node| {
+        let when = match as_text(node) {
+            Some("start") => When::Start,
+            Some("hit") => When::Hit,
+            Some("end") => When::End,
+            _ => When::Time(as_number(node)?),
+        };
+        Some(Spanned { value: when, span: node.span.clone() })
+    });
+    let step = table.count("step").map(|n| Spanned { value: When::Step(n.value), span: n.span });
+    if let (Some(_), Some(step)) = (&time, &step) {
+        let message = "a panel has a `time` or a `step`, not both".to_owned();
+        p.add(Fault::Conflict { message }, &step.span);
+    }
+    time.or(step)
+}
+
+fn layers(node: &Node, p: &mut Problems) -> Vec<LayerSpec> {
+    let items = as_list(node).unwrap_or_default();
+    if items.len() > MAX_LAYERS {
+        too_many("`layers`", MAX_LAYERS, "layers", items.len(), &node.span, p);
+        return Vec::new();
+    }
+    items.iter().filter_map(|item| layer(item, p)).collect()
+}
+
+fn layer(node: &Node, p: &mut Problems) -> Option<LayerSpec> {
+    if let Some(name) = as_text(node) {
+        let name = Spanned { value: name.to_owned(), span: node.span.clone() };
+        return Some(LayerSpec { name, options: Vec::new() });
+    }
+    let Some(entries) = node.entries() else {
+        let expected = "a layer, by name or as a table { layer = \"…\", … }".to_owned();
+        p.add(Fault::WrongType { key: "layers".to_owned(), expected, got: node.describe() }, &node.span);
+        return None;
+    };
+    let mut name = None;
+    let mut options = Vec::new();
+    for (key, value) in entries {
+        if key.value == "layer" {
+            match as_text(value) {
+                Some(text) => name = Some(Spanned { value: text.to_owned(), span: value.span.clone() }),
+                None => {
+                    let expected = "the name of a layer".to_owned();
+                    p.add(
+                        Fault::WrongType { key: "layer".to_owned(), expected, got: value.describe() },
+                        &value.span,
+                    );
+                    return None;
+                }
+            }
+        } else if let Some(option) = option(&key.value, value, p) {
+            options.push((key.clone(), option));
+        }
+    }
+    if name.is_none() {
+        let expected = "the name of a layer".to_owned();
+        let fault = Fault::MissingKey { key: "layer".to_owned(), place: "a layer".to_owned(), expected };
+        p.add(fault, &node.span);
+    }
+    Some(LayerSpec { name: name?, options })
+}
+
+fn option(key: &str, node: &Node, p: &mut Problems) -> Option<Spanned<Value>> {
+    let value = match &node.value {
+        NodeValue::Bool(b) => Value::Bool(*b),
+        NodeValue::Number(x) if !x.is_finite() => {
+            p.add(Fault::NotFinite { key: key.to_owned(), got: number(*x) }, &node.span);
+            return None;
+        }
+        NodeValue::Number(x) => Value::Number(*x),
+        NodeValue::Text(text) if short_enough(text, key, &node.span, p) => Value::Text(text.clone()),
+        NodeValue::Text(_) => return None,
+        NodeValue::List(items) if items.len() > MAX_OPTION_VALUES => {
+            too_many(&format!("`{key}`"), MAX_OPTION_VALUES, "values", items.len(), &node.span, p);
+            return None;
+        }
+        NodeValue::List(items) => Value::List(items.iter().filter_map(|item| option(key, item, p)).collect()),
+        NodeValue::Table(_) | NodeValue::Other(_) => {
+            let expected = "true or false, a number, a text or a list".to_owned();
+            p.add(Fault::WrongType { key: key.to_owned(), expected, got: node.describe() }, &node.span);
+            return None;
+        }
+    };
+    Some(Spanned { value, span: node.span.clone() })
+}

@@ -1,0 +1,405 @@
+//! What can be wrong with a scene, each with a stable code, a place, and the words that help to mend it.
+//!
+//! A [`Problem`] keeps fields and not sentences: what was expected, what was got, which words are known there. The
+//! figure's plan reports with the same type, so that a layer that does not exist and a radius below zero look alike.
+
+use std::fmt;
+use std::ops::Range;
+
+use crate::geometry::shape::ShapeError;
+
+/// A code of an error and what it means, for `tracefig list errors`.
+#[derive(Clone, Copy, Debug)]
+pub struct ErrorCode {
+    /// The stable word that programs see.
+    pub code: &'static str,
+    /// One line.
+    pub about: &'static str,
+}
+
+const fn row(code: &'static str, about: &'static str) -> ErrorCode {
+    ErrorCode { code, about }
+}
+
+/// Every code that reading a scene can give.
+pub static ERRORS: &[ErrorCode] = &[
+    row("unreadable-file", "the file is missing, is no file, or may not be read"),
+    row("not-utf8", "the file is not UTF-8 text"),
+    row("empty-file", "the file holds nothing but blanks and comments"),
+    row("syntax", "the text is not TOML or not JSON"),
+    row("duplicate-key", "a key stands twice in one table"),
+    row("over-limit", "a file, list, text or number is larger than tracefig takes"),
+    row("unknown-key", "a key that means nothing in its table"),
+    row(
+        "unknown-word",
+        "a word that is none of those known there: a kind, algorithm, layer, space, theme, …",
+    ),
+    row("missing-key", "a table lacks a key that it must have"),
+    row("wrong-type", "a value of another type than its key holds"),
+    row("not-finite", "a number that is infinite or not a number"),
+    row("out-of-range", "a number outside of what its key allows, as a time outside [0, 1]"),
+    row("conflict", "two keys that exclude each other, or a key that does not apply there"),
+    row("unknown-body", "the query or a panel names a shape that the scene does not have"),
+    row("wrong-count", "the query is of too many or too few shapes"),
+    row("turning-body", "a linear sweep of a shape that turns"),
+    row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
+    row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
+    row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
+    row("not-convex", "the corners of a polygon turn both ways, or wind more than once"),
+    row("not-simple", "an outline crosses or touches itself"),
+    row("too-few-corners", "fewer than three distinct corners"),
+    row("degenerate", "corners that enclose no area"),
+    row("negative", "a length below zero"),
+];
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// The file can't be read; the system's words.
+    Unreadable {
+        /// Why.
+        reason: String,
+    },
+    /// The bytes are not UTF-8.
+    NotUtf8,
+    /// Nothing is in it.
+    Empty,
+    /// Not TOML, or not JSON.
+    Syntax {
+        /// The parser's words.
+        message: String,
+    },
+    /// A key stands twice.
+    DuplicateKey {
+        /// The key.
+        key: String,
+    },
+    /// Something is too large.
+    OverLimit {
+        /// What, as "the file".
+        what: String,
+        /// At most so many.
+        limit: usize,
+        /// Of these.
+        unit: &'static str,
+        /// So many were found.
+        got: usize,
+    },
+    /// A key that means nothing here.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The table it stands in, as "a circle".
+        place: String,
+        /// The keys of that table.
+        known: Vec<String>,
+    },
+    /// A word that is none of those known.
+    UnknownWord {
+        /// What it should be, as "algorithm".
+        what: &'static str,
+        /// The word.
+        got: String,
+        /// The known ones.
+        known: Vec<String>,
+    },
+    /// A key is missing.
+    MissingKey {
+        /// The key.
+        key: String,
+        /// The table that lacks it.
+        place: String,
+        /// What it holds.
+        expected: String,
+    },
+    /// A value of another type.
+    WrongType {
+        /// The key it stands under.
+        key: String,
+        /// What was expected.
+        expected: String,
+        /// What was found.
+        got: String,
+    },
+    /// An infinity, or not a number.
+    NotFinite {
+        /// The key it stands under.
+        key: String,
+        /// As written.
+        got: String,
+    },
+    /// A number that its key does not allow.
+    OutOfRange {
+        /// The key it stands under.
+        key: String,
+        /// What was expected.
+        expected: String,
+        /// As written.
+        got: String,
+    },
+    /// Keys that exclude each other.
+    Conflict {
+        /// The whole sentence.
+        message: String,
+    },
+    /// A shape that the scene doesn't have.
+    UnknownBody {
+        /// Its name.
+        got: String,
+        /// The names that there are.
+        known: Vec<String>,
+    },
+    /// Too many or too few shapes in `of`.
+    WrongCount {
+        /// The query's kind.
+        kind: &'static str,
+        /// What it takes.
+        expected: &'static str,
+        /// So many names.
+        got: usize,
+    },
+    /// A sweep of a turning body.
+    TurningBody {
+        /// Its name.
+        body: String,
+    },
+    /// An angle on a shape that does not turn.
+    FixedAngle {
+        /// The kind of shape.
+        kind: &'static str,
+        /// `angle_deg` or `angular_velocity_deg`.
+        key: &'static str,
+        /// As written.
+        got: String,
+    },
+    /// An algorithm that doesn't take this query.
+    UnsuitedAlgorithm {
+        /// Its name.
+        algorithm: &'static str,
+        /// Why not.
+        reason: String,
+        /// Those that take it.
+        suited: Vec<String>,
+    },
+    /// A shape that the query can't be asked of.
+    UnsuitedShape {
+        /// Its name in the scene.
+        body: String,
+        /// Why not.
+        reason: String,
+    },
+    /// Values that do not make a shape.
+    Shape(ShapeError),
+    /// A fault that another room found, with its own code.
+    Other {
+        /// Stable code.
+        code: &'static str,
+        /// "expected X, got Y".
+        message: String,
+        /// What would help.
+        help: Option<String>,
+    },
+}
+
+/// What is wrong, and where: bytes of the source text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Problem {
+    /// What.
+    pub fault: Fault,
+    /// Where.
+    pub span: Range<usize>,
+}
+
+impl Problem {
+    /// A fault at a place.
+    ///
+    /// ```
+    /// use tracefig::scene::{Fault, Problem};
+    /// let known = vec!["shapes".to_owned(), "ghosts".to_owned()];
+    /// let problem = Problem::new(Fault::UnknownWord { what: "layer", got: "gohsts".to_owned(), known }, 10..18);
+    /// assert_eq!(problem.fault.code(), "unknown-word");
+    /// assert_eq!(problem.fault.help().as_deref(), Some("did you mean `ghosts`?"));
+    /// ```
+    #[must_use]
+    pub fn new(fault: Fault, span: Range<usize>) -> Self {
+        Self { fault, span }
+    }
+}
+
+impl Fault {
+    /// The stable word for programs.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Unreadable { .. } => "unreadable-file",
+            Self::NotUtf8 => "not-utf8",
+            Self::Empty => "empty-file",
+            Self::Syntax { .. } => "syntax",
+            Self::DuplicateKey { .. } => "duplicate-key",
+            Self::OverLimit { .. } => "over-limit",
+            Self::UnknownKey { .. } => "unknown-key",
+            Self::UnknownWord { .. } => "unknown-word",
+            Self::MissingKey { .. } => "missing-key",
+            Self::WrongType { .. } => "wrong-type",
+            Self::NotFinite { .. } => "not-finite",
+            Self::OutOfRange { .. } => "out-of-range",
+            Self::Conflict { .. } => "conflict",
+            Self::UnknownBody { .. } => "unknown-body",
+            Self::WrongCount { .. } => "wrong-count",
+            Self::TurningBody { .. } => "turning-body",
+            Self::FixedAngle { .. } => "fixed-angle",
+            Self::UnsuitedAlgorithm { .. } => "unsuited-algorithm",
+            Self::UnsuitedShape { .. } => "unsuited-shape",
+            Self::Shape(error) => error.code,
+            Self::Other { code, .. } => code,
+        }
+    }
+
+    /// What would help: the nearest known word, or all that are known.
+    #[must_use]
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { key, known, .. } => nearest_or_all(key, known),
+            Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
+                nearest_or_all(got, known)
+            }
+            Self::UnsuitedAlgorithm { suited, .. } if !suited.is_empty() => {
+                Some(format!("these do: {}", quoted(suited)))
+            }
+            Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
+            Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
+            Self::FixedAngle { kind: "aabb", .. } => Some("a `box` may turn".to_owned()),
+            Self::Other { help, .. } => help.clone(),
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unreadable { reason } => write!(f, "can't read the scene: {reason}"),
+            Self::NotUtf8 => f.write_str("expected UTF-8 text, got other bytes"),
+            Self::Empty => f.write_str("expected a scene, got an empty file"),
+            Self::Syntax { message } | Self::Conflict { message } | Self::Other { message, .. } => {
+                f.write_str(message)
+            }
+            Self::DuplicateKey { key } => write!(f, "the key `{key}` stands twice"),
+            Self::OverLimit { what, limit, unit, got } => {
+                write!(f, "{what}: expected at most {limit} {unit}, got {got}")
+            }
+            Self::UnknownKey { key, place, .. } => write!(f, "unknown key `{key}` in {place}"),
+            Self::UnknownWord { what, got, .. } => write!(f, "unknown {what} `{got}`"),
+            Self::MissingKey { key, place, expected } => {
+                write!(f, "{place} lacks `{key}`: expected {expected}")
+            }
+            Self::WrongType { key, expected, got } | Self::OutOfRange { key, expected, got } => {
+                write!(f, "`{key}`: expected {expected}, got {got}")
+            }
+            Self::NotFinite { key, got } => write!(f, "`{key}`: expected a finite number, got {got}"),
+            Self::UnknownBody { got, .. } => write!(f, "the scene has no shape `{got}`"),
+            Self::WrongCount { kind, expected, got } => {
+                write!(f, "`of`: a `{kind}` query is of {expected}, got {got}")
+            }
+            Self::TurningBody { body } => {
+                write!(f, "a `linear-sweep` is of shapes that do not turn, but `{body}` does")
+            }
+            Self::FixedAngle { kind, key, got } => {
+                write!(f, "`{key}`: an `{kind}` does not turn: expected 0, got {got}")
+            }
+            Self::UnsuitedAlgorithm { algorithm, reason, .. } => {
+                write!(f, "the algorithm `{algorithm}` does not take this query: {reason}")
+            }
+            Self::UnsuitedShape { body, reason } => {
+                write!(f, "the query can't be asked of `{body}`: {reason}")
+            }
+            Self::Shape(error) => write!(f, "`{}`: {}", error.field, error.message),
+        }
+    }
+}
+
+/// At most a third of a word may differ for it to be what was meant.
+fn is_near(got: &str, known: &str) -> Option<usize> {
+    let distance = strsim::damerau_levenshtein(&got.to_lowercase(), known);
+    (distance * 3 <= got.chars().count().max(known.chars().count()).max(3)).then_some(distance)
+}
+
+fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
+    // A misspelt word is short; a long text is compared with nothing.
+    const LONGEST_WORD: usize = 64;
+    let near = known
+        .iter()
+        .filter(|_| got.len() <= LONGEST_WORD)
+        .filter_map(|word| is_near(got, word).map(|d| (d, word)))
+        .min_by_key(|&(d, _)| d);
+    match near {
+        Some((_, word)) => Some(format!("did you mean `{word}`?")),
+        None if known.is_empty() => None,
+        None => Some(format!("known are: {}", quoted(known))),
+    }
+}
+
+fn quoted(words: &[String]) -> String {
+    words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
+}
+
+/// Problems as they are found.
+#[derive(Debug, Default)]
+pub(crate) struct Problems {
+    found: Vec<Problem>,
+}
+
+/// A file with more problems than this is not a scene; further ones are not kept.
+const MAX_PROBLEMS: usize = 100;
+
+impl Problems {
+    pub(crate) fn add(&mut self, fault: Fault, span: &Range<usize>) {
+        if self.found.len() < MAX_PROBLEMS {
+            self.found.push(Problem::new(fault, span.clone()));
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.found.is_empty()
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.found.len()
+    }
+
+    /// In the order of the file.
+    pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
+        self.found.sort_by_key(|p| (p.span.start, p.span.end));
+        self.found
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(list: &[&str]) -> Vec<String> {
+        list.iter().map(|&w| w.to_owned()).collect()
+    }
+
+    #[test]
+    fn the_nearest_word_is_suggested() {
+        let known = words(&["radius", "center", "position"]);
+        assert_eq!(nearest_or_all("raduis", &known).as_deref(), Some("did you mean `radius`?"));
+        assert_eq!(nearest_or_all("centre", &known).as_deref(), Some("did you mean `center`?"));
+    }
+
+    #[test]
+    fn a_far_word_lists_what_is_known() {
+        let known = words(&["radius", "center"]);
+        assert_eq!(nearest_or_all("banana", &known).as_deref(), Some("known are: `radius`, `center`"));
+        assert_eq!(nearest_or_all("banana", &[]), None);
+    }
+
+    #[test]
+    fn codes_are_listed_once() {
+        for (i, row) in ERRORS.iter().enumerate() {
+            assert!(ERRORS[..i].iter().all(|other| other.code != row.code), "{} stands twice", row.code);
+        }
+    }
+}

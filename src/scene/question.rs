@@ -1,0 +1,152 @@
+//! `[query]`: what is asked, of which shapes, and by which algorithm.
+
+use std::ops::Range;
+
+use crate::collision::{ALGORITHMS, Algorithm, Query, QueryKind};
+use crate::geometry::Body;
+
+use super::SceneQuery;
+use super::body;
+use super::checked::{Checked, as_list, as_text, check};
+use super::fields::QUERY;
+use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE};
+use super::node::Node;
+use super::problem::{Fault, Problems};
+
+/// Reads the query. None where it, or a shape that it is of, is wrong.
+pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Option<SceneQuery> {
+    let table = check(node, "query", QUERY.place, QUERY.fields, p)?;
+    let kind =
+        table.text("kind").and_then(|word| QueryKind::ALL.into_iter().find(|k| k.word() == word.value));
+    let of = names(&table, shapes, p);
+    if let Some(kind) = kind {
+        count(kind, &table, p);
+        moment(kind, &table, p);
+    }
+    let (kind, of) = (kind?, of?);
+    let bodies: Vec<(&str, &Body)> = of
+        .iter()
+        .map(|&i| shapes[i].body.as_ref().map(|body| (shapes[i].name.value.as_str(), body)))
+        .collect::<Option<_>>()?;
+    let (&(_, a), b) = (bodies.first()?, bodies.get(1).map(|&(_, b)| b));
+    let query = Query {
+        kind,
+        a,
+        b,
+        time: table.number("time").map_or(0.0, |t| t.value),
+        tolerance: table.number("tolerance").map_or(DEFAULT_TOLERANCE, |t| t.value),
+        max_iterations: table.count("max_iterations").map_or(DEFAULT_ITERATIONS, |n| n.value),
+    };
+    if !fits(&query, &bodies, &table, p) {
+        return None;
+    }
+    Some(SceneQuery {
+        kind,
+        algorithm: algorithm(&query, &table, p)?,
+        time: query.time,
+        tolerance: query.tolerance,
+        max_iterations: query.max_iterations,
+        span: table.span.clone(),
+        of,
+    })
+}
+
+fn span_of(table: &Checked<'_>, key: &str) -> Range<usize> {
+    table.get(key).map_or(table.span.clone(), |node| node.span.clone())
+}
+
+/// The shapes of `of`; None where one doesn't exist or stands twice.
+fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option<Vec<usize>> {
+    let mut found = Vec::new();
+    let mut all_known = true;
+    for item in as_list(table.get("of")?)? {
+        let name = as_text(item)?;
+        match shapes.iter().position(|s| s.name.value == name) {
+            Some(i) if found.contains(&i) => {
+                let message = format!("`of`: expected different shapes, got `{name}` twice");
+                p.add(Fault::Conflict { message }, &item.span);
+                all_known = false;
+            }
+            Some(i) => found.push(i),
+            None => {
+                let known = shapes.iter().map(|s| s.name.value.clone()).collect();
+                p.add(Fault::UnknownBody { got: name.to_owned(), known }, &item.span);
+                all_known = false;
+            }
+        }
+    }
+    all_known.then_some(found)
+}
+
+fn count(kind: QueryKind, table: &Checked<'_>, p: &mut Problems) {
+    let Some(node) = table.get("of") else { return };
+    let got = as_list(node).unwrap_or_default().len();
+    let (least, expected) = match kind {
+        QueryKind::Bounds | QueryKind::MotionBound => (1, "one or two shapes"),
+        _ => (2, "two shapes"),
+    };
+    if got < least || got > 2 {
+        p.add(Fault::WrongCount { kind: kind.word(), expected, got }, &node.span);
+    }
+}
+
+fn moment(kind: QueryKind, table: &Checked<'_>, p: &mut Problems) {
+    let at_a_moment = matches!(kind, QueryKind::Bounds | QueryKind::Overlap | QueryKind::Separation);
+    if let Some(time) = table.number("time").filter(|_| !at_a_moment) {
+        let message = format!("`time` does not apply to a `{}`, which is about all of [0, 1]", kind.word());
+        p.add(Fault::Conflict { message }, &time.span);
+    }
+}
+
+/// Whether the question can be asked of these shapes at all, by whatever algorithm.
+fn fits(query: &Query<'_>, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> bool {
+    let two = !matches!(query.kind, QueryKind::Bounds | QueryKind::MotionBound);
+    if bodies.len() > 2 || (two && bodies.len() < 2) {
+        return false;
+    }
+    let mut fits = true;
+    for (name, body) in bodies {
+        if query.kind == QueryKind::LinearSweep && body.spin.0 != 0.0 {
+            p.add(Fault::TurningBody { body: (*name).to_owned() }, &span_of(table, "kind"));
+            fits = false;
+        }
+        if query.kind != QueryKind::Bounds && body.shape.core.is_empty() {
+            let reason = format!("an `{}` is for `bounds` only", body.shape.kind);
+            p.add(Fault::UnsuitedShape { body: (*name).to_owned(), reason }, &span_of(table, "of"));
+            fits = false;
+        }
+    }
+    fits
+}
+
+/// The algorithm asked for, or the first that takes the query.
+fn algorithm(query: &Query<'_>, table: &Checked<'_>, p: &mut Problems) -> Option<&'static Algorithm> {
+    let takes = |a: &&Algorithm| a.kinds.contains(&query.kind) && (a.shapes)(query).is_ok();
+    let Some(name) = table.text("algorithm") else {
+        let found = ALGORITHMS.iter().find(takes);
+        if found.is_none() {
+            let reason = format!("no algorithm answers `{}` of these shapes", query.kind.word());
+            p.add(Fault::UnsuitedShape { body: kinds(query), reason }, &span_of(table, "kind"));
+        }
+        return found;
+    };
+    // `check` has let only known words through, unless the key was left out because it was wrong.
+    let asked = ALGORITHMS.iter().find(|a| a.name == name.value)?;
+    let reason = if asked.kinds.contains(&query.kind) {
+        (asked.shapes)(query).err().map(str::to_owned)
+    } else {
+        let kinds: Vec<_> = asked.kinds.iter().map(|k| format!("`{}`", k.word())).collect();
+        Some(format!("it answers {}, not `{}`", kinds.join(", "), query.kind.word()))
+    };
+    let Some(reason) = reason else { return Some(asked) };
+    let suited = ALGORITHMS.iter().filter(takes).map(|a| a.name.to_owned()).collect();
+    p.add(Fault::UnsuitedAlgorithm { algorithm: asked.name, reason, suited }, &name.span);
+    None
+}
+
+fn kinds(query: &Query<'_>) -> String {
+    match query.b {
+        Some(b) => format!("{} and {}", query.a.shape.kind, b.shape.kind),
+        None => query.a.shape.kind.to_owned(),
+    }
+}

@@ -1,0 +1,101 @@
+//! From a text to a [`Scene`]: one walk for TOML and JSON, all problems of the file at once.
+
+use std::ops::Range;
+
+use super::checked::{Checked, check};
+use super::fields::{CANVAS, ROOT};
+use super::node::{Node, NodeValue};
+use super::problem::{Fault, Problem, Problems};
+use super::source::Source;
+use super::{Canvas, Scene, Spanned, body, labels, panels, question};
+
+/// Shapes of a scene: a query is of one or two.
+const MAX_SHAPES: usize = 2;
+
+/// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the values in
+/// texts are checked by the figure's plan.
+///
+/// # Errors
+/// All problems of the text, in its order.
+///
+/// ```
+/// use tracefig::scene::{Source, read};
+/// let source = Source::new("empty.toml", "title = 'no shapes'");
+/// let problems = read(&source).unwrap_err();
+/// assert_eq!(problems[0].fault.to_string(), "the scene lacks `shapes`: expected a table of shapes by name");
+/// ```
+pub fn read(source: &Source) -> Result<Scene, Vec<Problem>> {
+    from_tree(&source.tree()?)
+}
+
+pub(crate) fn from_tree(root: &Node) -> Result<Scene, Vec<Problem>> {
+    let mut problems = Problems::default();
+    let scene = scene(root, &mut problems);
+    match scene {
+        Some(scene) if problems.is_empty() => Ok(scene),
+        _ => Err(problems.into_sorted()),
+    }
+}
+
+fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
+    let top = check(root, "scene", ROOT.place, ROOT.fields, p)?;
+    let read = bodies(&top, p);
+    let names: Vec<Spanned<String>> = read.iter().map(|r| r.name.clone()).collect();
+    let query = top.get("query").and_then(|node| question::read(node, &read, p));
+    let panels = panels::read(&top, &names, p);
+    let labels = labels::read(&top, p);
+    let canvas = canvas(&top, p);
+    let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
+    Some(Scene {
+        title: top.text("title"),
+        caption: top.text("caption"),
+        shapes: shapes?,
+        query: query?,
+        panels,
+        labels,
+        canvas,
+    })
+}
+
+fn bodies(top: &Checked<'_>, p: &mut Problems) -> Vec<body::Read> {
+    let Some(node) = top.get("shapes") else { return Vec::new() };
+    let entries = node.entries().unwrap_or_default();
+    if let Some((key, _)) = entries.get(MAX_SHAPES) {
+        too_many("`shapes`", MAX_SHAPES, "shapes", entries.len(), &key.span, p);
+    }
+    entries.iter().take(MAX_SHAPES).map(|(name, node)| body::read(name, node, p)).collect()
+}
+
+fn canvas(top: &Checked<'_>, p: &mut Problems) -> Canvas {
+    let mut canvas = Canvas { width: 960.0, height: 540.0, theme: None };
+    let Some(table) =
+        top.get("canvas").and_then(|node| check(node, "canvas", CANVAS.place, CANVAS.fields, p))
+    else {
+        return canvas;
+    };
+    if let Some(width) = table.number("width") {
+        canvas.width = width.value;
+    }
+    if let Some(height) = table.number("height") {
+        canvas.height = height.value;
+    }
+    canvas.theme = table.text("theme");
+    canvas
+}
+
+/// Notes that something is larger than its limit.
+pub(super) fn too_many(
+    what: &str,
+    limit: usize,
+    unit: &'static str,
+    got: usize,
+    at: &Range<usize>,
+    p: &mut Problems,
+) {
+    p.add(Fault::OverLimit { what: what.to_owned(), limit, unit, got }, at);
+}
+
+/// The bytes of the `id` of a scene, where it has one: JSON of any kind, copied to the answer.
+pub(crate) fn id_span(root: &Node) -> Option<Range<usize>> {
+    root.get("id").filter(|id| id.value != NodeValue::Other("null")).map(|id| id.span.clone())
+}

@@ -1,0 +1,83 @@
+//! `solve --jsonl`: a scene a line in, an answer a line out.
+
+use serde_json::{Value, json};
+
+use super::limits::MAX_FILE_BYTES;
+use super::node::Node;
+use super::problem::{Fault, Problem};
+use super::source::Source;
+use super::{Scene, answer_json, read};
+use crate::collision::Answer;
+
+/// The answer to a line of a stream, without its line break, and whether it is an answer and not an `error` line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reply {
+    /// One line of JSON.
+    pub line: String,
+    /// Whether the scene was answered.
+    pub solved: bool,
+}
+
+/// Answers a scene.
+#[must_use]
+pub fn solve(scene: &Scene) -> Answer {
+    scene.query.algorithm.answer(&scene.query_of_bodies())
+}
+
+/// Answers one line of a JSONL stream; `line` counts from 1.
+///
+/// ```
+/// let reply = tracefig::scene::solve_jsonl_line(r#"{"id": 7, "shapes": {}}"#, 3);
+/// assert_eq!(
+///     reply.line,
+///     r#"{"id":7,"line":3,"error":{"code":"missing-key","message":"the scene lacks `query`: expected a table"}}"#
+/// );
+/// assert!(!reply.solved);
+/// ```
+#[must_use]
+pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
+    let source = Source::json_line("<stdin>", text.trim_end_matches(['\r', '\n']), line);
+    let mut id = "null";
+    let answered = too_long(&source).and_then(|()| source.tree()).and_then(|root: Node| {
+        if let Some(span) = read::id_span(&root) {
+            id = source.text.get(span).unwrap_or("null");
+        }
+        read::from_tree(&root)
+    });
+    match answered {
+        Ok(scene) => {
+            let result = answer_json(scene.query.kind, &solve(&scene));
+            Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true }
+        }
+        Err(problems) => {
+            let error = error_json(&problems, &source);
+            Reply { line: format!("{{\"id\":{id},\"line\":{line},\"error\":{error}}}"), solved: false }
+        }
+    }
+}
+
+fn too_long(source: &Source) -> Result<(), Vec<Problem>> {
+    let got = source.text.len();
+    if got <= MAX_FILE_BYTES {
+        return Ok(());
+    }
+    let fault = Fault::OverLimit { what: "the line".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got };
+    Err(vec![Problem::new(fault, 0..0)])
+}
+
+/// The first problem, with the JSON pointer to it; how many more there are.
+fn error_json(problems: &[Problem], source: &Source) -> Value {
+    let Some(first) = problems.first() else { return Value::Null };
+    let mut message = match source.pointer(&first.span) {
+        Some(pointer) if !pointer.is_empty() => format!("{pointer}: {}", first.fault),
+        _ => first.fault.to_string(),
+    };
+    if let Some(help) = first.fault.help() {
+        message.push_str("; ");
+        message.push_str(&help);
+    }
+    if problems.len() > 1 {
+        message.push_str(&format!(" (and {} more)", problems.len() - 1));
+    }
+    json!({ "code": first.fault.code(), "message": message })
+}
