@@ -1,0 +1,106 @@
+//! A right answer of our own, in the form of `solve --jsonl`: the exact one, rounded to doubles.
+//!
+//! It is what the tests of the checker mutate, and what `generate` prints as `expected` if asked.
+
+use crate::check::{Feature, Setting};
+use crate::float::Real;
+use crate::json::Json;
+use crate::placement::{Placed, Point};
+use crate::scene::Scene;
+use crate::separation::{Exact, parallel_sine, separation};
+
+/// The line that a perfect solver prints for a separation.
+#[must_use]
+pub fn separation_line(scene: &Scene) -> Json {
+    let setting = Setting::of(scene);
+    let pair = setting.pair(&scene.bodies, Real::from(scene.time));
+    let exact = separation(&pair[0], &pair[1]);
+    let mut result = contact(&pair, &exact);
+    let ties = exact
+        .ways
+        .iter()
+        .filter(|way| exact.separation - way.separation <= exact.separation.abs().scaled(-200))
+        .count();
+    result.set("ties", Json::Number(f64::from(u32::try_from(ties).unwrap_or(u32::MAX))));
+    let mut fields = Json::object([("kind", Json::Text("separation".to_owned()))]);
+    if let (Json::Object(to), Json::Object(from)) = (&mut fields, result) {
+        to.extend(from);
+    }
+    Json::object([("id", scene.id.clone()), ("result", fields)])
+}
+
+/// Separation, bounds, normal, points and features.
+#[must_use]
+pub fn contact(pair: &[Placed; 2], exact: &Exact) -> Json {
+    let first = exact.ways.iter().find(|way| way.separation == exact.separation).map(|way| way.normal);
+    let n = exact.normal.or(first).unwrap_or(Point::of([1.0, 0.0]));
+    let s = exact.separation;
+    // Along the faces: the middle of the common span.
+    let along = n.perp();
+    let spans = [span(&pair[0], n, along), span(&pair[1], n.reversed(), along)];
+    let middle = (spans[0].0.max(spans[1].0) + spans[0].1.min(spans[1].1)).scaled(-1);
+    let supports = [support(&pair[0], n, along, middle), support(&pair[1], n.reversed(), along, middle)];
+    let core_a = at(supports[0].1, along, middle);
+    let point_a = core_a.plus(n.times(pair[0].radius));
+    let point_b = point_a.plus(n.times(s));
+    let value = s.to_f64();
+    let [lo, hi] = [value.next_down(), value.next_up()].map(Real::from);
+    let bounds = match Real::from(value).cmp(&s) {
+        std::cmp::Ordering::Equal => [value, value],
+        std::cmp::Ordering::Less => [value, hi.to_f64()],
+        std::cmp::Ordering::Greater => [lo.to_f64(), value],
+    };
+    let pair_of = |p: Point| Json::from_pair([p.x.to_f64(), p.y.to_f64()]);
+    let feature = |i: usize| match supports[i].0 {
+        Feature::Vertex(k) => Json::object([("vertex", number(k))]),
+        Feature::Edge(k) => Json::object([("edge", number(k))]),
+    };
+    Json::object([
+        ("separation", Json::Number(value)),
+        ("separation_bounds", Json::from_pair(bounds)),
+        ("normal", pair_of(n)),
+        ("points", Json::object([("A", pair_of(point_a)), ("B", pair_of(point_b))])),
+        ("features", Json::object([("A", feature(0)), ("B", feature(1))])),
+    ])
+}
+
+fn number(i: usize) -> Json {
+    Json::Number(f64::from(u32::try_from(i).unwrap_or(u32::MAX)))
+}
+
+/// The point of a segment whose place along a direction is the wanted one.
+fn at([from, to]: [Point; 2], along: Point, place: Real) -> Point {
+    let (whole, part) = (to.minus(from).dot(along), place - from.dot(along));
+    if whole.is_zero() { from } else { from.plus(to.minus(from).times(part.over(whole))) }
+}
+
+/// The vertices that are farthest along a direction.
+fn farthest(body: &Placed, direction: Point) -> impl Iterator<Item = usize> {
+    let reach = body.core_points().map(|p| p.dot(direction)).max().unwrap_or(Real::ZERO);
+    let size = body.core_points().map(|p| p.minus(body.vertices[0]).length()).max().unwrap_or(Real::ZERO);
+    let tiny = size * parallel_sine();
+    (0..body.vertices.len()).filter(move |i| reach - body.vertices[*i].dot(direction) <= tiny)
+}
+
+/// From where to where the side that faces a direction reaches.
+fn span(body: &Placed, direction: Point, along: Point) -> (Real, Real) {
+    let mut places = farthest(body, direction).map(|i| body.vertices[i].dot(along));
+    let first = places.next().unwrap_or(Real::ZERO);
+    places.fold((first, first), |(lo, hi), place| (lo.min(place), hi.max(place)))
+}
+
+/// The feature that faces a direction, at a place along it, with its world ends: an edge of the file where one is there.
+fn support(body: &Placed, direction: Point, along: Point, place: Real) -> (Feature, [Point; 2]) {
+    let on_face: Vec<usize> = farthest(body, direction).collect();
+    for i in 0..body.vertices.len() {
+        let Some([from, to]) = body.edge(i) else { continue };
+        let ends = [from, to].map(|k| body.vertices[k]);
+        let [x, y] = ends.map(|p| p.dot(along));
+        let holds = x != y && x.min(y) <= place && place <= x.max(y);
+        if holds && on_face.contains(&from) && on_face.contains(&to) {
+            return (Feature::Edge(i), ends);
+        }
+    }
+    let i = on_face.first().copied().unwrap_or(0);
+    (Feature::Vertex(i), [body.vertices[i]; 2])
+}

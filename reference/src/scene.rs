@@ -1,0 +1,162 @@
+//! A scene as a line of JSON: its bodies as *core polygon + radius*, in the doubles of the file, and its question.
+
+use crate::json::Json;
+
+/// What is asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// AABB of one or two bodies.
+    Bounds,
+    /// Do they overlap?
+    Overlap,
+    /// Signed separation.
+    Separation,
+    /// First contact without turning.
+    LinearSweep,
+    /// First contact.
+    TimeOfImpact,
+    /// How far a point of the body, or of two relative to each other, can move.
+    MotionBound,
+}
+
+impl Kind {
+    /// All, with their words.
+    pub const ALL: [(Kind, &'static str); 6] = [
+        (Kind::Bounds, "bounds"),
+        (Kind::Overlap, "overlap"),
+        (Kind::Separation, "separation"),
+        (Kind::LinearSweep, "linear-sweep"),
+        (Kind::TimeOfImpact, "time-of-impact"),
+        (Kind::MotionBound, "motion-bound"),
+    ];
+
+    /// Its word in a scene.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(kind, _)| *kind == self).map_or("", |(_, word)| word)
+    }
+}
+
+/// A body: world units, degrees, t in [0, 1].
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Vertices in the file's order, in the body's frame; features are numbered by it.
+    pub vertices: Vec<[f64; 2]>,
+    /// Whether the vertices close to a ring (a capsule's and a circle's do not).
+    pub ring: bool,
+    /// Radius of the disc that sweeps the core.
+    pub radius: f64,
+    /// Of the body's origin at t = 0.
+    pub position: [f64; 2],
+    /// At t = 0, in degrees.
+    pub angle: f64,
+    /// A unit of time.
+    pub velocity: [f64; 2],
+    /// Degrees a unit of time.
+    pub spin: f64,
+}
+
+/// A scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// As written; null if left out.
+    pub id: Json,
+    /// The bodies of the query: A, then B.
+    pub bodies: Vec<Body>,
+    /// What is asked.
+    pub kind: Kind,
+    /// The moment of static questions.
+    pub time: f64,
+    /// As written; the default of the file format is 1e-12.
+    pub tolerance: f64,
+    /// `expected`, where a line has it.
+    pub expected: Option<Json>,
+}
+
+impl Scene {
+    /// Reads a line.
+    ///
+    /// # Errors
+    /// Says what is missing; generated scenes and the committed ones are well-formed.
+    pub fn parse(line: &str) -> Result<Self, String> {
+        let json = Json::parse(line)?;
+        let query = json.get("query").ok_or("no query")?;
+        let word = query.text_at("kind").ok_or("no kind")?;
+        let kind = Kind::ALL.iter().find(|(_, w)| *w == word).map(|(kind, _)| *kind).ok_or("unknown kind")?;
+        let names = match query.get("of") {
+            Some(Json::Text(name)) => vec![name.as_str()],
+            Some(of) => of.list().iter().filter_map(Json::text).collect(),
+            None => return Err("no `of`".to_owned()),
+        };
+        let shapes = json.get("shapes").ok_or("no shapes")?;
+        let bodies = names
+            .iter()
+            .map(|name| Body::read(shapes.get(name).ok_or(format!("no shape {name}"))?))
+            .collect::<Result<Vec<_>, String>>()?;
+        Ok(Self {
+            id: json.get("id").cloned().unwrap_or(Json::Null),
+            bodies,
+            kind,
+            time: query.number_at("time").unwrap_or(0.0),
+            tolerance: query.number_at("tolerance").unwrap_or(1e-12),
+            expected: json.get("expected").cloned(),
+        })
+    }
+}
+
+impl Body {
+    fn read(json: &Json) -> Result<Self, String> {
+        let radius = json.number_at("radius").unwrap_or(0.0);
+        let points = |key: &str| -> Result<Vec<[f64; 2]>, String> {
+            let list = json.get(key).ok_or(format!("no {key}"))?.list();
+            list.iter().map(|p| p.pair().ok_or(format!("{key} holds no pair"))).collect()
+        };
+        let (vertices, ring) = match json.text_at("kind") {
+            Some("circle") => (vec![json.pair_at("center").unwrap_or([0.0, 0.0])], false),
+            Some("aabb" | "box") => {
+                let [x, y] = json.pair_at("half_extents").ok_or("no half_extents")?;
+                (vec![[-x, -y], [x, -y], [x, y], [-x, y]], true)
+            }
+            Some("polygon" | "outline") => (points("vertices")?, true),
+            Some("capsule") => (points("points")?, false),
+            _ => return Err("unknown kind of shape".to_owned()),
+        };
+        Ok(Self {
+            vertices,
+            ring,
+            radius,
+            position: json.pair_at("position").unwrap_or([0.0, 0.0]),
+            angle: json.number_at("angle_deg").unwrap_or(0.0),
+            velocity: json.pair_at("velocity").unwrap_or([0.0, 0.0]),
+            spin: json.number_at("angular_velocity_deg").unwrap_or(0.0),
+        })
+    }
+
+    /// Number of edges: of a ring as many as vertices, of a capsule one, of a circle none.
+    #[must_use]
+    pub fn edges(&self) -> usize {
+        if self.ring { self.vertices.len() } else { self.vertices.len() - 1 }
+    }
+}
+
+/// ε of doubles.
+pub const EPSILON: f64 = f64::EPSILON;
+
+/// S: the largest coordinate, extent or distance moved.
+#[must_use]
+pub fn scale(bodies: &[Body], moving: bool) -> f64 {
+    let mut s = 0.0_f64;
+    for body in bodies {
+        let mut reach = 0.0_f64;
+        for [x, y] in &body.vertices {
+            s = s.max(x.abs()).max(y.abs());
+            reach = reach.max(x.abs()).max(y.abs());
+        }
+        s = s.max(body.radius).max(body.position[0].abs()).max(body.position[1].abs());
+        if moving {
+            s = s.max(body.velocity[0].abs()).max(body.velocity[1].abs());
+            s = s.max(body.spin.abs() * (std::f64::consts::PI / 180.0) * reach);
+        }
+    }
+    s
+}
