@@ -1,5 +1,18 @@
 //! One algorithm a file; a [`Query`] in, an [`Answer`] out, events on the way.
 
+mod circles;
+mod clamp;
+mod difference;
+mod extents;
+mod merge;
+mod minkowski;
+mod relative;
+#[cfg(test)]
+mod storyboard;
+mod witness;
+
+pub use difference::{Difference, DifferenceEdge, difference};
+
 use crate::geometry::{Body, DVec2, Enclosure, Feature};
 use crate::trace::{NoTrace, Trace};
 
@@ -87,7 +100,60 @@ impl Algorithm {
 }
 
 /// Every algorithm; the first that takes a query is its default.
-pub static ALGORITHMS: &[Algorithm] = &[];
+pub static ALGORITHMS: &[Algorithm] = &[
+    Algorithm {
+        name: circles::NAME,
+        about: "circle against circle: squared early-out, p, N and P (Firth 2011, Circle vs circle)",
+        kinds: DISCRETE,
+        shapes: circles::shapes,
+        quiet: circles::answer,
+        traced: circles::answer,
+    },
+    Algorithm {
+        name: extents::NAME,
+        about: "AABB against AABB: D by component and the minimum translation (Firth 2011, AABB vs AABB)",
+        kinds: DISCRETE,
+        shapes: extents::shapes,
+        quiet: extents::answer,
+        traced: extents::answer,
+    },
+    Algorithm {
+        name: clamp::NAME,
+        about: "circle against box: V clamped in the box's frame (Firth 2011, Circle vs AABB, Circle vs OBB)",
+        kinds: DISCRETE,
+        shapes: clamp::shapes,
+        quiet: clamp::answer,
+        traced: clamp::answer,
+    },
+    Algorithm {
+        name: merge::NAME,
+        about: "B - A with its edges merged by direction, O(n + m) (de Berg et al. 2008, 13.3)",
+        kinds: DISCRETE,
+        shapes: convex_pair,
+        quiet: merge::answer,
+        traced: merge::answer,
+    },
+    Algorithm {
+        name: minkowski::NAME,
+        about: "B - A edge by edge with all supporting vertices, O(n m) (Firth 2011, OBB vs OBB)",
+        kinds: DISCRETE,
+        shapes: convex_pair,
+        quiet: minkowski::answer,
+        traced: minkowski::answer,
+    },
+];
+
+/// The questions of the discrete algorithms.
+const DISCRETE: &[QueryKind] = &[QueryKind::Separation, QueryKind::Overlap];
+
+/// Two bodies that have a core: all but outlines.
+fn convex_pair(query: &Query) -> Result<(), &'static str> {
+    let convex = |body: &Body| !body.shape.core.is_empty();
+    match query.b {
+        Some(b) if convex(query.a) && convex(b) => Ok(()),
+        _ => Err("takes two convex bodies"),
+    }
+}
 
 /// What a query found.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,6 +11,13 @@ pub use event::{Culling, Event, Goal, Moment, SupportVertex};
 pub trait Tracer {
     /// Takes an event; `make` is only called by tracers that keep it.
     fn record(&mut self, make: impl FnOnce() -> Event);
+
+    /// Whether events are kept at all: where an algorithm must walk something only to tell it, it asks first. Never
+    /// decides an answer.
+    #[inline(always)]
+    fn listens(&self) -> bool {
+        true
+    }
 }
 
 /// Listens to nothing.
@@ -20,6 +27,11 @@ pub struct NoTrace;
 impl Tracer for NoTrace {
     #[inline(always)]
     fn record(&mut self, _make: impl FnOnce() -> Event) {}
+
+    #[inline(always)]
+    fn listens(&self) -> bool {
+        false
+    }
 }
 
 /// Every event, in order.

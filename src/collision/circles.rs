@@ -1,0 +1,95 @@
+//! Circle against circle.
+//!
+//! Two circles overlap when their centres are closer than the sum of their radii. Squared, that needs no root:
+//!
+//! ```text
+//! ‖A − B‖² < (r₁ + r₂)²
+//! p = ‖A − B‖ − (r₁ + r₂)      N = (A − B)/‖A − B‖      P = N p
+//! ```
+//!
+//! p is the signed separation, N the article's normal, from B to A (ours, n, is −N), and P moves B until the two just
+//! touch. Where the centres coincide N does not exist: every direction parts them as well as another, the normal is
+//! the world's x axis and `ties` is 0.
+//!
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section Circle vs circle.
+
+use super::difference;
+use super::relative::Relative;
+use super::witness::{self, Candidate};
+use super::{Answer, Overlap, Query, QueryKind};
+use crate::geometry::{Enclosure, Side};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "circles";
+
+/// Half-width of the band in which the squared test decides nothing, relative to (|x| + |y| + r₁ + r₂)²: either square
+/// carries fewer than 16 roundings of terms no larger than that.
+const SQUARED_BAND: f64 = 16.0 * f64::EPSILON;
+
+/// Two circles, and no other shapes.
+pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+    let round = |body: &crate::geometry::Body| body.shape.core.len() == 1;
+    match query.b {
+        Some(b) if round(query.a) && round(b) => Ok(()),
+        _ => Err("takes two circles"),
+    }
+}
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    difference::record(&pair, tracer);
+    if query.kind == QueryKind::Overlap
+        && let Some(settled) = squared_test(&pair, tracer)
+    {
+        tracer.record(|| Event::Finished { outcome: witness::verdict(&settled) });
+        return Answer::Overlap(settled);
+    }
+    if query.kind != QueryKind::Overlap {
+        record_comparison(&pair, false, tracer);
+    }
+    let candidate = Candidate::of_vertices(&pair, 0, 0);
+    let separation = witness::separation(&pair, &candidate);
+    tracer.record(|| Event::PenetrationMeasured {
+        p: separation.separation,
+        direction: -separation.normal,
+        vector: -separation.normal * separation.separation,
+    });
+    tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
+    witness::answer(query.kind, separation)
+}
+
+/// The verdict of the squares, where they differ by more than their rounding. With d = ‖A − B‖, R = r₁ + r₂ and the
+/// 1-norm m ≥ d, the separation d − R = (d² − R²)/(d + R) is bounded without a root by (d² − R²)/(m + R).
+fn squared_test(pair: &Relative, tracer: &mut impl Tracer) -> Option<Overlap> {
+    let v = pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0);
+    let radius = pair.radius();
+    let reach = v.x.abs() + v.y.abs() + radius;
+    let excess = v.length_squared() - radius * radius;
+    let settled = excess.abs() > SQUARED_BAND * reach * reach && reach.is_finite();
+    record_comparison(pair, settled, tracer);
+    let near = excess / reach * (1.0 - SQUARED_BAND);
+    let separation_bounds = match (settled, excess > 0.0) {
+        (false, _) => return None,
+        (true, true) => Enclosure { lo: near.next_down().max(0.0).next_up(), hi: reach.next_up() },
+        (true, false) => Enclosure { lo: -radius.next_up(), hi: near.next_up().min(0.0).next_down() },
+    };
+    Some(Overlap { overlap: Some(excess < 0.0), separation_bounds })
+}
+
+/// Tells both sides of the squared inequality.
+fn record_comparison(pair: &Relative, early_out: bool, tracer: &mut impl Tracer) {
+    tracer.record(|| {
+        let centers = [pair.told(Side::A, 0).point, pair.told(Side::B, 0).point];
+        let v = pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0);
+        Event::CirclesCompared {
+            centers,
+            radii: [pair.a.shape.radius, pair.b.shape.radius],
+            distance_squared: v.length_squared(),
+            radii_squared: pair.radius() * pair.radius(),
+            early_out,
+        }
+    });
+}

@@ -1,0 +1,95 @@
+//! Circle against box, by clamping, in the box's own frame.
+//!
+//! Seen from its own frame an oriented box is an AABB. With V from the box's centre to the circle's and h the
+//! half-extents,
+//!
+//! ```text
+//! B_c = clamp(V, −h, h)      D = B − B_c      distance = ‖D‖ − r
+//! ```
+//!
+//! B_c is the point of the box closest to the circle; taken back into the world it gives D there. The article stops
+//! where the circle's centre is outside the box. Inside, clamping changes nothing and D would be 0: B_c is then the
+//! nearest point of the nearest side, and the distance is −‖D‖ − r. On an edge or corner exactly, D is 0 and the
+//! normal is that of a side.
+//!
+//! Either body may be the box; a rounded box adds its radius to r.
+//!
+//! Source: Paul Firth, "Collision detection for dummies" (2011), sections Circle vs AABB and Circle vs OBB.
+
+use super::difference;
+use super::relative::Relative;
+use super::witness::{self, Candidate, CoreFeature};
+use super::{Answer, Query};
+use crate::geometry::{Body, DVec2, Side};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "clamp";
+
+/// A circle and a box or AABB, in either order.
+pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+    let circle = |body: &Body| body.shape.core.len() == 1;
+    let boxed = |body: &Body| body.shape.half_extents.is_some() && body.shape.core.len() == 4;
+    match query.b {
+        Some(b) if (circle(query.a) && boxed(b)) || (boxed(query.a) && circle(b)) => Ok(()),
+        _ => Err("takes a circle and a box or aabb"),
+    }
+}
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    difference::record(&pair, tracer);
+    let body = if pair.count(Side::A) == 4 { Side::A } else { Side::B };
+    // The box's own frame: that of A, or of the same pair with its bodies swapped.
+    let seen = if body == Side::A { pair } else { Relative::at(pair.b, pair.a, query.time) };
+    let half = seen.vertex(Side::A, 2);
+    let v = seen.vertex(Side::B, 0);
+    let clamped = v.clamp(-half, half);
+    let found = if v == clamped { inside(v, half) } else { outside(v, clamped) };
+    let closest = v - found.normal * found.distance;
+    tracer.record(|| Event::Clamped {
+        body,
+        v,
+        half_extents: half,
+        clamped,
+        closest: seen.world_point(if v == clamped { closest } else { clamped }),
+        d: seen.world_vector(found.normal * found.distance),
+        radius: pair.body(body.other()).shape.radius,
+    });
+    let separation = witness::separation(&seen, &found);
+    let separation = if body == Side::A { separation } else { witness::swapped(separation) };
+    tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
+    witness::answer(query.kind, separation)
+}
+
+/// The centre is outside: V was cut in x, in y (a side faces the circle), or in both (a corner does).
+fn outside(v: DVec2, clamped: DVec2) -> Candidate {
+    let d = v - clamped;
+    let distance = difference::length(d);
+    let (right, up) = (v.x > 0.0, v.y > 0.0);
+    let facing = match (d.x != 0.0, d.y != 0.0) {
+        (true, true) => CoreFeature::Vertex(match (right, up) {
+            (false, false) => 0,
+            (true, false) => 1,
+            (true, true) => 2,
+            (false, true) => 3,
+        }),
+        (true, false) => CoreFeature::Edge(if right { 1 } else { 3 }),
+        _ => CoreFeature::Edge(if up { 2 } else { 0 }),
+    };
+    Candidate { distance, normal: d / distance, features: [facing, CoreFeature::Vertex(0)] }
+}
+
+/// The centre is inside or on the boundary: the nearest side, a vertical one of two as near.
+fn inside(v: DVec2, half: DVec2) -> Candidate {
+    let depth = half - v.abs();
+    let (right, up) = (v.x >= 0.0, v.y >= 0.0);
+    let (distance, normal, side) = if depth.x <= depth.y {
+        (-depth.x, if right { DVec2::X } else { DVec2::NEG_X }, if right { 1 } else { 3 })
+    } else {
+        (-depth.y, if up { DVec2::Y } else { DVec2::NEG_Y }, if up { 2 } else { 0 })
+    };
+    Candidate { distance, normal, features: [CoreFeature::Edge(side), CoreFeature::Vertex(0)] }
+}

@@ -1,0 +1,258 @@
+//! The two bodies of a query at one moment, seen from A's frame.
+//!
+//! A's vertices are then the file's own numbers, only B's are turned (by the *difference* of the angles) and moved
+//! (by the *difference* of the positions): boxes at the same angle stay exactly aligned, and nothing is lost when the
+//! pair is far from the world's origin.
+//!
+//! A body is its core polygon and a radius. Core vertices and edges are counted here along the core,
+//! counter-clockwise; [`Relative::file_vertex`] and [`Relative::file_edge`] give the file's numbers back.
+
+use std::cmp::Ordering;
+
+use super::Query;
+use crate::geometry::{Body, DVec2, Pose, Shape, Side, perp};
+use crate::trace::{Moment, SupportVertex};
+
+/// Half-width of the band in which a computed cross product says nothing about its sign, as a multiple of ε and of the
+/// sum of the magnitudes of its two products: each edge component carries at most 4 roundings (a difference, two
+/// products, a sum), the products and their difference 2 more, on both sides.
+const CROSS_BAND: f64 = 12.0 * f64::EPSILON;
+
+/// A pair at one moment, in A's frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Relative<'s> {
+    /// Body A.
+    pub(crate) a: &'s Body,
+    /// Body B.
+    pub(crate) b: &'s Body,
+    /// The moment, with both angles in the world.
+    pub(crate) at: Moment,
+    /// A's frame to the world.
+    frame: Pose,
+    /// B's frame to A's frame.
+    turn: Pose,
+}
+
+/// How an edge lies to another one's direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Turn {
+    /// The same direction.
+    Along,
+    /// To the left, by less than half a turn.
+    Left,
+    /// The opposite direction.
+    Against,
+    /// To the right, by less than half a turn.
+    Right,
+}
+
+impl<'s> Relative<'s> {
+    /// The pair of a query at the query's moment. A query about one body is answered with that body twice.
+    pub(crate) fn of(query: &Query<'s>) -> Self {
+        Self::at(query.a, query.b.unwrap_or(query.a), query.time)
+    }
+
+    /// The pair at time `t` in [0, 1].
+    pub(crate) fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        let at = Moment { time: t, angle_a: a.angle.0 + a.spin.0 * t, angle_b: b.angle.0 + b.spin.0 * t };
+        let frame = a.pose_at(t);
+        let (cos, sin) = cos_sin((b.angle.0 - a.angle.0) + (b.spin.0 - a.spin.0) * t);
+        let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
+        let position = Pose { position: DVec2::ZERO, ..frame }.inverse_point(apart);
+        Self { a, b, at, frame, turn: Pose { position, cos, sin } }
+    }
+
+    /// One of the bodies.
+    pub(crate) fn body(&self, side: Side) -> &'s Body {
+        match side {
+            Side::A => self.a,
+            Side::B => self.b,
+        }
+    }
+
+    /// Number of vertices of a core.
+    pub(crate) fn count(&self, side: Side) -> usize {
+        self.body(side).shape.core.len()
+    }
+
+    /// Number of directed edges of a core: none for a point, two for a segment (there and back).
+    pub(crate) fn edges(&self, side: Side) -> usize {
+        match self.count(side) {
+            0 | 1 => 0,
+            n => n,
+        }
+    }
+
+    /// r_A + r_B.
+    pub(crate) fn radius(&self) -> f64 {
+        self.a.shape.radius + self.b.shape.radius
+    }
+
+    /// The next vertex or edge of a core, counter-clockwise.
+    pub(crate) fn next(&self, side: Side, k: usize) -> usize {
+        if k + 1 >= self.count(side) { 0 } else { k + 1 }
+    }
+
+    /// The vertex or edge before.
+    pub(crate) fn previous(&self, side: Side, k: usize) -> usize {
+        if k == 0 { self.count(side).saturating_sub(1) } else { k - 1 }
+    }
+
+    /// Core vertex k in A's frame.
+    pub(crate) fn vertex(&self, side: Side, k: usize) -> DVec2 {
+        let local = local(&self.body(side).shape, k);
+        match side {
+            Side::A => local,
+            Side::B => self.turn.point(local),
+        }
+    }
+
+    /// The origin of a body's frame, in A's frame.
+    pub(crate) fn origin(&self, side: Side) -> DVec2 {
+        match side {
+            Side::A => DVec2::ZERO,
+            Side::B => self.turn.position,
+        }
+    }
+
+    /// Core edge k, from its vertex to the next, as a vector in A's frame.
+    pub(crate) fn edge(&self, side: Side, k: usize) -> DVec2 {
+        let shape = &self.body(side).shape;
+        let along = local(shape, self.next(side, k)) - local(shape, k);
+        match side {
+            Side::A => along,
+            Side::B => self.turn.vector(along),
+        }
+    }
+
+    /// The edge k as it runs in B ⊖ A: A's edges are mirrored there.
+    pub(crate) fn difference_edge(&self, side: Side, k: usize) -> DVec2 {
+        match side {
+            Side::A => -self.edge(side, k),
+            Side::B => self.edge(side, k),
+        }
+    }
+
+    /// How `other`'s edge l turns off from `side`'s edge k, both as they run in B ⊖ A.
+    pub(crate) fn turn_of(&self, side: Side, k: usize, l: usize) -> Turn {
+        let d = self.difference_edge(side, k);
+        let e = self.difference_edge(side.other(), l);
+        match sign_of_cross(d, e) {
+            Ordering::Greater => Turn::Left,
+            Ordering::Less => Turn::Right,
+            Ordering::Equal if d.dot(e) > 0.0 => Turn::Along,
+            Ordering::Equal => Turn::Against,
+        }
+    }
+
+    /// The core vertex farthest along `direction` (A's frame); the first of several.
+    pub(crate) fn support(&self, side: Side, direction: DVec2) -> usize {
+        let shape = &self.body(side).shape;
+        let direction = match side {
+            Side::A => direction,
+            Side::B => Pose { position: DVec2::ZERO, ..self.turn }.inverse_point(direction),
+        };
+        let mut best = (0, f64::NEG_INFINITY);
+        for k in 0..shape.core.len() {
+            let reach = local(shape, k).dot(direction);
+            if reach > best.1 {
+                best = (k, reach);
+            }
+        }
+        best.0
+    }
+
+    /// The vertices of the other core that the edge k of `side` meets in B ⊖ A: the first and, where one of its edges
+    /// runs the same way there, the second end of that edge.
+    pub(crate) fn supports_of_edge(&self, side: Side, k: usize) -> (usize, Option<usize>) {
+        let other = side.other();
+        let inward = perp(self.edge(side, k));
+        let mut at = self.support(other, inward);
+        if self.edges(other) == 0 {
+            return (at, None);
+        }
+        // Rounding may have picked a neighbour: signs of cross products decide.
+        for _ in 0..self.count(other) {
+            if self.turn_of(side, k, at) == Turn::Right {
+                at = self.next(other, at);
+            } else if matches!(self.turn_of(side, k, self.previous(other, at)), Turn::Left | Turn::Along) {
+                at = self.previous(other, at);
+            } else {
+                break;
+            }
+        }
+        let second = (self.turn_of(side, k, at) == Turn::Along).then(|| self.next(other, at));
+        (at, second)
+    }
+
+    /// The file's index of core vertex k.
+    pub(crate) fn file_vertex(&self, side: Side, k: usize) -> usize {
+        self.body(side).shape.core.get(k).copied().unwrap_or(0)
+    }
+
+    /// The file's index of core edge k: of the first of its pieces, where corners on it were dropped.
+    pub(crate) fn file_edge(&self, side: Side, k: usize) -> usize {
+        let shape = &self.body(side).shape;
+        let n = shape.vertices.len();
+        if n == 2 {
+            return 0;
+        }
+        // The core of a clockwise file runs against the file's order: all of its steps but one go down.
+        let steps_up = (0..shape.core.len())
+            .filter(|&k| self.file_vertex(side, k) < self.file_vertex(side, self.next(side, k)))
+            .count();
+        let from = self.file_vertex(side, k);
+        if steps_up * 2 > shape.core.len() { from } else { (from + n - 1) % n }
+    }
+
+    /// A point of A's frame in the world.
+    pub(crate) fn world_point(&self, p: DVec2) -> DVec2 {
+        self.frame.point(p)
+    }
+
+    /// A vector of A's frame in the world, or a point of B ⊖ A in configuration space.
+    pub(crate) fn world_vector(&self, v: DVec2) -> DVec2 {
+        self.frame.vector(v)
+    }
+
+    /// A world vector in A's frame.
+    pub(crate) fn local_vector(&self, v: DVec2) -> DVec2 {
+        Pose { position: DVec2::ZERO, ..self.frame }.inverse_point(v)
+    }
+
+    /// A core vertex as events tell it.
+    pub(crate) fn told(&self, side: Side, k: usize) -> SupportVertex {
+        SupportVertex { index: self.file_vertex(side, k), point: self.world_point(self.vertex(side, k)) }
+    }
+}
+
+/// Vertex k of a core in its body's frame; a shape without a core counts as its origin.
+fn local(shape: &Shape, k: usize) -> DVec2 {
+    shape.core.get(k).and_then(|&i| shape.vertices.get(i)).copied().unwrap_or(DVec2::ZERO)
+}
+
+/// The sign of u × v, or `Equal` where rounding hides it.
+fn sign_of_cross(u: DVec2, v: DVec2) -> Ordering {
+    let (p, q) = (u.x * v.y, u.y * v.x);
+    let cross = p - q;
+    if cross.abs() <= CROSS_BAND * (p.abs() + q.abs()) {
+        return Ordering::Equal;
+    }
+    cross.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
+}
+
+/// Cosine and sine of an angle in degrees, exact at multiples of 90.
+fn cos_sin(degrees: f64) -> (f64, f64) {
+    let turn = degrees % 360.0;
+    let quarters = libm::round(turn / 90.0);
+    let rest = (turn - quarters * 90.0).to_radians();
+    let (c, s) = (libm::cos(rest), libm::sin(rest));
+    match libm::fabs(quarters) {
+        1.0 if quarters > 0.0 => (-s, c),
+        1.0 => (s, -c),
+        3.0 if quarters > 0.0 => (s, -c),
+        3.0 => (-s, c),
+        2.0 => (-c, -s),
+        _ => (c, s),
+    }
+}

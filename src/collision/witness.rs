@@ -1,0 +1,219 @@
+//! From the closest features of two cores to the answer: normal, witness points, features, ties.
+//!
+//! An algorithm ends with a [`Candidate`]: which feature of A faces which feature of B, and along which normal. What
+//! the article's readers ask for, "the closest feature pair", is that edge of B ⊖ A that is nearest the origin, and
+//! the book-keeping of which edge and vertex made it (Firth, "Collision detection for dummies", the comments).
+//!
+//! With n the unit normal from A to B, s the separation, and c the points on the cores:
+//!
+//! ```text
+//! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
+//! ```
+
+use super::difference::{Pairing, Projection, length, walk};
+use super::relative::{Relative, Turn};
+use super::{Answer, Overlap, QueryKind, Separation};
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+
+/// Half-width of the bounds as a multiple of ε·S, S the largest coordinate in A's frame: a vertex of B carries at most
+/// 8 roundings, its distance from an edge 8 more, and a projection doubles them.
+const BOUNDS_BAND: f64 = 32.0;
+
+/// A part of a core: counted along the core, not the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CoreFeature {
+    /// A vertex.
+    Vertex(usize),
+    /// The edge from this vertex to the next.
+    Edge(usize),
+}
+
+/// The features that face each other, and how far apart the cores are along the normal; in A's frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    /// Signed distance of the cores.
+    pub(crate) distance: f64,
+    /// Unit vector from A to B.
+    pub(crate) normal: DVec2,
+    /// The features of A and B.
+    pub(crate) features: [CoreFeature; 2],
+}
+
+impl Candidate {
+    /// The features behind a projection of the origin onto an edge of B ⊖ A.
+    pub(crate) fn of_projection(pair: &Relative, p: &Projection) -> Self {
+        let Pairing { source, edge, vertex } = p.pairing;
+        let across = p.foot.dot(p.outward).abs() >= length(p.foot) * (1.0 - f64::EPSILON);
+        if p.distance < 0.0 || across {
+            let facing = partner(pair, p.pairing).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
+            let own = CoreFeature::Edge(edge);
+            let features = match source {
+                Side::A => [own, facing],
+                Side::B => [facing, own],
+            };
+            return Self { distance: p.line, normal: -p.outward, features };
+        }
+        let end = if p.along > 0.5 { pair.next(source, edge) } else { edge };
+        let [a, b] = match source {
+            Side::A => [end, vertex],
+            Side::B => [vertex, end],
+        };
+        Self::of_vertices(pair, a, b)
+    }
+
+    /// The line of an edge of B ⊖ A as an axis that separates: its distance is a lower bound.
+    pub(crate) fn of_axis(pair: &Relative, p: &Projection) -> Self {
+        let line = Projection { distance: p.line, foot: p.outward * -p.line, ..*p };
+        Self::of_projection(pair, &line)
+    }
+
+    /// Two vertices that face each other. Where they coincide no direction is better than another, and the normal is
+    /// the world's x axis.
+    pub(crate) fn of_vertices(pair: &Relative, a: usize, b: usize) -> Self {
+        let v = pair.vertex(Side::B, b) - pair.vertex(Side::A, a);
+        let distance = length(v);
+        let normal = if distance > 0.0 { v / distance } else { pair.local_vector(DVec2::X) };
+        Self { distance, normal, features: [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] }
+    }
+}
+
+/// The other body's edge that lies along this edge of B ⊖ A, if one does.
+fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
+    let other = p.source.other();
+    if pair.edges(other) == 0 {
+        return None;
+    }
+    [p.vertex, pair.previous(other, p.vertex)]
+        .into_iter()
+        .find(|&l| pair.turn_of(p.source, p.edge, l) == Turn::Along)
+}
+
+/// The answer for a candidate.
+pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
+    let n = c.normal;
+    let cores = points_of_cores(pair, c);
+    let [r_a, r_b] = [pair.a.shape.radius, pair.b.shape.radius];
+    let separation = c.distance - (r_a + r_b);
+    let points = [pair.world_point(cores[0] + n * r_a), pair.world_point(cores[1] - n * r_b)];
+    let slack = BOUNDS_BAND * f64::EPSILON * scale(pair);
+    let bounds = Enclosure { lo: separation - slack, hi: separation + slack };
+    let ties = ties(pair, c, slack);
+    let features = [feature(pair, Side::A, c.features[0]), feature(pair, Side::B, c.features[1])];
+    Separation { separation, bounds, normal: pair.world_vector(n), ties, points, features }
+}
+
+/// The verdict that a separation allows; touching counts as overlap.
+pub(crate) fn overlap(s: &Separation) -> Overlap {
+    let overlap = if s.bounds.lo > 0.0 {
+        Some(false)
+    } else if s.bounds.hi <= 0.0 || s.separation == 0.0 {
+        Some(true)
+    } else {
+        None
+    };
+    Overlap { overlap, separation_bounds: s.bounds }
+}
+
+/// A separation as the answer to a query of either kind.
+pub(crate) fn answer(kind: QueryKind, s: Separation) -> Answer {
+    if kind == QueryKind::Overlap { Answer::Overlap(overlap(&s)) } else { Answer::Separation(s) }
+}
+
+/// The same separation with A and B exchanged.
+pub(crate) fn swapped(s: Separation) -> Separation {
+    let ([a, b], [of_a, of_b]) = (s.points, s.features);
+    Separation { normal: -s.normal, points: [b, a], features: [of_b, of_a], ..s }
+}
+
+/// A word for a verdict.
+pub(crate) fn verdict(o: &Overlap) -> &'static str {
+    match o.overlap {
+        Some(true) => "overlapping",
+        Some(false) if o.separation_bounds.hi == f64::INFINITY => "separating axis",
+        Some(false) => "apart",
+        None => "undecided",
+    }
+}
+
+/// A word for how the pair stands.
+pub(crate) fn word(separation: f64) -> &'static str {
+    if separation > 0.0 {
+        "apart"
+    } else if separation < 0.0 {
+        "overlapping"
+    } else {
+        "touching"
+    }
+}
+
+/// Points of the cores that face each other, in A's frame.
+fn points_of_cores(pair: &Relative, c: &Candidate) -> [DVec2; 2] {
+    let push = c.normal * c.distance;
+    match c.features {
+        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => {
+            [pair.vertex(Side::A, a), pair.vertex(Side::B, b)]
+        }
+        [CoreFeature::Edge(_), CoreFeature::Vertex(b)] => {
+            let p = pair.vertex(Side::B, b);
+            [p - push, p]
+        }
+        [CoreFeature::Vertex(a), CoreFeature::Edge(_)] => {
+            let p = pair.vertex(Side::A, a);
+            [p, p + push]
+        }
+        [CoreFeature::Edge(a), CoreFeature::Edge(b)] => {
+            let p = middle_of_common_span(pair, a, b);
+            [p, p + push]
+        }
+    }
+}
+
+/// The middle of the common span of A's edge a and the parallel edge b of B, on A's edge.
+fn middle_of_common_span(pair: &Relative, a: usize, b: usize) -> DVec2 {
+    let (start, along) = (pair.vertex(Side::A, a), pair.edge(Side::A, a));
+    let len = length(along);
+    let d = along / len;
+    let p = (pair.vertex(Side::B, b) - start).dot(d);
+    let q = (pair.vertex(Side::B, pair.next(Side::B, b)) - start).dot(d);
+    let (lo, hi) = (p.min(q).max(0.0), p.max(q).min(len));
+    start + d * (0.5 * (lo + hi))
+}
+
+/// A core feature with the file's number.
+fn feature(pair: &Relative, side: Side, f: CoreFeature) -> Feature {
+    match f {
+        CoreFeature::Vertex(k) => Feature::Vertex(pair.file_vertex(side, k)),
+        CoreFeature::Edge(k) => Feature::Edge(pair.file_edge(side, k)),
+    }
+}
+
+/// The number of directions with the same depth: only one apart, all of them (0) for concentric circles, else the
+/// sides of B ⊖ A that are as near; parallel edges of A and B are one side.
+fn ties(pair: &Relative, c: &Candidate, slack: f64) -> u32 {
+    if c.distance > slack {
+        return 1;
+    }
+    let mut ties = 0;
+    let mut side: Option<Pairing> = None;
+    walk(pair, |p| {
+        let same_side = side
+            .is_some_and(|s| s.source != p.source && pair.turn_of(s.source, s.edge, p.edge) == Turn::Along);
+        side = Some(p);
+        if !same_side && p.project(pair).line >= c.distance - slack {
+            ties += 1;
+        }
+    });
+    ties
+}
+
+/// The largest coordinate of the pair in A's frame.
+fn scale(pair: &Relative) -> f64 {
+    let mut s = pair.radius();
+    for side in [Side::A, Side::B] {
+        for k in 0..pair.count(side) {
+            let p = pair.vertex(side, k).abs();
+            s = s.max(p.x).max(p.y);
+        }
+    }
+    s
+}
