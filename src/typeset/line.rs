@@ -98,6 +98,11 @@ pub struct Line {
 }
 
 impl Line {
+    /// A line without anything on it, as high as one.
+    pub(super) fn empty(markup: &str, style: Style) -> Self {
+        Self { markup: markup.to_owned(), ascent: 0.5 * style.size, ..Self::default() }
+    }
+
     /// Ascent and descent together, in page pixels.
     #[must_use]
     pub fn height(&self) -> f64 {

@@ -4,11 +4,20 @@
 //! [`Line`], [`wrap`] breaks it into lines. A line is placed with its baseline's left end at the origin of its own
 //! frame, x right, y down, in page pixels; whoever draws it adds the place.
 //!
-//! Glyphs are references into the embedded faces; their outlines give the contours, built once and kept.
+//! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
+mod face;
+mod formula;
 mod line;
+mod markup;
+mod paragraph;
+mod words;
 
+pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
+pub use formula::{LONGEST as LONGEST_FORMULA, SMALLEST as SMALLEST_SCRIPT};
 pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight};
+
+use paragraph::Newlines;
 
 /// Sets `markup` on one line.
 ///
@@ -16,17 +25,30 @@ pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight
 ///
 /// A [`TypesetError`] with the byte offset in `markup` of malformed LaTeX, an unclosed `$`, or a character that
 /// the embedded fonts do not have.
+///
+/// ```
+/// use tracefig::typeset::{Style, typeset};
+/// let line = typeset(r"distance $= \|D\| - r$", Style::regular(14.0)).unwrap();
+/// assert!(line.width > 80.0 && line.width < 140.0);
+/// assert_eq!(typeset(r"$a + \foo$", Style::regular(14.0)).unwrap_err().offset, 5);
+/// ```
 pub fn typeset(markup: &str, style: Style) -> Result<Line, TypesetError> {
-    let _ = style;
-    Ok(Line { markup: markup.to_owned(), ..Line::default() })
+    let lines = paragraph::lines(markup, style, f64::INFINITY, Newlines::Spaces)?;
+    Ok(lines.into_iter().next().unwrap_or_else(|| Line::empty(markup, style)))
 }
 
-/// Sets `markup` on as few lines as fit into `width` page pixels, broken at spaces outside formulas.
+/// Sets `markup` on as few lines as fit into `width` page pixels, broken at spaces outside formulas and at newlines.
 ///
 /// # Errors
 ///
 /// As [`typeset`].
+///
+/// ```
+/// use tracefig::typeset::{Style, wrap};
+/// let lines = wrap("A moves along $v_A$ and first touches B as A′.", Style::regular(14.0), 150.0).unwrap();
+/// assert_eq!(lines.len(), 2);
+/// assert!(lines.iter().all(|line| line.width <= 150.0));
+/// ```
 pub fn wrap(markup: &str, style: Style, width: f64) -> Result<Vec<Line>, TypesetError> {
-    let _ = width;
-    typeset(markup, style).map(|line| vec![line])
+    paragraph::lines(markup, style, width, Newlines::Breaks)
 }

@@ -1,0 +1,189 @@
+//! Lines from words and formulas, broken where a space allows it.
+//!
+//! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces count as
+//! one, those at the ends of a line as none.
+
+use super::line::{Line, PlacedGlyph, Rule, Style, TypesetError};
+use super::markup::{Piece, characters, pieces};
+use super::{formula, words};
+
+/// Height of the letter x in the word face, in ems; a line's ascent is never less.
+const X_HEIGHT: f64 = 0.486;
+
+/// What a newline in the markup means.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Newlines {
+    /// It is a space.
+    Spaces,
+    /// It ends the line.
+    Breaks,
+}
+
+/// Sets lines of at most `width` page pixels; a word or formula that is wider has a line of its own.
+pub(super) fn lines(
+    markup: &str,
+    style: Style,
+    width: f64,
+    newlines: Newlines,
+) -> Result<Vec<Line>, TypesetError> {
+    let mut setter = Setter { style, newlines, width, space: words::space(style), ..Setter::new() };
+    for piece in pieces(markup)? {
+        match piece {
+            Piece::Formula(offset, latex) => {
+                let set = formula::set(latex, offset, style.size)?;
+                setter.chunk.append(Draft { glyphs: set.glyphs, rules: set.rules, width: set.width });
+            }
+            Piece::Words(offset, text) => setter.words(offset, text)?,
+        }
+    }
+    setter.end_chunk();
+    setter.end_line();
+    Ok(setter.lines.into_iter().map(|draft| draft.into_line(markup, style.size)).collect())
+}
+
+/// Glyphs and rules so far.
+#[derive(Default)]
+struct Draft {
+    glyphs: Vec<PlacedGlyph>,
+    rules: Vec<Rule>,
+    width: f64,
+}
+
+impl Draft {
+    fn is_empty(&self) -> bool {
+        self.glyphs.is_empty() && self.rules.is_empty()
+    }
+
+    fn append(&mut self, other: Self) {
+        let x = self.width;
+        self.glyphs.extend(other.glyphs.into_iter().map(|g| PlacedGlyph { x: x + g.x, ..g }));
+        self.rules.extend(other.rules.into_iter().map(|r| Rule { x: x + r.x, ..r }));
+        self.width += other.width;
+    }
+
+    fn into_line(self, markup: &str, size: f64) -> Line {
+        let (mut ascent, mut descent) = (X_HEIGHT * size, 0.0_f64);
+        for g in &self.glyphs {
+            let [_, top, _, bottom] = g.glyph.outline().bounds;
+            let em = g.size / super::face::UNITS_PER_EM;
+            ascent = ascent.max(-(g.y + f64::from(top) * em));
+            descent = descent.max(g.y + f64::from(bottom) * em);
+        }
+        for r in &self.rules {
+            ascent = ascent.max(-r.y);
+            descent = descent.max(r.y + r.height);
+        }
+        let Self { glyphs, rules, width } = self;
+        Line { markup: markup.to_owned(), glyphs, rules, width, ascent, descent }
+    }
+}
+
+/// Lines, a line being filled, and the chunk without a break being set.
+struct Setter {
+    style: Style,
+    newlines: Newlines,
+    width: f64,
+    space: f64,
+    lines: Vec<Draft>,
+    line: Draft,
+    chunk: Draft,
+}
+
+impl Setter {
+    fn new() -> Self {
+        Self {
+            style: Style::regular(0.0),
+            newlines: Newlines::Spaces,
+            width: f64::INFINITY,
+            space: 0.0,
+            lines: Vec::new(),
+            line: Draft::default(),
+            chunk: Draft::default(),
+        }
+    }
+
+    fn words(&mut self, offset: usize, text: &str) -> Result<(), TypesetError> {
+        let mut rest = characters(offset, text).peekable();
+        while let Some(&(_, character)) = rest.peek() {
+            if character.is_ascii_whitespace() {
+                rest.next();
+                self.end_chunk();
+                if character == '\n' && self.newlines == Newlines::Breaks {
+                    self.end_line();
+                }
+                continue;
+            }
+            let word = std::iter::from_fn(|| rest.next_if(|&(_, c)| !c.is_ascii_whitespace()));
+            let set = words::set(word, self.style)?;
+            self.chunk.append(Draft { glyphs: set.glyphs, rules: Vec::new(), width: set.width });
+        }
+        Ok(())
+    }
+
+    /// Adds the chunk to the line, or to the next one where it does not fit.
+    fn end_chunk(&mut self) {
+        if self.chunk.is_empty() {
+            return;
+        }
+        let chunk = std::mem::take(&mut self.chunk);
+        if !self.line.is_empty() && self.line.width + self.space + chunk.width > self.width {
+            self.end_line();
+        }
+        if !self.line.is_empty() {
+            self.line.width += self.space;
+        }
+        self.line.append(chunk);
+    }
+
+    fn end_line(&mut self) {
+        if !self.line.is_empty() {
+            self.lines.push(std::mem::take(&mut self.line));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{typeset, wrap};
+    use super::*;
+
+    #[test]
+    fn wrapped_lines_fit_and_hold_every_glyph_once() {
+        let text =
+            "$V$ runs from A's centre to B's. Cut down to $h_x$ and $h_y$, it leads to $B_c$, closest to B.";
+        let style = Style::regular(14.0);
+        let whole = typeset(text, style).unwrap();
+        let lines = wrap(text, style, 200.0).unwrap();
+        assert!(lines.len() >= 3);
+        assert!(lines.iter().all(|line| line.width <= 200.0));
+        let glyphs: Vec<_> = lines.iter().flat_map(|line| &line.glyphs).map(|g| g.glyph).collect();
+        assert_eq!(glyphs, whole.glyphs.iter().map(|g| g.glyph).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_full_stop_stays_with_its_formula() {
+        let style = Style::regular(14.0);
+        let narrow = wrap("a $x$.", style, 1.0).unwrap();
+        assert_eq!(narrow.len(), 2);
+        assert_eq!(narrow[1].glyphs.len(), 2);
+    }
+
+    #[test]
+    fn a_newline_ends_a_line_of_a_paragraph_and_is_a_space_in_a_label() {
+        let style = Style::regular(14.0);
+        assert_eq!(wrap("a\nb", style, 500.0).unwrap().len(), 2);
+        assert_eq!(
+            typeset("a\nb", style).unwrap(),
+            Line { markup: "a\nb".into(), ..typeset("a b", style).unwrap() }
+        );
+    }
+
+    #[test]
+    fn ascent_and_descent_hold_the_ink() {
+        let line = typeset("$h_x$", Style::regular(16.0)).unwrap();
+        assert!(line.descent > 2.0, "the subscript hangs below");
+        assert!(line.ascent > 10.0, "h is taller than x");
+        let x = typeset("x", Style::regular(10.0)).unwrap();
+        assert_eq!((x.ascent, x.descent), (4.86, 0.0), "x is the least and stands on the baseline");
+    }
+}
