@@ -11,3 +11,5 @@ pub mod geometry;
 pub mod scene;
 pub mod trace;
 pub mod typeset;
+
+pub use scene::{Refused, Scene, SceneFile, open, solve, solve_jsonl_line};

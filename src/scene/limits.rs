@@ -3,8 +3,8 @@
 //! Each limit is far above what a figure can show and low enough that no scene within them takes seconds or
 //! gigabytes: a hostile file gets an error and not the machine.
 
-/// Bytes of a scene file, 8 MiB. Corners in full precision take some 40 bytes, so all of [`MAX_CORNERS`] fit.
-pub const MAX_FILE_BYTES: usize = 8 << 20;
+/// Bytes of a scene file, 4 MiB. Corners in full precision take some 40 bytes, so all of [`MAX_CORNERS`] twice fit.
+pub const MAX_FILE_BYTES: usize = 4 << 20;
 /// Levels of tables and lists in one another; a scene needs 5 (panels, panel, layers, layer, list of an option).
 pub const MAX_NESTING: usize = 16;
 /// Corners of one shape. Pairs of edges are visited one by one by the simplest algorithm: 10⁸ of them, under a second.

@@ -3,11 +3,15 @@
 mod answer;
 mod body;
 mod checked;
+mod codes;
 mod fields;
 mod json;
 mod labels;
 pub mod limits;
+mod message;
+mod nearest;
 mod node;
+mod open;
 mod panels;
 mod problem;
 mod question;
@@ -19,8 +23,11 @@ mod toml;
 use std::ops::Range;
 
 pub use answer::{answer_json, answer_text};
+pub use codes::{ERRORS, ErrorCode};
 pub use fields::{Field, Holds, TABLES, TableRows, shape_rows};
-pub use problem::{ERRORS, ErrorCode, Fault, Problem};
+pub use message::{Ink, Severity, message};
+pub use open::{Refused, SceneFile, open, open_reader, open_text};
+pub use problem::{Fault, Problem};
 pub use read::read;
 pub use source::{Place, Source, Syntax};
 pub use stream::{Reply, solve, solve_jsonl_line};

@@ -8,49 +8,7 @@ use std::ops::Range;
 
 use crate::geometry::shape::ShapeError;
 
-/// A code of an error and what it means, for `tracefig list errors`.
-#[derive(Clone, Copy, Debug)]
-pub struct ErrorCode {
-    /// The stable word that programs see.
-    pub code: &'static str,
-    /// One line.
-    pub about: &'static str,
-}
-
-const fn row(code: &'static str, about: &'static str) -> ErrorCode {
-    ErrorCode { code, about }
-}
-
-/// Every code that reading a scene can give.
-pub static ERRORS: &[ErrorCode] = &[
-    row("unreadable-file", "the file is missing, is no file, or may not be read"),
-    row("not-utf8", "the file is not UTF-8 text"),
-    row("empty-file", "the file holds nothing but blanks and comments"),
-    row("syntax", "the text is not TOML or not JSON"),
-    row("duplicate-key", "a key stands twice in one table"),
-    row("over-limit", "a file, list, text or number is larger than tracefig takes"),
-    row("unknown-key", "a key that means nothing in its table"),
-    row(
-        "unknown-word",
-        "a word that is none of those known there: a kind, algorithm, layer, space, theme, …",
-    ),
-    row("missing-key", "a table lacks a key that it must have"),
-    row("wrong-type", "a value of another type than its key holds"),
-    row("not-finite", "a number that is infinite or not a number"),
-    row("out-of-range", "a number outside of what its key allows, as a time outside [0, 1]"),
-    row("conflict", "two keys that exclude each other, or a key that does not apply there"),
-    row("unknown-body", "the query or a panel names a shape that the scene does not have"),
-    row("wrong-count", "the query is of too many or too few shapes"),
-    row("turning-body", "a linear sweep of a shape that turns"),
-    row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
-    row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
-    row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
-    row("not-convex", "the corners of a polygon turn both ways, or wind more than once"),
-    row("not-simple", "an outline crosses or touches itself"),
-    row("too-few-corners", "fewer than three distinct corners"),
-    row("degenerate", "corners that enclose no area"),
-    row("negative", "a length below zero"),
-];
+use super::nearest::{nearest_or_all, quoted};
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
@@ -318,31 +276,6 @@ impl fmt::Display for Fault {
     }
 }
 
-/// At most a third of a word may differ for it to be what was meant.
-fn is_near(got: &str, known: &str) -> Option<usize> {
-    let distance = strsim::damerau_levenshtein(&got.to_lowercase(), known);
-    (distance * 3 <= got.chars().count().max(known.chars().count()).max(3)).then_some(distance)
-}
-
-fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
-    // A misspelt word is short; a long text is compared with nothing.
-    const LONGEST_WORD: usize = 64;
-    let near = known
-        .iter()
-        .filter(|_| got.len() <= LONGEST_WORD)
-        .filter_map(|word| is_near(got, word).map(|d| (d, word)))
-        .min_by_key(|&(d, _)| d);
-    match near {
-        Some((_, word)) => Some(format!("did you mean `{word}`?")),
-        None if known.is_empty() => None,
-        None => Some(format!("known are: {}", quoted(known))),
-    }
-}
-
-fn quoted(words: &[String]) -> String {
-    words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
-}
-
 /// Problems as they are found.
 #[derive(Debug, Default)]
 pub(crate) struct Problems {
@@ -350,7 +283,7 @@ pub(crate) struct Problems {
 }
 
 /// A file with more problems than this is not a scene; further ones are not kept.
-const MAX_PROBLEMS: usize = 100;
+const MAX_PROBLEMS: usize = 50;
 
 impl Problems {
     pub(crate) fn add(&mut self, fault: Fault, span: &Range<usize>) {
@@ -371,35 +304,5 @@ impl Problems {
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
         self.found.sort_by_key(|p| (p.span.start, p.span.end));
         self.found
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn words(list: &[&str]) -> Vec<String> {
-        list.iter().map(|&w| w.to_owned()).collect()
-    }
-
-    #[test]
-    fn the_nearest_word_is_suggested() {
-        let known = words(&["radius", "center", "position"]);
-        assert_eq!(nearest_or_all("raduis", &known).as_deref(), Some("did you mean `radius`?"));
-        assert_eq!(nearest_or_all("centre", &known).as_deref(), Some("did you mean `center`?"));
-    }
-
-    #[test]
-    fn a_far_word_lists_what_is_known() {
-        let known = words(&["radius", "center"]);
-        assert_eq!(nearest_or_all("banana", &known).as_deref(), Some("known are: `radius`, `center`"));
-        assert_eq!(nearest_or_all("banana", &[]), None);
-    }
-
-    #[test]
-    fn codes_are_listed_once() {
-        for (i, row) in ERRORS.iter().enumerate() {
-            assert!(ERRORS[..i].iter().all(|other| other.code != row.code), "{} stands twice", row.code);
-        }
     }
 }

@@ -1,0 +1,139 @@
+//! A problem as a person reads it: what is wrong, file, line and column, the line itself, what would help.
+//!
+//! ```text
+//! error[unknown-key]: unknown key `raduis` in a circle
+//!  --> scene.toml:3:1
+//!   |
+//! 3 | raduis = 1
+//!   | ^^^^^^
+//!   |
+//!   = help: did you mean `radius`?
+//! ```
+
+use std::ops::Range;
+
+use annotate_snippets::{AnnotationKind, Element, Level, Origin, Renderer, Snippet};
+
+use super::problem::{Fault, Problem};
+use super::source::Source;
+
+/// How grave a problem is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Severity {
+    /// There is no figure or answer.
+    Error,
+    /// There is one, and something about it should be better.
+    Warning,
+}
+
+/// Whether a message is coloured.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ink {
+    /// Characters only.
+    Plain,
+    /// With the escape codes of a terminal.
+    Coloured,
+}
+
+/// Characters of a line that are quoted at most; around the place when the line is longer.
+const QUOTED: usize = 120;
+
+/// Characters that are quoted before the place when the line is longer.
+const BEFORE: usize = 50;
+
+/// The message, ending in a line break.
+///
+/// ```
+/// use tracefig::scene::{Fault, Ink, Problem, Severity, Source, message};
+/// let source = Source::new("s.toml", "title = 1");
+/// let fault = Fault::WrongType { key: "title".into(), expected: "a text".into(), got: "1".into() };
+/// let text = message(&source, &Problem::new(fault, 8..9), Severity::Error, Ink::Plain);
+/// assert!(text.starts_with("error[wrong-type]: `title`: expected a text, got 1\n --> s.toml:1:9\n"));
+/// assert!(text.contains("1 | title = 1\n  |         ^"));
+/// ```
+#[must_use]
+pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink) -> String {
+    let level = match severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let fault = &problem.fault;
+    let mut elements: Vec<Element<'_>> = Vec::new();
+    if matches!(fault, Fault::Unreadable { .. }) {
+        elements.push(Origin::path(source.name.as_str()).into());
+    } else {
+        let place = source.place(problem.span.start);
+        elements.push(Origin::path(source.name.as_str()).line(place.line).char_column(place.column).into());
+        let (line, span) = quote(source, &problem.span);
+        if !line.trim().is_empty() {
+            let mark = AnnotationKind::Primary.span(span);
+            elements.push(Snippet::source(line).line_start(place.line).annotation(mark).into());
+        }
+    }
+    elements.extend(fault.help().map(|help| Level::HELP.message(help).into()));
+    let pointer = source.pointer(&problem.span).filter(|pointer| !pointer.is_empty());
+    elements.extend(pointer.map(|pointer| Level::NOTE.message(format!("at {pointer}")).into()));
+    let report = level.primary_title(fault.to_string()).id(fault.code()).elements(elements);
+    let renderer = match ink {
+        Ink::Plain => Renderer::plain(),
+        Ink::Coloured => Renderer::styled(),
+    };
+    let mut text = renderer.render(&[report]);
+    text.push('\n');
+    text
+}
+
+/// The line of a place, cut to what can be read, and the place within it.
+fn quote(source: &Source, span: &Range<usize>) -> (String, Range<usize>) {
+    let (line_start, line) = source.line_at(span.start);
+    let start = span.start.saturating_sub(line_start).min(line.len());
+    let end = span.end.saturating_sub(line_start).clamp(start, line.len());
+    if line.chars().count() <= QUOTED {
+        return (line.to_owned(), start..end);
+    }
+    let back = line[..start].char_indices().rev().take(BEFORE).last().map_or(start, |(i, _)| i);
+    let forward = line[back..].char_indices().nth(QUOTED).map_or(line.len(), |(i, _)| back + i);
+    let before = if back > 0 { "…" } else { "" };
+    let after = if forward < line.len() { "…" } else { "" };
+    let shift = before.len();
+    let cut = format!("{before}{}{after}", &line[back..forward]);
+    (cut, start - back + shift..end.min(forward).max(start) - back + shift)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plain(source: &Source, span: Range<usize>) -> String {
+        let fault = Fault::Syntax { message: "broken".to_owned() };
+        message(source, &Problem::new(fault, span), Severity::Error, Ink::Plain)
+    }
+
+    #[test]
+    fn a_long_line_is_quoted_around_the_place() {
+        let text = format!("{}!{}", "δ".repeat(5000), "x".repeat(5000));
+        let got = plain(&Source::new("long.toml", &text), 10_000..10_001);
+        assert!(got.contains("--> long.toml:1:5001"), "{got}");
+        assert!(got.contains("…δδδ") && got.contains("δ!xxx") && got.contains("x…"), "{got}");
+        assert!(got.lines().all(|line| line.chars().count() < 160), "{got}");
+    }
+
+    #[test]
+    fn a_place_beyond_its_line_marks_the_rest_of_it() {
+        let got = plain(&Source::new("s.json", "{\n  \"a\": [1,\n 2]\n}"), 9..16);
+        assert!(got.contains("2 |   \"a\": [1,\n  |        ^^^"), "{got}");
+        assert!(got.contains("= note: at /a"), "{got}");
+    }
+
+    #[test]
+    fn a_place_at_the_end_of_the_text_is_shown() {
+        let got = plain(&Source::new("s.toml", "a ="), 3..3);
+        assert!(got.contains("--> s.toml:1:4") && got.contains("1 | a ="), "{got}");
+    }
+
+    #[test]
+    fn escape_codes_in_a_scene_do_not_reach_the_terminal() {
+        let got = plain(&Source::new("s.toml", "title = '\u{1b}[31mred'"), 0..5);
+        assert!(!got.contains('\u{1b}'), "{got:?}");
+    }
+}

@@ -1,0 +1,51 @@
+//! "Did you mean": the nearest known word, or all of them.
+
+/// At most a third of a word may differ for it to be what was meant.
+fn is_near(got: &str, known: &str) -> Option<usize> {
+    let distance = strsim::damerau_levenshtein(&got.to_lowercase(), known);
+    (distance * 3 <= got.chars().count().max(known.chars().count()).max(3)).then_some(distance)
+}
+
+/// The nearest of the known words where one is near, else all of them.
+pub(super) fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
+    // A misspelt word is short; a long text is compared with nothing.
+    const LONGEST_WORD: usize = 64;
+    let near = known
+        .iter()
+        .filter(|_| got.len() <= LONGEST_WORD)
+        .filter_map(|word| is_near(got, word).map(|d| (d, word)))
+        .min_by_key(|&(d, _)| d);
+    match near {
+        Some((_, word)) => Some(format!("did you mean `{word}`?")),
+        None if known.is_empty() => None,
+        None => Some(format!("known are: {}", quoted(known))),
+    }
+}
+
+/// Words for a message: `` `a`, `b` ``.
+pub(super) fn quoted(words: &[String]) -> String {
+    words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(list: &[&str]) -> Vec<String> {
+        list.iter().map(|&w| w.to_owned()).collect()
+    }
+
+    #[test]
+    fn the_nearest_word_is_suggested() {
+        let known = words(&["radius", "center", "position"]);
+        assert_eq!(nearest_or_all("raduis", &known).as_deref(), Some("did you mean `radius`?"));
+        assert_eq!(nearest_or_all("centre", &known).as_deref(), Some("did you mean `center`?"));
+    }
+
+    #[test]
+    fn a_far_word_lists_what_is_known() {
+        let known = words(&["radius", "center"]);
+        assert_eq!(nearest_or_all("banana", &known).as_deref(), Some("known are: `radius`, `center`"));
+        assert_eq!(nearest_or_all("banana", &[]), None);
+    }
+}

@@ -1,0 +1,107 @@
+//! From a file, a stream or a text to a checked scene, or to everything that is wrong with it.
+
+use std::fmt;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use super::limits::MAX_FILE_BYTES;
+use super::message::{Ink, Severity, message};
+use super::problem::{Fault, Problem};
+use super::source::Source;
+use super::{Scene, read};
+
+/// A scene and the text that it was read from.
+#[derive(Clone, Debug)]
+pub struct SceneFile {
+    /// The text, for messages about later problems.
+    pub source: Source,
+    /// What it says.
+    pub scene: Scene,
+}
+
+/// A scene that can't be answered or drawn, with all the reasons.
+#[derive(Clone, Debug)]
+pub struct Refused {
+    /// The text, as far as it could be read.
+    pub source: Source,
+    /// What is wrong, in the order of the text; at least one.
+    pub problems: Vec<Problem>,
+}
+
+impl Refused {
+    /// All messages, a blank line between two.
+    #[must_use]
+    pub fn render(&self, ink: Ink) -> String {
+        let messages: Vec<_> =
+            self.problems.iter().map(|p| message(&self.source, p, Severity::Error, ink)).collect();
+        messages.join("\n")
+    }
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.render(Ink::Plain).trim_end())
+    }
+}
+
+impl std::error::Error for Refused {}
+
+/// Reads a scene file; TOML, unless its first character is `{`.
+///
+/// # Errors
+/// When the file can't be read, is too large, is no UTF-8, or is no scene.
+///
+/// ```
+/// let refused = tracefig::scene::open("no/such.toml".as_ref()).unwrap_err();
+/// assert_eq!(refused.problems[0].fault.code(), "unreadable-file");
+/// assert!(refused.to_string().contains("--> no/such.toml"));
+/// ```
+pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
+    let name = path.display().to_string();
+    match File::open(path) {
+        Ok(file) => open_reader(&name, file),
+        Err(error) => Err(refuse(&name, Fault::Unreadable { reason: error.to_string() })),
+    }
+}
+
+/// Reads a scene from a stream, as standard input; `name` is what messages call it.
+///
+/// # Errors
+/// As [`open`].
+pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refused>> {
+    let mut bytes = Vec::new();
+    if let Err(error) = reader.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes) {
+        return Err(refuse(name, Fault::Unreadable { reason: error.to_string() }));
+    }
+    if bytes.len() > MAX_FILE_BYTES {
+        let (what, got) = ("the file".to_owned(), bytes.len());
+        return Err(refuse(name, Fault::OverLimit { what, limit: MAX_FILE_BYTES, unit: "bytes", got }));
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => open_text(name, &text),
+        Err(error) => {
+            // The text up to the first byte that is none, so that the place can be counted and quoted.
+            let valid = error.utf8_error().valid_up_to();
+            let text = String::from_utf8_lossy(&error.as_bytes()[..valid]).into_owned();
+            let problem = Problem::new(Fault::NotUtf8, valid..valid);
+            Err(Box::new(Refused { source: Source::new(name, &text), problems: vec![problem] }))
+        }
+    }
+}
+
+/// Reads a scene from a text.
+///
+/// # Errors
+/// As [`open`].
+pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {
+    let source = Source::new(name, text.strip_prefix('\u{feff}').unwrap_or(text));
+    match read(&source) {
+        Ok(scene) => Ok(SceneFile { source, scene }),
+        Err(problems) => Err(Box::new(Refused { source, problems })),
+    }
+}
+
+fn refuse(name: &str, fault: Fault) -> Box<Refused> {
+    Box::new(Refused { source: Source::new(name, ""), problems: vec![Problem::new(fault, 0..0)] })
+}
