@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Degrees, Shape};
+use super::{Degrees, Shape, Turn};
 
 /// A shape, where it is at t = 0, and how it moves.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,10 +59,16 @@ impl Pose {
 }
 
 impl Body {
-    /// Where the body is at time `t`.
+    /// Where the body is at time `t`. The angle is reduced exactly, so that any number of turns is good to an ulp.
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
-        let radians = (self.angle.0 + self.spin.0 * t).to_radians();
-        Pose { position: self.position + self.velocity * t, cos: libm::cos(radians), sin: libm::sin(radians) }
+        let turn = Turn::at(self.angle, self.spin, t).cos_sin();
+        Pose { position: self.position + self.velocity * t, cos: turn.cos, sin: turn.sin }
+    }
+
+    /// The angle at time `t`, in degrees, rounded.
+    #[must_use]
+    pub fn angle_at(&self, t: f64) -> f64 {
+        self.angle.0 + self.spin.0 * t
     }
 }

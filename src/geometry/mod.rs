@@ -3,13 +3,20 @@
 //! A body is a convex *core* (one, two or more vertices) swept by a disc of radius r, that moves with constant
 //! velocities over t in [0, 1] and turns about its own origin.
 
+mod ball;
 mod body;
 mod degrees;
+mod double_double;
+mod hull;
 pub mod shape;
+mod sines;
 
+pub use ball::Ball;
 pub use body::{Body, Pose, perp};
-pub use degrees::Degrees;
+pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, Turn};
+pub use double_double::{Dd, two_product, two_sum};
 pub use glam::DVec2;
+pub use hull::Hull;
 pub use shape::Shape;
 
 /// A part of a body's boundary, numbered in the file's order of vertices; edge i runs from vertex i to i + 1.

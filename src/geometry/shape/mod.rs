@@ -3,7 +3,17 @@
 //! A row says which fields a scene may give and how they become a [`Shape`]; the scene reader, `tracefig list` and
 //! the error messages all read this table.
 
+mod aabb;
+mod capsule;
+mod circle;
+mod convex;
+mod oriented_box;
+mod outline;
+mod polygon;
+
 use glam::DVec2;
+
+use super::{Feature, Hull};
 
 /// A shape in its body's frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +29,8 @@ pub struct Shape {
     /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear corners
     /// dropped. Empty for an `outline`, which is not convex.
     pub core: Vec<usize>,
+    /// The core, prepared for queries: `hull.corners[k]` = `vertices[core[k]]`.
+    pub hull: Hull,
 }
 
 /// What a field of a shape holds.
@@ -84,4 +96,307 @@ pub struct Kind {
 }
 
 /// Every kind of shape.
-pub static KINDS: &[Kind] = &[];
+pub static KINDS: &[Kind] =
+    &[circle::KIND, aabb::KIND, oriented_box::KIND, polygon::KIND, capsule::KIND, outline::KIND];
+
+/// Every code of a [`ShapeError`], with what it says.
+pub static SHAPE_ERRORS: &[(&str, &str)] = &[
+    ("missing-field", "a field that this kind of shape needs is not there"),
+    ("wrong-type", "a field holds another type of value"),
+    ("not-finite", "a number is infinite or not a number"),
+    ("too-large", "a number is beyond ±1e300, where sums overflow"),
+    ("negative-radius", "a radius is below 0"),
+    ("negative-extent", "a half-extent is below 0"),
+    ("degenerate", "a box without width or height, or corners that all lie on one line"),
+    ("wrong-count", "a capsule has other than two points"),
+    ("too-few-corners", "a polygon has fewer than three distinct corners"),
+    ("not-convex", "a polygon turns back on itself or has a corner that points inward"),
+    ("not-simple", "an outline crosses or touches itself"),
+];
+
+/// Numbers beyond this are refused as `too-large`.
+const LARGEST: f64 = 1e300;
+
+impl Shape {
+    /// A shape of the kind `name` from `(field, value)` pairs.
+    ///
+    /// # Errors
+    /// A [`ShapeError`] where a field is missing, unknown or the values do not make such a shape.
+    ///
+    /// ```
+    /// use tracefig::geometry::{DVec2, Shape, shape::FieldValue};
+    /// let square = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
+    /// assert_eq!(square.vertices.len(), 4);
+    /// let error = Shape::of_kind("circle", &[("radius", FieldValue::Number(-1.0))]).unwrap_err();
+    /// assert_eq!(error.code, "negative-radius");
+    /// ```
+    pub fn of_kind(name: &str, fields: &[(&str, FieldValue)]) -> Result<Self, ShapeError> {
+        let Some(kind) = KINDS.iter().find(|kind| kind.name == name) else {
+            return Err(ShapeError::new(
+                "wrong-type",
+                "kind",
+                format!("expected a kind of shape, got {name}"),
+            ));
+        };
+        let values: Vec<Option<FieldValue>> = kind
+            .fields
+            .iter()
+            .map(|field| fields.iter().find(|(key, _)| *key == field.name).map(|(_, value)| value.clone()))
+            .collect();
+        (kind.build)(&values)
+    }
+
+    /// A shape of one or two vertices, or of vertices that are known to be convex and counter-clockwise.
+    fn convex(kind: &'static str, vertices: Vec<DVec2>, radius: f64) -> Self {
+        let core = (0..vertices.len()).collect();
+        let hull = Hull::new(vertices.clone());
+        Self { kind, vertices, radius, half_extents: None, core, hull }
+    }
+
+    /// The feature in the file's numbering for corner `k` of the core.
+    #[must_use]
+    pub fn vertex_feature(&self, k: usize) -> Feature {
+        Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
+    }
+
+    /// The file's edge that holds `point` (body frame), which lies on side `k` of the core.
+    ///
+    /// Where collinear corners were dropped, the side is made of several edges of the file: the one whose ends have the
+    /// point between them is taken, the first in the file's order on a tie.
+    #[must_use]
+    pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
+        let (count, corners) = (self.vertices.len(), self.core.len());
+        if corners < 2 {
+            return self.vertex_feature(0);
+        }
+        if count == 2 {
+            return Feature::Edge(0);
+        }
+        let (mut from, mut to) = (self.core[k % corners], self.core[(k + 1) % corners]);
+        if (from + 1) % count != to {
+            // Clockwise in the file, or corners dropped between the two.
+            let clockwise = !self.is_counter_clockwise();
+            if clockwise {
+                (from, to) = (to, from);
+            }
+            return self.nearest_edge(from, to, point);
+        }
+        Feature::Edge(from)
+    }
+
+    /// Whether the core runs in the file's order.
+    fn is_counter_clockwise(&self) -> bool {
+        // The indices of the core rise (with one wrap) or fall (with one wrap).
+        let falls = self.core.windows(2).filter(|pair| pair[1] < pair[0]).count();
+        falls <= 1 || self.core.len() < 3
+    }
+
+    /// Of the file's edges from vertex `from` on to vertex `to`, the one that comes nearest to holding `point`.
+    fn nearest_edge(&self, from: usize, to: usize, point: DVec2) -> Feature {
+        let count = self.vertices.len();
+        let (mut best, mut least) = (from, f64::INFINITY);
+        let mut i = from;
+        while i != to {
+            let next = (i + 1) % count;
+            let (p, q) = (self.vertices[i], self.vertices[next]);
+            // How far the point is outside the edge's bounding box; 0 inside.
+            let outside = (p.min(q) - point).max(point - p.max(q)).max(DVec2::ZERO);
+            let miss = outside.x.max(outside.y);
+            if p != q && miss < least {
+                (best, least) = (i, miss);
+            }
+            i = next;
+        }
+        Feature::Edge(best)
+    }
+}
+
+impl ShapeError {
+    /// An error without an element.
+    fn new(code: &'static str, field: &'static str, message: String) -> Self {
+        Self { code, field, element: None, message }
+    }
+
+    /// An error at an element.
+    fn at(code: &'static str, field: &'static str, element: usize, message: String) -> Self {
+        Self { code, field, element: Some(element), message }
+    }
+}
+
+/// A finite number that is not too large.
+fn finite(field: &'static str, element: Option<usize>, x: f64) -> Result<f64, ShapeError> {
+    let (code, what) = if !x.is_finite() {
+        ("not-finite", "a finite number")
+    } else if x.abs() > LARGEST {
+        ("too-large", "a number within ±1e300")
+    } else {
+        return Ok(x);
+    };
+    Err(ShapeError { code, field, element, message: format!("expected {what}, got {x}") })
+}
+
+/// Both coordinates finite and not too large.
+fn finite_point(field: &'static str, element: Option<usize>, p: DVec2) -> Result<DVec2, ShapeError> {
+    Ok(DVec2::new(finite(field, element, p.x)?, finite(field, element, p.y)?))
+}
+
+/// The error of a field that is not there, or of another type.
+fn unusable(field: &'static str, value: Option<&FieldValue>, expected: &str) -> ShapeError {
+    match value {
+        None => ShapeError::new("missing-field", field, format!("expected {expected}, got nothing")),
+        Some(FieldValue::Number(_)) => wrong_type(field, expected, "a number"),
+        Some(FieldValue::Point(_)) => wrong_type(field, expected, "a pair of numbers"),
+        Some(FieldValue::Points(_)) => wrong_type(field, expected, "a list of pairs"),
+    }
+}
+
+/// The error of a field of another type.
+fn wrong_type(field: &'static str, expected: &str, got: &str) -> ShapeError {
+    ShapeError::new("wrong-type", field, format!("expected {expected}, got {got}"))
+}
+
+/// The value of field `index`, where there is one.
+fn value(values: &[Option<FieldValue>], index: usize) -> Option<&FieldValue> {
+    values.get(index).and_then(Option::as_ref)
+}
+
+/// A radius: finite and not negative.
+fn radius_value(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
+    let Some(FieldValue::Number(radius)) = found else {
+        return Err(unusable("radius", found, "a number"));
+    };
+    let radius = finite("radius", None, *radius)?;
+    if radius < 0.0 {
+        return Err(ShapeError::new(
+            "negative-radius",
+            "radius",
+            format!("expected 0 or more, got {radius}"),
+        ));
+    }
+    // −0 is 0.
+    Ok(radius + 0.0)
+}
+
+/// A radius that may be left out: then 0.
+fn optional_radius(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
+    if found.is_none() { Ok(0.0) } else { radius_value(found) }
+}
+
+/// A list of finite points.
+fn points_value(field: &'static str, found: Option<&FieldValue>) -> Result<Vec<DVec2>, ShapeError> {
+    let Some(FieldValue::Points(points)) = found else {
+        return Err(unusable(field, found, "a list of pairs of numbers"));
+    };
+    points.iter().enumerate().map(|(i, &p)| finite_point(field, Some(i), p)).collect()
+}
+
+/// Half-extents: finite and above 0. A box without width or height is an error; a capsule says it as a segment.
+fn half_extents_value(found: Option<&FieldValue>) -> Result<DVec2, ShapeError> {
+    let Some(FieldValue::Point(h)) = found else {
+        return Err(unusable("half_extents", found, "a pair of numbers"));
+    };
+    let h = finite_point("half_extents", None, *h)?;
+    for (i, x) in [h.x, h.y].into_iter().enumerate() {
+        if x <= 0.0 {
+            let code = if x < 0.0 { "negative-extent" } else { "degenerate" };
+            return Err(ShapeError::at(code, "half_extents", i, format!("expected more than 0, got {x}")));
+        }
+    }
+    Ok(h)
+}
+
+/// The corners of a box, counter-clockwise from (−, −).
+fn box_of(kind: &'static str, h: DVec2, radius: f64) -> Shape {
+    let corners = vec![-h, DVec2::new(h.x, -h.y), h, DVec2::new(-h.x, h.y)];
+    Shape { half_extents: Some(h), ..Shape::convex(kind, corners, radius) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygon(points: &[(f64, f64)]) -> Result<Shape, ShapeError> {
+        let points = points.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
+        Shape::of_kind("polygon", &[("vertices", FieldValue::Points(points))])
+    }
+
+    #[test]
+    fn collinear_and_duplicate_corners_are_dropped_and_edges_keep_the_files_numbers() {
+        let shape =
+            polygon(&[(-1., -1.), (0., -1.), (1., -1.), (1., -1.), (1., 0.), (1., 1.), (-1., 1.), (-1., 0.)])
+                .unwrap();
+        assert_eq!(shape.core.len(), 4);
+        let right = shape.hull.normals.iter().position(|n| n.x == 1.0).unwrap();
+        assert_eq!(shape.edge_feature(right, DVec2::new(1.0, 0.25)), Feature::Edge(4));
+        assert_eq!(shape.edge_feature(right, DVec2::new(1.0, -0.25)), Feature::Edge(3));
+    }
+
+    #[test]
+    fn a_clockwise_polygon_keeps_its_files_numbers() {
+        let shape = polygon(&[(0., 0.), (0., 1.), (1., 1.), (1., 0.)]).unwrap();
+        let right = shape.hull.normals.iter().position(|n| n.x == 1.0).unwrap();
+        assert_eq!(shape.edge_feature(right, DVec2::new(1.0, 0.5)), Feature::Edge(2));
+        let bottom = shape.hull.normals.iter().position(|n| n.y == -1.0).unwrap();
+        assert_eq!(shape.edge_feature(bottom, DVec2::new(0.5, 0.0)), Feature::Edge(3));
+    }
+
+    #[test]
+    fn what_is_not_convex_is_refused_exactly() {
+        let code = |points: &[(f64, f64)]| polygon(points).unwrap_err().code;
+        assert_eq!(code(&[(0., 0.), (2., 0.), (1., 0.5), (1., 2.)]), "not-convex");
+        assert_eq!(code(&[(0., 0.), (1., 0.)]), "too-few-corners");
+        assert_eq!(code(&[(0., 0.), (1., 0.), (1., 0.), (0., 0.)]), "too-few-corners");
+        assert_eq!(code(&[(0., 0.), (1., 0.), (2., 0.)]), "degenerate");
+        assert_eq!(code(&[(0., 0.), (f64::NAN, 0.), (2., 0.)]), "not-finite");
+        // A pentagram turns left at every corner, twice round.
+        assert_eq!(code(&[(0., 1.), (-0.6, -0.8), (0.95, 0.3), (-0.95, 0.3), (0.6, -0.8)]), "not-convex");
+        // A spike that comes back on its own line.
+        assert_eq!(code(&[(0., 0.), (2., 0.), (1., 0.), (1., 1.)]), "not-convex");
+        // Convex by one ulp, and not convex by one.
+        let bump = 1.0_f64.next_up();
+        assert!(polygon(&[(0., 0.), (2., 0.), (2., 1.), (1., bump), (0., 1.)]).is_ok());
+        assert_eq!(code(&[(0., 0.), (2., 0.), (2., 1.), (1., 1.0_f64.next_down()), (0., 1.)]), "not-convex");
+    }
+
+    #[test]
+    fn denormal_corners_are_judged_exactly() {
+        let d = f64::from_bits(3);
+        assert_eq!(polygon(&[(0., 0.), (d, 0.), (d, d), (0., d)]).unwrap().core.len(), 4);
+        assert_eq!(polygon(&[(0., 0.), (d, d), (2. * d, 2. * d)]).unwrap_err().code, "degenerate");
+    }
+
+    #[test]
+    fn a_box_without_width_is_degenerate_and_a_capsule_of_one_point_is_a_point() {
+        let code = |x, y| {
+            Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::new(x, y)))]).unwrap_err().code
+        };
+        assert_eq!((code(0.0, 1.0), code(1.0, -1.0)), ("degenerate", "negative-extent"));
+        let points = FieldValue::Points(vec![DVec2::ONE, DVec2::ONE]);
+        let capsule =
+            Shape::of_kind("capsule", &[("points", points), ("radius", FieldValue::Number(0.5))]).unwrap();
+        assert_eq!((capsule.hull.corners.len(), capsule.vertices.len()), (1, 2));
+    }
+
+    #[test]
+    fn an_outline_may_be_concave_but_not_cross_itself() {
+        let outline = |points: &[(f64, f64)]| {
+            let points = points.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
+            Shape::of_kind("outline", &[("vertices", FieldValue::Points(points))])
+        };
+        assert!(outline(&[(0., 0.), (2., 0.), (1., 0.5), (1., 2.)]).is_ok());
+        assert_eq!(outline(&[(0., 0.), (1., 1.), (1., 0.), (0., 1.)]).unwrap_err().code, "not-simple");
+    }
+
+    #[test]
+    fn every_code_is_in_the_table() {
+        for code in
+            ["negative-radius", "degenerate", "not-convex", "not-simple", "wrong-count", "missing-field"]
+        {
+            assert!(SHAPE_ERRORS.iter().any(|(listed, _)| *listed == code), "{code}");
+        }
+        assert_eq!(
+            KINDS.iter().map(|k| k.name).collect::<Vec<_>>(),
+            ["circle", "aabb", "box", "polygon", "capsule", "outline"]
+        );
+    }
+}

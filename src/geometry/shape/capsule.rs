@@ -1,0 +1,47 @@
+//! A capsule: a segment swept by a disc. Radius 0 is a segment; two equal points are a circle.
+
+use super::{Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, points_value, radius_value, value};
+
+/// The row of the table.
+pub(super) const KIND: Kind = Kind {
+    name: "capsule",
+    about: "a segment with a radius; with radius 0 a segment",
+    fields: &[
+        Field {
+            name: "points",
+            holds: FieldType::Points,
+            required: true,
+            about: "the two ends of the segment",
+        },
+        Field {
+            name: "radius",
+            holds: FieldType::Number,
+            required: true,
+            about: "radius, world units, 0 or more",
+        },
+    ],
+    build,
+    turns: true,
+};
+
+/// Fields to a shape.
+fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
+    let points = points_value("points", value(values, 0))?;
+    let radius = radius_value(value(values, 1))?;
+    if points.len() != 2 {
+        let message = format!("expected two points, got {}", points.len());
+        return Err(ShapeError::new("wrong-count", "points", message));
+    }
+    if points[0] == points[1] {
+        let hull = Hull::new(vec![points[0]]);
+        return Ok(Shape {
+            kind: "capsule",
+            vertices: points,
+            radius,
+            half_extents: None,
+            core: vec![0],
+            hull,
+        });
+    }
+    Ok(Shape::convex("capsule", points, radius))
+}

@@ -1,0 +1,40 @@
+//! A circle: one core vertex and a radius. Radius 0 is a point.
+
+use glam::DVec2;
+
+use super::{
+    Field, FieldType, FieldValue, Kind, Shape, ShapeError, finite_point, radius_value, unusable, value,
+};
+
+/// The row of the table.
+pub(super) const KIND: Kind = Kind {
+    name: "circle",
+    about: "a disc, or with radius 0 a point",
+    fields: &[
+        Field {
+            name: "radius",
+            holds: FieldType::Number,
+            required: true,
+            about: "radius, world units, 0 or more",
+        },
+        Field {
+            name: "center",
+            holds: FieldType::Point,
+            required: false,
+            about: "centre in the body's frame; [0, 0]",
+        },
+    ],
+    build,
+    turns: true,
+};
+
+/// Fields to a shape.
+fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
+    let radius = radius_value(value(values, 0))?;
+    let center = match value(values, 1) {
+        None => DVec2::ZERO,
+        Some(FieldValue::Point(center)) => finite_point("center", None, *center)?,
+        other => return Err(unusable("center", other, "a pair of numbers")),
+    };
+    Ok(Shape::convex("circle", vec![center], radius))
+}

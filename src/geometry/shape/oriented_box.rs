@@ -1,0 +1,33 @@
+//! A box that may be turned, with sharp or rounded corners.
+
+use super::{
+    Field, FieldType, FieldValue, Kind, Shape, ShapeError, box_of, half_extents_value, optional_radius, value,
+};
+
+/// The row of the table.
+pub(super) const KIND: Kind = Kind {
+    name: "box",
+    about: "a box that may be turned; corners are numbered counter-clockwise from (−, −)",
+    fields: &[
+        Field {
+            name: "half_extents",
+            holds: FieldType::Point,
+            required: true,
+            about: "half the width and height of the core, world units, more than 0",
+        },
+        Field {
+            name: "radius",
+            holds: FieldType::Number,
+            required: false,
+            about: "radius of the disc that sweeps the core, world units; 0",
+        },
+    ],
+    build,
+    turns: true,
+};
+
+/// Fields to a shape.
+fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
+    let h = half_extents_value(value(values, 0))?;
+    Ok(box_of("box", h, optional_radius(value(values, 1))?))
+}
