@@ -1,7 +1,7 @@
 //! The discrete pairs of the figures, with answers that were computed with 256 bits: what the algorithms must find.
 
 use super::{ALGORITHMS, Answer, Query, QueryKind, Separation, difference};
-use crate::geometry::{Body, DVec2, Degrees, Feature, Shape, Side};
+use crate::geometry::{Body, DVec2, Degrees, Feature, Hull, Shape, Side};
 use crate::trace::{Event, NoTrace, Trace};
 
 /// 3-4-5 in degrees: cos 0.8, sin 0.6.
@@ -15,6 +15,7 @@ pub(super) fn polygon(vertices: &[[f64; 2]], radius: f64) -> Body {
         radius,
         half_extents: None,
         core: (0..vertices.len()).collect(),
+        hull: Hull::new(vertices.iter().copied().map(DVec2::from).collect()),
     })
 }
 
