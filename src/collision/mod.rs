@@ -1,11 +1,13 @@
 //! One algorithm a file; a [`Query`] in, an [`Answer`] out, events on the way.
 
+mod bounds;
 mod circles;
 mod clamp;
 mod difference;
 mod extents;
 mod merge;
 mod minkowski;
+mod motion_bound;
 mod relative;
 #[cfg(test)]
 mod storyboard;
@@ -140,6 +142,22 @@ pub static ALGORITHMS: &[Algorithm] = &[
         shapes: convex_pair,
         quiet: minkowski::answer,
         traced: minkowski::answer,
+    },
+    Algorithm {
+        name: bounds::NAME,
+        about: "smallest and largest coordinates of the vertices, and their union (Firth 2011, AABB vs AABB)",
+        kinds: &[QueryKind::Bounds],
+        shapes: bounds::shapes,
+        quiet: bounds::answer,
+        traced: bounds::answer,
+    },
+    Algorithm {
+        name: motion_bound::NAME,
+        about: "the arc of the extreme point, L = theta r (Mirtich 1996, 2.3.2)",
+        kinds: &[QueryKind::MotionBound],
+        shapes: motion_bound::shapes,
+        quiet: motion_bound::answer,
+        traced: motion_bound::answer,
     },
 ];
 
