@@ -8,7 +8,7 @@
 //! Source: Firth, "Collision detection for dummies", section OBB vs OBB. The merge is [`super::merge`].
 
 use super::relative::{Relative, Turn};
-use crate::geometry::{Body, DVec2, Side};
+use crate::geometry::{Body, DVec2, Side, perp};
 use crate::trace::{Event, Tracer};
 
 /// An edge of B ⊖ A by the core features that make it.
@@ -81,8 +81,9 @@ impl Pairing {
 
     /// Outward unit normal of B ⊖ A, in A's frame.
     pub(crate) fn outward(self, pair: &Relative) -> DVec2 {
-        let along = pair.difference_edge(self.source, self.edge);
-        DVec2::new(along.y, -along.x) / length(along)
+        // A's edges are mirrored in B ⊖ A, and so are their normals.
+        let outward = pair.outward(self.source, self.edge);
+        if self.source == Side::A { -outward } else { outward }
     }
 
     /// Projects the origin onto the edge.
@@ -90,8 +91,8 @@ impl Pairing {
         let [from, to] = self.ends(pair);
         let outward = self.outward(pair);
         let line = -outward.dot(from);
-        let d = to - from;
-        let along = (-from.dot(d) / d.length_squared()).clamp(0.0, 1.0);
+        let tangent = perp(outward);
+        let along = (-from.dot(tangent) / (to - from).dot(tangent)).clamp(0.0, 1.0);
         // Inside the span the foot is the origin moved to the line, which keeps the digits of a small distance.
         let inside = along > 0.0 && along < 1.0;
         let foot = if inside {

@@ -20,11 +20,11 @@
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), sections OBB vs OBB and Poly vs Poly. O(n·m).
 
-use super::difference::{Pairing, Projection, length, record_rounding};
+use super::difference::{Pairing, Projection, record_rounding};
 use super::relative::Relative;
 use super::witness::{self, Candidate};
 use super::{Answer, Overlap, Query, QueryKind, Separation};
-use crate::geometry::{DVec2, Feature, Side};
+use crate::geometry::{Feature, Side};
 use crate::trace::{Event, Goal, Tracer};
 
 /// Its word in a scene file.
@@ -134,7 +134,7 @@ fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer
     let other = source.other();
     tracer.record(|| Event::SupportFound {
         body: other,
-        direction: pair.world_vector(-outward(pair, source, edge)),
+        direction: pair.world_vector(-pair.outward(source, edge)),
         vertices: [Some(first), second].into_iter().flatten().map(|k| pair.told(other, k)).collect(),
     });
     let of = |vertex| Pairing { source, edge, vertex };
@@ -143,10 +143,4 @@ fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer
         _ => of(first).found(pair),
     });
     [Some(of(first)), second.map(of)]
-}
-
-/// Outward unit normal of a body's own edge, in A's frame.
-fn outward(pair: &Relative, side: Side, edge: usize) -> DVec2 {
-    let along = pair.edge(side, edge);
-    DVec2::new(along.y, -along.x) / length(along)
 }

@@ -10,12 +10,12 @@
 use std::cmp::Ordering;
 
 use super::Query;
-use crate::geometry::{Body, DVec2, Pose, Shape, Side, perp};
+use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn as Angle};
 use crate::trace::{Moment, SupportVertex};
 
-/// Half-width of the band in which a computed cross product says nothing about its sign, as a multiple of ε and of the
-/// sum of the magnitudes of its two products: each edge component carries at most 4 roundings (a difference, two
-/// products, a sum), the products and their difference 2 more, on both sides.
+/// Half-width of the band in which a cross product of doubles says nothing about its sign, as a multiple of ε and of
+/// the sum of the magnitudes of its two products: each component of an edge carries at most 4 roundings (a
+/// difference, two products, a sum) and two cosines within ε/2, and the cross product adds 2.
 const CROSS_BAND: f64 = 12.0 * f64::EPSILON;
 
 /// A pair at one moment, in A's frame.
@@ -31,6 +31,8 @@ pub(crate) struct Relative<'s> {
     frame: Pose,
     /// B's frame to A's frame.
     turn: Pose,
+    /// The angle of that, exactly.
+    angle: Angle,
 }
 
 /// How an edge lies to another one's direction.
@@ -54,12 +56,13 @@ impl<'s> Relative<'s> {
 
     /// The pair at time `t` in [0, 1].
     pub(crate) fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
-        let at = Moment { time: t, angle_a: a.angle.0 + a.spin.0 * t, angle_b: b.angle.0 + b.spin.0 * t };
+        let at = Moment { time: t, angle_a: a.angle_at(t), angle_b: b.angle_at(t) };
         let frame = a.pose_at(t);
-        let (cos, sin) = cos_sin((b.angle.0 - a.angle.0) + (b.spin.0 - a.spin.0) * t);
+        let angle = Angle::between((a.angle, a.spin), (b.angle, b.spin), t);
         let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
         let position = Pose { position: DVec2::ZERO, ..frame }.inverse_point(apart);
-        Self { a, b, at, frame, turn: Pose { position, cos, sin } }
+        let turn = angle.cos_sin();
+        Self { a, b, at, frame, turn: Pose { position, cos: turn.cos, sin: turn.sin }, angle }
     }
 
     /// One of the bodies.
@@ -70,17 +73,19 @@ impl<'s> Relative<'s> {
         }
     }
 
+    /// The core of a body, in its own frame.
+    fn hull(&self, side: Side) -> &'s Hull {
+        &self.body(side).shape.hull
+    }
+
     /// Number of vertices of a core.
     pub(crate) fn count(&self, side: Side) -> usize {
-        self.body(side).shape.core.len()
+        self.hull(side).corners.len()
     }
 
     /// Number of directed edges of a core: none for a point, two for a segment (there and back).
     pub(crate) fn edges(&self, side: Side) -> usize {
-        match self.count(side) {
-            0 | 1 => 0,
-            n => n,
-        }
+        self.hull(side).sides.len()
     }
 
     /// r_A + r_B.
@@ -100,7 +105,7 @@ impl<'s> Relative<'s> {
 
     /// Core vertex k in A's frame.
     pub(crate) fn vertex(&self, side: Side, k: usize) -> DVec2 {
-        let local = local(&self.body(side).shape, k);
+        let local = corner(self.hull(side), k);
         match side {
             Side::A => local,
             Side::B => self.turn.point(local),
@@ -117,11 +122,19 @@ impl<'s> Relative<'s> {
 
     /// Core edge k, from its vertex to the next, as a vector in A's frame.
     pub(crate) fn edge(&self, side: Side, k: usize) -> DVec2 {
-        let shape = &self.body(side).shape;
-        let along = local(shape, self.next(side, k)) - local(shape, k);
+        let along = self.hull(side).sides.get(k).copied().unwrap_or(DVec2::ZERO);
         match side {
             Side::A => along,
             Side::B => self.turn.vector(along),
+        }
+    }
+
+    /// Outward unit normal of core edge k, in A's frame.
+    pub(crate) fn outward(&self, side: Side, k: usize) -> DVec2 {
+        let normal = self.hull(side).normals.get(k).copied().unwrap_or(DVec2::ZERO);
+        match side {
+            Side::A => normal,
+            Side::B => self.turn.vector(normal),
         }
     }
 
@@ -137,7 +150,7 @@ impl<'s> Relative<'s> {
     pub(crate) fn turn_of(&self, side: Side, k: usize, l: usize) -> Turn {
         let d = self.difference_edge(side, k);
         let e = self.difference_edge(side.other(), l);
-        match sign_of_cross(d, e) {
+        match sign_of_cross(d, e).unwrap_or_else(|| self.fine_sign_of_cross(side, k, l)) {
             Ordering::Greater => Turn::Left,
             Ordering::Less => Turn::Right,
             Ordering::Equal if d.dot(e) > 0.0 => Turn::Along,
@@ -145,16 +158,32 @@ impl<'s> Relative<'s> {
         }
     }
 
+    /// The sign of the same cross product in double-doubles; `Equal` where even they can't tell, which they always can
+    /// where the bodies are parallel.
+    fn fine_sign_of_cross(&self, side: Side, k: usize, l: usize) -> Ordering {
+        let edge = |side: Side, k: usize| {
+            let hull = self.hull(side);
+            let (p, q) = (corner(hull, k), corner(hull, self.next(side, k)));
+            [Ball::difference(q.x, p.x), Ball::difference(q.y, p.y)]
+        };
+        // In A's frame, A's edge mirrored: the sign of −eₐ × R e_b.
+        let (a, b) = if side == Side::A { (k, l) } else { (l, k) };
+        let ([ax, ay], [bx, by]) = (edge(Side::A, a), edge(Side::B, b));
+        let (cos, sin) = self.angle.cos_sin_fine();
+        let cross = ay * (cos * bx - sin * by) - ax * (sin * bx + cos * by);
+        let sign = cross.sign().unwrap_or(0).cmp(&0);
+        if side == Side::A { sign } else { sign.reverse() }
+    }
+
     /// The core vertex farthest along `direction` (A's frame); the first of several.
     pub(crate) fn support(&self, side: Side, direction: DVec2) -> usize {
-        let shape = &self.body(side).shape;
         let direction = match side {
             Side::A => direction,
             Side::B => Pose { position: DVec2::ZERO, ..self.turn }.inverse_point(direction),
         };
         let mut best = (0, f64::NEG_INFINITY);
-        for k in 0..shape.core.len() {
-            let reach = local(shape, k).dot(direction);
+        for (k, corner) in self.hull(side).corners.iter().enumerate() {
+            let reach = corner.dot(direction);
             if reach > best.1 {
                 best = (k, reach);
             }
@@ -166,8 +195,7 @@ impl<'s> Relative<'s> {
     /// runs the same way there, the second end of that edge.
     pub(crate) fn supports_of_edge(&self, side: Side, k: usize) -> (usize, Option<usize>) {
         let other = side.other();
-        let inward = perp(self.edge(side, k));
-        let mut at = self.support(other, inward);
+        let mut at = self.support(other, -self.outward(side, k));
         if self.edges(other) == 0 {
             return (at, None);
         }
@@ -190,19 +218,21 @@ impl<'s> Relative<'s> {
         self.body(side).shape.core.get(k).copied().unwrap_or(0)
     }
 
-    /// The file's index of core edge k: of the first of its pieces, where corners on it were dropped.
+    /// The file's index of core edge k: where corners on it were dropped, of the piece that holds its middle.
     pub(crate) fn file_edge(&self, side: Side, k: usize) -> usize {
-        let shape = &self.body(side).shape;
-        let n = shape.vertices.len();
-        if n == 2 {
-            return 0;
-        }
-        // The core of a clockwise file runs against the file's order: all of its steps but one go down.
-        let steps_up = (0..shape.core.len())
-            .filter(|&k| self.file_vertex(side, k) < self.file_vertex(side, self.next(side, k)))
-            .count();
-        let from = self.file_vertex(side, k);
-        if steps_up * 2 > shape.core.len() { from } else { (from + n - 1) % n }
+        let hull = self.hull(side);
+        let middle = corner(hull, k) * 0.5 + corner(hull, self.next(side, k)) * 0.5;
+        let (Feature::Edge(i) | Feature::Vertex(i)) = self.body(side).shape.edge_feature(k, middle);
+        i
+    }
+
+    /// The file's edge that holds `point` (A's frame), which lies on core edge k.
+    pub(crate) fn edge_feature(&self, side: Side, k: usize, point: DVec2) -> Feature {
+        let local = match side {
+            Side::A => point,
+            Side::B => self.turn.inverse_point(point),
+        };
+        self.body(side).shape.edge_feature(k, local)
     }
 
     /// A point of A's frame in the world.
@@ -226,33 +256,14 @@ impl<'s> Relative<'s> {
     }
 }
 
-/// Vertex k of a core in its body's frame; a shape without a core counts as its origin.
-fn local(shape: &Shape, k: usize) -> DVec2 {
-    shape.core.get(k).and_then(|&i| shape.vertices.get(i)).copied().unwrap_or(DVec2::ZERO)
+/// Corner k of a core; a shape without a core counts as its origin.
+fn corner(hull: &Hull, k: usize) -> DVec2 {
+    hull.corners.get(k).copied().unwrap_or(DVec2::ZERO)
 }
 
-/// The sign of u × v, or `Equal` where rounding hides it.
-fn sign_of_cross(u: DVec2, v: DVec2) -> Ordering {
+/// The sign of u × v, or None where rounding hides it.
+fn sign_of_cross(u: DVec2, v: DVec2) -> Option<Ordering> {
     let (p, q) = (u.x * v.y, u.y * v.x);
     let cross = p - q;
-    if cross.abs() <= CROSS_BAND * (p.abs() + q.abs()) {
-        return Ordering::Equal;
-    }
-    cross.partial_cmp(&0.0).unwrap_or(Ordering::Equal)
-}
-
-/// Cosine and sine of an angle in degrees, exact at multiples of 90.
-fn cos_sin(degrees: f64) -> (f64, f64) {
-    let turn = degrees % 360.0;
-    let quarters = libm::round(turn / 90.0);
-    let rest = (turn - quarters * 90.0).to_radians();
-    let (c, s) = (libm::cos(rest), libm::sin(rest));
-    match libm::fabs(quarters) {
-        1.0 if quarters > 0.0 => (-s, c),
-        1.0 => (s, -c),
-        3.0 if quarters > 0.0 => (s, -c),
-        3.0 => (-s, c),
-        2.0 => (-c, -s),
-        _ => (c, s),
-    }
+    if cross.abs() > CROSS_BAND * (p.abs() + q.abs()) { cross.partial_cmp(&0.0) } else { None }
 }

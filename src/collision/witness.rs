@@ -98,7 +98,8 @@ pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
     let slack = BOUNDS_BAND * f64::EPSILON * scale(pair);
     let bounds = Enclosure { lo: separation - slack, hi: separation + slack };
     let ties = ties(pair, c, slack);
-    let features = [feature(pair, Side::A, c.features[0]), feature(pair, Side::B, c.features[1])];
+    let features =
+        [feature(pair, Side::A, c.features[0], cores[0]), feature(pair, Side::B, c.features[1], cores[1])];
     Separation { separation, bounds, normal: pair.world_vector(n), ties, points, features }
 }
 
@@ -179,11 +180,11 @@ fn middle_of_common_span(pair: &Relative, a: usize, b: usize) -> DVec2 {
     start + d * (0.5 * (lo + hi))
 }
 
-/// A core feature with the file's number.
-fn feature(pair: &Relative, side: Side, f: CoreFeature) -> Feature {
+/// The core feature that holds a point, with the file's number.
+fn feature(pair: &Relative, side: Side, f: CoreFeature, point: DVec2) -> Feature {
     match f {
         CoreFeature::Vertex(k) => Feature::Vertex(pair.file_vertex(side, k)),
-        CoreFeature::Edge(k) => Feature::Edge(pair.file_edge(side, k)),
+        CoreFeature::Edge(k) => pair.edge_feature(side, k, point),
     }
 }
 
