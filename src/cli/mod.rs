@@ -1,8 +1,111 @@
-//! The command line: one command a file, each a row in the table here.
+//! The command line: one command a file, each a row in [`COMMANDS`].
+//!
+//! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a check
+//! failed, 2 usage. A closed pipe ends a command quietly.
 
+mod completions;
+mod console;
+mod inputs;
+mod list;
+mod man;
+mod solve;
+mod whole_file;
+
+use std::io;
 use std::process::ExitCode;
+
+use clap::{ArgMatches, Args};
+
+use console::Console;
+
+/// How a command ended, where it was not stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Status {
+    /// All is done.
+    Done,
+    /// The input is wrong, or a check failed; messages have been written.
+    Wrong,
+    /// The options contradict each other; a message has been written.
+    Usage,
+}
+
+/// A row of the table of commands: what the parser, the man page and the completions know of a command.
+struct Command {
+    name: &'static str,
+    about: &'static str,
+    args: fn(clap::Command) -> clap::Command,
+    run: fn(&ArgMatches, &mut Console) -> io::Result<Status>,
+}
+
+/// A command: its options by `clap`, and what it does.
+trait Runs: Args {
+    /// Does it. An `Err` is a failure of standard output itself.
+    fn run(self, console: &mut Console) -> io::Result<Status>;
+}
+
+const fn row<T: Runs>(name: &'static str, about: &'static str) -> Command {
+    Command { name, about, args: T::augment_args, run: run_as::<T> }
+}
+
+fn run_as<T: Runs>(matches: &ArgMatches, console: &mut Console) -> io::Result<Status> {
+    match T::from_arg_matches(matches) {
+        Ok(command) => command.run(console),
+        Err(error) => error.exit(),
+    }
+}
+
+/// Every command.
+static COMMANDS: &[Command] = &[
+    row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
+    row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
+    row::<completions::Completions>("completions", "Print completions for a shell"),
+    row::<man::Man>("man", "Print the man page"),
+];
+
+/// The parser, built from the table.
+fn app() -> clap::Command {
+    let app = clap::Command::new("tracefig")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about("Draw what a 2D collision algorithm did")
+        .after_help(
+            "`-` is standard input or output. Exit status: 0 done, 1 wrong input or failed check, 2 usage.",
+        )
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .disable_help_subcommand(true);
+    COMMANDS.iter().fold(app, |app, command| {
+        app.subcommand((command.args)(clap::Command::new(command.name)).about(command.about))
+    })
+}
 
 /// Runs the command line of this process.
 pub(crate) fn run() -> ExitCode {
-    ExitCode::SUCCESS
+    let matches = app().get_matches();
+    let mut console = Console::new();
+    let Some((name, arguments)) = matches.subcommand() else { return ExitCode::from(2) };
+    let Some(command) = COMMANDS.iter().find(|command| command.name == name) else {
+        return ExitCode::from(2);
+    };
+    let ended = (command.run)(arguments, &mut console).and_then(|status| console.finish().map(|()| status));
+    match ended {
+        Ok(Status::Done) => ExitCode::SUCCESS,
+        Ok(Status::Wrong) => ExitCode::from(1),
+        Ok(Status::Usage) => ExitCode::from(2),
+        // Whoever reads has seen enough.
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+        Err(error) => {
+            console.error(&format!("can't write to standard output: {error}"));
+            ExitCode::from(1)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_table_makes_a_parser_without_contradictions() {
+        app().debug_assert();
+    }
 }

@@ -30,7 +30,7 @@ pub use open::{Refused, SceneFile, open, open_reader, open_text};
 pub use problem::{Fault, Problem};
 pub use read::read;
 pub use source::{Place, Source, Syntax};
-pub use stream::{Reply, solve, solve_jsonl_line};
+pub use stream::{Reply, refuse_jsonl_line, solve, solve_jsonl_line};
 
 use crate::collision::{Algorithm, Query, QueryKind};
 use crate::geometry::Body;

@@ -56,6 +56,13 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
     }
 }
 
+/// The reply to a line that is not UTF-8.
+#[must_use]
+pub fn refuse_jsonl_line(line: usize) -> Reply {
+    let error = json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() });
+    Reply { line: format!("{{\"id\":null,\"line\":{line},\"error\":{error}}}"), solved: false }
+}
+
 fn too_long(source: &Source) -> Result<(), Vec<Problem>> {
     let got = source.text.len();
     if got <= MAX_FILE_BYTES {

@@ -1,0 +1,55 @@
+//! Standard output and standard error: results on one, messages on the other, colour only on a terminal.
+
+use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
+
+use annotate_snippets::{Level, Renderer};
+use tracefig::scene::Ink;
+
+/// Where a command writes.
+pub(crate) struct Console {
+    /// Results.
+    pub(crate) out: BufWriter<Stdout>,
+    ink: Ink,
+    on_terminal: bool,
+}
+
+impl Console {
+    pub(crate) fn new() -> Self {
+        let on_terminal = io::stderr().is_terminal();
+        // https://no-color.org: present and not empty, whatever its value.
+        let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
+        let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
+        let ink = if on_terminal && !no_color && !dumb { Ink::Coloured } else { Ink::Plain };
+        Self { out: BufWriter::new(io::stdout()), ink, on_terminal }
+    }
+
+    /// How messages are written.
+    pub(crate) fn ink(&self) -> Ink {
+        self.ink
+    }
+
+    /// Whether someone watches standard error, so that a progress bar makes sense.
+    pub(crate) fn is_watched(&self) -> bool {
+        self.on_terminal
+    }
+
+    /// Writes a message as it is. What standard error can't take is lost: there is nowhere left to say so.
+    pub(crate) fn message(&self, text: &str) {
+        let _ = io::stderr().lock().write_all(text.as_bytes());
+    }
+
+    /// Writes `error: …`.
+    pub(crate) fn error(&self, text: &str) {
+        let report = [annotate_snippets::Group::with_title(Level::ERROR.primary_title(text))];
+        let renderer = match self.ink {
+            Ink::Plain => Renderer::plain(),
+            Ink::Coloured => Renderer::styled(),
+        };
+        self.message(&format!("{}\n", renderer.render(&report)));
+    }
+
+    /// Writes what is still buffered.
+    pub(crate) fn finish(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}

@@ -1,0 +1,74 @@
+//! Which scenes a command is about: files, folders of them, `-`, or all of `figures/`.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use tracefig::scene::{Refused, SceneFile, open, open_reader};
+
+/// The folder whose scenes are meant when none is named.
+const DEFAULT_FOLDER: &str = "figures";
+
+/// Where a scene comes from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Input {
+    /// Standard input.
+    Stdin,
+    /// A file.
+    File(PathBuf),
+}
+
+impl Input {
+    /// How messages call it.
+    pub(crate) fn name(&self) -> String {
+        match self {
+            Self::Stdin => "<stdin>".to_owned(),
+            Self::File(path) => path.display().to_string(),
+        }
+    }
+
+    /// Reads and checks the scene.
+    pub(crate) fn open(&self) -> Result<SceneFile, Box<Refused>> {
+        match self {
+            Self::Stdin => open_reader("<stdin>", io::stdin().lock()),
+            Self::File(path) => open(path),
+        }
+    }
+}
+
+/// The inputs that the arguments name, in their order; a folder stands for its scenes by name.
+pub(crate) fn inputs(arguments: &[PathBuf]) -> Result<Vec<Input>, String> {
+    if arguments.is_empty() {
+        let scenes =
+            folder(Path::new(DEFAULT_FOLDER)).map_err(|error| format!("no scene was given, and {error}"))?;
+        return Ok(scenes);
+    }
+    let mut found = Vec::new();
+    for argument in arguments {
+        if argument.as_os_str() == "-" {
+            if found.contains(&Input::Stdin) {
+                return Err("`-` is given twice, but standard input can be read only once".to_owned());
+            }
+            found.push(Input::Stdin);
+        } else if argument.is_dir() {
+            found.extend(folder(argument)?);
+        } else {
+            // A missing file is told when it is opened, so that the others are still read.
+            found.push(Input::File(argument.clone()));
+        }
+    }
+    Ok(found)
+}
+
+/// The scenes of a folder, by name.
+fn folder(path: &Path) -> Result<Vec<Input>, String> {
+    let entries = path.read_dir().map_err(|e| format!("can't read the folder {}: {e}", path.display()))?;
+    let mut paths: Vec<PathBuf> = entries
+        .filter_map(|entry| entry.ok().map(|e| e.path()))
+        .filter(|p| p.extension().is_some_and(|e| e == "toml" || e == "json"))
+        .collect();
+    paths.sort();
+    if paths.is_empty() {
+        return Err(format!("there is no scene (*.toml, *.json) in the folder {}", path.display()));
+    }
+    Ok(paths.into_iter().map(Input::File).collect())
+}

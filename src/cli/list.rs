@@ -1,0 +1,124 @@
+//! `tracefig list`: what a scene may say, from the tables that read it.
+
+use std::fmt::Write as _;
+use std::io::{self, Write as _};
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use tracefig::collision::{ALGORITHMS, QueryKind};
+use tracefig::geometry::shape::KINDS;
+use tracefig::scene::{ERRORS, Field, Holds, TABLES, shape_rows};
+
+use super::console::Console;
+use super::inputs::inputs;
+use super::{Runs, Status};
+
+/// A topic of `list`.
+struct Topic {
+    name: &'static str,
+    title: &'static str,
+    rows: fn() -> Vec<(String, String)>,
+}
+
+/// Every topic, in the order in which they are printed.
+static TOPICS: &[Topic] = &[
+    Topic { name: "shapes", title: "Kinds of shape, and their fields", rows: shapes },
+    Topic { name: "queries", title: "Kinds of query", rows: queries },
+    Topic { name: "algorithms", title: "Algorithms, and what they answer", rows: algorithms },
+    Topic { name: "fields", title: "Tables of a scene, and their keys", rows: fields },
+    Topic { name: "errors", title: "Codes of errors", rows: errors },
+    Topic { name: "figures", title: "Scenes in figures/", rows: figures },
+];
+
+/// Options of `list`.
+#[derive(Args)]
+pub(crate) struct List {
+    /// What to list; none: everything
+    #[arg(value_parser = PossibleValuesParser::new(TOPICS.iter().map(|t| t.name)))]
+    topic: Option<String>,
+}
+
+impl Runs for List {
+    fn run(self, console: &mut Console) -> io::Result<Status> {
+        let wanted = TOPICS.iter().filter(|t| self.topic.as_deref().is_none_or(|name| name == t.name));
+        let mut text = String::new();
+        for topic in wanted {
+            if self.topic.is_none() {
+                let gap = if text.is_empty() { "" } else { "\n" };
+                let _ = writeln!(text, "{gap}{}", topic.title);
+            }
+            columns(&mut text, &(topic.rows)(), if self.topic.is_none() { "  " } else { "" });
+        }
+        console.out.write_all(text.as_bytes())?;
+        Ok(Status::Done)
+    }
+}
+
+/// Two columns, the first as wide as its widest entry.
+fn columns(text: &mut String, rows: &[(String, String)], indent: &str) {
+    let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
+    for (name, about) in rows {
+        let line = format!("{indent}{name:width$}  {about}");
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+}
+
+fn field(field: &Field) -> (String, String) {
+    let need = if field.required { "required; " } else { "" };
+    (format!("  {}", field.name), format!("{need}{}: {}", field.holds.expected(), field.about))
+}
+
+fn shapes() -> Vec<(String, String)> {
+    let common = |f: &Field| {
+        TABLES.iter().any(|t| t.header == "[shapes.NAME]" && t.fields.iter().any(|b| b.name == f.name))
+    };
+    let mut rows = Vec::new();
+    for kind in KINDS {
+        rows.push((kind.name.to_owned(), kind.about.to_owned()));
+        rows.extend(shape_rows(kind).iter().filter(|f| !common(f)).map(field));
+    }
+    rows
+}
+
+fn queries() -> Vec<(String, String)> {
+    let names = |kind: QueryKind| {
+        let fitting = ALGORITHMS.iter().filter(|a| a.kinds.contains(&kind)).map(|a| a.name);
+        format!("by {}", fitting.collect::<Vec<_>>().join(", "))
+    };
+    QueryKind::ALL.into_iter().map(|kind| (kind.word().to_owned(), names(kind))).collect()
+}
+
+fn algorithms() -> Vec<(String, String)> {
+    let about = |a: &tracefig::collision::Algorithm| {
+        let kinds: Vec<_> = a.kinds.iter().map(|k| k.word()).collect();
+        format!("{} ({})", a.about, kinds.join(", "))
+    };
+    ALGORITHMS.iter().map(|a| (a.name.to_owned(), about(a))).collect()
+}
+
+fn fields() -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    for table in TABLES {
+        rows.push((table.header.to_owned(), String::new()));
+        for row in table.fields {
+            rows.push(field(row));
+            if let Holds::Word { known, .. } = row.holds {
+                rows.push((String::new(), format!("one of: {}", known().join(", "))));
+            }
+        }
+    }
+    rows
+}
+
+fn errors() -> Vec<(String, String)> {
+    ERRORS.iter().map(|e| (e.code.to_owned(), e.about.to_owned())).collect()
+}
+
+fn figures() -> Vec<(String, String)> {
+    let Ok(inputs) = inputs(&[]) else { return Vec::new() };
+    let title = |input: &super::inputs::Input| match input.open() {
+        Ok(file) => file.scene.title.map_or(String::new(), |t| t.value),
+        Err(refused) => format!("({} in it)", refused.problems.len()),
+    };
+    inputs.iter().map(|input| (input.name(), title(input))).collect()
+}

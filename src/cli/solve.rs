@@ -1,0 +1,101 @@
+//! `tracefig solve`: the answer alone.
+
+use std::io::{self, BufRead, Read, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use tracefig::scene::limits::MAX_FILE_BYTES;
+use tracefig::scene::{SceneFile, answer_json, answer_text, refuse_jsonl_line, solve, solve_jsonl_line};
+
+use super::console::Console;
+use super::inputs::inputs;
+use super::{Runs, Status};
+
+/// Options of `solve`.
+#[derive(Args)]
+pub(crate) struct Solve {
+    /// Scene files or folders of them; `-` is standard input; none: all of figures/
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// A line of JSON for each scene
+    #[arg(long)]
+    json: bool,
+    /// Read a scene (as JSON) a line from standard input, write a line of JSON for each
+    #[arg(long, conflicts_with_all = ["scenes", "json"])]
+    jsonl: bool,
+}
+
+impl Runs for Solve {
+    fn run(self, console: &mut Console) -> io::Result<Status> {
+        if self.jsonl { stream(io::stdin().lock(), console) } else { self.each(console) }
+    }
+}
+
+impl Solve {
+    fn each(&self, console: &mut Console) -> io::Result<Status> {
+        let inputs = match inputs(&self.scenes) {
+            Ok(inputs) => inputs,
+            Err(message) => {
+                console.error(&message);
+                return Ok(Status::Wrong);
+            }
+        };
+        let mut status = Status::Done;
+        for input in &inputs {
+            match input.open() {
+                Ok(file) if self.json => writeln!(console.out, "{}", json(&input.name(), &file))?,
+                Ok(file) => console.out.write_all(text(&input.name(), &file).as_bytes())?,
+                Err(refused) => {
+                    // In the order of the scenes where both streams go to one place.
+                    console.out.flush()?;
+                    console.message(&refused.render(console.ink()));
+                    status = Status::Wrong;
+                }
+            }
+        }
+        Ok(status)
+    }
+}
+
+fn json(name: &str, file: &SceneFile) -> serde_json::Value {
+    serde_json::json!({ "scene": name, "result": answer_json(file.scene.query.kind, &solve(&file.scene)) })
+}
+
+fn text(name: &str, file: &SceneFile) -> String {
+    let query = &file.scene.query;
+    let names: Vec<_> =
+        query.of.iter().filter_map(|&i| file.scene.shapes.get(i)).map(|(n, _)| n.value.as_str()).collect();
+    let answer = answer_text(query.kind, &solve(&file.scene));
+    format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.join(" and "), query.algorithm.name)
+}
+
+/// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits gets
+/// its answer before writing the next.
+fn stream(input: impl Read, console: &mut Console) -> io::Result<Status> {
+    let mut input = io::BufReader::with_capacity(1 << 16, input);
+    let mut status = Status::Done;
+    let mut bytes = Vec::new();
+    for line in 1.. {
+        bytes.clear();
+        // One more than a scene may have, so that a longer line is known to be one and its rest is never kept.
+        if (&mut input).take(MAX_FILE_BYTES as u64 + 2).read_until(b'\n', &mut bytes)? == 0 {
+            break;
+        }
+        if bytes.len() > MAX_FILE_BYTES && bytes.last() != Some(&b'\n') {
+            input.skip_until(b'\n')?;
+        }
+        let reply = match std::str::from_utf8(&bytes) {
+            Ok(text) => solve_jsonl_line(text, line),
+            Err(_) => refuse_jsonl_line(line),
+        };
+        if !reply.solved {
+            status = Status::Wrong;
+        }
+        console.out.write_all(reply.line.as_bytes())?;
+        console.out.write_all(b"\n")?;
+        if input.buffer().is_empty() {
+            console.out.flush()?;
+        }
+    }
+    Ok(status)
+}
