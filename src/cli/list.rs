@@ -6,7 +6,7 @@ use std::io::{self, Write as _};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::collision::{ALGORITHMS, QueryKind};
-use tracefig::geometry::shape::KINDS;
+use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::scene::{ERRORS, Field, Holds, TABLES, shape_rows};
 
 use super::console::Console;
@@ -111,7 +111,9 @@ fn fields() -> Vec<(String, String)> {
 }
 
 fn errors() -> Vec<(String, String)> {
-    ERRORS.iter().map(|e| (e.code.to_owned(), e.about.to_owned())).collect()
+    let of_shapes = SHAPE_ERRORS.iter().filter(|(code, _)| ERRORS.iter().all(|e| e.code != *code)).copied();
+    let all = ERRORS.iter().map(|e| (e.code, e.about)).chain(of_shapes);
+    all.map(|(code, about)| (code.to_owned(), about.to_owned())).collect()
 }
 
 fn figures() -> Vec<(String, String)> {

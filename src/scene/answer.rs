@@ -115,9 +115,21 @@ pub fn answer_text(kind: QueryKind, answer: &Answer) -> String {
     let Value::Object(fields) = answer_json(kind, answer) else { return String::new() };
     let mut lines = String::new();
     for (key, value) in fields.iter().filter(|(key, _)| *key != "kind") {
-        lines.push_str(&format!("  {:<18} {}\n", key.replace('_', " "), words(value)));
+        lines.push_str(&format!("  {:<18} {}\n", key.replace('_', " "), part(key, value)));
     }
     lines
+}
+
+/// Bounds as an interval, all else by its type.
+fn part(key: &str, value: &Value) -> String {
+    match value {
+        Value::Array(ends) if key.ends_with("_bounds") => match ends.as_slice() {
+            [lo, Value::Null] => format!("[{}, inf)", words(lo)),
+            [lo, hi] => format!("[{}, {}]", words(lo), words(hi)),
+            _ => words(value),
+        },
+        _ => words(value),
+    }
 }
 
 fn words(value: &Value) -> String {

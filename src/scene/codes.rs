@@ -13,7 +13,8 @@ const fn row(code: &'static str, about: &'static str) -> ErrorCode {
     ErrorCode { code, about }
 }
 
-/// Every code that reading a scene can give.
+/// Every code that reading a scene can give, besides those of shapes
+/// ([`SHAPE_ERRORS`](crate::geometry::shape::SHAPE_ERRORS)), some of which are here too.
 pub static ERRORS: &[ErrorCode] = &[
     row("unreadable-file", "the file is missing, is no file, or may not be read"),
     row("not-utf8", "the file is not UTF-8 text"),
@@ -37,11 +38,6 @@ pub static ERRORS: &[ErrorCode] = &[
     row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
     row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
     row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
-    row("not-convex", "the corners of a polygon turn both ways, or wind more than once"),
-    row("not-simple", "an outline crosses or touches itself"),
-    row("too-few-corners", "fewer than three distinct corners"),
-    row("degenerate", "corners that enclose no area"),
-    row("negative", "a length below zero"),
 ];
 
 #[cfg(test)]

@@ -63,11 +63,19 @@ pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink)
         elements.push(Origin::path(source.name.as_str()).into());
     } else {
         let place = source.place(problem.span.start);
-        elements.push(Origin::path(source.name.as_str()).line(place.line).char_column(place.column).into());
-        let (line, span) = quote(source, &problem.span);
-        if !line.trim().is_empty() {
-            let mark = AnnotationKind::Primary.span(span);
-            elements.push(Snippet::source(line).line_start(place.line).annotation(mark).into());
+        let origin = Origin::path(source.name.as_str()).line(place.line).char_column(place.column);
+        let Quote { line, span, from_start } = quote(source, &problem.span);
+        let is_blank = line.trim().is_empty();
+        let quoted =
+            Snippet::source(line).line_start(place.line).annotation(AnnotationKind::Primary.span(span));
+        if is_blank {
+            elements.push(origin.into());
+        } else if from_start {
+            elements.push(quoted.path(source.name.as_str()).into());
+        } else {
+            // The snippet would count columns from where the line was cut.
+            elements.push(origin.into());
+            elements.push(quoted.into());
         }
     }
     elements.extend(fault.help().map(|help| Level::HELP.message(help).into()));
@@ -84,20 +92,30 @@ pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink)
 }
 
 /// The line of a place, cut to what can be read, and the place within it.
-fn quote(source: &Source, span: &Range<usize>) -> (String, Range<usize>) {
+struct Quote {
+    line: String,
+    span: Range<usize>,
+    /// Whether nothing was cut off before the place.
+    from_start: bool,
+}
+
+fn quote(source: &Source, span: &Range<usize>) -> Quote {
     let (line_start, line) = source.line_at(span.start);
     let start = span.start.saturating_sub(line_start).min(line.len());
     let end = span.end.saturating_sub(line_start).clamp(start, line.len());
     if line.chars().count() <= QUOTED {
-        return (line.to_owned(), start..end);
+        return Quote { line: line.to_owned(), span: start..end, from_start: true };
     }
     let back = line[..start].char_indices().rev().take(BEFORE).last().map_or(start, |(i, _)| i);
     let forward = line[back..].char_indices().nth(QUOTED).map_or(line.len(), |(i, _)| back + i);
     let before = if back > 0 { "…" } else { "" };
     let after = if forward < line.len() { "…" } else { "" };
     let shift = before.len();
-    let cut = format!("{before}{}{after}", &line[back..forward]);
-    (cut, start - back + shift..end.min(forward).max(start) - back + shift)
+    Quote {
+        line: format!("{before}{}{after}", &line[back..forward]),
+        span: start - back + shift..end.min(forward).max(start) - back + shift,
+        from_start: back == 0,
+    }
 }
 
 #[cfg(test)]

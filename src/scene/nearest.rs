@@ -2,8 +2,8 @@
 
 /// At most a third of a word may differ for it to be what was meant.
 fn is_near(got: &str, known: &str) -> Option<usize> {
-    let distance = strsim::damerau_levenshtein(&got.to_lowercase(), known);
-    (distance * 3 <= got.chars().count().max(known.chars().count()).max(3)).then_some(distance)
+    let distance = strsim::damerau_levenshtein(&got.to_lowercase(), &known.to_lowercase());
+    (distance * 3 <= got.chars().count().max(known.chars().count())).then_some(distance)
 }
 
 /// The nearest of the known words where one is near, else all of them.

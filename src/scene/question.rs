@@ -42,7 +42,7 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
     }
     Some(SceneQuery {
         kind,
-        algorithm: algorithm(&query, &table, p)?,
+        algorithm: algorithm(&query, node, &table, p)?,
         time: query.time,
         tolerance: query.tolerance,
         max_iterations: query.max_iterations,
@@ -120,9 +120,18 @@ fn fits(query: &Query<'_>, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mu
 }
 
 /// The algorithm asked for, or the first that takes the query.
-fn algorithm(query: &Query<'_>, table: &Checked<'_>, p: &mut Problems) -> Option<&'static Algorithm> {
+fn algorithm(
+    query: &Query<'_>,
+    node: &Node,
+    table: &Checked<'_>,
+    p: &mut Problems,
+) -> Option<&'static Algorithm> {
     let takes = |a: &&Algorithm| a.kinds.contains(&query.kind) && (a.shapes)(query).is_ok();
     let Some(name) = table.text("algorithm") else {
+        if node.get("algorithm").is_some() {
+            // It was wrong, and that has been told.
+            return None;
+        }
         let found = ALGORITHMS.iter().find(takes);
         if found.is_none() {
             let reason = format!("no algorithm answers `{}` of these shapes", query.kind.word());
@@ -130,7 +139,6 @@ fn algorithm(query: &Query<'_>, table: &Checked<'_>, p: &mut Problems) -> Option
         }
         return found;
     };
-    // `check` has let only known words through, unless the key was left out because it was wrong.
     let asked = ALGORITHMS.iter().find(|a| a.name == name.value)?;
     let reason = if asked.kinds.contains(&query.kind) {
         (asked.shapes)(query).err().map(str::to_owned)
