@@ -19,8 +19,11 @@ pub use glam::DVec2;
 pub use hull::Hull;
 pub use shape::Shape;
 
+use serde::Serialize;
+
 /// A part of a body's boundary, numbered in the file's order of vertices; edge i runs from vertex i to i + 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Feature {
     /// A corner, or the one point of a circle.
     Vertex(usize),
@@ -29,7 +32,7 @@ pub enum Feature {
 }
 
 /// Which of the two bodies of a query.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub enum Side {
     /// The first body of the query.
     A,
@@ -49,7 +52,7 @@ impl Side {
 }
 
 /// A closed interval that holds an exact value.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Enclosure {
     /// Not above the exact value.
     pub lo: f64,

@@ -2,10 +2,12 @@
 //!
 //! Facts own their data and are in world space or, where said, in configuration space (B ⊖ A = {b − a}).
 
+use serde::Serialize;
+
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 
 /// A vertex that is farthest along a direction.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SupportVertex {
     /// Index in the file's order of vertices.
     pub index: usize,
@@ -14,7 +16,8 @@ pub struct SupportVertex {
 }
 
 /// What a candidate is the best of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Goal {
     /// The signed distance nearest to zero from below: the depth so far.
     LeastPenetrating,
@@ -23,7 +26,8 @@ pub enum Goal {
 }
 
 /// Why a ray was not tested against an edge, or what came of it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Culling {
     /// The edge faces away from the ray; it was skipped.
     BackFacing,
@@ -34,7 +38,7 @@ pub enum Culling {
 }
 
 /// A moment in [0, 1] and where the moving pair is then.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Moment {
     /// Time in [0, 1].
     pub time: f64,
@@ -45,7 +49,8 @@ pub struct Moment {
 }
 
 /// Something an algorithm did or found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(tag = "event", rename_all = "kebab-case")]
 pub enum Event {
     /// An algorithm began, with the pair as it is at a moment. An advancement begins a distance query each step.
     Started {

@@ -4,8 +4,12 @@
 //! untraced query costs what it would without tracing.
 
 mod event;
+mod json;
+mod story;
 
 pub use event::{Culling, Event, Goal, Moment, SupportVertex};
+pub use json::{TRACE_FORMAT, json_lines};
+pub use story::{sentence, story};
 
 /// Listens to an algorithm.
 pub trait Tracer {

@@ -1,0 +1,85 @@
+//! A trace as JSON lines: a header, then a line for each event, in order.
+//!
+//! ```json
+//! {"tracefig_trace":1,"algorithms":["minkowski"],"events":42}
+//! {"event":"started","algorithm":"minkowski","at":{"time":0.0,"angle_a":0.0,"angle_b":0.0}}
+//! ```
+//!
+//! Every event has its name under `event` and its fields under their own names; a point is a pair, a feature is
+//! `{"vertex": i}` or `{"edge": i}`, an interval `{"lo": …, "hi": …}`. Numbers are written so that they read back
+//! bit for bit. A field may be added; the 1 changes when one is renamed or changes its meaning.
+
+use serde::Serialize;
+
+use super::{Event, Trace};
+
+/// Version of the format.
+pub const TRACE_FORMAT: u32 = 1;
+
+/// The first line.
+#[derive(Serialize)]
+struct Header<'t> {
+    tracefig_trace: u32,
+    /// In the order in which they began, each once.
+    algorithms: Vec<&'t str>,
+    events: usize,
+}
+
+/// The whole trace as JSON lines, each ended by a line feed.
+///
+/// # Errors
+/// When a value has no form in JSON, which no event has.
+///
+/// ```
+/// use tracefig::trace::{Event, Trace, Tracer, json_lines};
+/// let mut trace = Trace::default();
+/// trace.record(|| Event::Finished { outcome: "apart" });
+/// let expected = "{\"tracefig_trace\":1,\"algorithms\":[],\"events\":1}\n{\"event\":\"finished\",\"outcome\":\"apart\"}\n";
+/// assert_eq!(json_lines(&trace)?, expected);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+pub fn json_lines(trace: &Trace) -> Result<String, serde_json::Error> {
+    let mut algorithms = Vec::new();
+    for event in &trace.events {
+        if let Event::Started { algorithm, .. } = event
+            && !algorithms.contains(algorithm)
+        {
+            algorithms.push(*algorithm);
+        }
+    }
+    let header = Header { tracefig_trace: TRACE_FORMAT, algorithms, events: trace.events.len() };
+    let mut lines = serde_json::to_string(&header)?;
+    lines.push('\n');
+    for event in &trace.events {
+        lines.push_str(&serde_json::to_string(event)?);
+        lines.push('\n');
+    }
+    Ok(lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{DVec2, Feature, Side};
+    use crate::trace::{Goal, Tracer};
+
+    #[test]
+    fn numbers_read_back_bit_for_bit() {
+        let mut trace = Trace::default();
+        let foot = DVec2::new(0.1 + 0.2, -5e-324);
+        trace.record(|| Event::CandidateImproved {
+            goal: Goal::LeastPenetrating,
+            distance: -1.0 / 3.0,
+            foot,
+            source: (Side::B, Feature::Edge(3)),
+        });
+        let lines = json_lines(&trace).unwrap();
+        let event: serde_json::Value = serde_json::from_str(lines.lines().nth(1).unwrap()).unwrap();
+        assert_eq!(event["event"], "candidate-improved");
+        assert_eq!(event["goal"], "least-penetrating");
+        assert_eq!(event["distance"].as_f64(), Some(-1.0 / 3.0));
+        assert_eq!(event["foot"][0].as_f64(), Some(foot.x));
+        assert_eq!(event["foot"][1].as_f64().map(f64::to_bits), Some(foot.y.to_bits()));
+        assert_eq!(event["source"], serde_json::json!(["B", {"edge": 3}]));
+    }
+}
