@@ -7,6 +7,7 @@
 
 pub mod collision;
 pub mod drawing;
+pub mod drift;
 pub mod geometry;
 pub mod scene;
 pub mod trace;
