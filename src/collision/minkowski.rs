@@ -43,7 +43,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 }
 
 /// Signed separation of a pair.
-fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
+pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
     let answer = witness::separation(pair, &closest(pair, None, tracer).candidate(pair));
     tracer.record(|| Event::Finished { outcome: witness::word(answer.separation) });
     answer

@@ -1,16 +1,28 @@
 //! One algorithm a file; a [`Query`] in, an [`Answer`] out, events on the way.
 
+mod advancement;
+mod axis_gap;
 mod bounds;
 mod circles;
 mod clamp;
+mod conservative_advancement;
+mod contact;
 mod difference;
 mod extents;
+mod first_root;
 mod merge;
 mod minkowski;
 mod motion_bound;
+mod moving_pair;
+mod nearest;
+mod ray_cast;
+mod ray_clipping;
 mod relative;
 #[cfg(test)]
 mod storyboard;
+#[cfg(test)]
+mod storyboard_motion;
+mod swept_axis;
 mod witness;
 
 pub use difference::{Difference, DifferenceEdge, difference};
@@ -159,7 +171,46 @@ pub static ALGORITHMS: &[Algorithm] = &[
         quiet: motion_bound::answer,
         traced: motion_bound::answer,
     },
+    Algorithm {
+        name: ray_cast::NAME,
+        about: "one ray against the edges of B - A that face it, direct (Firth 2011, Continuous)",
+        kinds: &[QueryKind::LinearSweep],
+        shapes: unturning_pair,
+        quiet: ray_cast::answer,
+        traced: ray_cast::answer,
+    },
+    Algorithm {
+        name: ray_clipping::NAME,
+        about: "the ray clipped to the tangent at the closest point, again and again (van den Bergen 2004)",
+        kinds: &[QueryKind::LinearSweep],
+        shapes: unturning_pair,
+        quiet: ray_clipping::answer,
+        traced: ray_clipping::answer,
+    },
+    Algorithm {
+        name: swept_axis::NAME,
+        about: "separating axes that turn with a body, followed until they are used up; certified",
+        kinds: &[QueryKind::TimeOfImpact],
+        shapes: convex_pair,
+        quiet: swept_axis::answer,
+        traced: swept_axis::answer,
+    },
+    Algorithm {
+        name: conservative_advancement::NAME,
+        about: "steps by the distance over a bound on the closing speed (Mirtich 1996, Coumans 2005)",
+        kinds: &[QueryKind::TimeOfImpact],
+        shapes: convex_pair,
+        quiet: conservative_advancement::answer,
+        traced: conservative_advancement::answer,
+    },
 ];
+
+/// Two convex bodies that do not turn.
+fn unturning_pair(query: &Query) -> Result<(), &'static str> {
+    convex_pair(query)?;
+    let turns = |body: &Body| body.spin.0 != 0.0;
+    if turns(query.a) || query.b.is_some_and(turns) { Err("takes bodies that do not turn") } else { Ok(()) }
+}
 
 /// The questions of the discrete algorithms.
 const DISCRETE: &[QueryKind] = &[QueryKind::Separation, QueryKind::Overlap];
@@ -277,6 +328,19 @@ pub enum Outcome {
         /// Proved free until here.
         free_until: f64,
     },
+}
+
+impl Outcome {
+    /// Its word in answers.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Hit { .. } => "hit",
+            Self::Miss => "miss",
+            Self::Overlapping { .. } => "overlapping",
+            Self::Unresolved { .. } => "unresolved",
+        }
+    }
 }
 
 /// Answer of a sweep or a time of impact.

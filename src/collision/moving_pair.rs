@@ -1,0 +1,227 @@
+//! Two bodies in relative motion, seen from the frame of one of them.
+//!
+//! Let R be the body whose frame is looked from (the *owner*) and O the other. With D(t) = c_O − c_R, V = v_O − v_R,
+//! and θ the angles, core vertex q of O is seen at
+//!
+//! ```text
+//! x(t) = Rot(−θ_R) D(t) + Rot(θ_O − θ_R) q
+//! ```
+//!
+//! while R's vertices stay the file's own numbers. Positions and velocities enter only as exact differences, angles as
+//! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
+//! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
+
+use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Side, Turn};
+
+/// Two bodies in relative motion. Lengths are multiplied by `unit`, a power of two, so that products neither overflow
+/// nor underflow.
+#[derive(Clone, Debug)]
+pub(super) struct MovingPair<'q> {
+    /// A and B.
+    bodies: [&'q Body; 2],
+    /// Power of two by which all lengths here are multiplied.
+    pub(super) unit: f64,
+    /// p_B − p_A, exactly.
+    apart: [Dd; 2],
+    /// v_B − v_A, exactly.
+    velocity: [Dd; 2],
+    /// Angle at t = 0 and spin; none for a body whose core is its own origin, which looks the same from all sides.
+    turning: [(Degrees, Degrees); 2],
+    /// Spin in radians per unit of time.
+    pub(super) rate: [f64; 2],
+    /// At least the distance of any core vertex from its body's origin.
+    pub(super) reach: [f64; 2],
+    /// r_A + r_B, exactly.
+    pub(super) radius: Dd,
+    /// Bound on the error of any coordinate or dot product with a unit vector that is computed here in doubles.
+    pub(super) rounding: f64,
+}
+
+/// What one body sees of the other at a moment.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen<N> {
+    /// D in R's frame.
+    pub(super) offset: [N; 2],
+    /// cos(θ_O − θ_R).
+    pub(super) cos: N,
+    /// sin(θ_O − θ_R).
+    pub(super) sin: N,
+}
+
+/// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (reach_A + reach_B) + ρ.
+///
+/// Cosine and sine are within ε/2; a vector turned by them has components within 1.8 ε of its length; D loses 2 ε of
+/// |D₀| + |V| on its way to doubles; each dot product with a unit vector (itself rounded by ε) loses 2 ε more, each of
+/// the three sums ε/2 of Σ. Together below 8.
+const GAP_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+impl<'q> MovingPair<'q> {
+    /// The pair of a query.
+    pub(super) fn new(a: &'q Body, b: &'q Body) -> Self {
+        let unit = unit_of(a, b);
+        let exact = |to: DVec2, from: DVec2| {
+            [Dd::difference(to.x * unit, from.x * unit), Dd::difference(to.y * unit, from.y * unit)]
+        };
+        let apart = exact(b.position, a.position);
+        let velocity = exact(b.velocity, a.velocity);
+        let reach = [reach(a) * unit, reach(b) * unit];
+        let radius = Dd::sum(a.shape.radius * unit, b.shape.radius * unit);
+        let turning = [turning(a), turning(b)];
+        let one_norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
+        let sum = one_norm(&apart) + one_norm(&velocity) + 1.5 * (reach[0] + reach[1]) + radius.hi;
+        Self {
+            bodies: [a, b],
+            unit,
+            apart,
+            velocity,
+            turning,
+            rate: [turning[0].1.0.to_radians(), turning[1].1.0.to_radians()],
+            reach,
+            radius,
+            rounding: GAP_ROUNDING * sum * (1.0 + GAP_ROUNDING),
+        }
+    }
+
+    /// Number of vertices of a core.
+    pub(super) fn count(&self, side: Side) -> usize {
+        self.bodies[side as usize].shape.core.len().max(1)
+    }
+
+    /// Vertex k of a core in its body's frame.
+    #[inline]
+    pub(super) fn vertex(&self, side: Side, k: usize) -> DVec2 {
+        let shape = &self.bodies[side as usize].shape;
+        shape.core.get(k).and_then(|&i| shape.vertices.get(i)).map_or(DVec2::ZERO, |&v| v * self.unit)
+    }
+
+    /// The next vertex of a core, counter-clockwise.
+    pub(super) fn next(&self, side: Side, k: usize) -> usize {
+        if k + 1 >= self.count(side) { 0 } else { k + 1 }
+    }
+
+    /// The vertex before.
+    pub(super) fn previous(&self, side: Side, k: usize) -> usize {
+        if k == 0 { self.count(side) - 1 } else { k - 1 }
+    }
+
+    /// The body that turns less: A where they turn alike.
+    pub(super) fn calmer(&self) -> Side {
+        if self.rate[0].abs() <= self.rate[1].abs() { Side::A } else { Side::B }
+    }
+
+    /// D(t) and V from `owner` to the other body, in doubles, world axes.
+    #[inline]
+    pub(super) fn offset(&self, owner: Side, t: f64) -> (DVec2, DVec2) {
+        let v = DVec2::new(self.velocity[0].hi, self.velocity[1].hi);
+        let d = DVec2::new(self.apart[0].hi, self.apart[1].hi) + v * t;
+        if owner == Side::A { (d, v) } else { (-d, -v) }
+    }
+
+    /// Cosine and sine of the owner's angle at `t`.
+    #[inline]
+    pub(super) fn angle(&self, owner: Side, t: f64) -> (f64, f64) {
+        let (angle, spin) = self.turning[owner as usize];
+        let c = Turn::at(angle, spin, t).cos_sin();
+        (c.cos, c.sin)
+    }
+
+    /// Cosine and sine of the other body's angle as the owner sees it.
+    #[inline]
+    pub(super) fn relative_angle(&self, owner: Side, t: f64) -> (f64, f64) {
+        let c =
+            Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t).cos_sin();
+        (c.cos, c.sin)
+    }
+
+    /// What `owner` sees at `t`, in doubles.
+    pub(super) fn seen(&self, owner: Side, t: f64) -> Seen<f64> {
+        let (c, s) = self.angle(owner, t);
+        let (d, _) = self.offset(owner, t);
+        let (cos, sin) = self.relative_angle(owner, t);
+        Seen { offset: [c * d.x + s * d.y, c * d.y - s * d.x], cos, sin }
+    }
+
+    /// What `owner` sees at `t`, in balls.
+    pub(super) fn seen_fine(&self, owner: Side, t: f64) -> Seen<Ball> {
+        let (angle, spin) = self.turning[owner as usize];
+        let (c, s) = Turn::at(angle, spin, t).cos_sin_fine();
+        let at = |k: usize| {
+            let d = Ball::exact(self.apart[k]) + Ball::exact(self.velocity[k]).scale(t);
+            if owner == Side::A { d } else { -d }
+        };
+        let (x, y) = (at(0), at(1));
+        let (cos, sin) = Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t)
+            .cos_sin_fine();
+        Seen { offset: [c * x + s * y, c * y - s * x], cos, sin }
+    }
+
+    /// v = v_A − v_B in A's frame at t = 0, in balls.
+    pub(super) fn closing_fine(&self) -> [Ball; 2] {
+        let (angle, _) = self.turning[0];
+        let (c, s) = Turn::at(angle, Degrees(0.0), 0.0).cos_sin_fine();
+        let (x, y) = (Ball::exact(-self.velocity[0]), Ball::exact(-self.velocity[1]));
+        [c * x + s * y, c * y - s * x]
+    }
+
+    /// Bound on the speed at which any point of the other core moves, seen from `owner`'s frame, at any time in
+    /// [0, 1].
+    pub(super) fn speed(&self, owner: Side) -> f64 {
+        let (r, o) = (owner as usize, owner.other() as usize);
+        let norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
+        let (d, v) = (norm(&self.apart) + norm(&self.velocity), norm(&self.velocity));
+        let speed = v + self.rate[r].abs() * (d + self.reach[o]) + self.rate[o].abs() * self.reach[o];
+        speed * (1.0 + GAP_ROUNDING)
+    }
+}
+
+impl Seen<f64> {
+    /// A point of the other body, in the owner's frame.
+    pub(super) fn point(&self, q: DVec2) -> DVec2 {
+        DVec2::new(
+            self.offset[0] + (self.cos * q.x - self.sin * q.y),
+            self.offset[1] + (self.sin * q.x + self.cos * q.y),
+        )
+    }
+}
+
+impl Seen<Ball> {
+    /// A vector of the other body, in the owner's frame.
+    pub(super) fn vector(&self, q: [Ball; 2]) -> [Ball; 2] {
+        [self.cos * q[0] - self.sin * q[1], self.sin * q[0] + self.cos * q[1]]
+    }
+
+    /// A point of the other body, in the owner's frame.
+    pub(super) fn point(&self, q: [Ball; 2]) -> [Ball; 2] {
+        [
+            self.offset[0] + (self.cos * q[0] - self.sin * q[1]),
+            self.offset[1] + (self.sin * q[0] + self.cos * q[1]),
+        ]
+    }
+}
+
+/// Angle and spin, none for a body whose core is its own origin.
+fn turning(body: &Body) -> (Degrees, Degrees) {
+    if reach(body) == 0.0 { (Degrees(0.0), Degrees(0.0)) } else { (body.angle, body.spin) }
+}
+
+/// At least the distance of any core vertex from the body's origin.
+fn reach(body: &Body) -> f64 {
+    let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
+    far * (1.0 + f64::EPSILON)
+}
+
+/// A power of two that brings the largest length of a pair near 1; 1 where that is harmless as it is.
+fn unit_of(a: &Body, b: &Body) -> f64 {
+    /// Within these, no product of three lengths or quotient leaves the range of doubles.
+    const COMFORT: std::ops::Range<f64> = 1e-40..1e40;
+    let largest = |v: DVec2| v.x.abs().max(v.y.abs());
+    let extent = |body: &Body| body.shape.vertices.iter().fold(body.shape.radius, |s, &v| s.max(largest(v)));
+    let apart =
+        largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
+    let size = extent(a).max(extent(b)).max(2.0 * apart);
+    if COMFORT.contains(&size) || size == 0.0 {
+        return 1.0;
+    }
+    let (_, exponent) = libm::frexp(size.min(f64::MAX));
+    libm::ldexp(1.0, (-exponent).clamp(-1020, 1020))
+}
