@@ -51,7 +51,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         record_comparison(&pair, false, tracer);
     }
     let candidate = Candidate::of_vertices(&pair, 0, 0);
-    let separation = witness::separation(&pair, &candidate);
+    let separation = witness::conclude(&pair, &candidate, tracer);
     tracer.record(|| Event::PenetrationMeasured {
         p: separation.separation,
         direction: -separation.normal,

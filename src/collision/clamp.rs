@@ -58,8 +58,8 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         d: seen.world_vector(found.normal * found.distance),
         radius: pair.body(body.other()).shape.radius,
     });
-    let separation = witness::separation(&seen, &found);
-    let separation = if body == Side::A { separation } else { witness::swapped(separation) };
+    let found = if body == Side::A { found } else { found.swapped(&seen, &pair) };
+    let separation = witness::conclude(&pair, &found, tracer);
     tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
     witness::answer(query.kind, separation)
 }

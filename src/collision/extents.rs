@@ -43,7 +43,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         half_extents,
         gap,
     });
-    let separation = witness::separation(&pair, &candidate(apart, gap));
+    let separation = witness::conclude(&pair, &candidate(apart, gap), tracer);
     tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
     witness::answer(query.kind, separation)
 }

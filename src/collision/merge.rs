@@ -43,7 +43,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         Some(p) => Candidate::of_projection(&pair, &p),
         None => Candidate::of_vertices(&pair, 0, 0),
     };
-    let separation = witness::separation(&pair, &candidate);
+    let separation = witness::conclude_rounding(&pair, &candidate, tracer);
     tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
     witness::answer(query.kind, separation)
 }

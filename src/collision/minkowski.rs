@@ -44,7 +44,8 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// Signed separation of a pair.
 pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
-    let answer = witness::separation(pair, &closest(pair, None, tracer).candidate(pair));
+    let found = closest(pair, None, tracer).candidate(pair);
+    let answer = witness::conclude_rounding(pair, &found, tracer);
     tracer.record(|| Event::Finished { outcome: witness::word(answer.separation) });
     answer
 }

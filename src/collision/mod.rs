@@ -8,8 +8,10 @@ mod clamp;
 mod conservative_advancement;
 mod contact;
 mod difference;
+mod expansion;
 mod extents;
 mod first_root;
+mod gjk;
 mod merge;
 mod minkowski;
 mod motion_bound;
@@ -18,6 +20,7 @@ mod nearest;
 mod ray_cast;
 mod ray_clipping;
 mod relative;
+mod separating_axes;
 #[cfg(test)]
 mod storyboard;
 #[cfg(test)]
@@ -154,6 +157,22 @@ pub static ALGORITHMS: &[Algorithm] = &[
         shapes: convex_pair,
         quiet: minkowski::answer,
         traced: minkowski::answer,
+    },
+    Algorithm {
+        name: separating_axes::NAME,
+        about: "a gap along the normal of an edge (Gottschalk et al. 1996, section 5)",
+        kinds: DISCRETE,
+        shapes: convex_pair,
+        quiet: separating_axes::answer,
+        traced: separating_axes::answer,
+    },
+    Algorithm {
+        name: gjk::NAME,
+        about: "distance by GJK, depth by EPA (Gilbert et al. 1988; van den Bergen 2003, 4.3)",
+        kinds: DISCRETE,
+        shapes: convex_pair,
+        quiet: gjk::answer,
+        traced: gjk::answer,
     },
     Algorithm {
         name: bounds::NAME,

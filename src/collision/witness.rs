@@ -14,6 +14,7 @@ use super::difference::{Pairing, Projection, length, walk};
 use super::relative::{Relative, Turn};
 use super::{Answer, Overlap, QueryKind, Separation};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::{Event, Goal, Tracer};
 
 /// Half-width of the bounds as a multiple of ε·S, S the largest coordinate in A's frame: a vertex of B carries at most
 /// 8 roundings, its distance from an edge 8 more, and a projection doubles them.
@@ -77,6 +78,15 @@ impl Candidate {
     }
 }
 
+impl Candidate {
+    /// The same candidate for the same pair with A and B exchanged, from the frame of one to that of the other.
+    pub(crate) fn swapped(self, from: &Relative, to: &Relative) -> Self {
+        let [a, b] = self.features;
+        let normal = -to.local_vector(from.world_vector(self.normal));
+        Self { distance: self.distance, normal, features: [b, a] }
+    }
+}
+
 /// The other body's edge that lies along this edge of B ⊖ A, if one does.
 fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
     let other = p.source.other();
@@ -86,6 +96,46 @@ fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
     [p.vertex, pair.previous(other, p.vertex)]
         .into_iter()
         .find(|&l| pair.turn_of(p.source, p.edge, l) == Turn::Along)
+}
+
+/// The answer for a candidate, told as every algorithm tells it: the supporting vertices of the feature that was
+/// found, the point of B ⊖ A nearest the origin, and the candidate that won.
+pub(crate) fn conclude(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+    let answer = separation(pair, c);
+    let toward_a = -answer.normal;
+    let told = match c.features {
+        [CoreFeature::Edge(_), CoreFeature::Vertex(b)] => Some((Side::B, toward_a, b, None)),
+        [CoreFeature::Edge(_), CoreFeature::Edge(b)] => {
+            Some((Side::B, toward_a, b, Some(pair.next(Side::B, b))))
+        }
+        [CoreFeature::Vertex(a), CoreFeature::Edge(_)] => Some((Side::A, answer.normal, a, None)),
+        [CoreFeature::Vertex(_), CoreFeature::Vertex(_)] => None,
+    };
+    if let Some((body, direction, first, second)) = told {
+        tracer.record(|| Event::SupportFound {
+            body,
+            direction,
+            vertices: [Some(first), second].into_iter().flatten().map(|k| pair.told(body, k)).collect(),
+        });
+    }
+    let (foot, distance) = (answer.normal * answer.separation, answer.separation);
+    tracer.record(|| Event::OriginProjected { foot, distance });
+    tracer.record(|| Event::CandidateImproved {
+        goal: if distance < 0.0 { Goal::LeastPenetrating } else { Goal::LeastPositive },
+        distance,
+        foot,
+        source: match answer.features {
+            [Feature::Vertex(_), of_b @ Feature::Edge(_)] => (Side::B, of_b),
+            [of_a, _] => (Side::A, of_a),
+        },
+    });
+    answer
+}
+
+/// [`conclude`] for algorithms that told all of it about the cores: only a radius, or a pair of points, adds to that.
+pub(crate) fn conclude_rounding(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+    let points = pair.edges(Side::A) == 0 && pair.edges(Side::B) == 0;
+    if pair.radius() > 0.0 || points { conclude(pair, c, tracer) } else { separation(pair, c) }
 }
 
 /// The answer for a candidate.
@@ -118,12 +168,6 @@ pub(crate) fn overlap(s: &Separation) -> Overlap {
 /// A separation as the answer to a query of either kind.
 pub(crate) fn answer(kind: QueryKind, s: Separation) -> Answer {
     if kind == QueryKind::Overlap { Answer::Overlap(overlap(&s)) } else { Answer::Separation(s) }
-}
-
-/// The same separation with A and B exchanged.
-pub(crate) fn swapped(s: Separation) -> Separation {
-    let ([a, b], [of_a, of_b]) = (s.points, s.features);
-    Separation { normal: -s.normal, points: [b, a], features: [of_b, of_a], ..s }
 }
 
 /// A word for a verdict.

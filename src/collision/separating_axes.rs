@@ -1,0 +1,95 @@
+//! The separating-axis test.
+//!
+//! Two convex polygons are apart exactly when the normal of one of their edges separates them: when along it the
+//! interval of B begins beyond the end of A's,
+//!
+//! ```text
+//! gap(n) = min over B of n·b − max over A of n·a − (r_A + r_B)
+//! ```
+//!
+//! A test for overlap stops at the first such axis. The largest gap, when all are negative, is the depth. When the bodies are apart it
+//! is only a lower bound of the distance, for two corners may face each other, and no edge is square to the line
+//! that joins them; so the edge and corner of each axis are held against each other too, and where corners win, the axis that
+//! joins them is the last one tested. The normal of an edge of A is, mirrored, that of an edge of B ⊖ A: this is the
+//! Minkowski loop seen from the world.
+//!
+//! Source: Gottschalk, Lin, Manocha, "OBBTree" (1996), section 5; Eberly, "Method of Separating Axes" (2001). O(n·m).
+
+use super::difference::{self, Pairing, Projection};
+use super::minkowski::is_better;
+use super::relative::Relative;
+use super::witness::{self, Candidate, CoreFeature};
+use super::{Answer, Query, QueryKind};
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "separating-axes";
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    difference::record(&pair, tracer);
+    let stop = if query.kind == QueryKind::Overlap { Stop::AtFirst } else { Stop::Never };
+    let mut best: Option<Projection> = None;
+    for source in [Side::A, Side::B] {
+        for edge in 0..pair.edges(source) {
+            let vertex = pair.support(source.other(), -pair.outward(source, edge));
+            let p = Pairing { source, edge, vertex }.project(&pair);
+            let feature = Feature::Edge(pair.file_edge(source, edge));
+            record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
+            if stop == Stop::AtFirst && p.line > pair.radius() {
+                return Answer::Overlap(separated(&pair, &p, tracer));
+            }
+            if best.is_none_or(|b| is_better(p.distance, b.distance)) {
+                best = Some(p);
+            }
+        }
+    }
+    let candidate = match best {
+        Some(p) => Candidate::of_projection(&pair, &p),
+        None => Candidate::of_vertices(&pair, 0, 0),
+    };
+    if let [CoreFeature::Vertex(a), CoreFeature::Vertex(_)] = candidate.features {
+        let feature = Feature::Vertex(pair.file_vertex(Side::A, a));
+        record_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
+    }
+    let separation = witness::conclude(&pair, &candidate, tracer);
+    tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
+    witness::answer(query.kind, separation)
+}
+
+/// Whether a separating axis ends the search.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Stop {
+    AtFirst,
+    Never,
+}
+
+/// The verdict of a separating axis; undecided where its gap is within the bounds.
+fn separated(pair: &Relative, p: &Projection, tracer: &mut impl Tracer) -> super::Overlap {
+    let mut answer = witness::overlap(&witness::separation(pair, &Candidate::of_axis(pair, p)));
+    answer.separation_bounds.hi = f64::INFINITY;
+    let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
+    tracer.record(|| Event::SeparatingAxisFound { normal, gap });
+    tracer.record(|| Event::Finished { outcome: witness::verdict(&answer) });
+    answer
+}
+
+/// Tells the intervals of both bodies along an axis (A's frame), in world coordinates along it.
+fn record_axis(pair: &Relative, axis: DVec2, source: (Side, Feature), line: f64, tracer: &mut impl Tracer) {
+    tracer.record(|| {
+        let world = pair.world_vector(axis);
+        let interval = |side: Side| {
+            let reach = |k: usize| pair.world_point(pair.vertex(side, k)).dot(world);
+            let radius = pair.body(side).shape.radius;
+            Enclosure {
+                lo: reach(pair.support(side, -axis)) - radius,
+                hi: reach(pair.support(side, axis)) + radius,
+            }
+        };
+        let (interval_a, interval_b) = (interval(Side::A), interval(Side::B));
+        Event::AxisTested { axis: world, source, interval_a, interval_b, gap: line - pair.radius() }
+    });
+}
