@@ -6,9 +6,12 @@
 
 pub mod answer;
 pub mod check;
+pub mod first_contact;
 pub mod float;
+pub mod generate;
 pub mod json;
 pub mod placement;
 pub mod random;
 pub mod scene;
 pub mod separation;
+pub mod tally;

@@ -69,6 +69,8 @@ pub struct Scene {
     pub time: f64,
     /// As written; the default of the file format is 1e-12.
     pub tolerance: f64,
+    /// Whether the algorithm asked for stops by a count of steps, so that it may leave open what others decide.
+    pub iterates: bool,
     /// `expected`, where a line has it.
     pub expected: Option<Json>,
 }
@@ -99,6 +101,7 @@ impl Scene {
             kind,
             time: query.number_at("time").unwrap_or(0.0),
             tolerance: query.number_at("tolerance").unwrap_or(1e-12),
+            iterates: matches!(query.text_at("algorithm"), Some("conservative-advancement" | "ray-clipping")),
             expected: json.get("expected").cloned(),
         })
     }

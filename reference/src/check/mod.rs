@@ -4,8 +4,11 @@
 //! category. The limits are those that the project promises; ε is that of doubles and S the scale of the scene.
 
 mod contact;
+mod extent;
+mod impact;
 
 pub use contact::{Contact, Feature, check_contact};
+pub use impact::{Record, check_certificate};
 
 use crate::float::Real;
 use crate::json::Json;
@@ -131,7 +134,10 @@ pub fn check(scene: &Scene, answer: &Json) -> Report {
             let pair = setting.pair(&scene.bodies, Real::from(scene.time));
             check_contact(&mut report, &setting, &pair, result, true);
         }
-        _ => {}
+        Kind::LinearSweep | Kind::TimeOfImpact => impact::check_impact(&mut report, scene, &setting, result),
+        Kind::Bounds => extent::check_bounds(&mut report, scene, &setting, result),
+        Kind::Overlap => extent::check_overlap(&mut report, scene, &setting, result),
+        Kind::MotionBound => extent::check_motion_bound(&mut report, scene, result),
     }
     report
 }

@@ -1,0 +1,303 @@
+//! Cases of bodies in motion: a row a category.
+
+use super::draft::{Draft, Shape, direction, sign};
+use super::separation::{moved_to, near_each_other, without_spin_of_aabb};
+use super::{Category, lattice, scene};
+use crate::float::Real;
+use crate::json::Json;
+use crate::placement::{Point, Rotation};
+use crate::random::Random;
+
+/// All of them.
+pub(super) const CATEGORIES: &[Category] = &[
+    Category { name: "sweep", draw: sweep },
+    Category { name: "sweep-lattice", draw: sweep_lattice },
+    Category { name: "sweep-graze", draw: sweep_graze },
+    Category { name: "turning", draw: turning },
+    Category { name: "turning-tolerance", draw: tolerances },
+    Category { name: "spinning-bar", draw: spinning_bar },
+    Category { name: "rod-past-peg", draw: rod_past_peg },
+    Category { name: "arm", draw: arm },
+    Category { name: "flat", draw: flat },
+    Category { name: "stops-above", draw: stops_above },
+    Category { name: "no-relative-motion", draw: no_relative_motion },
+    Category { name: "starts-near", draw: starts_near },
+    Category { name: "near-graze", draw: near_graze },
+    Category { name: "far", draw: far },
+    Category { name: "sizes", draw: sizes },
+    Category { name: "sliver", draw: sliver },
+    Category { name: "parallel-slide", draw: parallel_slide },
+    Category { name: "many-corners", draw: many_corners },
+    Category { name: "many-turns", draw: many_turns },
+];
+
+const SWEEP: &str = "linear-sweep";
+const IMPACT: &str = "time-of-impact";
+
+/// Two bodies `apart` from each other that fly at each other, more or less.
+fn approaching(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2] {
+    let away = size * random.between(2.5, 6.0);
+    let [x, y] = direction(random, away);
+    let speed = random.between(0.5, 2.0);
+    let off = size * random.between(0.0, 1.5);
+    let aside = direction(random, off);
+    let [a, b] = shapes;
+    let base = [random.between(-size, size), random.between(-size, size)];
+    let angles = [random.between(-180.0, 180.0), random.between(-180.0, 180.0)];
+    let share = random.unit();
+    let v = [x * speed + aside[0], y * speed + aside[1]];
+    let a = Draft::still(a, base, angles[0]).moving(v.map(|v| v * share), 0.0);
+    let b = Draft::still(b, [base[0] + x, base[1] + y], angles[1]).moving(v.map(|v| v * (share - 1.0)), 0.0);
+    [a, b].map(without_spin_of_aabb)
+}
+
+fn spun(random: &mut Random, [mut a, mut b]: [Draft; 2], most: f64) -> [Draft; 2] {
+    a.spin = random.between(-most, most);
+    b.spin = if random.once_in(3) { 0.0 } else { random.between(-most, most) };
+    [a, b].map(without_spin_of_aabb)
+}
+
+fn sweep(random: &mut Random) -> Json {
+    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
+    let pair = approaching(random, shapes, 1.0);
+    scene(random, SWEEP, pair, &[])
+}
+
+/// Small integers: exact grazes along sides and past corners, hits at t = 0 and t = 1.
+fn sweep_lattice(random: &mut Random) -> Json {
+    let velocity = [lattice::halves(random, 6), lattice::halves(random, 6)];
+    let pair = [lattice::body(random, 4).moving(velocity, 0.0), lattice::body(random, 4)];
+    let kind = if random.once_in(4) { IMPACT } else { SWEEP };
+    scene(random, kind, pair, &[])
+}
+
+/// Along a coordinate axis past a body, touching it exactly, or off by 10^−k.
+fn sweep_graze(random: &mut Random) -> Json {
+    let (r, q) = (lattice::positive(random, 2), lattice::positive(random, 2));
+    let off = if random.once_in(2) { 0.0 } else { sign(random) * random.magnitude(-17.0, -3.0) };
+    let round = |random: &mut Random, r: f64| match random.below(3) {
+        0 => Shape::Circle(r, [0.0, 0.0]),
+        1 => Shape::Box([1.0, r], 0.0),
+        _ => Shape::Polygon(vec![[-r, 0.0], [0.0, -r], [r, 0.0], [0.0, r]], 0.0),
+    };
+    let a =
+        Draft::still(round(random, r), [-8.0, r], 0.0).moving([lattice::positive(random, 8) + 8.0, 0.0], 0.0);
+    let b = Draft::still(round(random, q), [0.0, off - q], 0.0);
+    let kind = if random.once_in(3) { IMPACT } else { SWEEP };
+    scene(random, kind, [a, b], &[])
+}
+
+fn turning(random: &mut Random) -> Json {
+    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
+    let pair = approaching(random, shapes, 1.0);
+    let pair = spun(random, pair, 500.0);
+    scene(random, IMPACT, pair, &[])
+}
+
+fn tolerances(random: &mut Random) -> Json {
+    let shapes = [Shape::sharp(random, 1.0), Shape::sharp(random, 1.0)];
+    let pair = approaching(random, shapes, 1.0);
+    let pair = spun(random, pair, 400.0);
+    let tolerance = random.one_of(&[1e-2, 1e-4, 1e-6, 1e-9, 1e-12, 1e-15]);
+    scene(random, IMPACT, pair, &[("tolerance", Json::Number(tolerance))])
+}
+
+/// A bar turns, and its corner enters a wall by 10^−k, or stays out of it by that.
+fn spinning_bar(random: &mut Random) -> Json {
+    let half = [random.between(0.5, 2.0), random.between(0.05, 0.3)];
+    let corner = Point::of(half).length();
+    let depth = sign(random) * random.magnitude(-12.0, -2.0);
+    let wall = [0.5, 5.0];
+    let x = (corner + Real::from(wall[0]) - Real::from(depth)).to_f64();
+    let spin = sign(random) * random.one_of(&[180.0, 360.0, 90.0, 1800.0]);
+    let angle = random.between(-30.0, 30.0);
+    let a = Draft::still(Shape::Box(half, 0.0), [0.0, 0.0], angle).moving([0.0, 0.0], spin);
+    let b = Draft::still(Shape::Box(wall, 0.0), [x, random.between(-1.0, 1.0)], 0.0);
+    scene(random, IMPACT, [a, b], &[])
+}
+
+/// A rod turns up to 20 times past a peg: only the first crossing counts.
+fn rod_past_peg(random: &mut Random) -> Json {
+    let length = random.between(1.0, 3.0);
+    let rod = if random.once_in(3) {
+        Shape::Capsule([[-length, 0.0], [length, 0.0]], 0.0)
+    } else {
+        Shape::Box([length, random.between(0.01, 0.1)], 0.0)
+    };
+    let peg = match random.below(3) {
+        0 => Shape::Circle(0.0, [0.0, 0.0]),
+        1 => Shape::Circle(random.between(0.01, 0.1), [0.0, 0.0]),
+        _ => Shape::Box([0.02, 0.02], 0.0),
+    };
+    let spin = sign(random) * random.one_of(&[180.0, 360.0, 1080.0, 3600.0]);
+    let away = length * random.between(0.2, 0.98);
+    let place = direction(random, away);
+    let a = Draft::still(rod, [0.0, 0.0], random.between(-180.0, 180.0)).moving([0.0, 0.0], spin);
+    let mut b = Draft::still(peg, place, 0.0);
+    if random.once_in(3) {
+        b.velocity = direction(random, 0.2);
+    }
+    scene(random, IMPACT, [a, b], &[])
+}
+
+/// A point on an arm meets a segment: no interior, contact by crossing.
+fn arm(random: &mut Random) -> Json {
+    let reach = random.between(0.5, 2.0);
+    let spin = sign(random) * random.one_of(&[180.0, 360.0, 3600.0]);
+    let angle = random.one_of(&[30.0, 60.0, 45.0, 120.0, 77.0]);
+    let point = Draft::still(Shape::Circle(0.0, [reach, 0.0]), [0.0, 0.0], 0.0).moving([0.0, 0.0], spin);
+    let segment = Shape::Capsule([[0.5 * reach, 0.0], [random.between(1.2, 2.0) * reach, 0.0]], 0.0);
+    let b = Draft::still(segment, [0.0, 0.0], angle);
+    scene(random, IMPACT, [point, b], &[])
+}
+
+/// A point or a segment flies over a segment.
+fn flat(random: &mut Random) -> Json {
+    let part = |random: &mut Random| {
+        if random.once_in(2) { Shape::Circle(0.0, [0.0, 0.0]) } else { Shape::capsule(random, 0.5, 0.0) }
+    };
+    let shapes = [part(random), Shape::capsule(random, 1.5, 0.0)];
+    let pair = approaching(random, shapes, 0.8);
+    let still = random.once_in(3);
+    let pair = if still { pair } else { spun(random, pair, 300.0) };
+    let kind = if still && random.once_in(2) { SWEEP } else { IMPACT };
+    scene(random, kind, pair, &[])
+}
+
+/// A body comes down and stops 10^−k above a ground.
+fn stops_above(random: &mut Random) -> Json {
+    let gap = random.magnitude(-13.0, -3.0);
+    let body = match random.below(3) {
+        0 => Shape::Circle(0.0, [0.0, 0.0]),
+        1 => Shape::Circle(0.5, [0.0, 0.0]),
+        _ => Shape::Box([0.25, 0.5], 0.0),
+    };
+    let foot = if matches!(body, Shape::Circle(r, _) if r == 0.0) { 0.0 } else { 0.5 };
+    let ground = if random.once_in(2) {
+        Shape::Capsule([[-2.0, 0.0], [2.0, 0.0]], 0.0)
+    } else {
+        Shape::Box([2.0, 0.5], 0.0)
+    };
+    let top = if matches!(ground, Shape::Box(..)) { 0.5 } else { 0.0 };
+    let a = Draft::still(body, [0.0, 1.0 + foot + top], 0.0).moving([0.0, gap - 1.0], 0.0);
+    let b = Draft::still(ground, [0.0, 0.0], 0.0);
+    let kind = if random.once_in(2) { SWEEP } else { IMPACT };
+    scene(random, kind, [a, b], &[])
+}
+
+fn no_relative_motion(random: &mut Random) -> Json {
+    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
+    let pair = near_each_other(random, shapes, 1.0);
+    let pair = moved_to(pair, random.magnitude(-10.0, 0.0));
+    let speed = random.between(0.0, 5.0);
+    let velocity = direction(random, speed);
+    let pair = pair.map(|body| body.moving(velocity, 0.0));
+    let kind = if random.once_in(2) { SWEEP } else { IMPACT };
+    scene(random, kind, pair, &[])
+}
+
+/// Touching, overlapping or nearly so at t = 0.
+fn starts_near(random: &mut Random) -> Json {
+    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
+    let mut pair = near_each_other(random, shapes, 1.0);
+    let gap = sign(random) * random.magnitude(-14.0, -1.0);
+    pair = match random.below(3) {
+        0 => [lattice::body(random, 2), lattice::body(random, 2)],
+        1 => pair,
+        _ => moved_to(pair, gap),
+    };
+    let speed = random.between(0.0, 2.0);
+    pair[0].velocity = direction(random, speed);
+    pair = spun(random, pair, 200.0);
+    scene(random, IMPACT, pair, &[])
+}
+
+/// Round against round: the least distance of the centres is the sum of the radii, but for 10^−k.
+fn near_graze(random: &mut Random) -> Json {
+    let radii = [random.between(0.2, 2.0), random.between(0.2, 2.0)];
+    let off = sign(random) * random.magnitude(-12.0, -2.0);
+    let turn = Rotation::of_degrees(Real::from(random.between(0.0, 360.0)));
+    let place = |x: f64, y: Real| {
+        let p = Point { x: Real::from(x), y }.turned(turn);
+        [p.x.to_f64(), p.y.to_f64()]
+    };
+    let height = Real::from(radii[0]) + Real::from(radii[1]) + Real::from(off);
+    let spins = [random.between(-300.0, 300.0), random.between(-300.0, 300.0)];
+    let shape = if random.once_in(2) {
+        Shape::Capsule([[-0.3, 0.0], [0.0, 0.0]], radii[1])
+    } else {
+        Shape::Circle(radii[1], [0.0, 0.0])
+    };
+    let a = Draft::still(Shape::Circle(radii[0], [0.0, 0.0]), place(-2.0, height), 0.0);
+    let a = a.moving(place(random.between(3.0, 6.0), Real::ZERO), spins[0]);
+    let b = Draft::still(shape, [0.0, 0.0], 0.0);
+    let b = if random.once_in(2) { b.moving([0.0, 0.0], spins[1] / 9.0) } else { b };
+    scene(random, IMPACT, [a, b], &[])
+}
+
+fn far(random: &mut Random) -> Json {
+    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
+    let pair = approaching(random, shapes, 1.0);
+    let mut pair = spun(random, pair, 300.0);
+    let away = random.magnitude(3.0, 9.0);
+    let [x, y] = direction(random, away);
+    for body in &mut pair {
+        body.position = [body.position[0] + x, body.position[1] + y];
+    }
+    scene(random, IMPACT, pair, &[])
+}
+
+fn sizes(random: &mut Random) -> Json {
+    let size = random.magnitude(-9.0, 9.0);
+    let other = size * random.magnitude(-3.0, 0.0);
+    let shapes = [Shape::any(random, size), Shape::any(random, other)];
+    let pair = approaching(random, shapes, size);
+    let pair = spun(random, pair, 300.0);
+    scene(random, IMPACT, pair, &[])
+}
+
+fn sliver(random: &mut Random) -> Json {
+    let needle = Shape::Box([1.0, random.magnitude(-9.0, -3.0)], 0.0);
+    let shapes = [needle, Shape::any(random, 0.6)];
+    let pair = approaching(random, shapes, 0.7);
+    let pair = spun(random, pair, 300.0);
+    scene(random, IMPACT, pair, &[])
+}
+
+/// Parallel faces that close while they slide, turning together or not at all.
+fn parallel_slide(random: &mut Random) -> Json {
+    let angle = if random.once_in(2) { 0.0 } else { random.between(-180.0, 180.0) };
+    let turn = Rotation::of_degrees(Real::from(angle));
+    let world = |x: f64, y: f64| {
+        let p = Point::of([x, y]).turned(turn);
+        [p.x.to_f64(), p.y.to_f64()]
+    };
+    let half = [lattice::positive(random, 2), lattice::positive(random, 2)];
+    let start = world(random.between(-2.0, 2.0), 6.0);
+    let velocity = world(random.between(-2.0, 2.0), -random.between(3.0, 6.0));
+    let a = Draft::still(Shape::Box(half, 0.0), start, angle).moving(velocity, 0.0);
+    let b = Draft::still(Shape::Box([half[1], half[0]], 0.0), [0.0, 0.0], angle);
+    scene(random, IMPACT, [a, b], &[])
+}
+
+fn many_corners(random: &mut Random) -> Json {
+    let mut polygon = |most: f64| {
+        let target = random.magnitude(0.9, most);
+        let corners = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
+        let half = [random.between(0.5, 1.0), random.between(0.5, 1.0)];
+        Shape::polygon(random, usize::try_from(corners).unwrap_or(3), half, 0.0)
+    };
+    let shapes = [polygon(2.2), polygon(1.8)];
+    let pair = approaching(random, shapes, 0.8);
+    let pair = spun(random, pair, 400.0);
+    scene(random, IMPACT, pair, &[])
+}
+
+/// Ten turns and more while they approach.
+fn many_turns(random: &mut Random) -> Json {
+    let shapes = [Shape::Box([1.0, 0.1], 0.0), Shape::any(random, 0.8)];
+    let pair = approaching(random, shapes, 1.0);
+    let mut pair = spun(random, pair, 100.0);
+    pair[0].spin = sign(random) * random.between(3600.0, 12_000.0);
+    scene(random, IMPACT, pair, &[])
+}
