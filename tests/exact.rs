@@ -3,10 +3,7 @@
 //! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the cases. A
 //! failure prints the scene, which `tracefig solve` reads as it stands.
 
-use std::collections::BTreeMap;
-
-use tracefig::trace::{Event, Trace};
-use tracefig_reference::check::{Record, Report, check, check_certificate};
+use tracefig_reference::check::{Report, check};
 use tracefig_reference::generate::Family;
 use tracefig_reference::json::Json;
 use tracefig_reference::scene::Scene;
