@@ -3,7 +3,9 @@
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 
 use annotate_snippets::{Level, Renderer};
-use tracefig::scene::Ink;
+use tracefig::scene::{Ink, Refused};
+
+use super::Status;
 
 /// Where a command writes.
 pub(crate) struct Console {
@@ -36,6 +38,13 @@ impl Console {
     /// Writes a message as it is. What standard error can't take is lost: there is nowhere left to say so.
     pub(crate) fn message(&self, text: &str) {
         let _ = io::stderr().lock().write_all(text.as_bytes());
+    }
+
+    /// Writes all that is wrong with a scene, after the results so far where both go to one place.
+    pub(crate) fn refuse(&mut self, refused: &Refused) -> io::Result<Status> {
+        self.out.flush()?;
+        self.message(&refused.render(self.ink));
+        Ok(Status::Wrong)
     }
 
     /// Writes `error: …`.

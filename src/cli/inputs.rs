@@ -35,6 +35,11 @@ impl Input {
     }
 }
 
+/// The input that one argument names.
+pub(crate) fn single(argument: &Path) -> Input {
+    if argument.as_os_str() == "-" { Input::Stdin } else { Input::File(argument.to_owned()) }
+}
+
 /// The inputs that the arguments name, in their order; a folder stands for its scenes by name.
 pub(crate) fn inputs(arguments: &[PathBuf]) -> Result<Vec<Input>, String> {
     if arguments.is_empty() {

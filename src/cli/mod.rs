@@ -5,10 +5,12 @@
 
 mod completions;
 mod console;
+mod in_order;
 mod inputs;
 mod list;
 mod man;
 mod solve;
+mod trace;
 mod whole_file;
 
 use std::io;
@@ -57,6 +59,7 @@ fn run_as<T: Runs>(matches: &ArgMatches, console: &mut Console) -> io::Result<St
 /// Every command.
 static COMMANDS: &[Command] = &[
     row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
+    row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),
     row::<man::Man>("man", "Print the man page"),
@@ -82,6 +85,7 @@ fn app() -> clap::Command {
 pub(crate) fn run() -> ExitCode {
     let matches = app().get_matches();
     let mut console = Console::new();
+    tell_bugs_briefly();
     let Some((name, arguments)) = matches.subcommand() else { return ExitCode::from(2) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else {
         return ExitCode::from(2);
@@ -98,6 +102,17 @@ pub(crate) fn run() -> ExitCode {
             ExitCode::from(1)
         }
     }
+}
+
+/// A panic is a bug of ours: one line that says so, and no backtrace unless `RUST_BACKTRACE` asks for it.
+fn tell_bugs_briefly() {
+    if std::env::var_os("RUST_BACKTRACE").is_some() {
+        return;
+    }
+    std::panic::set_hook(Box::new(|info| {
+        let place = info.location().map_or(String::new(), |at| format!(" at {}:{}", at.file(), at.line()));
+        Console::new().error(&format!("this is a bug of tracefig{place}; please report it with the scene"));
+    }));
 }
 
 #[cfg(test)]

@@ -45,12 +45,7 @@ impl Solve {
             match input.open() {
                 Ok(file) if self.json => writeln!(console.out, "{}", json(&input.name(), &file))?,
                 Ok(file) => console.out.write_all(text(&input.name(), &file).as_bytes())?,
-                Err(refused) => {
-                    // In the order of the scenes where both streams go to one place.
-                    console.out.flush()?;
-                    console.message(&refused.render(console.ink()));
-                    status = Status::Wrong;
-                }
+                Err(refused) => status = console.refuse(&refused)?,
             }
         }
         Ok(status)

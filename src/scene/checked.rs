@@ -8,8 +8,8 @@ use std::ops::Range;
 use crate::geometry::DVec2;
 
 use super::Spanned;
-use super::fields::{Field, Holds};
-use super::limits::{MAX_CORNERS, MAX_TEXT};
+use super::fields::{ANY_NUMBER, Field, Holds};
+use super::limits::{MAX_CORNERS, MAX_NUMBER, MAX_TEXT};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
 
@@ -183,9 +183,13 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
 }
 
 fn wrong(node: &Node, row: &Field, p: &mut Problems) -> bool {
-    let fault =
-        Fault::WrongType { key: row.name.to_owned(), expected: row.holds.expected(), got: node.describe() };
-    p.add(fault, &node.span);
+    let expected = match row.holds {
+        // Its range matters only to a number.
+        Holds::Number { .. } => "a number".to_owned(),
+        Holds::Count { .. } => "a whole number".to_owned(),
+        _ => row.holds.expected(),
+    };
+    p.add(Fault::WrongType { key: row.name.to_owned(), expected, got: node.describe() }, &node.span);
     false
 }
 
@@ -199,7 +203,7 @@ pub(crate) fn short_enough(text: &str, key: &str, span: &Range<usize>, p: &mut P
 }
 
 /// Whether a value is a finite number.
-pub(crate) fn finite(node: &Node, row: &Field, p: &mut Problems) -> bool {
+fn finite(node: &Node, row: &Field, p: &mut Problems) -> bool {
     match as_number(node) {
         Some(x) if x.is_finite() => true,
         Some(x) => {
@@ -244,8 +248,8 @@ fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
     match as_list(node) {
         // Not `all`: each wrong number is told.
         Some(items) if items.len() == n => {
-            let row = Field { holds: Holds::Number { min: f64::MIN, max: f64::MAX }, ..*row };
-            items.iter().fold(true, |good, item| finite(item, &row, p) && good)
+            let row = Field { holds: ANY_NUMBER, ..*row };
+            items.iter().fold(true, |good, item| in_range(item, &row, -MAX_NUMBER, MAX_NUMBER, p) && good)
         }
         _ => wrong(node, row, p),
     }

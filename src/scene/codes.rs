@@ -38,6 +38,7 @@ pub static ERRORS: &[ErrorCode] = &[
     row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
     row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
     row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
+    row("internal", "a bug of tracefig"),
 ];
 
 #[cfg(test)]

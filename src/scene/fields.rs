@@ -6,7 +6,7 @@
 use crate::collision::{ALGORITHMS, QueryKind};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
-use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MIN_CANVAS};
+use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MAX_NUMBER, MIN_CANVAS};
 
 /// What a key holds.
 #[derive(Clone, Copy, Debug)]
@@ -92,7 +92,8 @@ pub struct TableRows {
     pub fields: &'static [Field],
 }
 
-const ANY_NUMBER: Holds = Holds::Number { min: f64::MIN, max: f64::MAX };
+/// A number without a range of its own.
+pub(super) const ANY_NUMBER: Holds = Holds::Number { min: -MAX_NUMBER, max: MAX_NUMBER };
 
 /// The top of a file.
 pub(super) static ROOT: TableRows = TableRows {
@@ -145,7 +146,7 @@ pub(super) static QUERY: TableRows = TableRows {
             Holds::Number { min: 0.0, max: 1.0 },
             "the moment, for bounds, overlap, separation; default 0",
         ),
-        may("tolerance", Holds::Number { min: 0.0, max: f64::MAX }, "world units; default 1e-12"),
+        may("tolerance", Holds::Number { min: 0.0, max: MAX_NUMBER }, "world units; default 1e-12"),
         may("max_iterations", Holds::Count { min: 1, max: MAX_ITERATIONS }, "step cap; default 20000"),
     ],
 };
@@ -237,8 +238,8 @@ impl Holds {
         match *self {
             Self::Text => "a text".to_owned(),
             Self::Word { what, .. } => format!("a word, the {what}"),
-            Self::Number { min, max } => match (min == f64::MIN, max == f64::MAX) {
-                (true, _) => "a number".to_owned(),
+            Self::Number { min, max } => match (min == -MAX_NUMBER, max == MAX_NUMBER) {
+                (true, _) => "a number within ±1e300".to_owned(),
                 (false, true) => format!("a number of at least {min}"),
                 (false, false) => format!("a number in [{min}, {max}]"),
             },

@@ -29,3 +29,5 @@ pub const MAX_ITERATIONS: usize = 100_000;
 pub const DEFAULT_ITERATIONS: usize = 20_000;
 /// World units; where the scene gives no `tolerance`.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
+/// Largest magnitude of a number; sums and products with a velocity would overflow soon above it.
+pub const MAX_NUMBER: f64 = 1e300;

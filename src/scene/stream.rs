@@ -1,5 +1,7 @@
 //! `solve --jsonl`: a scene a line in, an answer a line out.
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
 use serde_json::{Value, json};
 
 use super::limits::MAX_FILE_BYTES;
@@ -45,22 +47,27 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
         read::from_tree(&root)
     });
     match answered {
-        Ok(scene) => {
-            let result = answer_json(scene.query.kind, &solve(&scene));
-            Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true }
-        }
-        Err(problems) => {
-            let error = error_json(&problems, &source);
-            Reply { line: format!("{{\"id\":{id},\"line\":{line},\"error\":{error}}}"), solved: false }
-        }
+        // A bug must not cost the rest of the stream its answers.
+        Ok(scene) => match catch_unwind(AssertUnwindSafe(|| answer_json(scene.query.kind, &solve(&scene)))) {
+            Ok(result) => Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true },
+            Err(_) => refuse(
+                id,
+                line,
+                &json!({ "code": "internal", "message": "a bug of tracefig; please report it" }),
+            ),
+        },
+        Err(problems) => refuse(id, line, &error_json(&problems, &source)),
     }
 }
 
 /// The reply to a line that is not UTF-8.
 #[must_use]
 pub fn refuse_jsonl_line(line: usize) -> Reply {
-    let error = json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() });
-    Reply { line: format!("{{\"id\":null,\"line\":{line},\"error\":{error}}}"), solved: false }
+    refuse("null", line, &json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() }))
+}
+
+fn refuse(id: &str, line: usize, error: &Value) -> Reply {
+    Reply { line: format!("{{\"id\":{id},\"line\":{line},\"error\":{error}}}"), solved: false }
 }
 
 fn too_long(source: &Source) -> Result<(), Vec<Problem>> {

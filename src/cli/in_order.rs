@@ -1,0 +1,86 @@
+//! Work on many scenes on all cores, with results in the order of the scenes.
+
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::mpsc;
+use std::thread;
+
+/// Works on every item, each on whichever core is free, and hands the results to `each` in the order of the items.
+/// A result is None where the work panicked: a bug, of which the others must not suffer.
+///
+/// # Errors
+/// The first error of `each`; the rest of the results are then dropped.
+pub(crate) fn in_order<T: Sync, R: Send, E>(
+    items: &[T],
+    work: impl Fn(&T) -> R + Sync,
+    mut each: impl FnMut(&T, Option<R>) -> Result<(), E>,
+) -> Result<(), E> {
+    let next = AtomicUsize::new(0);
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(items.len());
+    let (results, arrived) = mpsc::channel();
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            let (results, next, work) = (results.clone(), &next, &work);
+            scope.spawn(move || {
+                while let Some((i, item)) = take(items, next) {
+                    let result = catch_unwind(AssertUnwindSafe(|| work(item))).ok();
+                    if results.send((i, result)).is_err() {
+                        return;
+                    }
+                }
+            });
+        }
+        drop(results);
+        let mut early = BTreeMap::new();
+        let mut wanted = 0;
+        for (i, result) in &arrived {
+            early.insert(i, result);
+            while let Some(result) = early.remove(&wanted) {
+                if let Err(error) = each(&items[wanted], result) {
+                    // Nobody wants the rest.
+                    next.store(items.len(), Ordering::Relaxed);
+                    return Err(error);
+                }
+                wanted += 1;
+            }
+        }
+        Ok(())
+    })
+}
+
+fn take<'i, T>(items: &'i [T], next: &AtomicUsize) -> Option<(usize, &'i T)> {
+    let i = next.fetch_add(1, Ordering::Relaxed);
+    items.get(i).map(|item| (i, item))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_come_in_order_and_a_panic_costs_only_its_own() {
+        std::panic::set_hook(Box::new(|_| {}));
+        let items: Vec<u32> = (0..200).collect();
+        let work = |&i: &u32| {
+            assert!(i != 77, "planted");
+            std::thread::sleep(std::time::Duration::from_micros(u64::from(i * 37 % 50)));
+            i * 2
+        };
+        let mut got = Vec::new();
+        let done: Result<(), ()> = in_order(&items, work, |&i, r| {
+            got.push((i, r));
+            Ok(())
+        });
+        assert!(done.is_ok());
+        let want: Vec<_> = items.iter().map(|&i| (i, (i != 77).then_some(i * 2))).collect();
+        assert_eq!(got, want);
+    }
+
+    #[test]
+    fn an_error_ends_the_work() {
+        let items: Vec<u32> = (0..100).collect();
+        let done = in_order(&items, |&i| i, |_, r| if r == Some(3) { Err("enough") } else { Ok(()) });
+        assert_eq!(done, Err("enough"));
+    }
+}

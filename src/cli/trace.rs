@@ -1,0 +1,35 @@
+//! `tracefig trace`: every event of the algorithm, as a story or as JSON lines.
+
+use std::io::{self, Write};
+use std::path::PathBuf;
+
+use clap::Args;
+use tracefig::trace::{Trace as Events, json_lines, story};
+
+use super::console::Console;
+use super::inputs::single;
+use super::{Runs, Status};
+
+/// Options of `trace`.
+#[derive(Args)]
+pub(crate) struct Trace {
+    /// The scene file; `-` is standard input
+    scene: PathBuf,
+    /// A line of JSON for each event, after a header line
+    #[arg(long)]
+    jsonl: bool,
+}
+
+impl Runs for Trace {
+    fn run(self, console: &mut Console) -> io::Result<Status> {
+        let file = match single(&self.scene).open() {
+            Ok(file) => file,
+            Err(refused) => return console.refuse(&refused),
+        };
+        let mut events = Events::default();
+        (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
+        let text = if self.jsonl { json_lines(&events)? } else { story(&events) };
+        console.out.write_all(text.as_bytes())?;
+        Ok(Status::Done)
+    }
+}

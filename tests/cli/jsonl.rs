@@ -1,0 +1,176 @@
+//! `solve --jsonl`, field by field.
+
+use serde_json::{Value, json};
+
+use crate::{run, tracefig};
+
+/// The lines that a stream is answered with, and the exit status.
+fn answers(lines: &str) -> (Vec<Value>, Option<i32>) {
+    let ran = run(tracefig(".".as_ref()).args(["solve", "--jsonl"]).write_stdin(lines));
+    assert_eq!(ran.err, "");
+    (ran.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect(), ran.code)
+}
+
+#[track_caller]
+fn result_of(scene: &str) -> Value {
+    let (answers, code) = answers(scene);
+    assert_eq!((answers.len(), code), (1, Some(0)), "{answers:?}");
+    answers[0]["result"].clone()
+}
+
+#[track_caller]
+fn keys(value: &Value) -> Vec<&str> {
+    value.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+fn pair(query: &str, b: &str) -> String {
+    format!(
+        r#"{{"id": "x", "shapes": {{"A": {{"kind": "box", "half_extents": [1, 1]}}, "B": {{"kind": "circle", "radius": 0.5, {b}}}}}, "query": {{"kind": "{query}", "of": ["A", "B"]}}}}"#
+    )
+}
+
+#[test]
+fn a_separation_has_its_fields_in_order() {
+    let got = result_of(&pair("separation", r#""position": [3, 0.25]"#));
+    assert_eq!(
+        keys(&got),
+        ["kind", "separation", "separation_bounds", "normal", "ties", "points", "features"]
+    );
+    assert_eq!(got["kind"], "separation");
+    assert_eq!(got["separation"], 1.5);
+    let bounds: Vec<f64> = serde_json::from_value(got["separation_bounds"].clone()).unwrap();
+    assert!(bounds[0] <= 1.5 && 1.5 <= bounds[1] && bounds[1] - bounds[0] < 1e-9, "{bounds:?}");
+    assert_eq!(got["normal"], json!([1.0, 0.0]));
+    assert_eq!(got["ties"], 1);
+    assert_eq!(got["points"], json!({"A": [1.0, 0.25], "B": [2.5, 0.25]}));
+    assert_eq!(got["features"], json!({"A": {"edge": 1}, "B": {"vertex": 0}}));
+}
+
+#[test]
+fn a_hit_a_miss_and_an_overlap_have_their_fields() {
+    let hit = result_of(&pair("linear-sweep", r#""position": [3, 0.25], "velocity": [-3, 0]"#));
+    assert_eq!(
+        keys(&hit),
+        [
+            "kind",
+            "outcome",
+            "time",
+            "time_bounds",
+            "separation",
+            "separation_bounds",
+            "tolerance",
+            "normal",
+            "points",
+            "features",
+            "iterations"
+        ]
+    );
+    assert_eq!((&hit["kind"], &hit["outcome"]), (&json!("linear-sweep"), &json!("hit")));
+    assert_eq!(hit["time"], hit["time_bounds"][0]);
+    assert!((hit["time"].as_f64().unwrap() - 0.5).abs() < 1e-9, "{hit}");
+    assert_eq!(hit["tolerance"], 0.0);
+
+    let miss = result_of(&pair("time-of-impact", r#""position": [3, 0.25], "velocity": [3, 0]"#));
+    assert_eq!(keys(&miss), ["kind", "outcome", "tolerance", "iterations"]);
+    assert_eq!((&miss["kind"], &miss["outcome"]), (&json!("time-of-impact"), &json!("miss")));
+
+    let inside = result_of(&pair("time-of-impact", r#""position": [1, 0.25], "velocity": [3, 0]"#));
+    assert_eq!(
+        keys(&inside),
+        ["kind", "outcome", "separation", "separation_bounds", "tolerance", "iterations"]
+    );
+    assert_eq!(inside["outcome"], "overlapping");
+    assert!((inside["separation"].as_f64().unwrap() + 0.5).abs() < 1e-9, "{inside}");
+}
+
+#[test]
+fn an_unresolved_impact_says_why_and_until_when_it_is_free() {
+    let scene =
+        pair("time-of-impact", r#""position": [3, 0.25], "velocity": [-3, 0], "angular_velocity_deg": 10"#)
+            .replace("\"of\"", "\"algorithm\": \"conservative-advancement\", \"max_iterations\": 1, \"of\"");
+    let got = result_of(&scene);
+    assert_eq!(keys(&got), ["kind", "outcome", "reason", "time_bounds", "tolerance", "iterations"]);
+    assert_eq!((&got["outcome"], &got["reason"]), (&json!("unresolved"), &json!("iteration-limit")));
+    assert_eq!(got["time_bounds"][1], 1.0);
+}
+
+#[test]
+fn overlap_bounds_and_motion_bound_have_their_fields() {
+    let apart = result_of(&pair("overlap", r#""position": [3, 0.25]"#));
+    assert_eq!(keys(&apart), ["kind", "overlap", "separation_bounds"]);
+    assert_eq!(apart["overlap"], false);
+    let touching = result_of(&pair("overlap", r#""position": [1.5, 0]"#));
+    assert_eq!(touching["overlap"], true);
+
+    let one = |query: &str| pair(query, r#""position": [3, 0.25]"#).replace(r#"["A", "B"]"#, r#"["A"]"#);
+    let bounds = result_of(&one("bounds"));
+    assert_eq!(
+        bounds,
+        json!({"kind": "bounds", "min": [-1.0, -1.0], "max": [1.0, 1.0], "center": [0.0, 0.0], "half_extents": [1.0, 1.0]})
+    );
+    let still = result_of(&one("motion-bound"));
+    assert_eq!(keys(&still), ["kind", "bound"]);
+    assert_eq!(still["bound"], 0.0);
+}
+
+#[test]
+fn the_id_is_copied_whatever_it_is() {
+    for id in [r#""a""#, "7", "1e400", "[1, {\"x\": null}]", "true", "\"\\u00e9 \\n\""] {
+        let scene = pair("overlap", r#""position": [3, 0]"#).replace(r#""x""#, id);
+        let ran = run(tracefig(".".as_ref()).args(["solve", "--jsonl"]).write_stdin(scene));
+        assert!(ran.out.starts_with(&format!("{{\"id\":{id},\"result\":")), "{id}: {}", ran.out);
+    }
+    let without = pair("overlap", r#""position": [3, 0]"#).replace(r#""id": "x", "#, "");
+    assert_eq!(answers(&without).0[0]["id"], Value::Null);
+}
+
+#[test]
+fn bad_lines_get_an_error_line_and_the_run_goes_on() {
+    let good = pair("overlap", r#""position": [3, 0]"#);
+    let bad = good.replace("0.5", "-0.5").replace(r#""x""#, r#"{"k": 1}"#);
+    let (got, code) = answers(&format!("{good}\nnot json\n{bad}\r\n\n[1]\n{good}"));
+    assert_eq!(code, Some(1));
+    assert_eq!(got.len(), 6);
+    assert_eq!((&got[0]["id"], &got[5]["id"]), (&json!("x"), &json!("x")));
+    assert_eq!(keys(&got[1]), ["id", "line", "error"]);
+    assert_eq!(
+        (&got[1]["id"], &got[1]["line"], &got[1]["error"]["code"]),
+        (&Value::Null, &json!(2), &json!("syntax"))
+    );
+    assert_eq!((&got[2]["id"], &got[2]["line"]), (&json!({"k": 1}), &json!(3)));
+    assert_eq!(
+        got[2]["error"],
+        json!({"code": "negative-radius", "message": "/shapes/B/radius: `radius`: expected 0 or more, got -0.5"})
+    );
+    assert_eq!((&got[3]["line"], &got[3]["error"]["code"]), (&json!(4), &json!("empty-file")));
+    assert_eq!((&got[4]["line"], &got[4]["error"]["code"]), (&json!(5), &json!("wrong-type")));
+}
+
+#[test]
+fn an_answer_comes_before_the_next_line_is_written() {
+    use std::io::{BufRead, BufReader, Write};
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+        .args(["solve", "--jsonl"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let (mut input, output) = (child.stdin.take().unwrap(), child.stdout.take().unwrap());
+    let mut lines = BufReader::new(output).lines();
+    for _ in 0..3 {
+        writeln!(input, "{}", pair("overlap", r#""position": [3, 0]"#)).unwrap();
+        assert!(lines.next().unwrap().unwrap().contains("\"overlap\":false"));
+    }
+    drop(input);
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn every_error_code_that_is_printed_is_listed() {
+    let ran = run(tracefig(".".as_ref()).args(["list", "errors"]));
+    let listed: Vec<_> = ran.out.lines().filter_map(|l| l.split_whitespace().next()).collect();
+    for code in ["syntax", "not-convex", "negative-radius", "unknown-key", "turning-body", "too-large"] {
+        assert!(listed.contains(&code), "{code} in {listed:?}");
+    }
+}

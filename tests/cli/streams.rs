@@ -1,0 +1,134 @@
+//! Standard input, output and error: what goes where, in which colour, and what a closed pipe does.
+
+use std::process::{Command, Stdio};
+
+use crate::{CIRCLES, folder_with, run, tracefig};
+
+#[test]
+fn results_go_to_standard_output_and_messages_to_standard_error() {
+    let folder = folder_with("s.toml", CIRCLES);
+    let ran = run(tracefig(folder.path()).args(["solve", "s.toml"]));
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert!(
+        ran.out.starts_with("s.toml: separation of A and B by circles\n  separation         1\n"),
+        "{}",
+        ran.out
+    );
+    let ran = run(tracefig(folder.path()).args(["solve", "--json", "s.toml"]));
+    let line: serde_json::Value = serde_json::from_str(ran.out.trim_end()).unwrap();
+    assert_eq!((line["scene"].as_str(), line["result"]["separation"].as_f64()), (Some("s.toml"), Some(1.0)));
+}
+
+#[test]
+fn a_dash_is_standard_input_in_either_language() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin(CIRCLES));
+    assert!(ran.out.starts_with("<stdin>: separation of A and B"), "{}{}", ran.out, ran.err);
+    let json =
+        r#" {"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]}}"#;
+    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin(json));
+    assert!(ran.out.starts_with("<stdin>: bounds of A"), "{}{}", ran.out, ran.err);
+    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin("title = 1"));
+    assert!(ran.err.contains("--> <stdin>:1:9"), "{}", ran.err);
+    let ran = run(tracefig(folder.path()).args(["solve", "-", "-"]).write_stdin(CIRCLES));
+    assert_eq!(ran.code, Some(1));
+}
+
+#[test]
+fn usage_is_2_and_help_is_0() {
+    let folder = tempfile::tempdir().unwrap();
+    for arguments in
+        [&["solve", "--jsonn"][..], &["sovle"], &["solve", "--jsonl", "x.toml"], &["list", "nothing"]]
+    {
+        let ran = run(tracefig(folder.path()).args(arguments));
+        assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""), "{arguments:?}");
+    }
+    for arguments in [&["--help"][..], &["solve", "--help"], &["--version"]] {
+        assert_eq!(run(tracefig(folder.path()).args(arguments)).code, Some(0), "{arguments:?}");
+    }
+}
+
+#[test]
+fn without_a_terminal_nothing_is_coloured() {
+    let folder = folder_with("s.toml", "title = 1");
+    for (key, value) in [("NO_COLOR", "1"), ("TERM", "xterm-256color")] {
+        let ran = run(tracefig(folder.path()).env(key, value).args(["solve", "s.toml"]));
+        assert!(!ran.err.contains('\u{1b}'), "{}", ran.err);
+    }
+}
+
+/// Runs in a pseudo-terminal, where `script` is there to make one.
+#[cfg(target_os = "linux")]
+fn in_a_terminal(no_color: &str) -> Option<String> {
+    let folder = folder_with("s.toml", "title = 1");
+    let binary = assert_cmd::cargo::cargo_bin!("tracefig");
+    let line = format!("'{}' solve s.toml", binary.display());
+    let output = Command::new("script")
+        .args(["-qec", &line, "/dev/null"])
+        .current_dir(folder.path())
+        .env("TERM", "xterm")
+        .env("NO_COLOR", no_color)
+        .stdin(Stdio::null())
+        .output()
+        .ok()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    text.contains("wrong-type").then_some(text)
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn on_a_terminal_colour_follows_no_color() {
+    // An empty NO_COLOR is as none.
+    let Some(coloured) = in_a_terminal("") else { return };
+    assert!(coloured.contains("\u{1b}["), "{coloured}");
+    let plain = in_a_terminal("1").unwrap();
+    assert!(!plain.contains("\u{1b}["), "{plain}");
+}
+
+#[test]
+fn a_closed_pipe_is_quiet() {
+    for arguments in
+        [&["solve", "s.toml"][..], &["list"], &["man"], &["completions", "bash"], &["trace", "s.toml"]]
+    {
+        let folder = folder_with("s.toml", CIRCLES);
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+            .args(arguments)
+            .current_dir(folder.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop(child.stdout.take());
+        let ended = child.wait_with_output().unwrap();
+        assert_eq!(String::from_utf8_lossy(&ended.stderr), "", "{arguments:?}");
+        assert_eq!(ended.status.code(), Some(0), "{arguments:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_full_disk_is_told() {
+    let folder = folder_with("s.toml", CIRCLES);
+    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+        .args(["solve", "s.toml"])
+        .current_dir(folder.path())
+        .stdout(full)
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    let err = String::from_utf8_lossy(&output.stderr);
+    assert!(err.starts_with("error: can't write to standard output: No space left"), "{err}");
+}
+
+#[test]
+fn completions_and_the_man_page_know_every_command() {
+    let folder = tempfile::tempdir().unwrap();
+    let script = run(tracefig(folder.path()).args(["completions", "bash"])).out;
+    let page = run(tracefig(folder.path()).arg("man")).out;
+    let help = run(tracefig(folder.path()).arg("--help")).out;
+    for command in ["solve", "trace", "list", "completions", "man"] {
+        assert!(script.contains(command) && page.contains(command) && help.contains(command), "{command}");
+    }
+    assert!(run(tracefig(folder.path()).args(["man", "solve"])).out.contains("jsonl"));
+}
