@@ -64,6 +64,17 @@ pub(crate) struct Projection {
     pub(crate) distance: f64,
     /// Where the foot is on the edge: 0 at its start, 1 at its end.
     pub(crate) along: f64,
+    /// Whether the origin is in front of (or behind) the edge.
+    pub(crate) span: Span,
+}
+
+/// Where the origin is along an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Span {
+    /// Between its ends: the foot is square to the edge.
+    Within,
+    /// Before its start or after its end: the foot is that end.
+    Beyond,
 }
 
 impl Pairing {
@@ -92,19 +103,19 @@ impl Pairing {
         let outward = self.outward(pair);
         let line = -outward.dot(from);
         let tangent = perp(outward);
-        let along = (-from.dot(tangent) / (to - from).dot(tangent)).clamp(0.0, 1.0);
-        // Inside the span the foot is the origin moved to the line, which keeps the digits of a small distance.
-        let inside = along > 0.0 && along < 1.0;
-        let foot = if inside {
+        let along = -from.dot(tangent) / (to - from).dot(tangent);
+        // Within the span the foot is the origin moved to the line, which keeps the digits of a small distance.
+        let span = if (0.0..=1.0).contains(&along) { Span::Within } else { Span::Beyond };
+        let foot = if span == Span::Within {
             outward * -line
         } else if along > 0.0 {
             to
         } else {
             from
         };
-        let far = if inside { line.abs() } else { length(foot) };
+        let far = if span == Span::Within { line.abs() } else { length(foot) };
         let distance = if line < 0.0 { -far } else { far };
-        Projection { pairing: self, outward, line, foot, distance, along }
+        Projection { pairing: self, outward, line, foot, distance, along: along.clamp(0.0, 1.0), span }
     }
 
     /// The edge in configuration space, with the file's numbers.

@@ -116,7 +116,9 @@ fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
         let old = simplex.slice().iter().any(|u| u.is(&w));
         if old || v.dot(v - w.point) <= 0.0 {
             return match *simplex.slice() {
-                [p, q] => Found::Edge(p, q),
+                // Counter-clockwise: the origin is to the right.
+                [p, q] if (q.point - p.point).perp_dot(p.point) > 0.0 => Found::Edge(p, q),
+                [p, q] => Found::Edge(q, p),
                 _ => Found::Vertex(simplex.vertices[0]),
             };
         }
@@ -185,18 +187,16 @@ fn on_segment(p: Vertex, q: Vertex) -> (Simplex, DVec2) {
     }
 }
 
-/// The candidate of an edge of B ⊖ A between two of its vertices, in either order: the edges of one body or, where they
-/// are parallel, of both that lie between them. None where rounding made it of vertices that are not neighbours.
+/// The candidate of an edge of B ⊖ A from one of its vertices to another, counter-clockwise: the edges of one body or,
+/// where they are parallel, of both that lie between them. None where rounding made it of vertices that are not
+/// neighbours.
 fn of_edge(pair: &Relative, p: Vertex, q: Vertex) -> Option<Candidate> {
-    [(p, q), (q, p)]
+    let of_a = p.a != q.a && pair.next(Side::A, p.a) == q.a;
+    let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
+    let edge_of_a = |vertex| of_a.then_some(Pairing { source: Side::A, edge: p.a, vertex });
+    let edge_of_b = |vertex| of_b.then_some(Pairing { source: Side::B, edge: p.b, vertex });
+    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)]
         .into_iter()
-        .flat_map(|(p, q)| {
-            let of_a = p.a != q.a && pair.next(Side::A, p.a) == q.a;
-            let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
-            let edge_of_a = move |vertex| of_a.then_some(Pairing { source: Side::A, edge: p.a, vertex });
-            let edge_of_b = move |vertex| of_b.then_some(Pairing { source: Side::B, edge: p.b, vertex });
-            [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)]
-        })
         .flatten()
         .map(|pairing| pairing.project(pair))
         .reduce(|best, p| if is_better(p.distance, best.distance) { p } else { best })

@@ -35,15 +35,18 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let mut best: Option<Projection> = None;
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
-            let vertex = pair.support(source.other(), -pair.outward(source, edge));
-            let p = Pairing { source, edge, vertex }.project(&pair);
+            let (first, second) = pair.supports_of_edge(source, edge);
+            let p = Pairing { source, edge, vertex: first }.project(&pair);
             let feature = Feature::Edge(pair.file_edge(source, edge));
             record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
             if stop == Stop::AtFirst && p.line > pair.radius() {
                 return Answer::Overlap(separated(&pair, &p, tracer));
             }
-            if best.is_none_or(|b| is_better(p.distance, b.distance)) {
-                best = Some(p);
+            let beside = second.map(|vertex| Pairing { source, edge, vertex }.project(&pair));
+            for p in [Some(p), beside].into_iter().flatten() {
+                if best.is_none_or(|b| is_better(gap(&p), gap(&b))) {
+                    best = Some(p);
+                }
             }
         }
     }
@@ -58,6 +61,11 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let separation = witness::conclude(&pair, &candidate, tracer);
     tracer.record(|| Event::Finished { outcome: witness::word(separation.separation) });
     witness::answer(query.kind, separation)
+}
+
+/// The gap along an axis; where there is one, the distance of the corner from the edge.
+fn gap(p: &Projection) -> f64 {
+    if p.line < 0.0 { p.line } else { p.distance }
 }
 
 /// Whether a separating axis ends the search.

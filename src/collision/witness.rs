@@ -10,7 +10,7 @@
 //! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
 //! ```
 
-use super::difference::{Pairing, Projection, length, walk};
+use super::difference::{Pairing, Projection, Span, length, walk};
 use super::relative::{Relative, Turn};
 use super::{Answer, Overlap, QueryKind, Separation};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
@@ -44,8 +44,7 @@ impl Candidate {
     /// The features behind a projection of the origin onto an edge of B ⊖ A.
     pub(crate) fn of_projection(pair: &Relative, p: &Projection) -> Self {
         let Pairing { source, edge, vertex } = p.pairing;
-        let across = p.foot.dot(p.outward).abs() >= length(p.foot) * (1.0 - f64::EPSILON);
-        if p.distance < 0.0 || across {
+        if p.distance < 0.0 || p.span == Span::Within {
             let facing = partner(pair, p.pairing).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
             let own = CoreFeature::Edge(edge);
             let features = match source {
@@ -64,8 +63,7 @@ impl Candidate {
 
     /// The line of an edge of B ⊖ A as an axis that separates: its distance is a lower bound.
     pub(crate) fn of_axis(pair: &Relative, p: &Projection) -> Self {
-        let line = Projection { distance: p.line, foot: p.outward * -p.line, ..*p };
-        Self::of_projection(pair, &line)
+        Self::of_projection(pair, &Projection { distance: p.line, span: Span::Within, ..*p })
     }
 
     /// Two vertices that face each other. Where they coincide no direction is better than another, and the normal is

@@ -1,0 +1,383 @@
+//! Every discrete algorithm on the same random pairs: they agree with each other and with a brute-force hull, listening
+//! changes no bit, and the answer moves with the pair.
+
+use tracefig::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation, difference};
+use tracefig::geometry::shape::FieldValue;
+use tracefig::geometry::{Body, DVec2, Degrees, Shape, Side};
+use tracefig::trace::{Event, NoTrace, Trace};
+
+/// Plain doubles: what the brute-force hull and the comparison of two answers may be off by, as a multiple of the
+/// largest coordinate. About 50 ε; a wrong feature or a dropped edge is off by 1e-3 and more on these pairs.
+const ROUNDING: f64 = 1e-14;
+
+/// SplitMix64 (Steele, Lea, Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: u64) -> u64 {
+        self.next() % n
+    }
+
+    /// In [lo, hi).
+    fn within(&mut self, lo: f64, hi: f64) -> f64 {
+        lo + (hi - lo) * ((self.next() >> 11) as f64 / 9_007_199_254_740_992.0)
+    }
+
+    /// A multiple of a quarter in [lo, hi]: makes ties, touching and parallel edges.
+    fn quarter(&mut self, lo: i32, hi: i32) -> f64 {
+        let steps = u64::try_from((hi - lo) * 4 + 1).unwrap();
+        f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap()) / 4.0
+    }
+}
+
+fn of_kind(kind: &str, fields: &[(&str, FieldValue)]) -> Shape {
+    Shape::of_kind(kind, fields).unwrap()
+}
+
+/// Corners on an ellipse: convex, counter-clockwise.
+fn polygon(r: &mut Random, radius: f64) -> Shape {
+    let n = 3 + r.below(6);
+    let (a, b, start) = (r.within(0.5, 2.0), r.within(0.5, 2.0), r.within(0.0, 360.0));
+    let corners = (0..n).map(|k| {
+        let angle = (start + 360.0 * (k as f64 + r.within(-0.3, 0.3)) / n as f64).to_radians();
+        DVec2::new(a * libm::cos(angle), b * libm::sin(angle))
+    });
+    let fields =
+        [("vertices", FieldValue::Points(corners.collect())), ("radius", FieldValue::Number(radius))];
+    of_kind("polygon", &fields)
+}
+
+fn shape(r: &mut Random) -> Shape {
+    let radius = if r.below(2) == 0 { 0.0 } else { r.quarter(0, 2) };
+    let half = DVec2::new(r.quarter(1, 3), r.quarter(1, 2));
+    match r.below(6) {
+        0 => of_kind("circle", &[("radius", FieldValue::Number(radius))]),
+        1 => of_kind("aabb", &[("half_extents", FieldValue::Point(half))]),
+        2 => of_kind(
+            "box",
+            &[("half_extents", FieldValue::Point(half)), ("radius", FieldValue::Number(radius))],
+        ),
+        3 => {
+            let ends = vec![DVec2::new(-half.x, 0.0), DVec2::new(half.x, r.quarter(0, 1))];
+            of_kind(
+                "capsule",
+                &[("points", FieldValue::Points(ends)), ("radius", FieldValue::Number(radius))],
+            )
+        }
+        4 => polygon(r, 0.0),
+        _ => polygon(r, radius),
+    }
+}
+
+fn body(r: &mut Random) -> Body {
+    let shape = shape(r);
+    let turns = shape.kind != "aabb";
+    let angle = match r.below(3) {
+        _ if !turns => 0.0,
+        0 => 90.0 * r.quarter(-2, 2).round(),
+        1 => 30.0,
+        _ => r.within(-720.0, 720.0),
+    };
+    let position = match r.below(8) {
+        0 => DVec2::ZERO,
+        1..4 => DVec2::new(r.quarter(-4, 4), r.quarter(-4, 4)),
+        _ => DVec2::new(r.within(-4.0, 4.0), r.within(-4.0, 4.0)),
+    };
+    Body { shape, position, angle: Degrees(angle), velocity: DVec2::ZERO, spin: Degrees(0.0) }
+}
+
+fn pairs(count: u64) -> impl Iterator<Item = (u64, Body, Body)> {
+    (0..count).map(|seed| {
+        let mut r = Random(seed);
+        (seed, body(&mut r), body(&mut r))
+    })
+}
+
+fn query<'s>(kind: QueryKind, a: &'s Body, b: &'s Body) -> Query<'s> {
+    Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 100 }
+}
+
+fn takers<'s>(query: &Query<'s>) -> Vec<&'static Algorithm> {
+    ALGORITHMS.iter().filter(|x| x.kinds.contains(&query.kind) && (x.shapes)(query).is_ok()).collect()
+}
+
+fn separation(algorithm: &Algorithm, a: &Body, b: &Body) -> Separation {
+    match (algorithm.quiet)(&query(QueryKind::Separation, a, b), &mut NoTrace) {
+        Answer::Separation(s) => s,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn corners(body: &Body) -> Vec<DVec2> {
+    body.shape.vertices.iter().map(|&v| body.pose_at(0.0).point(v)).collect()
+}
+
+/// Signed distance of the origin from the hull of all differences b − a (Andrew's monotone chain), less the radii.
+fn brute_force(a: &Body, b: &Body) -> f64 {
+    let mut points: Vec<DVec2> =
+        corners(a).iter().flat_map(|&p| corners(b).into_iter().map(move |q| q - p)).collect();
+    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let half = |points: &mut dyn Iterator<Item = DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for p in points {
+            while let [.., u, v] = chain[..]
+                && (v - u).perp_dot(p - v) <= 1e-12
+            {
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain
+    };
+    let mut hull = half(&mut points.iter().copied());
+    hull.pop();
+    hull.extend(half(&mut points.iter().rev().copied()));
+    hull.pop();
+    let radius = a.shape.radius + b.shape.radius;
+    if hull.len() < 2 {
+        return points[0].length() - radius;
+    }
+    let (mut inside, mut outside) = (f64::NEG_INFINITY, f64::INFINITY);
+    for (k, &p) in hull.iter().enumerate() {
+        let d = hull[(k + 1) % hull.len()] - p;
+        inside = inside.max(d.perp_dot(p) / d.length());
+        let t = (-p.dot(d) / d.length_squared()).clamp(0.0, 1.0);
+        outside = outside.min((p + d * t).length());
+    }
+    (if inside >= 0.0 { outside } else { inside }) - radius
+}
+
+/// Every separation algorithm that takes the pair, with its name.
+fn answers<'s>(a: &'s Body, b: &'s Body) -> Vec<(&'static str, Separation)> {
+    let takers = takers(&query(QueryKind::Separation, a, b));
+    takers.into_iter().map(|x| (x.name, separation(x, a, b))).collect()
+}
+
+/// The largest coordinate that rounding is measured against.
+fn scale(a: &Body, b: &Body) -> f64 {
+    let reach = |body: &Body| body.position.length() + body.shape.hull.reach + body.shape.radius;
+    reach(a) + reach(b)
+}
+
+/// The depth (or distance) of the cores along a direction: never above the separation for a unit vector.
+fn gap_along(a: &Body, b: &Body, n: DVec2) -> f64 {
+    let of = |body: &Body, n: DVec2| corners(body).iter().map(|p| p.dot(n)).fold(f64::NEG_INFINITY, f64::max);
+    -of(b, -n) - of(a, n) - a.shape.radius - b.shape.radius
+}
+
+#[test]
+fn every_algorithm_finds_what_the_hull_of_all_differences_says() {
+    for (seed, a, b) in pairs(4000) {
+        let (truth, slack) = (brute_force(&a, &b), ROUNDING * scale(&a, &b));
+        let answers = answers(&a, &b);
+        assert!(answers.len() >= 4, "{seed}");
+        for (name, s) in answers {
+            let context = || format!("seed {seed}, {name}: {s:?}, truth {truth}, {a:?} {b:?}");
+            assert!((s.separation - truth).abs() <= slack, "{}", context());
+            assert!(s.bounds.lo <= s.separation && s.separation <= s.bounds.hi, "{}", context());
+            assert!(s.bounds.lo - slack <= truth && truth <= s.bounds.hi + slack, "{}", context());
+        }
+    }
+}
+
+#[test]
+fn the_normal_is_a_unit_vector_that_carries_the_separation() {
+    for (seed, a, b) in pairs(4000) {
+        let slack = ROUNDING * scale(&a, &b);
+        for (name, s) in answers(&a, &b) {
+            let context = || format!("seed {seed}, {name}: {s:?}, {a:?} {b:?}");
+            assert!((s.normal.length() - 1.0).abs() <= ROUNDING, "{}", context());
+            let carried = s.points[1] - s.points[0] - s.normal * s.separation;
+            assert!(carried.length() <= 4.0 * slack, "{}", context());
+            assert!((gap_along(&a, &b, s.normal) - s.separation).abs() <= 4.0 * slack, "{}", context());
+        }
+    }
+}
+
+#[test]
+fn listening_changes_no_bit() {
+    for (seed, a, b) in pairs(2000) {
+        for kind in [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound] {
+            let query = query(kind, &a, &b);
+            for algorithm in takers(&query) {
+                let mut trace = Trace::default();
+                let traced = (algorithm.traced)(&query, &mut trace);
+                let quiet = (algorithm.quiet)(&query, &mut NoTrace);
+                // The written form tells −0 from 0 and every bit of the rest.
+                assert_eq!(format!("{traced:?}"), format!("{quiet:?}"), "seed {seed}, {}", algorithm.name);
+                assert!(matches!(trace.events.first(), Some(Event::Started { .. })), "{}", algorithm.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn overlap_says_what_separation_says() {
+    for (seed, a, b) in pairs(4000) {
+        for algorithm in takers(&query(QueryKind::Overlap, &a, &b)) {
+            let Answer::Overlap(o) = (algorithm.quiet)(&query(QueryKind::Overlap, &a, &b), &mut NoTrace)
+            else {
+                panic!("{}", algorithm.name)
+            };
+            let (s, slack) = (separation(algorithm, &a, &b), ROUNDING * scale(&a, &b));
+            let context = || format!("seed {seed}, {}: {o:?} {s:?}", algorithm.name);
+            assert!(
+                o.separation_bounds.lo <= s.bounds.hi && s.bounds.lo <= o.separation_bounds.hi,
+                "{}",
+                context()
+            );
+            assert!(
+                o.overlap.is_none_or(|o| s.separation.abs() <= slack || o == (s.separation < 0.0)),
+                "{}",
+                context()
+            );
+            assert!(o.overlap.is_some() || s.separation.abs() <= slack, "{}", context());
+        }
+    }
+}
+
+#[test]
+fn both_builders_of_the_difference_find_the_same_edges() {
+    let minkowski = ALGORITHMS.iter().find(|x| x.name == "minkowski").unwrap();
+    for (seed, a, b) in pairs(4000) {
+        let built = difference(&a, &b, 0.0);
+        let mut trace = Trace::default();
+        (minkowski.traced)(&query(QueryKind::Separation, &a, &b), &mut trace);
+        let mut looped: Vec<_> = trace.events.iter().filter_map(edge).collect();
+        let mut merged: Vec<_> = built
+            .edges
+            .iter()
+            .map(|e| (e.source == Side::B, e.edge, e.vertex, e.from.to_array(), e.to.to_array()))
+            .collect();
+        let order = |p: &Edge, q: &Edge| p.partial_cmp(q).unwrap();
+        looped.sort_by(order);
+        merged.sort_by(order);
+        assert_eq!(looped, merged, "seed {seed}: {a:?} {b:?}");
+    }
+}
+
+type Edge = (bool, usize, usize, [f64; 2], [f64; 2]);
+
+fn edge(event: &Event) -> Option<Edge> {
+    match *event {
+        Event::DifferenceEdgeFound { source, edge, vertex, from, to, .. } => {
+            Some((source == Side::B, edge, vertex, from.to_array(), to.to_array()))
+        }
+        _ => None,
+    }
+}
+
+#[test]
+fn the_difference_is_a_closed_convex_chain() {
+    for (seed, a, b) in pairs(4000) {
+        let edges = difference(&a, &b, 0.0).edges;
+        for (k, e) in edges.iter().enumerate() {
+            let next = &edges[(k + 1) % edges.len()];
+            assert_eq!(e.to, next.from, "seed {seed}: {a:?} {b:?}");
+            let turn = (e.to - e.from).perp_dot(next.to - next.from);
+            assert!(turn >= -ROUNDING * scale(&a, &b), "seed {seed}: {turn:e}");
+        }
+    }
+}
+
+#[test]
+fn every_algorithm_tells_the_whole_difference_and_the_candidate_that_won() {
+    for (seed, a, b) in pairs(1000) {
+        let built = difference(&a, &b, 0.0);
+        for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
+            let mut trace = Trace::default();
+            let Answer::Separation(s) = (algorithm.traced)(&query(QueryKind::Separation, &a, &b), &mut trace)
+            else {
+                panic!("{}", algorithm.name)
+            };
+            let edges = trace.events.iter().filter_map(edge).count();
+            assert_eq!(edges, built.edges.len(), "seed {seed}, {}", algorithm.name);
+            let round = trace.events.iter().any(|e| matches!(e, Event::DifferenceRounded { .. }));
+            assert_eq!(
+                round,
+                built.radius > 0.0 || built.center.is_some(),
+                "seed {seed}, {}",
+                algorithm.name
+            );
+            let best = trace.events.iter().rev().find_map(|e| match e {
+                Event::CandidateImproved { distance, foot, .. } => Some((*distance, *foot)),
+                _ => None,
+            });
+            let (distance, foot) = best.unwrap();
+            let slack = ROUNDING * scale(&a, &b);
+            assert!((distance - s.separation).abs() <= slack, "seed {seed}, {}", algorithm.name);
+            let off = foot.length() - s.separation.abs();
+            assert!(off.abs() <= slack, "seed {seed}, {}: {foot} {s:?}", algorithm.name);
+        }
+    }
+}
+
+/// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same normal.
+fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
+    let meet = s.bounds.lo <= other.bounds.hi + slack && other.bounds.lo <= s.bounds.hi + slack;
+    meet && (s.ties != 1 || s.separation.abs() < 1e-6 || (other.normal - normal).length() < 1e-6)
+}
+
+#[test]
+fn exchanging_the_bodies_turns_the_normal_around() {
+    for (seed, a, b) in pairs(4000) {
+        for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
+            let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &b, &a));
+            let context = format!("seed {seed}, {}: {s:?} {t:?}", algorithm.name);
+            assert!(same(&s, &t, -s.normal, ROUNDING * scale(&a, &b)), "{context}");
+        }
+    }
+}
+
+#[test]
+fn a_rigid_motion_of_the_pair_turns_the_answer_with_it() {
+    for (seed, a, b) in pairs(4000) {
+        let angle = if a.shape.kind == "aabb" || b.shape.kind == "aabb" { 0.0 } else { 90.0 };
+        let moved = |body: &Body| {
+            let p = body.position;
+            let turned = if angle == 0.0 { p } else { DVec2::new(-p.y, p.x) };
+            let position = turned + DVec2::new(16.0, -8.0);
+            Body { position, angle: Degrees(body.angle.0 + angle), ..body.clone() }
+        };
+        let (c, d) = (moved(&a), moved(&b));
+        for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
+            let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &c, &d));
+            let normal = if angle == 0.0 { s.normal } else { DVec2::new(-s.normal.y, s.normal.x) };
+            let context = format!("seed {seed}, {}: {s:?} {t:?}", algorithm.name);
+            assert!(same(&s, &t, normal, ROUNDING * scale(&c, &d)), "{context}");
+        }
+    }
+}
+
+#[test]
+fn twice_the_pair_has_exactly_twice_the_separation() {
+    let twice = |body: &Body| {
+        let v = |p: DVec2| FieldValue::Point(p * 2.0);
+        let s = &body.shape;
+        let points = FieldValue::Points(s.vertices.iter().map(|&p| p * 2.0).collect());
+        let radius = FieldValue::Number(s.radius * 2.0);
+        let fields = match s.kind {
+            "circle" => vec![("radius", radius)],
+            "aabb" => vec![("half_extents", v(s.half_extents.unwrap()))],
+            "box" => vec![("half_extents", v(s.half_extents.unwrap())), ("radius", radius)],
+            "capsule" => vec![("points", points), ("radius", radius)],
+            _ => vec![("vertices", points), ("radius", radius)],
+        };
+        Body { shape: of_kind(s.kind, &fields), position: body.position * 2.0, ..body.clone() }
+    };
+    for (seed, a, b) in pairs(2000) {
+        let (c, d) = (twice(&a), twice(&b));
+        for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
+            let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &c, &d));
+            assert_eq!(s.separation * 2.0, t.separation, "seed {seed}, {}: {s:?} {t:?}", algorithm.name);
+            assert_eq!(s.normal, t.normal, "seed {seed}, {}", algorithm.name);
+        }
+    }
+}
