@@ -8,6 +8,7 @@
 pub mod collision;
 pub mod drawing;
 pub mod drift;
+pub mod figure;
 pub mod geometry;
 pub mod scene;
 pub mod trace;

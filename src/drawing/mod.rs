@@ -4,11 +4,13 @@
 //! stays a circle and an arc an arc, so that each format can choose its own way to say them.
 
 mod extent;
+mod offset;
 mod paint;
 mod path;
 
 use std::sync::Arc;
 
+pub use offset::Offset;
 pub use paint::{Cap, Color, Halo, Paint, Pattern, PatternKind, Role, Stroke};
 pub use path::{Contour, Path, Segment};
 

@@ -1,0 +1,240 @@
+//! What a layer says of a label: its text and what it belongs to; never where it stands.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, perp};
+
+use super::outline::Outline;
+
+/// What a label belongs to, in the panel's space. Places are found from it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Anchor {
+    /// A point: around it.
+    Point {
+        /// The point.
+        at: DVec2,
+        /// Radius in page pixels that its marker covers.
+        clear: f64,
+        /// The side that it should stand on, as a direction in the panel's space; zero for none.
+        toward: DVec2,
+    },
+    /// A vector or line: beside it, or beyond its tip.
+    Along {
+        /// Tail.
+        from: DVec2,
+        /// Tip.
+        to: DVec2,
+        /// Which part of it is best.
+        best: Best,
+    },
+    /// A dimension line or bar that lies `offset` page pixels to the left of from → to.
+    Beside {
+        /// Start.
+        from: DVec2,
+        /// End.
+        to: DVec2,
+        /// Page pixels to the left.
+        offset: f64,
+    },
+    /// An arc: outside or inside of it, at its middle or quarters. Angles in radians, counter-clockwise.
+    Arc {
+        /// Centre.
+        center: DVec2,
+        /// World units.
+        radius: f64,
+        /// Start.
+        start: f64,
+        /// Sweep.
+        sweep: f64,
+    },
+    /// An area: inside where there is room, else around.
+    Inside {
+        /// Its contour, sampled.
+        area: Vec<DVec2>,
+        /// Areas that it should keep out of, sampled.
+        avoid: Vec<Vec<DVec2>>,
+    },
+    /// A corner or side of the panel.
+    Corner(Corner),
+}
+
+/// Which part of a line a label belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Best {
+    /// Its middle.
+    Middle,
+    /// Its tip.
+    Tip,
+}
+
+/// A corner or side of the panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Corner {
+    /// Upper left.
+    TopLeft,
+    /// Upper middle.
+    Top,
+    /// Upper right.
+    TopRight,
+    /// Lower left.
+    BottomLeft,
+    /// Lower middle.
+    Bottom,
+    /// Lower right.
+    BottomRight,
+}
+
+impl Corner {
+    /// The words for them in a scene.
+    pub const WORDS: &'static [&'static str] =
+        &["top-left", "top", "top-right", "bottom-left", "bottom", "bottom-right"];
+
+    /// The corner of a word.
+    #[must_use]
+    pub fn of_word(word: &str) -> Option<Self> {
+        match word {
+            "top-left" => Some(Self::TopLeft),
+            "top" => Some(Self::Top),
+            "top-right" => Some(Self::TopRight),
+            "bottom-left" => Some(Self::BottomLeft),
+            "bottom" => Some(Self::Bottom),
+            "bottom-right" => Some(Self::BottomRight),
+            _ => None,
+        }
+    }
+}
+
+impl Anchor {
+    /// Around a point with a usual marker.
+    #[must_use]
+    pub fn point(at: DVec2) -> Self {
+        Self::Point { at, clear: super::pen::MARKER, toward: DVec2::ZERO }
+    }
+
+    /// Around a point, on the side of `toward` if there is room.
+    #[must_use]
+    pub fn point_toward(at: DVec2, toward: DVec2) -> Self {
+        Self::Point { at, clear: super::pen::MARKER, toward }
+    }
+
+    /// At the tip of a vector.
+    #[must_use]
+    pub fn tip(from: DVec2, to: DVec2) -> Self {
+        Self::Along { from, to, best: Best::Tip }
+    }
+
+    /// Beside the middle of a line.
+    #[must_use]
+    pub fn middle(from: DVec2, to: DVec2) -> Self {
+        Self::Along { from, to, best: Best::Middle }
+    }
+
+    /// Inside an area, best where the others are not.
+    #[must_use]
+    pub fn inside(area: &Outline, avoid: &[Outline]) -> Self {
+        Self::Inside { area: area.sampled(), avoid: avoid.iter().map(Outline::sampled).collect() }
+    }
+
+    /// The points of the panel's space that it is made of.
+    #[must_use]
+    pub fn points(&self) -> Vec<DVec2> {
+        match self {
+            Self::Point { at, .. } => vec![*at],
+            Self::Along { from, to, .. } | Self::Beside { from, to, .. } => vec![*from, *to],
+            Self::Arc { center, radius, start, sweep } => {
+                Outline::arc(*center, *radius, *start, *sweep).sampled()
+            }
+            Self::Inside { area, .. } => area.clone(),
+            Self::Corner(_) => Vec::new(),
+        }
+    }
+}
+
+/// Which label gives way to which, from the weakest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Rank {
+    /// Numbers of iterations, words beside what is clear already.
+    Word,
+    /// Lengths, times, vectors.
+    Measure,
+    /// Points.
+    Point,
+    /// Names of bodies, of the difference, of the origin.
+    Name,
+    /// Formulas at a corner of the panel.
+    Note,
+}
+
+/// How large a label is set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Size {
+    /// Names of shapes: 17 px.
+    Name,
+    /// Points and vectors: 16 px.
+    Point,
+    /// Notes and words: 14 px.
+    Note,
+    /// Numbers of iterations: 12 px.
+    Small,
+}
+
+impl Size {
+    /// Page pixels an em.
+    #[must_use]
+    pub fn px(self) -> f64 {
+        match self {
+            Self::Name => 17.0,
+            Self::Point => 16.0,
+            Self::Note => 14.0,
+            Self::Small => 12.0,
+        }
+    }
+}
+
+/// A label that a layer asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Label {
+    /// Its key in `[labels]`.
+    pub key: &'static str,
+    /// Default lines of markup; `{=…}` stands for values.
+    pub lines: Vec<String>,
+    /// What it belongs to.
+    pub anchor: Anchor,
+    /// Its colour.
+    pub role: Role,
+    /// Who gives way.
+    pub rank: Rank,
+    /// How large.
+    pub size: Size,
+}
+
+impl Label {
+    /// A label of one line, of rank `Measure`, 16 px. Without text it appears only where a scene gives it one.
+    #[must_use]
+    pub fn new(key: &'static str, text: impl Into<String>, anchor: Anchor, role: Role) -> Self {
+        Self { key, lines: vec![text.into()], anchor, role, rank: Rank::Measure, size: Size::Point }
+    }
+
+    /// With several lines.
+    #[must_use]
+    pub fn lines(self, lines: &[String]) -> Self {
+        Self { lines: lines.to_vec(), ..self }
+    }
+
+    /// With a rank.
+    #[must_use]
+    pub fn rank(self, rank: Rank) -> Self {
+        Self { rank, ..self }
+    }
+
+    /// With a size.
+    #[must_use]
+    pub fn size(self, size: Size) -> Self {
+        Self { size, ..self }
+    }
+}
+
+/// The direction to the left of from → to, of unit length; zero where they coincide.
+#[must_use]
+pub fn left_of(from: DVec2, to: DVec2) -> DVec2 {
+    perp(to - from).normalize_or_zero()
+}

@@ -1,0 +1,29 @@
+//! The two coordinate axes through the origin of the panel's space, as far as the panel shows.
+
+use crate::geometry::DVec2;
+
+use super::super::context::Context;
+use super::super::options::Options;
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::{Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "axes",
+    about: "the coordinate axes through the origin",
+    shows: Shows::Anywhere,
+    options: &[],
+    labels: &[],
+    needs: "nothing",
+    fed: |_, _| true,
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+    let (lo, hi) = sketch.visible();
+    let pen = Pen { role: options.role(Pen::axis().role), ..Pen::axis() };
+    sketch.background(|s| {
+        s.part("x-axis").weight(Weight::Light).line(DVec2::new(lo.x, 0.0), DVec2::new(hi.x, 0.0), pen);
+        s.part("y-axis").weight(Weight::Light).line(DVec2::new(0.0, lo.y), DVec2::new(0.0, hi.y), pen);
+    });
+}

@@ -1,0 +1,62 @@
+//! The layers: what a panel can show, one layer a file, each a row in [`LAYERS`].
+//!
+//! A layer reads events and answers through a [`Context`] and draws with a [`Sketch`] in the panel's space. It never
+//! asks a scene for a coordinate of something that an algorithm can compute, and it does not place its labels: it
+//! says what they belong to.
+
+mod axes;
+mod origin;
+mod shapes;
+
+use super::context::Context;
+use super::options::{OptionSpec, Options};
+use super::sketch::Sketch;
+
+/// Which panels a layer can stand in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shows {
+    /// World panels, and those of a body's frame.
+    World,
+    /// Configuration space.
+    Configuration,
+    /// Any panel.
+    Anywhere,
+}
+
+/// A label that a layer writes.
+#[derive(Clone, Copy, Debug)]
+pub struct LabelKey {
+    /// Its key in a scene's `[labels]`.
+    pub key: &'static str,
+    /// One line for `tracefig list`.
+    pub about: &'static str,
+}
+
+/// A row of the table of layers.
+pub struct Layer {
+    /// Its name in a scene.
+    pub name: &'static str,
+    /// One line for `tracefig list`.
+    pub about: &'static str,
+    /// The panels it can stand in.
+    pub shows: Shows,
+    /// Its options, beside those that every layer has.
+    pub options: &'static [OptionSpec],
+    /// The labels it writes.
+    pub labels: &'static [LabelKey],
+    /// What it needs of the scene; the text of an error says it: "needs …".
+    pub needs: &'static str,
+    /// Whether the scene can feed it.
+    pub fed: fn(&Context, &Options) -> bool,
+    /// Draws it.
+    pub draw: fn(&mut Sketch, &Context, &Options),
+}
+
+/// Every layer.
+pub static LAYERS: &[Layer] = &[shapes::LAYER, axes::LAYER, origin::LAYER];
+
+/// The layer of a name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Layer> {
+    LAYERS.iter().find(|l| l.name == name)
+}

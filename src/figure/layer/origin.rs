@@ -1,0 +1,28 @@
+//! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies overlap.
+
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::options::Options;
+use super::super::pen::{MARKER, Marker};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "origin",
+    about: "the origin: ring, dot, letter O",
+    shows: Shows::Anywhere,
+    options: &[],
+    labels: &[LabelKey { key: "O", about: "the origin" }],
+    needs: "nothing",
+    fed: |_, _| true,
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+    let role = options.role(Role::Ink);
+    sketch.part("origin").marker(DVec2::ZERO, Marker::Origin, role, MARKER);
+    sketch.label(Label::new("O", "$O$", Anchor::point(DVec2::ZERO), role).rank(Rank::Name));
+}

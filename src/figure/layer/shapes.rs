@@ -1,0 +1,64 @@
+//! The bodies at the panel's moment, filled and named; with `centers`, their origins marked.
+
+use crate::geometry::{Pose, Side};
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Outline;
+use super::super::pen::{MARKER, Marker, Pen, Wash};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "shapes",
+    about: "the bodies at the panel's moment, with their names",
+    shows: Shows::World,
+    options: &[
+        OptionSpec { name: "of", takes: Takes::Bodies, default: "all of the query's", about: "which bodies" },
+        OptionSpec { name: "centers", takes: Takes::Flag, default: "false", about: "marks the bodies' origins" },
+    ],
+    labels: &[
+        LabelKey { key: "A", about: "name of the first body" },
+        LabelKey { key: "B", about: "name of the second body" },
+        LabelKey { key: "a", about: "origin of the first body, with centers" },
+        LabelKey { key: "b", about: "origin of the second body, with centers" },
+    ],
+    needs: "nothing",
+    fed: |_, _| true,
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let sides = options.of(&context.sides());
+    let centers = options.flag("centers", false);
+    for &side in &sides {
+        body(sketch, context, options, side);
+    }
+    for &side in &sides {
+        name(sketch, context, options, side, centers);
+    }
+}
+
+fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    let Some(outline) = context.outline(side, context.time) else { return };
+    let role = options.role(side.into());
+    sketch.part(context.part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
+}
+
+fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, center: bool) {
+    let Some(outline) = context.outline(side, context.time) else { return };
+    let role = options.role(side.into());
+    let key = if side == Side::A { "A" } else { "B" };
+    let others: Vec<Outline> =
+        context.sides().into_iter().filter(|&s| s != side).filter_map(|s| context.outline(s, context.time)).collect();
+    sketch.part(context.part("body", side)).label(
+        Label::new(key, context.name(side), Anchor::inside(&outline, &others), role).rank(Rank::Name).size(Size::Name),
+    );
+    if center && let Some(Pose { position, .. }) = context.pose(side, context.time) {
+        let marker = if side == Side::A { Marker::Disc } else { Marker::Square };
+        let key = if side == Side::A { "a" } else { "b" };
+        sketch.part(context.part("center", side)).marker(position, marker, role, MARKER);
+        sketch.label(Label::new(key, "", Anchor::point(position), role).rank(Rank::Point));
+    }
+}

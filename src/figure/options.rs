@@ -1,0 +1,267 @@
+//! The options of a layer: what a layer declares, and what a scene gave, checked against it.
+
+use std::ops::Range;
+
+use crate::drawing::Role;
+use crate::geometry::Side;
+use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
+
+use super::layer::Layer;
+
+/// What an option takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Takes {
+    /// `true` or `false`.
+    Flag,
+    /// A number.
+    Number,
+    /// One of these words.
+    Word(&'static [&'static str]),
+    /// A list of these words, or one of them.
+    Words(&'static [&'static str]),
+    /// Names of the query's shapes: a list, or one.
+    Bodies,
+    /// A time from 0 to 1, or one of these words.
+    When(&'static [&'static str]),
+    /// The word of a colour role.
+    Role,
+    /// Markup: a list of lines, or one.
+    Lines,
+}
+
+/// An option of a layer.
+#[derive(Clone, Copy, Debug)]
+pub struct OptionSpec {
+    /// Its key in a scene.
+    pub name: &'static str,
+    /// What it takes.
+    pub takes: Takes,
+    /// What holds where a scene says nothing, in words.
+    pub default: &'static str,
+    /// One line for `tracefig list`, with its unit.
+    pub about: &'static str,
+}
+
+/// The options that every layer has.
+pub static COMMON: &[OptionSpec] = &[
+    OptionSpec { name: "role", takes: Takes::Role, default: "the layer's own", about: "colour role" },
+    OptionSpec { name: "labels", takes: Takes::Flag, default: "true", about: "whether it writes its labels" },
+];
+
+/// A value that fits its option.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Setting {
+    /// Of a flag.
+    Flag(bool),
+    /// Of a number, or a time.
+    Number(f64),
+    /// Of words; one for a single word.
+    Words(Vec<String>),
+    /// Of bodies.
+    Bodies(Vec<Side>),
+    /// Of a role.
+    Role(Role),
+}
+
+/// The options of one layer of a scene, checked.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Options {
+    given: Vec<(&'static str, Setting)>,
+}
+
+impl Options {
+    /// Checks what a scene says of a layer.
+    ///
+    /// # Errors
+    ///
+    /// Every unknown option and every value that does not fit, with its place in the scene.
+    pub fn read(layer: &Layer, spec: &LayerSpec, scene: &Scene) -> Result<Self, Vec<Problem>> {
+        let mut options = Self::default();
+        let mut problems = Vec::new();
+        for (key, value) in &spec.options {
+            let known = || layer.options.iter().chain(COMMON);
+            let Some(option) = known().find(|o| o.name == key.value) else {
+                let known = known().map(|o| o.name.to_owned()).collect();
+                let place = format!("the layer `{}`", layer.name);
+                let fault = Fault::UnknownKey { key: key.value.clone(), place, known };
+                problems.push(Problem::new(fault, key.span.clone()));
+                continue;
+            };
+            let reading = Reading { key: option.name, scene, span: &value.span };
+            match reading.setting(option.takes, &value.value) {
+                Ok(setting) => options.given.push((option.name, setting)),
+                Err(problem) => problems.push(problem),
+            }
+        }
+        if problems.is_empty() { Ok(options) } else { Err(problems) }
+    }
+
+    fn get(&self, name: &str) -> Option<&Setting> {
+        self.given.iter().rev().find(|(n, _)| *n == name).map(|(_, s)| s)
+    }
+
+    /// A flag, or `default` where the scene does not say.
+    #[must_use]
+    pub fn flag(&self, name: &str, default: bool) -> bool {
+        if let Some(Setting::Flag(b)) = self.get(name) { *b } else { default }
+    }
+
+    /// A number, if given.
+    #[must_use]
+    pub fn number(&self, name: &str) -> Option<f64> {
+        if let Some(Setting::Number(x)) = self.get(name) { Some(*x) } else { None }
+    }
+
+    /// A word, or `default`.
+    #[must_use]
+    pub fn word<'o>(&'o self, name: &str, default: &'o str) -> &'o str {
+        match self.get(name) {
+            Some(Setting::Words(words)) => words.first().map_or(default, String::as_str),
+            _ => default,
+        }
+    }
+
+    /// Words or lines, if given.
+    #[must_use]
+    pub fn words(&self, name: &str) -> Option<&[String]> {
+        if let Some(Setting::Words(words)) = self.get(name) { Some(words) } else { None }
+    }
+
+    /// Whether a list of words holds one; `default` where the scene does not say.
+    #[must_use]
+    pub fn shows(&self, name: &str, word: &str, default: bool) -> bool {
+        self.words(name).map_or(default, |words| words.iter().any(|w| w == word))
+    }
+
+    /// The bodies of the option `of`, or `default`.
+    #[must_use]
+    pub fn of(&self, default: &[Side]) -> Vec<Side> {
+        if let Some(Setting::Bodies(sides)) = self.get("of") { sides.clone() } else { default.to_vec() }
+    }
+
+    /// The role, or the layer's own.
+    #[must_use]
+    pub fn role(&self, default: Role) -> Role {
+        if let Some(Setting::Role(role)) = self.get("role") { *role } else { default }
+    }
+
+    /// A moment: a number, or one of the words start, hit, end.
+    #[must_use]
+    pub fn when(&self, name: &str) -> Option<When> {
+        match self.get(name)? {
+            Setting::Number(t) => Some(When::Time(*t)),
+            Setting::Words(words) => match words.first().map(String::as_str) {
+                Some("start") => Some(When::Start),
+                Some("hit") => Some(When::Hit),
+                Some("end") => Some(When::End),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+}
+
+/// One value of one option, being read.
+struct Reading<'r> {
+    key: &'static str,
+    scene: &'r Scene,
+    span: &'r Range<usize>,
+}
+
+impl Reading<'_> {
+    /// A value that fits, or what was expected.
+    fn setting(&self, takes: Takes, value: &Value) -> Result<Setting, Problem> {
+        match (takes, value) {
+            (Takes::Flag, Value::Bool(b)) => Ok(Setting::Flag(*b)),
+            (Takes::Number, Value::Number(x)) => Ok(Setting::Number(*x)),
+            (Takes::When(_), Value::Number(t)) if (0.0..=1.0).contains(t) => Ok(Setting::Number(*t)),
+            (Takes::Word(words) | Takes::Words(words) | Takes::When(words), Value::Text(word)) => {
+                self.one_of(words, word, self.span).map(|w| Setting::Words(vec![w]))
+            }
+            (Takes::Words(words), Value::List(list)) => {
+                self.texts(list, |text, span| self.one_of(words, text, span)).map(Setting::Words)
+            }
+            (Takes::Lines, Value::Text(line)) => Ok(Setting::Words(vec![line.clone()])),
+            (Takes::Lines, Value::List(list)) => {
+                self.texts(list, |text, _| Ok(text.to_owned())).map(Setting::Words)
+            }
+            (Takes::Role, Value::Text(word)) => self.role(word).map(Setting::Role),
+            (Takes::Bodies, Value::Text(name)) => self.side(name, self.span).map(|s| Setting::Bodies(vec![s])),
+            (Takes::Bodies, Value::List(list)) => {
+                self.texts(list, |text, span| self.side(text, span)).map(Setting::Bodies)
+            }
+            _ => Err(self.wrong_type(&expected(takes), value, self.span)),
+        }
+    }
+
+    fn wrong_type(&self, expected: &str, value: &Value, span: &Range<usize>) -> Problem {
+        let fault =
+            Fault::WrongType { key: self.key.to_owned(), expected: expected.to_owned(), got: shown(value) };
+        Problem::new(fault, span.clone())
+    }
+
+    fn texts<T>(
+        &self,
+        list: &[Spanned<Value>],
+        each: impl Fn(&str, &Range<usize>) -> Result<T, Problem>,
+    ) -> Result<Vec<T>, Problem> {
+        list.iter()
+            .map(|item| match &item.value {
+                Value::Text(text) => each(text, &item.span),
+                other => Err(self.wrong_type("strings in the list", other, &item.span)),
+            })
+            .collect()
+    }
+
+    fn one_of(&self, words: &[&str], word: &str, span: &Range<usize>) -> Result<String, Problem> {
+        if words.contains(&word) {
+            return Ok(word.to_owned());
+        }
+        let known = words.iter().map(|&w| w.to_owned()).collect();
+        let fault = Fault::UnknownWord { what: self.key, got: word.to_owned(), known };
+        Err(Problem::new(fault, span.clone()))
+    }
+
+    fn role(&self, word: &str) -> Result<Role, Problem> {
+        let names: Vec<_> = Role::ALL.iter().map(|r| r.name()).collect();
+        let name = self.one_of(&names, word, self.span)?;
+        Ok(Role::ALL.into_iter().find(|r| r.name() == name).unwrap_or(Role::Ink))
+    }
+
+    fn side(&self, name: &str, span: &Range<usize>) -> Result<Side, Problem> {
+        let shapes = &self.scene.shapes;
+        let names = self.scene.query.of.iter().filter_map(|&i| shapes.get(i)).map(|(n, _)| n.value.clone());
+        let known: Vec<String> = names.collect();
+        match known.iter().position(|n| n == name) {
+            Some(0) => Ok(Side::A),
+            Some(_) => Ok(Side::B),
+            None => Err(Problem::new(Fault::UnknownBody { got: name.to_owned(), known }, span.clone())),
+        }
+    }
+}
+
+fn expected(takes: Takes) -> String {
+    match takes {
+        Takes::Flag => "true or false".to_owned(),
+        Takes::Number => "a number".to_owned(),
+        Takes::Word(words) => format!("one of {}", quoted(words)),
+        Takes::Words(words) => format!("a list of {}", quoted(words)),
+        Takes::Bodies => "names of the query's shapes".to_owned(),
+        Takes::When(words) => format!("a time from 0 to 1 or one of {}", quoted(words)),
+        Takes::Role => "the word of a colour role".to_owned(),
+        Takes::Lines => "a line of text or a list of them".to_owned(),
+    }
+}
+
+fn quoted(words: &[&str]) -> String {
+    words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
+}
+
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Bool(b) => b.to_string(),
+        Value::Number(x) => x.to_string(),
+        Value::Text(t) => format!("`{t}`"),
+        Value::List(_) => "a list".to_owned(),
+    }
+}

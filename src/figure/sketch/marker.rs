@@ -1,0 +1,82 @@
+//! Markers: points that have a meaning, told apart by shape as well as by colour.
+
+use crate::drawing::{Contour, Item, Offset, Path, Point, Role};
+use crate::geometry::DVec2;
+
+use super::super::pen::{Marker, Pen};
+use super::{Cover, Sketch};
+
+/// Line width of hollow markers, page pixels.
+const HOLLOW: f64 = 1.75;
+/// Half the side of the square that looks as large as a disc of radius 1.
+const SQUARE: f64 = 0.89;
+/// Half the diagonal of the diamond that looks as large as a disc of radius 1.
+const DIAMOND: f64 = 1.2;
+/// The ring of the origin and of a new estimate, in radii of the dot.
+const RING: f64 = 1.75;
+
+impl Sketch<'_> {
+    /// A marker of `radius` page pixels at a point.
+    pub fn marker(&mut self, at: DVec2, marker: Marker, role: Role, radius: f64) -> &mut Self {
+        self.reach(&[at]);
+        let p = self.frame.page(at);
+        self.keep_off(Cover::Marker { at: p, radius: marker.reach(radius) });
+        let disc = |r: f64| Contour::Circle { center: p, radius: r };
+        match marker {
+            Marker::Disc => self.solid(disc(radius), role),
+            Marker::Square => self.solid(square(p, SQUARE * radius), role),
+            Marker::Diamond => self.solid(diamond(p, DIAMOND * radius), role),
+            Marker::Ring => self.hollow(disc(radius), role),
+            Marker::HollowSquare => self.hollow(square(p, SQUARE * radius), role),
+            Marker::HollowDiamond => self.hollow(diamond(p, DIAMOND * radius), role),
+            Marker::Cross => self.cross(p, radius, role),
+            Marker::Origin | Marker::RingedDisc => {
+                self.hollow(disc(RING * radius), role);
+                self.solid(disc(radius), role)
+            }
+        }
+    }
+
+    fn solid(&mut self, contour: Contour, role: Role) -> &mut Self {
+        let paint = self.paint(role);
+        self.push(Item::Path(Path::filled(contour, paint)))
+    }
+
+    fn hollow(&mut self, contour: Contour, role: Role) -> &mut Self {
+        let stroke = self.stroke_of(Pen::vector(role).width(HOLLOW));
+        let fill = Some(self.paint(Role::Background));
+        self.push(Item::Path(Path { contour, fill, pattern: None, stroke: Some(stroke) }))
+    }
+
+    fn cross(&mut self, p: Point, radius: f64, role: Role) -> &mut Self {
+        for d in [Offset::new(radius, radius), Offset::new(radius, -radius)] {
+            self.push_stroked(Contour::line(p + -d, p + d), Pen::vector(role));
+        }
+        self
+    }
+}
+
+impl Marker {
+    /// How far a marker of `radius` page pixels reaches from its point, page pixels.
+    #[must_use]
+    pub fn reach(self, radius: f64) -> f64 {
+        match self {
+            Self::Origin | Self::RingedDisc => radius * RING + 0.5 * HOLLOW,
+            Self::Ring => radius + 0.5 * HOLLOW,
+            Self::Square | Self::HollowSquare | Self::Diamond | Self::HollowDiamond | Self::Cross => {
+                radius * DIAMOND
+            }
+            Self::Disc => radius,
+        }
+    }
+}
+
+fn square(p: Point, half: f64) -> Contour {
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+    Contour::polygon(&corners.map(|(x, y)| p + Offset::new(x * half, y * half)))
+}
+
+fn diamond(p: Point, reach: f64) -> Contour {
+    let corners = [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)];
+    Contour::polygon(&corners.map(|(x, y)| p + Offset::new(x * reach, y * reach)))
+}

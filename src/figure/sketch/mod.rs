@@ -1,0 +1,270 @@
+//! What a layer draws with: primitives in the panel's space, mapped to the page by the panel's [`Frame`].
+//!
+//! Every primitive also says what it covers, so that labels keep off it. A layer names its parts (`part`), and what it
+//! draws until the next part belongs to that part; a label belongs to the part that is current when it is asked for,
+//! and may touch that part's strokes only.
+
+mod line;
+mod marker;
+mod measure;
+mod round;
+
+use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Role, Stroke};
+use crate::geometry::{DVec2, Side};
+
+use super::frame::Frame;
+use super::label::Label;
+use super::outline::Outline;
+use super::pen::{Dash, Pen, Wash};
+use super::theme::Theme;
+
+pub use measure::Ends;
+
+/// How much labels mind what is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Weight {
+    /// Outlines, vectors, dimensions.
+    Normal,
+    /// Construction, ghosts, axes: crossed before others.
+    Light,
+    /// What lies outside of the subject, as axes: light, and it does not count for the fit of the view.
+    Background,
+}
+
+/// What a primitive covers on the page.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cover {
+    /// A piece of a line.
+    Stroke {
+        /// From.
+        from: Point,
+        /// To.
+        to: Point,
+        /// Half the line's width in page pixels.
+        half: f64,
+    },
+    /// A marker.
+    Marker {
+        /// Centre.
+        at: Point,
+        /// Page pixels.
+        radius: f64,
+    },
+    /// An arrowhead, as a disc about its middle.
+    Head {
+        /// Middle.
+        at: Point,
+        /// Page pixels.
+        radius: f64,
+    },
+}
+
+/// Something that labels keep off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Obstacle {
+    /// What it covers.
+    pub cover: Cover,
+    /// How much labels mind.
+    pub weight: Weight,
+    /// The part that it belongs to: the number of the call of [`Sketch::part`] in its panel.
+    pub part: usize,
+}
+
+/// A label that a layer asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// What was asked.
+    pub label: Label,
+    /// The part that it belongs to.
+    pub part: usize,
+    /// The index of the layer in its panel.
+    pub layer: usize,
+}
+
+/// A panel being drawn.
+pub struct Sketch<'f> {
+    frame: Frame,
+    theme: &'f Theme,
+    layers: Vec<Group>,
+    part: usize,
+    weight: Weight,
+    labels: bool,
+    obstacles: Vec<Obstacle>,
+    requests: Vec<Request>,
+    extent: Option<(DVec2, DVec2)>,
+}
+
+/// What a panel's layers drew and asked for.
+pub(crate) struct Sketched {
+    pub(crate) frame: Frame,
+    pub(crate) layers: Vec<Group>,
+    pub(crate) obstacles: Vec<Obstacle>,
+    pub(crate) requests: Vec<Request>,
+    /// Smallest and largest coordinates of what was drawn, in the panel's space.
+    pub(crate) extent: Option<(DVec2, DVec2)>,
+}
+
+impl<'f> Sketch<'f> {
+    pub(crate) fn new(frame: Frame, theme: &'f Theme) -> Self {
+        Self {
+            frame,
+            theme,
+            layers: Vec::new(),
+            part: 0,
+            weight: Weight::Normal,
+            labels: true,
+            obstacles: Vec::new(),
+            requests: Vec::new(),
+            extent: None,
+        }
+    }
+
+    pub(crate) fn begin_layer(&mut self, name: &str, labels: bool) {
+        self.layers.push(Group::new(name));
+        self.labels = labels;
+        self.part(name);
+    }
+
+    pub(crate) fn finish(self) -> Sketched {
+        let Self { frame, layers, obstacles, requests, extent, .. } = self;
+        Sketched { frame, layers, obstacles, requests, extent }
+    }
+
+    /// What is drawn from here on belongs to a part of this name: a group in the drawing, so that tests and pages
+    /// find it. Labels mind it as usual.
+    pub fn part(&mut self, name: impl Into<String>) -> &mut Self {
+        self.weight = Weight::Normal;
+        self.part += 1;
+        if let Some(layer) = self.layers.last_mut() {
+            layer.items.push(Item::Group(Group::new(name)));
+        }
+        self
+    }
+
+    /// How much labels mind what is drawn from here to the next part.
+    pub fn weight(&mut self, weight: Weight) -> &mut Self {
+        self.weight = weight;
+        self
+    }
+
+    /// Asks for a label of the current part; without effect where the scene turned this layer's labels off.
+    pub fn label(&mut self, label: Label) -> &mut Self {
+        if self.labels {
+            let layer = self.layers.len().saturating_sub(1);
+            self.requests.push(Request { label, part: self.part, layer });
+        }
+        self
+    }
+
+    /// The smallest and largest coordinates that the panel shows, in its space (a body's own, in its panel).
+    #[must_use]
+    pub fn visible(&self) -> (DVec2, DVec2) {
+        let panel = self.frame.panel;
+        let half = DVec2::new(panel.width(), panel.height()) / (2.0 * self.frame.scale);
+        let off = panel.center() - self.frame.middle;
+        let center = self.frame.center + DVec2::new(off.dx, -off.dy) / self.frame.scale;
+        (center - half, center + half)
+    }
+
+    /// The length of `px` page pixels in the panel's space.
+    #[must_use]
+    pub fn px(&self, px: f64) -> f64 {
+        px / self.frame.scale
+    }
+
+    /// The length on the page, in pixels, of a length in the panel's space.
+    #[must_use]
+    pub fn on_page(&self, length: f64) -> f64 {
+        length * self.frame.scale
+    }
+
+    /// The panel's map from its space to the page.
+    #[must_use]
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// An area with its line.
+    pub fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
+        let path = Path {
+            contour: self.frame.contour(outline),
+            fill: wash.map(|w| self.wash(w)),
+            pattern: wash.and_then(|w| self.pattern(w)),
+            stroke: pen.map(|p| self.stroke_of(p)),
+        };
+        let points = outline.sampled();
+        self.reach(&points);
+        if let Some(pen) = pen {
+            self.cover(&points, pen.width);
+        }
+        self.push(Item::Path(path))
+    }
+
+    fn paint(&self, role: Role) -> Paint {
+        self.theme.paint(role)
+    }
+
+    fn wash(&self, wash: Wash) -> Paint {
+        self.paint(wash.role).with_opacity(wash.opacity.unwrap_or(self.theme.fill_opacity))
+    }
+
+    fn pattern(&self, wash: Wash) -> Option<Pattern> {
+        let kind = self.theme.pattern(wash.role).filter(|_| wash.opacity.is_none())?;
+        Some(Pattern { kind, paint: self.paint(wash.role).with_opacity(self.theme.pattern_opacity) })
+    }
+
+    fn stroke_of(&self, pen: Pen) -> Stroke {
+        let cap = if pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
+        let paint = self.paint(pen.role).with_opacity(pen.opacity);
+        Stroke { paint, width: pen.width, dash: pen.dash.lengths(pen.width), cap }
+    }
+
+    fn push(&mut self, item: Item) -> &mut Self {
+        if let Some(Item::Group(part)) = self.layers.last_mut().and_then(|l| l.items.last_mut()) {
+            part.items.push(item);
+        }
+        self
+    }
+
+    fn push_filled(&mut self, contour: Contour, paint: Paint) {
+        self.push(Item::Path(Path::filled(contour, paint)));
+    }
+
+    fn push_stroked(&mut self, contour: Contour, pen: Pen) {
+        let stroke = self.stroke_of(pen);
+        self.push(Item::Path(Path::stroked(contour, stroke)));
+    }
+
+    /// Counts points for the fit of the view.
+    fn reach(&mut self, points: &[DVec2]) {
+        if self.weight == Weight::Background {
+            return;
+        }
+        for &p in points {
+            let q = self.frame.pose.map_or(p, |pose| pose.inverse_point(p));
+            let (lo, hi) = self.extent.unwrap_or((q, q));
+            self.extent = Some((lo.min(q), hi.max(q)));
+        }
+    }
+
+    /// Labels keep off a line through points of the panel's space.
+    fn cover(&mut self, points: &[DVec2], width: f64) {
+        let page: Vec<Point> = points.iter().map(|&p| self.frame.page(p)).collect();
+        for pair in page.windows(2) {
+            self.keep_off(Cover::Stroke { from: pair[0], to: pair[1], half: 0.5 * width });
+        }
+    }
+
+    fn keep_off(&mut self, cover: Cover) {
+        self.obstacles.push(Obstacle { cover, weight: self.weight, part: self.part });
+    }
+}
+
+impl From<Side> for Role {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::A => Self::A,
+            Side::B => Self::B,
+        }
+    }
+}
