@@ -22,8 +22,8 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
     let (lo, hi) = sketch.visible();
     let pen = Pen { role: options.role(Pen::axis().role), ..Pen::axis() };
-    sketch.background(|s| {
-        s.part("x-axis").weight(Weight::Light).line(DVec2::new(lo.x, 0.0), DVec2::new(hi.x, 0.0), pen);
-        s.part("y-axis").weight(Weight::Light).line(DVec2::new(0.0, lo.y), DVec2::new(0.0, hi.y), pen);
-    });
+    sketch.part("x-axis").weight(Weight::Background);
+    sketch.line(DVec2::new(lo.x, 0.0), DVec2::new(hi.x, 0.0), pen);
+    sketch.part("y-axis").weight(Weight::Background);
+    sketch.line(DVec2::new(0.0, lo.y), DVec2::new(0.0, hi.y), pen);
 }

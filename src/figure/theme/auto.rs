@@ -1,0 +1,10 @@
+//! Light, and dark where the page or the reader's system is: one SVG for both.
+
+use super::{Theme, dark, light};
+
+pub(super) const THEME: Theme = Theme {
+    name: "auto",
+    about: "light or dark, as the reader's system is",
+    dark: Some(dark::COLORS),
+    ..light::THEME
+};

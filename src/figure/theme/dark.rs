@@ -1,0 +1,26 @@
+//! Light lines on a dark page.
+
+use super::Theme;
+use crate::drawing::Color;
+
+pub(super) const COLORS: [Color; 9] = [
+    Color::hex(0xFF_6B57),
+    Color::hex(0x3F_E0BC),
+    Color::hex(0xA0_8CFF),
+    Color::hex(0xFF_D166),
+    Color::hex(0x5A_A9FF),
+    Color::hex(0xE8_EAED),
+    Color::hex(0x9A_A3AF),
+    Color::hex(0x24_2B35),
+    Color::hex(0x12_161C),
+];
+
+pub(super) const THEME: Theme = Theme {
+    name: "dark",
+    about: "light lines on a dark page",
+    colors: COLORS,
+    fill_opacity: 0.2,
+    pattern_opacity: 0.0,
+    patterns: &[],
+    dark: None,
+};

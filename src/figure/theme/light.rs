@@ -1,0 +1,26 @@
+//! Dark lines on white.
+
+use super::Theme;
+use crate::drawing::Color;
+
+pub(super) const COLORS: [Color; 9] = [
+    Color::hex(0xA3_161F),
+    Color::hex(0x00_856F),
+    Color::hex(0x3A_2FB0),
+    Color::hex(0xB3_5C00),
+    Color::hex(0x0B_5FCC),
+    Color::hex(0x1B_1F24),
+    Color::hex(0x5B_6472),
+    Color::hex(0xE6_E9EE),
+    Color::hex(0xFF_FFFF),
+];
+
+pub(super) const THEME: Theme = Theme {
+    name: "light",
+    about: "dark lines on white",
+    colors: COLORS,
+    fill_opacity: 0.14,
+    pattern_opacity: 0.0,
+    patterns: &[],
+    dark: None,
+};
