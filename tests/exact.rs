@@ -3,10 +3,12 @@
 //! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the cases. A
 //! failure prints the scene, which `tracefig solve` reads as it stands.
 
-use tracefig_reference::check::{Report, check};
+use tracefig::geometry::Side;
+use tracefig::trace::{Event, Trace};
+use tracefig_reference::check::{Record, Report, check, check_certificate};
 use tracefig_reference::generate::Family;
 use tracefig_reference::json::Json;
-use tracefig_reference::scene::Scene;
+use tracefig_reference::scene::{Kind, Scene};
 use tracefig_reference::tally::Tally;
 
 /// Wrong answers printed of each category.
@@ -16,40 +18,59 @@ fn setting(name: &str, default: u64) -> u64 {
     std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
 }
 
-fn tallied(family: Family, count: u64, check_one: impl Fn(&str, &str) -> Report + Sync) -> Tally {
+fn assert_right(family: Family, count: u64) {
     let seed = setting("TRACEFIG_SEED", 1);
-    println!("seed {seed}: TRACEFIG_SEED={seed} repeats these {count} cases");
+    println!("TRACEFIG_SEED={seed} repeats these {count} cases");
     let mut tally = Tally::default();
     for i in 0..count {
         let scene = family.case(seed, i).to_string();
         let answer = tracefig::solve_jsonl_line(&scene, 1).line;
-        let report = check_one(&scene, &answer);
+        let report = checked(&scene, &answer);
         tally.add(&scene, &answer, &report);
     }
     println!("{tally}");
-    tally
-}
-
-fn assert_right(tally: &Tally) {
     let wrong = tally.failures.len();
-    assert!(wrong == 0, "{wrong} of {} are wrong\n{}", tally.cases(), tally.told(SHOWN));
+    assert!(wrong == 0, "seed {seed}: {wrong} of {} are wrong\n{}", tally.cases(), tally.told(SHOWN));
 }
 
-fn checked(scene: &str, answer: &str) -> Report {
-    match (Scene::parse(scene), Json::parse(answer)) {
-        (Ok(scene), Ok(answer)) => check(&scene, &answer),
-        (Err(error), _) | (_, Err(error)) => panic!("{error}\n{scene}\n{answer}"),
+fn checked(text: &str, answer: &str) -> Report {
+    let (scene, answer) = match (Scene::parse(text), Json::parse(answer)) {
+        (Ok(scene), Ok(answer)) => (scene, answer),
+        (Err(error), _) | (_, Err(error)) => panic!("{error}\n{text}\n{answer}"),
+    };
+    let mut report = check(&scene, &answer);
+    if scene.kind == Kind::TimeOfImpact
+        && let Some(result) = answer.get("result")
+    {
+        check_certificate(&mut report, &scene, result, &certificate(text));
     }
+    report
+}
+
+/// The records of the swept axis, from the trace of the same query.
+fn certificate(text: &str) -> Vec<Record> {
+    let file = tracefig::scene::open_text("case.json", text).expect("answered before");
+    let query = file.scene.query_of_bodies();
+    let mut trace = Trace::default();
+    (file.scene.query.algorithm.traced)(&query, &mut trace);
+    let record = |event: &Event| match event {
+        Event::AxisSwept { from, to, owner, normal } => Some(Record {
+            from: *from,
+            to: *to,
+            owner: usize::from(*owner == Side::B),
+            normal: normal.to_array(),
+        }),
+        _ => None,
+    };
+    trace.events.iter().filter_map(record).collect()
 }
 
 #[test]
 fn separations_bounds_and_overlaps_are_exact_within_their_bounds() {
-    let count = setting("TRACEFIG_CASES_SEPARATION", 5_000);
-    assert_right(&tallied(Family::Separation, count, checked));
+    assert_right(Family::Separation, setting("TRACEFIG_CASES_SEPARATION", 5_000));
 }
 
 #[test]
 fn contacts_are_the_first_and_misses_are_proved() {
-    let count = setting("TRACEFIG_CASES_IMPACT", 500);
-    assert_right(&tallied(Family::Impact, count, checked));
+    assert_right(Family::Impact, setting("TRACEFIG_CASES_IMPACT", 500));
 }

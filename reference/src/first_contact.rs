@@ -1,8 +1,8 @@
 //! When two moving bodies first come within a distance c: proved, by conservative subdivision in 320 bits.
 //!
 //! On an interval [m − h, m + h] the pair is farther apart than c if some axis, fixed in one of the bodies, says so. With the
-//! axis n of the closest features at m, owned by body R, O the other, D = c_O − c_R, V = v_O − v_R, Δω = ω_O − ω_R, and p_j the j-th vertex of O
-//! seen from its origin,
+//! axis n of the closest features at m, owned by body R, O the other, `D = c_O − c_R`, `V = v_O − v_R`, `Δω = ω_O − ω_R`,
+//! and `p_j` the j-th vertex of O seen from its origin,
 //!
 //! ```text
 //! f_j(m)    = n·(D + p_j) − max_R n·q − (r_A + r_B)                            ≤ s where j is least
@@ -121,15 +121,15 @@ impl<'s> Motion<'s> {
                     return Passage::Below { after: a, by: middle };
                 }
                 open.push((a, middle));
-            } else if self.clear(&pair, &exact, c, half) {
-            } else if !fine {
+            } else if !self.clear(&pair, &exact, c, half) {
+                if fine {
+                    return match by {
+                        Some(by) if by == b => Passage::Below { after: a, by },
+                        _ => Passage::Unsettled { after: a, until: b },
+                    };
+                }
                 open.push((middle, b));
                 open.push((a, middle));
-            } else {
-                return match by {
-                    Some(by) if by == b => Passage::Below { after: a, by },
-                    _ => Passage::Unsettled { after: a, until: b },
-                };
             }
         }
         Passage::Clear
@@ -139,7 +139,7 @@ impl<'s> Motion<'s> {
     fn clear(&self, pair: &[Placed; 2], exact: &Exact, c: Real, half: Real) -> bool {
         let ways = exact.ways.iter().filter(|way| way.separation > c);
         let mut normals: Vec<_> = ways.map(|way| (way.separation, way.normal)).collect();
-        normals.sort_by(|x, y| y.0.cmp(&x.0));
+        normals.sort_by_key(|(gap, _)| std::cmp::Reverse(*gap));
         normals.iter().take(2).any(|(_, n)| (0..2).any(|owner| self.lowest(pair, owner, *n, half, c) > c))
     }
 

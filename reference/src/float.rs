@@ -140,7 +140,7 @@ impl<const N: usize> Float<N> {
         }
         let q = y * r;
         let q = q + (r * (y - q * q)).scaled(-1);
-        q.scaled((self.exp + odd) / 2)
+        q.scaled((self.exp + odd) >> 1)
     }
 
     /// The nearest integer, as a float; halves go up.
@@ -416,7 +416,6 @@ impl<const N: usize> Sub for Float<N> {
 
 impl<const N: usize> Mul for Float<N> {
     type Output = Self;
-    #[expect(clippy::suspicious_arithmetic_impl, reason = "limb products are sums")]
     fn mul(self, other: Self) -> Self {
         if self.sign == 0 || other.sign == 0 {
             return Self::ZERO;

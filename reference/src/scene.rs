@@ -145,20 +145,24 @@ impl Body {
 /// ε of doubles.
 pub const EPSILON: f64 = f64::EPSILON;
 
-/// S: the largest coordinate, extent or distance moved.
+/// S: the largest coordinate (of a body's origin, or of one seen from the other), extent (from the body's origin, with the
+/// radius) or distance moved (of one body as the other sees it, or along an arc).
 #[must_use]
 pub fn scale(bodies: &[Body], moving: bool) -> f64 {
+    let largest = |[x, y]: [f64; 2]| x.abs().max(y.abs());
     let mut s = 0.0_f64;
     for body in bodies {
-        let mut reach = 0.0_f64;
-        for [x, y] in &body.vertices {
-            s = s.max(x.abs()).max(y.abs());
-            reach = reach.max(x.abs()).max(y.abs());
-        }
-        s = s.max(body.radius).max(body.position[0].abs()).max(body.position[1].abs());
+        let reach = body.vertices.iter().map(|v| largest(*v)).fold(0.0, f64::max);
+        s = s.max(reach + body.radius).max(largest(body.position));
         if moving {
-            s = s.max(body.velocity[0].abs()).max(body.velocity[1].abs());
-            s = s.max(body.spin.abs() * (std::f64::consts::PI / 180.0) * reach);
+            s = s.max(largest(body.velocity)).max(body.spin.abs() * (std::f64::consts::PI / 180.0) * reach);
+        }
+    }
+    if let [a, b] = bodies {
+        let apart = |p: [f64; 2], q: [f64; 2]| largest([q[0] - p[0], q[1] - p[1]]);
+        s = s.max(apart(a.position, b.position));
+        if moving {
+            s = s.max(apart(a.velocity, b.velocity));
         }
     }
     s

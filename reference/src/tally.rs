@@ -1,7 +1,7 @@
 //! Many reports as one table: the worst of each measure by category, and every fault with the scene that shows it.
 
 use std::collections::BTreeMap;
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 use crate::check::{Report, check};
 use crate::json::Json;
@@ -92,10 +92,9 @@ impl Tally {
             let count = seen.entry(kind).or_default();
             *count += 1;
             if *count <= each {
-                text += &format!(
-                    "wrong: {}\n  scene:  {}\n  answer: {}\n",
-                    failure.faults, failure.scene, failure.answer
-                );
+                let Failure { faults, scene, answer } = failure;
+                // Writing to a String cannot fail.
+                let _ = writeln!(text, "wrong: {faults}\n  scene:  {scene}\n  answer: {answer}");
             }
         }
         text

@@ -1,7 +1,7 @@
 //! Separation, bounds, normal, ties, witness points and features at one moment.
 //!
 //! The proof that an answer is right needs no search: a direction n whose gap of supports is s, features that lie in
-//! those supports, points on the features, and p_B − p_A = s n. Each is measured here against the exact s.
+//! those supports, points on the features, and `p_B − p_A = s n`. Each is measured here against the exact s.
 
 use super::{
     ERROR, NORMAL, POINTS, RELATIVE_ERROR, RELATIVE_FROM, RELATIVE_WIDTH, Report, Setting, WIDTH, slack,
@@ -127,7 +127,7 @@ fn check_ties(report: &mut Report, setting: &Setting, exact: &Exact, contact: &C
     let count = |least: Real| exact.ways.iter().filter(|way| way.separation >= least).count();
     let mut fewest = count(exact.separation - slack);
     let [lo, hi] = contact.bounds.map(Real::from);
-    let mut most = count(lo - (hi - lo).max(Real::from(setting.scale * EPSILON)));
+    let mut most = count(lo - (hi - lo).max(Real::from(setting.scale * EPSILON))).max(fewest);
     if exact.normal.is_none() {
         // Points that coincide: every direction ties. A point at the end of a segment: a half-turn of directions.
         (fewest, most) = if exact.ways.is_empty() { (0, 0) } else { (0, 2) };
@@ -185,7 +185,7 @@ fn check_normal(
     }
 }
 
-/// Points on the features, features in the supports along n, p_B − p_A = s n, and the middle of a common span.
+/// Points on the features, features in the supports along n, `p_B − p_A = s n`, and the middle of a common span.
 fn check_witnesses(report: &mut Report, setting: &Setting, pair: &[Placed; 2], contact: &Contact) {
     let n = Point::of(contact.normal).unit();
     let [p_a, p_b] = contact.points.map(Point::of);
@@ -207,7 +207,7 @@ fn check_witnesses(report: &mut Report, setting: &Setting, pair: &[Placed; 2], c
         exactly_flat.push(face(body, ends, outward));
     }
     if let [Some(a), Some(b)] = exactly_flat[..] {
-        check_middle(report, setting, contact, [a, b], n);
+        check_middle(report, setting, contact, &[a, b]);
     }
 }
 
@@ -250,14 +250,14 @@ fn face(body: &Placed, ends: [Point; 2], outward: Point) -> Option<[Point; 2]> {
 }
 
 /// Two exactly parallel faces: edge and edge, at the middle of their common span.
-fn check_middle(report: &mut Report, setting: &Setting, contact: &Contact, faces: [[Point; 2]; 2], n: Point) {
-    let [a, b] = faces.map(|[from, to]| to.minus(from));
+fn check_middle(report: &mut Report, setting: &Setting, contact: &Contact, faces: &[[Point; 2]; 2]) {
+    let [a, b] = faces.each_ref().map(|[from, to]| to.minus(*from));
     if a.cross(b).abs() > a.length() * b.length() * parallel_sine() {
         return;
     }
     // Along the exact direction of the face, not the printed normal.
     let along = a.unit();
-    let spans = faces.map(|face| {
+    let spans = faces.each_ref().map(|face| {
         let ends = face.map(|p| p.dot(along));
         [ends[0].min(ends[1]), ends[0].max(ends[1])]
     });
@@ -274,6 +274,5 @@ fn check_middle(report: &mut Report, setting: &Setting, contact: &Contact, faces
     // s n of rounded points: its part along the face is no more than the normal is off.
     let off = contact.points.map(|p| Point::of(p).dot(along) - middle);
     let worst = off.into_iter().map(Real::abs).max().unwrap_or(Real::ZERO);
-    let _ = n;
     report.limit("off the middle / εS", setting.units(worst), 2.0 * POINTS);
 }

@@ -1,6 +1,6 @@
 //! Bounds, overlap and motion bound against the exact ones.
 
-use super::{ERROR, Report, Setting, UNRESOLVED, slack};
+use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
 use crate::float::Real;
 use crate::json::Json;
 use crate::placement::{Placed, Point, radians};
@@ -10,7 +10,7 @@ use crate::separation::separation;
 /// Relative excess of a motion bound: ≤ this · ε.
 const MOTION: f64 = 16.0;
 
-/// `bounds`: rounded outward, by no more than the error of a separation.
+/// `bounds`: rounded outward, by no more than the width of a separation.
 pub(super) fn check_bounds(report: &mut Report, scene: &Scene, setting: &Setting, result: &Json) {
     let pairs = ["min", "max", "center", "half_extents"].map(|key| result.pair_at(key));
     let [Some(min), Some(max), Some(center), Some(half)] = pairs else {
@@ -39,10 +39,10 @@ pub(super) fn check_bounds(report: &mut Report, scene: &Scene, setting: &Setting
         if center - half > lo + slack || center + half < hi - slack {
             report.fault("half-extents", format!("{center} ± {half} does not hold [{lo}, {hi}]"));
         }
-        report.limit("bounds beyond / εS", setting.units(lo - min).max(setting.units(max - hi)), ERROR);
+        report.limit("bounds beyond / εS", setting.units(lo - min).max(setting.units(max - hi)), WIDTH);
         let middle = setting.units(center - (lo + hi).scaled(-1));
         let size = setting.units(half - (hi - lo).scaled(-1));
-        report.limit("center, half-extents / εS", middle.max(size), 2.0 * ERROR);
+        report.limit("center, half-extents / εS", middle.max(size), WIDTH);
     }
 }
 

@@ -14,7 +14,7 @@ use crate::scene::{EPSILON, Kind, Scene};
 use crate::separation::Difference;
 
 /// Width of the time bounds times the closing speed: ≤ this · tolerance + [`WIDTH`] ε·S.
-pub const TOLERANCES: f64 = 4.0;
+const TOLERANCES: f64 = 4.0;
 
 /// A record of a certificate: over [from, to] the pair is apart along an axis that turns with its owner.
 #[derive(Clone, Copy, Debug)]
@@ -149,8 +149,9 @@ impl Case<'_> {
             Passage::Below { .. } => true,
             Passage::Unsettled { after, until } => {
                 let crossed = self.crosses(after - wider, until + wider, Real::ZERO);
-                let touched =
-                    self.motion.separation((after + until).scaled(-1)).separation <= self.slack.scaled(40);
+                // A corner that touches a corner and leaves at once: s is no more than the speed times 2⁻¹¹⁰.
+                let touch = finest().scaled(8) * Real::from(self.setting.scale);
+                let touched = self.motion.separation((after + until).scaled(-1)).separation <= touch;
                 crossed || (touched && self.motion.separation(from).solid)
             }
         }

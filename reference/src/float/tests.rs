@@ -37,7 +37,7 @@ fn handed_over(mut x: Real) -> Oracle {
 fn assert_close(ours: Real, theirs: &Oracle, what: &str) {
     let difference = (handed_over(ours) - theirs).to_f64().value().abs();
     assert!(
-        difference <= theirs.to_f64().value().abs() * 2.0_f64.powi(-314),
+        difference <= theirs.to_f64().value().abs() * Real::power_of_two(-314).to_f64(),
         "{what}: {ours} is off by {difference}"
     );
 }

@@ -221,34 +221,27 @@ fn collinear(random: &mut Random) -> Json {
 
 /// Points and segments: no interior, so that nothing is ever inside.
 fn flat(random: &mut Random) -> Json {
-    let mut part = || {
-        if random.once_in(2) {
-            return Shape::Circle(0.0, [0.0, 0.0]);
-        }
-        if random.once_in(2) {
-            return Shape::Capsule(
-                [[lattice::halves(random, 2), -1.0], [lattice::halves(random, 2), 1.0]],
-                0.0,
-            );
-        }
-        Shape::capsule(random, 1.0, 0.0)
-    };
-    let a = part();
+    let a = part_of(random);
     let b = if random.once_in(3) { Shape::any(random, 1.0) } else { part_of(random) };
     let mut pair = near_each_other(random, [a, b], 1.0);
-    if random.once_in(2) {
+    let placing = random.below(4);
+    if placing < 2 {
         let lattice = [(); 2].map(|()| [lattice::halves(random, 2), lattice::halves(random, 2)]);
         for (body, position) in pair.iter_mut().zip(lattice) {
             (body.position, body.angle) = (position, random.one_of(&[0.0, 90.0, 180.0]));
         }
-    } else if random.once_in(2) {
+    } else if placing == 2 {
         pair = moved_to(pair, random.magnitude(-17.0, -3.0));
     }
     ask(random, pair)
 }
 
 fn part_of(random: &mut Random) -> Shape {
-    if random.once_in(2) { Shape::Circle(0.0, [0.0, 0.0]) } else { Shape::capsule(random, 1.0, 0.0) }
+    match random.below(4) {
+        0 | 1 => Shape::Circle(0.0, [0.0, 0.0]),
+        2 => Shape::Capsule([[lattice::halves(random, 2), -1.0], [lattice::halves(random, 2), 1.0]], 0.0),
+        _ => Shape::capsule(random, 1.0, 0.0),
+    }
 }
 
 /// Circles: concentric, with a centre on a corner or on a side, nearly concentric.
