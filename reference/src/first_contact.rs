@@ -21,8 +21,8 @@ use crate::scene::Body;
 use crate::separation::{Exact, separation};
 
 /// Two bodies in motion.
-pub struct Motion<'s> {
-    bodies: &'s [Body],
+pub struct Motion {
+    bodies: [Body; 2],
     cores: [Vec<usize>; 2],
     /// Angular velocities in radians.
     spins: [Real; 2],
@@ -68,20 +68,23 @@ pub fn finest() -> Real {
     Real::power_of_two(-110)
 }
 
-impl<'s> Motion<'s> {
-    /// Of a scene's two bodies.
+impl Motion {
+    /// Of a scene's two bodies. A disc about its body's origin looks the same however it turns, and is taken not to turn.
     #[must_use]
-    pub fn of(bodies: &'s [Body]) -> Self {
-        let each = [&bodies[0], &bodies[1]];
-        let cores = each.map(|body| convex_core(&body.vertices));
+    pub fn of(bodies: &[Body]) -> Self {
+        let each = [0, 1].map(|i| {
+            let body = bodies[i].clone();
+            if body.vertices == [[0.0, 0.0]] { Body { angle: 0.0, spin: 0.0, ..body } } else { body }
+        });
+        let cores = each.each_ref().map(|body| convex_core(&body.vertices));
         let reach = |i: usize| cores[i].iter().map(|k| Point::of(each[i].vertices[*k]).length()).collect();
         Self {
-            bodies,
-            spins: each.map(|body| radians(Real::from(body.spin))),
-            velocities: each.map(|body| Point::of(body.velocity)),
+            spins: each.each_ref().map(|body| radians(Real::from(body.spin))),
+            velocities: each.each_ref().map(|body| Point::of(body.velocity)),
             reaches: [reach(0), reach(1)],
             radii: Real::from(each[0].radius) + Real::from(each[1].radius),
             cores,
+            bodies: each,
         }
     }
 

@@ -153,9 +153,10 @@ pub fn scale(bodies: &[Body], moving: bool) -> f64 {
     let mut s = 0.0_f64;
     for body in bodies {
         let reach = body.vertices.iter().map(|v| largest(*v)).fold(0.0, f64::max);
+        let arm = body.vertices.iter().map(|[x, y]| (x * x + y * y).sqrt()).fold(reach, f64::max);
         s = s.max(reach + body.radius).max(largest(body.position));
         if moving {
-            s = s.max(largest(body.velocity)).max(body.spin.abs() * (std::f64::consts::PI / 180.0) * reach);
+            s = s.max(largest(body.velocity)).max(body.spin.abs() * (std::f64::consts::PI / 180.0) * arm);
         }
     }
     if let [a, b] = bodies {

@@ -141,6 +141,8 @@ pub struct Exact {
     pub ways: Vec<Way>,
     /// Whether B ⊖ A of the cores has interior points.
     pub solid: bool,
+    /// Number of its edges.
+    pub sides: usize,
 }
 
 /// The point of an edge nearest to the origin.
@@ -183,7 +185,14 @@ pub fn separation(a: &Placed, b: &Placed) -> Exact {
         Some(normal) => vec![Way { separation: core - radii, normal }],
         None => flat_ways(&difference, radii),
     };
-    Exact { separation: core - radii, core, normal, ways, solid: difference.solid }
+    Exact {
+        separation: core - radii,
+        core,
+        normal,
+        ways,
+        solid: difference.solid,
+        sides: difference.edges.len(),
+    }
 }
 
 /// The origin inside: each edge's line is a way out.
@@ -205,6 +214,7 @@ fn inside(difference: &Difference, radii: Real) -> Exact {
         normal: Some(best.normal),
         ways,
         solid: true,
+        sides: difference.edges.len(),
     }
 }
 

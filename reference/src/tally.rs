@@ -22,6 +22,8 @@ pub struct Failure {
 #[derive(Clone, Debug, Default)]
 pub struct Tally {
     rows: BTreeMap<String, Row>,
+    /// How often each claim was false, by category.
+    claims: BTreeMap<(&'static str, String), usize>,
     /// Wrong answers, in order.
     pub failures: Vec<Failure>,
 }
@@ -55,7 +57,7 @@ impl Tally {
             .and_then(|json| json.text_at("id").map(str::to_owned))
             .unwrap_or_default();
         let category = id.split('/').next().unwrap_or("").to_owned();
-        let row = self.rows.entry(category).or_default();
+        let row = self.rows.entry(category.clone()).or_default();
         row.cases += 1;
         row.unresolved += usize::from(answer.contains("\"unresolved\""));
         for (name, value) in &report.measures {
@@ -66,6 +68,9 @@ impl Tally {
             return true;
         }
         row.wrong += 1;
+        for fault in &report.faults {
+            *self.claims.entry((fault.claim, category.clone())).or_default() += 1;
+        }
         let told: Vec<_> =
             report.faults.iter().map(|fault| format!("{}: {}", fault.claim, fault.detail)).collect();
         self.failures.push(Failure {
@@ -128,6 +133,9 @@ impl fmt::Display for Tally {
                 }
             }
             writeln!(f)?;
+        }
+        for ((claim, category), count) in &self.claims {
+            writeln!(f, "{count} × `{claim}` in {category}")?;
         }
         Ok(())
     }

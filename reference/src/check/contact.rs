@@ -4,7 +4,8 @@
 //! those supports, points on the features, and `p_B − p_A = s n`. Each is measured here against the exact s.
 
 use super::{
-    ERROR, NORMAL, POINTS, RELATIVE_ERROR, RELATIVE_FROM, RELATIVE_WIDTH, Report, Setting, WIDTH, slack,
+    ERROR, NORMAL, POINTS, RELATIVE_ERROR, RELATIVE_FROM, RELATIVE_WIDTH, Report, Setting, UNRESOLVED, WIDTH,
+    slack,
 };
 use crate::float::Real;
 use crate::json::Json;
@@ -131,15 +132,9 @@ fn check_ties(report: &mut Report, setting: &Setting, exact: &Exact, contact: &C
     if exact.normal.is_none() {
         // Points that coincide: every direction ties. A point at the end of a segment: a half-turn of directions.
         (fewest, most) = if exact.ways.is_empty() { (0, 0) } else { (0, 2) };
-    } else if setting.units(exact.core) <= RELATIVE_FROM {
-        // Corners that touch: the directions between two edges tie as well, so any count of them is right.
-        (fewest, most) = (fewest.min(1), most.max(2));
-        if exact.ways.len() > 1
-            && exact.ways.iter().filter(|way| setting.units(way.separation - exact.separation) <= 2.0).count()
-                > 1
-        {
-            fewest = 0;
-        }
+    } else if exact.core.abs() <= (hi - lo).scaled(1) + Real::from(UNRESOLVED * EPSILON * setting.scale) {
+        // Cores that touch within the bounds: all directions between two edges tie there, or all directions there are.
+        (fewest, most) = (0, exact.sides.max(most));
     }
     let fits = (fewest..=most).any(|n| u32::try_from(n).is_ok_and(|n| f64::from(n) == ties));
     if !fits {

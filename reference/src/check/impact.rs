@@ -33,7 +33,7 @@ pub struct Record {
 struct Case<'c> {
     scene: &'c Scene,
     setting: &'c Setting,
-    motion: Motion<'c>,
+    motion: Motion,
     result: &'c Json,
     tolerance: f64,
     slack: Real,
