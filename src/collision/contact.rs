@@ -33,12 +33,14 @@ pub(super) struct Before<'p, 'q> {
     a: &'q Body,
     b: &'q Body,
     lo: f64,
+    /// The closest features at `lo`: where there is no interior, those at `hi` are on the other side.
+    near: Nearest,
 }
 
 impl<'p, 'q> Before<'p, 'q> {
     /// The pair at `lo`.
     pub(super) fn new(pair: &'p MovingPair<'q>, (a, b): (&'q Body, &'q Body), lo: f64) -> Self {
-        Self { pair, a, b, lo }
+        Self { pair, a, b, lo, near: nearest(a, b, lo).0 }
     }
 
     /// Whether contact in (lo, hi] is proved.
@@ -46,11 +48,16 @@ impl<'p, 'q> Before<'p, 'q> {
         if hi <= self.lo {
             return false;
         }
-        let local = match nearest(self.a, self.b, hi).0 {
+        let after = nearest(self.a, self.b, hi).0;
+        self.by_features(self.near, hi) || (after != self.near && self.by_features(after, hi)) || self.depth(hi)
+    }
+
+    /// The proofs that look at two features only.
+    fn by_features(&self, near: Nearest, hi: f64) -> bool {
+        match near {
             Nearest::Vertices(i, j) => self.discs(i, j, hi),
             Nearest::Edge { owner, edge, vertex } => self.crossing(owner, edge, vertex, hi),
-        };
-        local || self.depth(hi)
+        }
     }
 
     /// The third stage: the certified separation.
