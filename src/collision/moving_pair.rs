@@ -104,6 +104,11 @@ impl<'q> MovingPair<'q> {
         if k == 0 { self.count(side) - 1 } else { k - 1 }
     }
 
+    /// Whether neither body turns.
+    pub(super) fn is_linear(&self) -> bool {
+        self.turning.iter().all(|(_, spin)| spin.0 == 0.0)
+    }
+
     /// The body that turns less: A where they turn alike.
     pub(super) fn calmer(&self) -> Side {
         if self.rate[0].abs() <= self.rate[1].abs() { Side::A } else { Side::B }

@@ -42,7 +42,12 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 1 })
 }
 
-/// First contact of two bodies that do not turn.
+/// First contact of two bodies of which neither turns.
+pub(super) fn first_contact(a: &Body, b: &Body) -> Outcome {
+    cast(&Ray::new(&Relative::at(a, b, 0.0)), a, b)
+}
+
+/// First contact along a ray.
 fn cast(ray: &Ray, a: &Body, b: &Body) -> Outcome {
     let start = super::nearest::certified(a, b, 0.0);
     if start.bounds.hi <= 0.0 || start.separation <= 0.0 {

@@ -16,7 +16,7 @@ use super::axis_gap::{Axis, Precision};
 use super::contact::{self, Before};
 use super::moving_pair::MovingPair;
 use super::nearest::{Nearest, nearest};
-use super::{Answer, Impact, Outcome, Query, Reason, Separation};
+use super::{Answer, Impact, Outcome, Query, Reason, Separation, ray_cast};
 use crate::geometry::{Body, Enclosure};
 use crate::trace::{Event, Moment, Tracer};
 
@@ -35,9 +35,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let mut search = Search { query, a: query.a, b, pair: MovingPair::new(query.a, b), queries: 0 };
     let outcome = search.run(tracer);
     tracer.record(|| Event::Finished { outcome: outcome.word() });
-    let tolerance =
-        query.tolerance.max(super::advancement::TOLERANCE_FLOOR * super::advancement::scale_of(query.a, b));
-    Answer::Impact(Impact { outcome, tolerance, iterations: search.queries })
+    Answer::Impact(Impact { outcome, tolerance: query.tolerance, iterations: search.queries })
 }
 
 /// A search for the first contact.
@@ -109,7 +107,7 @@ impl Search<'_> {
         let mut gap;
         loop {
             let Some(axis) = Axis::through(&self.pair, near, t) else {
-                return Err(Outcome::Unresolved { reason: Reason::WithinRounding, free_until: t });
+                return Err(self.undecided(t));
             };
             let swept = axis.sweep(&self.pair, t, Precision::Fine);
             if swept.until > t {
@@ -157,7 +155,22 @@ impl Search<'_> {
             }
             width *= 4.0;
         }
-        Outcome::Unresolved { reason: Reason::WithinRounding, free_until: lo }
+        self.undecided(lo)
+    }
+
+    /// A graze: decided exactly where neither body turns.
+    fn undecided(&self, free_until: f64) -> Outcome {
+        let unresolved = Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
+        if !self.pair.is_linear() {
+            return unresolved;
+        }
+        match ray_cast::first_contact(self.a, self.b) {
+            Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
+                Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact: self.contact(free_until) }
+            }
+            Outcome::Unresolved { .. } => unresolved,
+            decided => decided,
+        }
     }
 
     /// Brings the moment of proved contact closer to `lo` while it can be proved there too.
