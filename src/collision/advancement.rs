@@ -183,11 +183,15 @@ pub(super) fn arm(body: &Body) -> f64 {
     far * body.spin.0.abs().to_radians()
 }
 
-/// S: the largest coordinate difference, extent or distance moved of a pair, in world units.
+/// S of a pair, from differences: the largest extent of a body, distance moved by turning, and half of what the bodies are
+/// apart or move relative to each other (each body's share). World units.
 pub(super) fn scale_of(a: &Body, b: &Body) -> f64 {
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
-    let extent =
-        |body: &Body| body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v))) + body.shape.radius;
-    let moved = largest(b.velocity - a.velocity).max(arm(a)).max(arm(b));
-    largest(b.position - a.position).max(extent(a)).max(extent(b)).max(moved)
+    let extent = |body: &Body| {
+        let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v)));
+        far.max(body.shape.radius).max(far * body.spin.0.abs().to_radians())
+    };
+    let shares =
+        largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
+    extent(a).max(extent(b)).max(shares)
 }

@@ -49,7 +49,9 @@ impl<'p, 'q> Before<'p, 'q> {
             return false;
         }
         let after = nearest(self.a, self.b, hi).0;
-        self.by_features(self.near, hi) || (after != self.near && self.by_features(after, hi)) || self.depth(hi)
+        self.by_features(self.near, hi)
+            || (after != self.near && self.by_features(after, hi))
+            || self.depth(hi)
     }
 
     /// The proofs that look at two features only.

@@ -25,7 +25,8 @@ pub(super) struct MovingPair<'q> {
     apart: [Dd; 2],
     /// v_B − v_A, exactly.
     velocity: [Dd; 2],
-    /// Angle at t = 0 and spin; no spin for a body whose core is its own origin, which looks the same from all sides.
+    /// Angle at t = 0 and spin; none for a body whose core is its own origin, which
+    /// looks the same from all sides: its frame is the world's.
     turning: [(Degrees, Degrees); 2],
     /// Spin in radians per unit of time.
     pub(super) rate: [f64; 2],
@@ -204,9 +205,9 @@ impl Seen<Ball> {
     }
 }
 
-/// Angle and spin, no spin for a body whose core is its own origin.
+/// Angle and spin, none for a body whose core is its own origin.
 fn turning(body: &Body) -> (Degrees, Degrees) {
-    if reach(body) == 0.0 { (body.angle, Degrees(0.0)) } else { (body.angle, body.spin) }
+    if reach(body) == 0.0 { (Degrees(0.0), Degrees(0.0)) } else { (body.angle, body.spin) }
 }
 
 /// At least the distance of any core vertex from the body's origin.

@@ -121,7 +121,7 @@ enum Piece {
     Disc(usize, usize),
 }
 
-/// The ray against B ⊖ A, in A's frame. Balls are in units of `moving`.
+/// The ray against B ⊖ A: doubles in A's frame, balls in the frame and units of `moving`.
 struct Ray<'p, 's> {
     pair: &'p Relative<'s>,
     moving: MovingPair<'s>,
@@ -137,7 +137,7 @@ impl<'p, 's> Ray<'p, 's> {
     fn new(pair: &'p Relative<'s>) -> Self {
         let moving = MovingPair::new(pair.a, pair.b);
         let v_fine = moving.closing_fine();
-        let v = DVec2::new(v_fine[0].value.hi, v_fine[1].value.hi) / moving.unit;
+        let v = pair.local_vector(pair.a.velocity - pair.b.velocity);
         let seen = moving.seen_fine(Side::A, 0.0);
         Self { pair, moving, v, v_fine, seen }
     }

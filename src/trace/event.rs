@@ -248,9 +248,10 @@ pub enum Event {
         from: f64,
         /// End of the covered time.
         to: f64,
-        /// The body in whose frame the axis is fixed.
+        /// The body in whose frame the axis is fixed. The frame of a body whose core is its own origin does not turn: it is
+        /// the world's.
         owner: Side,
-        /// Unit axis, in that body's frame, from the owner to the other.
+        /// Unit axis but for rounding, in that body's frame, from the owner to the other.
         normal: DVec2,
     },
     /// The farthest a point of a body can move was bounded: L = θ r.
