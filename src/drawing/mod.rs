@@ -7,7 +7,6 @@ mod extent;
 mod offset;
 mod paint;
 mod path;
-mod pattern;
 
 use std::sync::Arc;
 

@@ -1,0 +1,257 @@
+//! Pairs of convex polygons with n corners each, placed so that the answer has a wanted size.
+//!
+//! A polygon's corners lie on an ellipse, at evenly spaced parameters shifted at random by at most two fifths of a
+//! step, so that it is strictly convex for every n. A pair is placed by its support points: with u a random direction,
+//! p the corner of A farthest along u and q that of B farthest along −u, B is moved until q = p + g u. While u lies
+//! in both normal cones, g is then the exact separation up to the rounding of the placement; the exact answer to the
+//! doubles that result is computed elsewhere and committed (see `answers.rs`).
+
+use oorandom::Rand64;
+
+use crate::collision::{Query, QueryKind};
+use crate::geometry::shape::{FieldValue, KINDS};
+use crate::geometry::{Body, DVec2, Degrees, Shape};
+
+use super::answers;
+
+/// Numbers of corners of a polygon.
+pub(super) const CORNERS: [usize; 6] = [4, 8, 16, 64, 256, 1024];
+
+/// Cases in a workload.
+pub(super) const CASES: usize = 16;
+
+/// What the pair does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Class {
+    /// Apart: the distance is asked.
+    Separated,
+    /// Inside one another: the depth is asked.
+    Overlapping,
+    /// Moving without turning: the first contact is asked.
+    Sweeping,
+    /// Moving and turning: the first contact is asked.
+    Turning,
+}
+
+/// How close to a decision the answer lies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Difficulty {
+    /// Round bodies with gaps of about half their size.
+    Easy,
+    /// Slivers (a hundred times as long as high) with gaps of 1e-9, grazes, and two full turns.
+    Hard,
+}
+
+impl Class {
+    /// All, in the order of the tables.
+    pub const ALL: [Self; 4] = [Self::Separated, Self::Overlapping, Self::Sweeping, Self::Turning];
+
+    /// The word in tables and file names.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Separated => "separated",
+            Self::Overlapping => "overlapping",
+            Self::Sweeping => "sweeping",
+            Self::Turning => "turning",
+        }
+    }
+
+    /// The question it asks.
+    #[must_use]
+    pub fn query(self) -> QueryKind {
+        match self {
+            Self::Separated | Self::Overlapping => QueryKind::Separation,
+            Self::Sweeping => QueryKind::LinearSweep,
+            Self::Turning => QueryKind::TimeOfImpact,
+        }
+    }
+}
+
+impl Difficulty {
+    /// All, in the order of the tables.
+    pub const ALL: [Self; 2] = [Self::Easy, Self::Hard];
+
+    /// The word in tables and file names.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Easy => "easy",
+            Self::Hard => "hard",
+        }
+    }
+}
+
+/// A pair with its exact answer.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// Body A.
+    pub a: Body,
+    /// Body B.
+    pub b: Body,
+    /// The exact signed separation, or the exact time of first contact, as an unevaluated sum hi + lo. None for a
+    /// miss.
+    pub exact: Option<[f64; 2]>,
+    /// S: the largest coordinate, extent or distance moved; errors are stated relative to it.
+    pub scale: f64,
+}
+
+impl Case {
+    /// The question of this case at a tolerance.
+    #[must_use]
+    pub fn query(&self, kind: QueryKind, tolerance: f64) -> Query<'_> {
+        Query { kind, a: &self.a, b: Some(&self.b), time: 0.0, tolerance, max_iterations: 100_000 }
+    }
+}
+
+/// A family of cases.
+#[derive(Clone, Debug)]
+pub struct Workload {
+    /// What the pairs do.
+    pub class: Class,
+    /// How hard they are.
+    pub difficulty: Difficulty,
+    /// Corners of each polygon.
+    pub corners: usize,
+    /// The cases.
+    pub cases: Vec<Case>,
+}
+
+impl Workload {
+    /// A name such as `turning-hard-64`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        format!("{}-{}-{}", self.class.name(), self.difficulty.name(), self.corners)
+    }
+}
+
+/// Every workload, with its committed answers.
+#[must_use]
+pub fn workloads() -> Vec<Workload> {
+    let mut all = Vec::new();
+    for class in Class::ALL {
+        for difficulty in Difficulty::ALL {
+            for corners in CORNERS {
+                all.push(workload(class, difficulty, corners));
+            }
+        }
+    }
+    all
+}
+
+/// One workload, with its committed answers.
+#[must_use]
+pub(super) fn workload(class: Class, difficulty: Difficulty, corners: usize) -> Workload {
+    let mut made = Workload { class, difficulty, corners, cases: Vec::new() };
+    let name = made.name();
+    let seed = name.bytes().fold(0_u128, |seed, byte| seed.wrapping_mul(257).wrapping_add(u128::from(byte)));
+    let mut random = Rand64::new(seed);
+    for index in 0..CASES {
+        // An ellipse's corners are always convex, so the table refuses none; a test counts them.
+        let Some((a, b)) = pair(class, difficulty, corners, &mut random) else { continue };
+        let scale = scale(&a).max(scale(&b)).max((a.velocity - b.velocity).length());
+        made.cases.push(Case { a, b, exact: answers::exact(&name, index), scale });
+    }
+    made
+}
+
+fn scale(body: &Body) -> f64 {
+    let extent = body.shape.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
+    extent.max(body.position.abs().max_element())
+}
+
+fn between(random: &mut Rand64, lo: f64, hi: f64) -> f64 {
+    lo + (hi - lo) * random.rand_float()
+}
+
+/// A unit vector at an angle in radians.
+fn direction(angle: f64) -> DVec2 {
+    DVec2::new(libm::cos(angle), libm::sin(angle))
+}
+
+fn pair(class: Class, difficulty: Difficulty, corners: usize, random: &mut Rand64) -> Option<(Body, Body)> {
+    let mut a = body(difficulty, corners, random)?;
+    let mut b = body(difficulty, corners, random)?;
+    let u = direction(between(random, 0.0, core::f64::consts::TAU));
+    let gap = match (class, difficulty) {
+        (Class::Overlapping, Difficulty::Easy) => -between(random, 0.05, 0.3),
+        (Class::Overlapping, Difficulty::Hard) => -1e-9,
+        (Class::Separated, Difficulty::Hard) => 1e-9,
+        _ => between(random, 0.3, 0.8),
+    };
+    b.position = a.position + support(&a, u) + u * gap - support(&b, -u);
+    match class {
+        Class::Separated | Class::Overlapping => {}
+        Class::Sweeping => sweep(&mut a, &mut b, u, gap, difficulty, random),
+        Class::Turning => {
+            sweep(&mut a, &mut b, u, gap, Difficulty::Easy, random);
+            let turn = if difficulty == Difficulty::Hard { 720.0 } else { 90.0 };
+            a.spin = Degrees(between(random, 0.5, 1.0) * turn);
+            b.spin = Degrees(-between(random, 0.0, 0.5) * turn);
+        }
+    }
+    Some((a, b))
+}
+
+/// Velocities with which A closes the gap at about half time; in hard cases it passes B's corner within 1e-9.
+fn sweep(a: &mut Body, b: &mut Body, u: DVec2, gap: f64, difficulty: Difficulty, random: &mut Rand64) {
+    let across = crate::geometry::perp(u);
+    match difficulty {
+        Difficulty::Easy => {
+            a.velocity = u * (gap * between(random, 1.5, 3.0)) + across * between(random, -0.2, 0.2);
+            b.velocity = across * between(random, -0.2, 0.2);
+        }
+        Difficulty::Hard => {
+            b.position += across * 3.0 - u * (gap + 1e-9);
+            a.velocity = across * 6.0;
+        }
+    }
+}
+
+fn body(difficulty: Difficulty, corners: usize, random: &mut Rand64) -> Option<Body> {
+    let height = match difficulty {
+        Difficulty::Easy => between(random, 0.6, 1.0),
+        Difficulty::Hard => 0.01,
+    };
+    Some(Body {
+        shape: polygon(corners, height, random)?,
+        position: DVec2::new(between(random, -1.0, 1.0), between(random, -1.0, 1.0)),
+        angle: Degrees(between(random, 0.0, 360.0)),
+        velocity: DVec2::ZERO,
+        spin: Degrees(0.0),
+    })
+}
+
+/// A strictly convex polygon with its corners on an ellipse of half-axes 1 and `height`.
+fn polygon(corners: usize, height: f64, random: &mut Rand64) -> Option<Shape> {
+    #[expect(clippy::cast_precision_loss, reason = "at most 1,024 corners")]
+    let vertices = (0..corners)
+        .map(|i| {
+            let jitter = between(random, -0.4, 0.4);
+            let at = direction((i as f64 + jitter) / corners as f64 * core::f64::consts::TAU);
+            DVec2::new(at.x, at.y * height)
+        })
+        .collect();
+    build_polygon(vertices)
+}
+
+/// A polygon by its row in the table of kinds; None where the row refuses it.
+fn build_polygon(vertices: Vec<DVec2>) -> Option<Shape> {
+    let kind = KINDS.iter().find(|kind| kind.name == "polygon")?;
+    let values: Vec<Option<FieldValue>> = kind
+        .fields
+        .iter()
+        .map(|field| (field.name == "vertices").then(|| FieldValue::Points(vertices.clone())))
+        .collect();
+    (kind.build)(&values).ok()
+}
+
+/// Vector from the body's origin to its corner farthest along `u`.
+fn support(body: &Body, u: DVec2) -> DVec2 {
+    let pose = body.pose_at(0.0);
+    body.shape
+        .vertices
+        .iter()
+        .map(|v| pose.vector(*v))
+        .fold(DVec2::ZERO, |best, v| if v.dot(u) > best.dot(u) { v } else { best })
+}
