@@ -55,7 +55,8 @@ impl Frame {
     /// A contour of the space, on the page; arcs stay arcs.
     #[must_use]
     pub fn contour(&self, outline: &Outline) -> Contour {
-        if let ([Piece::Arc { center, radius, sweep, .. }], true) = (outline.pieces.as_slice(), outline.closed)
+        if let ([Piece::Arc { center, radius, sweep, .. }], true) =
+            (outline.pieces.as_slice(), outline.closed)
             && *sweep >= std::f64::consts::TAU
         {
             return Contour::Circle { center: self.page(*center), radius: radius * self.scale };
@@ -102,7 +103,9 @@ mod tests {
     #[test]
     fn an_arc_begins_where_its_first_point_lies() {
         let (c, r, start, sweep) = (DVec2::new(0.5, 0.25), 2.0, 0.7, 1.1);
-        let Contour::Segments(segments) = frame().contour(&Outline::arc(c, r, start, sweep)) else { panic!() };
+        let Contour::Segments(segments) = frame().contour(&Outline::arc(c, r, start, sweep)) else {
+            panic!()
+        };
         let Segment::Arc { center, radius, start: s, sweep: w } = segments[1] else { panic!() };
         for (angle, page) in [(start, s), (start + sweep, s + w)] {
             let expected = frame().page(on_circle(c, r, angle));

@@ -6,9 +6,11 @@
 
 pub mod chart;
 mod context;
+mod difference;
 mod frame;
 mod label;
 pub mod layer;
+mod number;
 mod options;
 mod outline;
 mod pen;
@@ -17,8 +19,10 @@ mod sketch;
 pub mod theme;
 
 pub use context::{Context, Moment};
+pub use difference::{Difference, Edge};
 pub use frame::Frame;
 pub use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
+pub use number::number;
 pub use options::{COMMON, OptionSpec, Options, Setting, Takes};
 pub use outline::{Outline, Piece, angle_of, on_circle};
 pub use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash};

@@ -186,7 +186,9 @@ impl Reading<'_> {
                 self.texts(list, |text, _| Ok(text.to_owned())).map(Setting::Words)
             }
             (Takes::Role, Value::Text(word)) => self.role(word).map(Setting::Role),
-            (Takes::Bodies, Value::Text(name)) => self.side(name, self.span).map(|s| Setting::Bodies(vec![s])),
+            (Takes::Bodies, Value::Text(name)) => {
+                self.side(name, self.span).map(|s| Setting::Bodies(vec![s]))
+            }
             (Takes::Bodies, Value::List(list)) => {
                 self.texts(list, |text, span| self.side(text, span)).map(Setting::Bodies)
             }

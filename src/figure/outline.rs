@@ -125,6 +125,35 @@ impl Outline {
         Self::rounded(&core, shape.radius)
     }
 
+    /// The same elsewhere: every point moved by `by`, in world units.
+    #[must_use]
+    pub fn moved(&self, by: DVec2) -> Self {
+        let piece = |piece: &Piece| match *piece {
+            Piece::Line(p) => Piece::Line(p + by),
+            Piece::Arc { center, radius, start, sweep } => {
+                Piece::Arc { center: center + by, radius, start, sweep }
+            }
+        };
+        Self { start: self.start + by, pieces: self.pieces.iter().map(piece).collect(), closed: self.closed }
+    }
+
+    /// The same after half a turn about a point: x becomes 2 `about` − x.
+    #[must_use]
+    pub fn turned_about(&self, about: DVec2) -> Self {
+        let turned = |p: DVec2| 2.0 * about - p;
+        let piece = |piece: &Piece| match *piece {
+            Piece::Line(p) => Piece::Line(turned(p)),
+            Piece::Arc { center, radius, start, sweep } => {
+                Piece::Arc { center: turned(center), radius, start: start + 0.5 * TAU, sweep }
+            }
+        };
+        Self {
+            start: turned(self.start),
+            pieces: self.pieces.iter().map(piece).collect(),
+            closed: self.closed,
+        }
+    }
+
     /// Points along it, close enough that chords stand for arcs.
     #[must_use]
     pub fn sampled(&self) -> Vec<DVec2> {

@@ -62,7 +62,8 @@ impl Runs {
     /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's default.
     pub(crate) fn separation(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
-        let algorithm = std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| takes(a, &query))?;
+        let algorithm =
+            std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| takes(a, &query))?;
         Some(self.run(algorithm, &query))
     }
 

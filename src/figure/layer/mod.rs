@@ -4,9 +4,34 @@
 //! asks a scene for a coordinate of something that an algorithm can compute, and it does not place its labels: it
 //! says what they belong to.
 
+mod advancement;
+mod arc;
 mod axes;
+mod axis_gaps;
+mod bounds;
+mod clamp;
+mod closest;
+mod contact;
+mod difference;
+mod frame;
+mod ghosts;
+mod grown;
+mod half_extents;
+mod normal;
+mod note;
 mod origin;
+mod projection;
+mod radii;
+mod ray;
+mod separation;
 mod shapes;
+mod simplex;
+mod spin;
+mod support;
+mod sweep;
+mod tracks;
+mod translation;
+mod velocity;
 
 use super::context::Context;
 use super::options::{OptionSpec, Options};
@@ -53,7 +78,36 @@ pub struct Layer {
 }
 
 /// Every layer.
-pub static LAYERS: &[Layer] = &[shapes::LAYER, axes::LAYER, origin::LAYER];
+pub static LAYERS: &[Layer] = &[
+    shapes::LAYER,
+    ghosts::LAYER,
+    separation::LAYER,
+    normal::LAYER,
+    contact::LAYER,
+    bounds::LAYER,
+    half_extents::LAYER,
+    clamp::LAYER,
+    radii::LAYER,
+    translation::LAYER,
+    axis_gaps::LAYER,
+    frame::LAYER,
+    axes::LAYER,
+    grown::LAYER,
+    difference::LAYER,
+    origin::LAYER,
+    closest::LAYER,
+    support::LAYER,
+    velocity::LAYER,
+    ray::LAYER,
+    sweep::LAYER,
+    advancement::LAYER,
+    tracks::LAYER,
+    spin::LAYER,
+    arc::LAYER,
+    projection::LAYER,
+    simplex::LAYER,
+    note::LAYER,
+];
 
 /// The layer of a name.
 #[must_use]

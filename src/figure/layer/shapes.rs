@@ -16,7 +16,12 @@ pub(super) const LAYER: Layer = Layer {
     shows: Shows::World,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "all of the query's", about: "which bodies" },
-        OptionSpec { name: "centers", takes: Takes::Flag, default: "false", about: "marks the bodies' origins" },
+        OptionSpec {
+            name: "centers",
+            takes: Takes::Flag,
+            default: "false",
+            about: "marks the bodies' origins",
+        },
     ],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
@@ -50,10 +55,16 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
     let key = if side == Side::A { "A" } else { "B" };
-    let others: Vec<Outline> =
-        context.sides().into_iter().filter(|&s| s != side).filter_map(|s| context.outline(s, context.time)).collect();
+    let others: Vec<Outline> = context
+        .sides()
+        .into_iter()
+        .filter(|&s| s != side)
+        .filter_map(|s| context.outline(s, context.time))
+        .collect();
     sketch.part(context.part("body", side)).label(
-        Label::new(key, context.name(side), Anchor::inside(&outline, &others), role).rank(Rank::Name).size(Size::Name),
+        Label::new(key, context.name(side), Anchor::inside(&outline, &others), role)
+            .rank(Rank::Name)
+            .size(Size::Name),
     );
     if center && let Some(Pose { position, .. }) = context.pose(side, context.time) {
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };

@@ -60,7 +60,8 @@ impl Sketch<'_> {
     /// A path x(t) for t from `start` to `end`.
     pub fn track(&mut self, path: impl Fn(f64) -> DVec2, start: f64, end: f64, pen: Pen) -> &mut Self {
         // 64 chords: on a quarter turn of 400 px radius they stay within 0.04 px of the curve.
-        let points: Vec<DVec2> = (0..=64).map(|i| path(start + (end - start) * f64::from(i) / 64.0)).collect();
+        let points: Vec<DVec2> =
+            (0..=64).map(|i| path(start + (end - start) * f64::from(i) / 64.0)).collect();
         self.polyline(&points, pen)
     }
 

@@ -60,7 +60,9 @@ impl Sketch<'_> {
 
     /// A dashed line from a point to the end of its dimension, a little away from the one and beyond the other.
     fn extension(&mut self, from: Point, to: Point) {
-        let Some(u) = (to - from).unit().filter(|_| (to - from).length() > 2.0 * EXTENSION_GAP) else { return };
+        let Some(u) = (to - from).unit().filter(|_| (to - from).length() > 2.0 * EXTENSION_GAP) else {
+            return;
+        };
         let (a, b) = (from + u * EXTENSION_GAP, to + u * EXTENSION_GAP);
         let weight = self.weight;
         self.weight(Weight::Light);

@@ -72,7 +72,8 @@ fn lab(color: Color, vision: Vision) -> [f64; 3] {
         0.212_672_9 * r + 0.715_152_2 * g + 0.072_175_0 * b,
         (0.019_333_9 * r + 0.119_192_0 * g + 0.950_304_1 * b) / 1.088_83,
     ];
-    let f = xyz.map(|t| if t > 216.0 / 24389.0 { libm::cbrt(t) } else { (24389.0 / 27.0 * t + 16.0) / 116.0 });
+    let f =
+        xyz.map(|t| if t > 216.0 / 24389.0 { libm::cbrt(t) } else { (24389.0 / 27.0 * t + 16.0) / 116.0 });
     [116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])]
 }
 
@@ -108,7 +109,8 @@ fn delta_e(p: [f64; 3], q: [f64; 3]) -> f64 {
     let (h, dh) = hues(h1, h2, c1 * c2 == 0.0);
     let (l, c) = (0.5 * (p[0] + q[0]), 0.5 * (c1 + c2));
     let cos = |k: f64, degrees: f64| libm::cos(k * h + degrees.to_radians());
-    let t = 1.0 - 0.17 * cos(1.0, -30.0) + 0.24 * cos(2.0, 0.0) + 0.32 * cos(3.0, 6.0) - 0.20 * cos(4.0, -63.0);
+    let t =
+        1.0 - 0.17 * cos(1.0, -30.0) + 0.24 * cos(2.0, 0.0) + 0.32 * cos(3.0, 6.0) - 0.20 * cos(4.0, -63.0);
     let bump = (h.to_degrees() - 275.0) / 25.0;
     let theta = 30.0_f64.to_radians() * libm::exp(-bump * bump);
     let l50 = (l - 50.0) * (l - 50.0);
@@ -131,7 +133,10 @@ mod tests {
         let mut all: Vec<_> = THEMES.iter().map(|t| (t.name.to_owned(), t.clone())).collect();
         for theme in THEMES {
             if let Some(colors) = theme.dark {
-                all.push((format!("{}, dark", theme.name), Theme { colors, fill_opacity: 0.2, ..theme.clone() }));
+                all.push((
+                    format!("{}, dark", theme.name),
+                    Theme { colors, fill_opacity: 0.2, ..theme.clone() },
+                ));
             }
         }
         all
@@ -149,7 +154,11 @@ mod tests {
             ([50.0, 2.5, 0.0], [73.0, 25.0, -18.0], 27.1492),
             ([60.2574, -34.0099, 36.2677], [60.4626, -34.1751, 39.4387], 1.2644),
         ] {
-            assert!((delta_e(p, q) - expected).abs() < 1e-4, "{p:?} {q:?}: {} is not {expected}", delta_e(p, q));
+            assert!(
+                (delta_e(p, q) - expected).abs() < 1e-4,
+                "{p:?} {q:?}: {} is not {expected}",
+                delta_e(p, q)
+            );
         }
     }
 

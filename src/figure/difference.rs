@@ -1,0 +1,198 @@
+//! B ⊖ A put together from what an algorithm told: its edges in order, with the body that each comes from.
+//!
+//! An algorithm finds the edges in the order that suits it: the article's goes through A's edges, then B's. Each runs
+//! counter-clockwise, so the outline is the chain in which one edge begins where another ends. Where edges of both
+//! bodies lie on one line, B's comes first (`DifferenceEdgeFound` says so).
+
+use crate::geometry::{DVec2, Side};
+use crate::trace::Event;
+
+use super::outline::Outline;
+
+/// Ends of edges of the same outline agree up to this part of its size. They are differences of the same corners,
+/// rounded in different order: off by some ε of the coordinates. A thousand times more would still be far below a pixel.
+const JOINED: f64 = 1e-12;
+
+/// An edge of B ⊖ A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// The body whose edge it is.
+    pub source: Side,
+    /// That edge's number on its body.
+    pub index: usize,
+    /// Start, in configuration space, counter-clockwise.
+    pub from: DVec2,
+    /// End.
+    pub to: DVec2,
+    /// Outward unit normal.
+    pub normal: DVec2,
+    /// Signed distance of the origin from its line, positive outside.
+    pub distance: f64,
+}
+
+/// B ⊖ A at one moment: a convex core and the radius of the disc that sweeps it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Edges of the core, counter-clockwise; none where it is a point.
+    pub edges: Vec<Edge>,
+    /// The core where it is a point.
+    pub center: Option<DVec2>,
+    /// r_A + r_B, in world units; 0 for sharp bodies.
+    pub radius: f64,
+}
+
+impl Difference {
+    /// The first difference that events tell of; `None` where they tell none.
+    #[must_use]
+    pub fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
+        let mut found: Vec<Edge> = Vec::new();
+        let (mut center, mut radius) = (None, 0.0);
+        for event in events {
+            match *event {
+                Event::DifferenceEdgeFound { source, edge, from, to, normal, distance, .. } => {
+                    let again = found.iter().any(|e| e.source == source && e.index == edge);
+                    if !again {
+                        found.push(Edge { source, index: edge, from, to, normal, distance });
+                    }
+                }
+                Event::DifferenceRounded { center: c, radius: r } => (center, radius) = (c, r),
+                _ => {}
+            }
+        }
+        if found.is_empty() && center.is_none() {
+            return None;
+        }
+        Some(Self { edges: chain(found), center, radius })
+    }
+
+    /// Its outline: arcs about the core's corners where it is round.
+    #[must_use]
+    pub fn outline(&self) -> Outline {
+        let corners: Vec<DVec2> = match self.center {
+            Some(center) if self.edges.is_empty() => vec![center],
+            _ => self.edges.iter().map(|e| e.from).collect(),
+        };
+        Outline::rounded(&corners, self.radius)
+    }
+
+    /// An edge as it is drawn: moved outward by the radius.
+    #[must_use]
+    pub fn side(&self, edge: &Edge) -> (DVec2, DVec2) {
+        let out = edge.normal * self.radius;
+        (edge.from + out, edge.to + out)
+    }
+
+    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot: both bodies' supporting
+    /// edges face each other there. `None` where no edges are aligned on the nearest side.
+    #[must_use]
+    pub fn joint(&self) -> Option<DVec2> {
+        let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
+        let size = self.size();
+        let n = self.edges.len();
+        (0..n).map(|i| (&self.edges[i], &self.edges[(i + 1) % n])).find_map(|(e, f)| {
+            let aligned = e.source != f.source && e.normal.distance(f.normal) <= JOINED;
+            let near = (e.distance - nearest).abs() <= JOINED * size
+                && (f.distance - nearest).abs() <= JOINED * size;
+            (aligned && near).then_some(e.to)
+        })
+    }
+
+    /// Largest coordinate, the measure of its rounding errors.
+    fn size(&self) -> f64 {
+        size(&self.edges)
+    }
+}
+
+fn size(edges: &[Edge]) -> f64 {
+    edges.iter().map(|e| e.from.abs().max(e.to.abs()).max_element()).fold(0.0, f64::max)
+}
+
+/// The edges end to end. Starts with an edge of B if there is one, so that a side shared by both is not entered at its
+/// middle.
+fn chain(mut left: Vec<Edge>) -> Vec<Edge> {
+    let close = JOINED * size(&left);
+    let Some(first) =
+        left.iter().position(|e| e.source == Side::B).or(if left.is_empty() { None } else { Some(0) })
+    else {
+        return left;
+    };
+    let mut chained = vec![left.remove(first)];
+    while let Some(last) = chained.last().copied() {
+        let gap = |e: &Edge| e.from.distance(last.to);
+        let next = (0..left.len()).min_by(|&i, &j| {
+            let rank = |k: usize| {
+                (if gap(&left[k]) <= close { 0.0 } else { gap(&left[k]) }, left[k].source == Side::A)
+            };
+            let ((a, a_second), (b, b_second)) = (rank(i), rank(j));
+            a.total_cmp(&b).then(a_second.cmp(&b_second))
+        });
+        let Some(next) = next else { break };
+        chained.push(left.remove(next));
+    }
+    chained
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn edge(source: Side, index: usize, from: (f64, f64), to: (f64, f64)) -> Event {
+        let (from, to) = (DVec2::from(from), DVec2::from(to));
+        let along = (to - from).normalize();
+        let normal = DVec2::new(along.y, -along.x);
+        Event::DifferenceEdgeFound {
+            source,
+            edge: index,
+            vertex: 0,
+            from,
+            to,
+            normal,
+            distance: -normal.dot(from),
+        }
+    }
+
+    #[test]
+    fn edges_told_body_by_body_become_one_chain() {
+        // Two unit squares, corner on corner at the origin; B's edge comes first on each shared side.
+        let told = [
+            edge(Side::A, 0, (2.0, 2.0), (1.0, 2.0)),
+            edge(Side::A, 1, (0.0, 1.0), (0.0, 0.0)),
+            edge(Side::A, 2, (1.0, 0.0), (2.0, 0.0)),
+            edge(Side::A, 3, (2.0, 1.0), (2.0, 2.0)),
+            edge(Side::B, 0, (0.0, 0.0), (1.0, 0.0)),
+            edge(Side::B, 1, (2.0, 0.0), (2.0, 1.0)),
+            edge(Side::B, 2, (1.0, 2.0), (0.0, 2.0)),
+            edge(Side::B, 3, (0.0, 2.0), (0.0, 1.0)),
+        ];
+        let difference = Difference::of(told.iter()).unwrap();
+        let n = difference.edges.len();
+        assert_eq!(n, 8);
+        for i in 0..n {
+            assert_eq!(
+                difference.edges[i].to,
+                difference.edges[(i + 1) % n].from,
+                "edge {i} leads to the next"
+            );
+        }
+        assert_eq!(difference.edges[0].from, DVec2::ZERO);
+        assert_eq!(difference.edges[0].source, Side::B);
+    }
+
+    #[test]
+    fn events_without_a_difference_tell_none() {
+        assert_eq!(Difference::of([Event::Finished { outcome: "apart" }].iter()), None);
+    }
+
+    #[test]
+    fn a_joint_is_only_where_both_bodies_share_the_nearest_side() {
+        let told = [
+            edge(Side::B, 0, (-2.0, -1.0), (0.0, -1.0)),
+            edge(Side::A, 2, (0.0, -1.0), (3.0, -1.0)),
+            edge(Side::B, 1, (3.0, -1.0), (3.0, 5.0)),
+            edge(Side::B, 2, (3.0, 5.0), (-2.0, 5.0)),
+            edge(Side::B, 3, (-2.0, 5.0), (-2.0, -1.0)),
+        ];
+        assert_eq!(Difference::of(told.iter()).unwrap().joint(), Some(DVec2::new(0.0, -1.0)));
+        assert_eq!(Difference::of(told[2..].iter()).unwrap().joint(), None);
+    }
+}

@@ -1,0 +1,108 @@
+//! One step of an advancement along the ray: from the estimate to the closest point of B ⊖ A with its normal; where the
+//! tangent there cuts the ray lies the new estimate, never past the surface.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, perp};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen};
+use super::super::sketch::{Sketch, Weight};
+use super::velocity::relative;
+use super::{LabelKey, Layer, Shows};
+
+/// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
+const NORMAL: f64 = 0.5;
+
+/// How far the tangent reaches behind the closest point and past the ray, world units.
+const TANGENT: [f64; 2] = [1.6, 0.9];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "advancement",
+    about: "one step: estimate, closest point, normal, tangent, new estimate",
+    shows: Shows::Configuration,
+    options: &[OptionSpec {
+        name: "words",
+        takes: Takes::Words(&["estimate", "closest", "next", "tangent"]),
+        default: "all",
+        about: "which parts are named in words",
+    }],
+    labels: &[
+        LabelKey { key: "estimate", about: "where the step starts" },
+        LabelKey { key: "closest", about: "the closest point of B ⊖ A" },
+        LabelKey { key: "n", about: "its normal" },
+        LabelKey { key: "tangent", about: "the tangent there" },
+        LabelKey { key: "next", about: "the new estimate" },
+    ],
+    needs: "an advancement without rotation, and a panel with a step",
+    fed: |context, _| step(context).is_some(),
+    draw,
+};
+
+/// What a step found, in configuration space.
+struct Step {
+    estimate: DVec2,
+    closest: DVec2,
+    /// Outward unit normal of B ⊖ A.
+    outward: DVec2,
+    next: Option<DVec2>,
+}
+
+/// The panel's step; only of an algorithm whose estimate moves along the ray.
+fn step(context: &Context) -> Option<Step> {
+    let wanted = context.step?.checked_sub(1)?;
+    let v = relative(context);
+    context.run().events().find_map(|event| match *event {
+        Event::Advanced { step, estimate, closest, normal, next, .. } if step == wanted => {
+            Some(Step { estimate, closest, outward: -normal, next: next.map(|t| v * t) })
+        }
+        _ => None,
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(s) = step(context) else { return };
+    let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + TANGENT[1];
+    let along = tangent_direction(&s, relative(context));
+    let (behind, ahead) = (s.closest - along * TANGENT[0], s.closest + along * past);
+    sketch.part("tangent").weight(Weight::Light).line(behind, ahead, Pen::construction(Role::Muted));
+    sketch.part("distance").line(s.estimate, s.closest, Pen::vector(Role::Translation));
+    let tip = s.closest + s.outward * NORMAL;
+    sketch.part("normal").arrow(s.closest, tip, Pen::vector(Role::B));
+    sketch.part("closest").marker(s.closest, Marker::Square, Role::B, MARKER);
+    sketch.part("estimate").marker(s.estimate, Marker::Disc, Role::Ink, LARGE_MARKER);
+    sketch.label(Label::new("n", "$n$", Anchor::tip(s.closest, tip), Role::B));
+    word(
+        sketch,
+        options,
+        "tangent",
+        Anchor::Beside { from: behind, to: s.closest, offset: 0.0 },
+        Role::Muted,
+    );
+    word(sketch, options, "closest", Anchor::point_toward(s.closest, -s.outward), Role::B);
+    word(sketch, options, "estimate", Anchor::point_toward(s.estimate, DVec2::new(-1.0, -2.0)), Role::Ink);
+    if let Some(next) = s.next {
+        let role = options.role(Role::A);
+        sketch.part("next").marker(next, Marker::RingedDisc, role, LARGE_MARKER);
+        word(sketch, options, "next", Anchor::point_toward(next, DVec2::new(1.0, -2.0)), role);
+    }
+}
+
+/// Along the tangent towards the ray's far end.
+fn tangent_direction(s: &Step, v: DVec2) -> DVec2 {
+    let along = perp(s.outward);
+    if along.dot(s.next.unwrap_or(v) - s.closest) < 0.0 { -along } else { along }
+}
+
+fn word(sketch: &mut Sketch, options: &Options, key: &'static str, anchor: Anchor, role: Role) {
+    let text = match key {
+        "closest" => "closest point",
+        "next" => "new estimate",
+        other => other,
+    };
+    if options.shows("words", key, true) {
+        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Word).size(Size::Note));
+    }
+}

@@ -1,0 +1,148 @@
+//! The arc that the extreme point of a turning body travels: L = θ r, from p to p′; no point of the body goes farther.
+
+use crate::collision::Answer;
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::{Outline, angle_of};
+use super::super::pen::{MARKER, Marker, Pen, SMALL_MARKER, Wash};
+use super::super::sketch::{Sketch, Weight};
+use super::{LabelKey, Layer, Shows};
+
+/// The angle mark's radius as a part of r: inside the body, clear of its centre.
+const MARK: f64 = 0.32;
+
+/// Fill of the sector.
+const SECTOR: f64 = 0.06;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "arc",
+    about: "the arc of the extreme point of a turning body",
+    shows: Shows::World,
+    options: &[
+        OptionSpec { name: "of", takes: Takes::Bodies, default: "the first that turns", about: "which body" },
+        OptionSpec {
+            name: "vertex",
+            takes: Takes::Number,
+            default: "the first",
+            about: "which vertex, where several are farthest",
+        },
+        OptionSpec {
+            name: "sector",
+            takes: Takes::Flag,
+            default: "false",
+            about: "fills the sector and names its measures",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "theta", about: "the angle" },
+        LabelKey { key: "r", about: "distance of the extreme point, with sector" },
+        LabelKey { key: "L", about: "length of the arc, with sector" },
+        LabelKey { key: "p", about: "the extreme point" },
+        LabelKey { key: "p'", about: "the extreme point after the turn" },
+    ],
+    needs: "a query for the motion bound of a body that turns",
+    fed: |context, options| turn(context, options).is_some(),
+    draw,
+};
+
+/// A turn of an extreme point about its body's origin.
+struct Turn {
+    side: Side,
+    center: DVec2,
+    /// The extreme point before.
+    p: DVec2,
+    radius: f64,
+    start: f64,
+    sweep: f64,
+    arc: f64,
+}
+
+impl Turn {
+    /// The extreme point after.
+    fn after(&self) -> DVec2 {
+        super::super::outline::on_circle(self.center, self.radius, self.start + self.sweep)
+    }
+}
+
+fn turn(context: &Context, options: &Options) -> Option<Turn> {
+    let wanted = options.of(&context.sides());
+    let run = context.run();
+    if !matches!(run.answer, Answer::MotionBound(_)) {
+        return None;
+    }
+    run.events().find_map(|event| match event {
+        Event::MotionBounded { body, radius, theta, arc, vertices, .. }
+            if wanted.contains(body) && *theta > 0.0 =>
+        {
+            let index = options.number("vertex");
+            let chosen =
+                vertices.iter().find(|v| index.is_some_and(|i| v.index as f64 == i)).or(vertices.first())?;
+            let center = context.pose(*body, 0.0)?.position;
+            let start = angle_of(chosen.point - center);
+            let sweep = theta.copysign(context.body(*body)?.spin.0);
+            Some(Turn { side: *body, center, p: chosen.point, radius: *radius, start, sweep, arc: *arc })
+        }
+        _ => None,
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(t) = turn(context, options) else { return };
+    let sector = options.flag("sector", false);
+    let after = t.after();
+    if sector {
+        let slice = Outline::sector(t.center, t.radius, t.start, t.sweep);
+        sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
+    }
+    for end in [t.p, after] {
+        sketch.part("radii").weight(Weight::Light).line(
+            t.center,
+            end,
+            Pen::construction(Role::Ink).width(1.25),
+        );
+    }
+    let mark = Outline::arc(t.center, MARK * t.radius, t.start, t.sweep);
+    sketch.part("angle").area(&mark, None, Some(Pen::dimension(Role::Ink).width(1.5)));
+    // The head ends at the marker's rim, not under it.
+    let rim = (sketch.px(MARKER + 1.0) / t.radius).min(t.sweep.abs()).copysign(t.sweep);
+    let accent = Pen::highlighted(options.role(Role::Now));
+    sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
+    let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
+    sketch.part("extreme-point").marker(t.p, marker, role, MARKER);
+    sketch.part("extreme-point").marker(after, marker, role, MARKER);
+    sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
+    points(sketch, &t, after);
+    measures(sketch, options, &t, sector);
+}
+
+fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
+    for (key, text, point) in [("p", "$p$", t.p), ("p'", "$p'$", after)] {
+        let anchor = Anchor::point_toward(point, point - t.center);
+        sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
+    }
+}
+
+fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
+    let mark = Anchor::Arc { center: t.center, radius: MARK * t.radius, start: t.start, sweep: t.sweep };
+    let theta = if sector {
+        format!(r"$\theta = {}°$", number(t.sweep.abs().to_degrees()))
+    } else {
+        r"$\theta$".to_owned()
+    };
+    sketch.label(Label::new("theta", theta, mark, Role::Ink));
+    if sector {
+        let r = format!("$r = {}$", number(t.radius));
+        // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
+        let (from, to) = if t.sweep > 0.0 { (t.p, t.center) } else { (t.center, t.p) };
+        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: 0.0 }, Role::Ink));
+        let path = Anchor::Arc { center: t.center, radius: t.radius, start: t.start, sweep: t.sweep };
+        let length = format!(r"$L = \theta\,r = {}$", number(t.arc));
+        sketch.label(Label::new("L", length, path, options.role(Role::Now)));
+    }
+}

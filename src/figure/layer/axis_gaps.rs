@@ -1,0 +1,196 @@
+//! AABB against AABB, axis by axis: D = |c_B − c_A| − (h_A + h_B) laid out on tracks below (x) and to the right (y).
+//!
+//! Where D ≥ 0 one track holds h_A | D | h_B end to end; where D < 0 the bars overlap, so each has its own track. The
+//! distance of the centres is the last.
+
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::half_extents::beside;
+use super::{LabelKey, Layer, Shows};
+
+/// Distance of the tracks from the boxes and from each other, in page px, below: a label of 16 fits between.
+const BELOW: f64 = 40.0;
+
+/// The same to the right.
+const BESIDE: f64 = 38.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "axis-gaps",
+    about: "half-extents, centre distance and gap of two AABBs, axis by axis",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "axes",
+        takes: Takes::Words(&["x", "y"]),
+        default: "both",
+        about: "which axes",
+    }],
+    labels: &[
+        LabelKey { key: "h.A.x", about: "half the width of A" },
+        LabelKey { key: "h.B.x", about: "half the width of B" },
+        LabelKey { key: "D.x", about: "gap along x, negative where the boxes overlap" },
+        LabelKey { key: "centers.x", about: "distance of the centres along x" },
+        LabelKey { key: "h.A.y", about: "half the height of A" },
+        LabelKey { key: "h.B.y", about: "half the height of B" },
+        LabelKey { key: "D.y", about: "gap along y, negative where the boxes overlap" },
+        LabelKey { key: "centers.y", about: "distance of the centres along y" },
+    ],
+    needs: "the algorithm \"extents\": two AABBs",
+    fed: |context, _| compared(context).is_some(),
+    draw,
+};
+
+/// The compared extents along one axis: of A and B each centre and half-extent, and D.
+#[derive(Clone, Copy)]
+struct Extents {
+    name: char,
+    centers: [f64; 2],
+    half: [f64; 2],
+    gap: f64,
+}
+
+/// A bar on a track.
+struct Bar {
+    key: &'static str,
+    text: String,
+    ends: [f64; 2],
+    track: usize,
+    pen: Pen,
+    /// The label stands towards smaller coordinates of the track's own axis, or beyond its upper end.
+    low: bool,
+}
+
+/// Where an axis is drawn: a point for a coordinate on a track.
+struct Place {
+    /// Where the tracks begin, across the axis.
+    edge: f64,
+    /// From one track to the next, across the axis.
+    step: f64,
+    axis: char,
+}
+
+impl Place {
+    fn point(&self, along: f64, track: usize) -> DVec2 {
+        let across = self.edge + self.step * (track as f64 + 1.0);
+        if self.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
+    }
+}
+
+/// Centres, half-extents and D.
+fn compared(context: &Context) -> Option<([DVec2; 2], [DVec2; 2], DVec2)> {
+    context.run().events().find_map(|event| match *event {
+        Event::ExtentsCompared { centers, half_extents, gap } => Some((centers, half_extents, gap)),
+        _ => None,
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some((c, h, gap)) = compared(context) else { return };
+    if options.shows("axes", "x", true) {
+        let extents = Extents { name: 'x', centers: [c[0].x, c[1].x], half: [h[0].x, h[1].x], gap: gap.x };
+        let bottom = (c[0].y - h[0].y).min(c[1].y - h[1].y);
+        axis(
+            sketch,
+            options,
+            extents,
+            &Place { edge: bottom, step: -sketch.px(BELOW), axis: 'x' },
+            [c[0].y, c[1].y],
+        );
+    }
+    if options.shows("axes", "y", true) {
+        let extents = Extents { name: 'y', centers: [c[0].y, c[1].y], half: [h[0].y, h[1].y], gap: gap.y };
+        let right = (c[0].x + h[0].x).max(c[1].x + h[1].x);
+        axis(
+            sketch,
+            options,
+            extents,
+            &Place { edge: right, step: sketch.px(BESIDE), axis: 'y' },
+            [c[0].x, c[1].x],
+        );
+    }
+}
+
+fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, across: [f64; 2]) {
+    let bars = bars(options, e);
+    let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
+    let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
+    let part = format!("axis-{}", e.name);
+    for (body, &start) in across.iter().enumerate() {
+        for along in [e.centers[body], facing[body]] {
+            let reach = |b: &&Bar| b.ends.contains(&along);
+            let last = bars.iter().filter(reach).map(|b| b.track).max().unwrap_or(0);
+            let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
+            sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), Pen::extension());
+        }
+    }
+    for bar in bars {
+        let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
+        let role = bar.pen.role;
+        sketch.part(&part).bar(p, q, 0.0, bar.pen);
+        let anchor = match (e.name, bar.low) {
+            ('x', true) => beside(p, q, DVec2::NEG_Y),
+            ('x', false) => beside(p, q, DVec2::Y),
+            (_, true) => Anchor::point_toward(if p.y < q.y { p } else { q }, DVec2::NEG_Y),
+            _ => Anchor::point_toward(if p.y < q.y { q } else { p }, DVec2::Y),
+        };
+        sketch.label(Label::new(bar.key, bar.text, anchor, role));
+    }
+}
+
+/// h_A, D, h_B and the distance of the centres along one axis, each with its track.
+fn bars(options: &Options, e: Extents) -> Vec<Bar> {
+    let role = options.role(Role::Now);
+    let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
+    let [a, b] = e.centers;
+    let facing = [a + forward * e.half[0], b - forward * e.half[1]];
+    let gap_role = if role == Role::Now { Role::Translation } else { Role::Now };
+    let own = |k: usize| if e.gap < 0.0 { k } else { 0 };
+    let name = e.name;
+    let keys = if name == 'x' {
+        ["h.A.x", "D.x", "h.B.x", "centers.x"]
+    } else {
+        ["h.A.y", "D.y", "h.B.y", "centers.y"]
+    };
+    let half = Pen::highlighted(role);
+    vec![
+        Bar {
+            key: keys[0],
+            text: format!("$h_{{A,{name}}} = {}$", number(e.half[0])),
+            ends: [a, facing[0]],
+            track: own(0),
+            pen: half,
+            low: name == 'y',
+        },
+        Bar {
+            key: keys[1],
+            text: format!("$D_{name} = {}$", number(e.gap)),
+            ends: facing,
+            track: own(1),
+            pen: Pen::highlighted(gap_role),
+            low: false,
+        },
+        Bar {
+            key: keys[2],
+            text: format!("$h_{{B,{name}}} = {}$", number(e.half[1])),
+            ends: [facing[1], b],
+            track: own(2),
+            pen: half,
+            low: false,
+        },
+        Bar {
+            key: keys[3],
+            text: format!("$|c_B - c_A|_{name} = {}$", number((b - a).abs())),
+            ends: [a, b],
+            track: own(2) + 1,
+            pen: Pen::dimension(Role::Ink),
+            low: true,
+        },
+    ]
+}

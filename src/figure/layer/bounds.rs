@@ -1,0 +1,121 @@
+//! The AABB of a body, or of two together: its corners min and max, its centre, and the vertices that touch its sides.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+use crate::trace::{Event, SupportVertex};
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Outline;
+use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+/// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists them.
+const SIDES: [(&str, &str, DVec2); 4] = [
+    ("touching.left", r"$x_{\min}$", DVec2::NEG_X),
+    ("touching.bottom", r"$y_{\min}$", DVec2::NEG_Y),
+    ("touching.right", r"$x_{\max}$", DVec2::X),
+    ("touching.top", r"$y_{\max}$", DVec2::Y),
+];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "bounds",
+    about: "the AABB with its corners and centre",
+    shows: Shows::World,
+    options: &[
+        OptionSpec {
+            name: "corners",
+            takes: Takes::Flag,
+            default: "true",
+            about: "marks min, max and the centre",
+        },
+        OptionSpec {
+            name: "touching",
+            takes: Takes::Flag,
+            default: "true",
+            about: "marks the vertices that touch the sides",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "min", about: "corner of smallest coordinates" },
+        LabelKey { key: "max", about: "corner of largest coordinates" },
+        LabelKey { key: "c", about: "centre" },
+        LabelKey { key: "touching.left", about: "vertex of smallest x" },
+        LabelKey { key: "touching.bottom", about: "vertex of smallest y" },
+        LabelKey { key: "touching.right", about: "vertex of largest x" },
+        LabelKey { key: "touching.top", about: "vertex of largest y" },
+    ],
+    needs: "a query for bounds",
+    fed: |context, _| context.run().events().any(|e| matches!(e, Event::BoundsFound { .. })),
+    draw,
+};
+
+/// A box that was found.
+#[derive(Clone)]
+struct Found {
+    of: Option<Side>,
+    min: DVec2,
+    max: DVec2,
+    touching: [Vec<SupportVertex>; 4],
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let run = context.run();
+    let found: Vec<Found> = run
+        .events()
+        .filter_map(|event| match event {
+            Event::BoundsFound { of, min, max, touching } => {
+                Some(Found { of: *of, min: *min, max: *max, touching: touching.clone() })
+            }
+            _ => None,
+        })
+        .collect();
+    let Some((last, parts)) = found.split_last() else { return };
+    for part in parts {
+        let role = part.of.map_or(Role::Ink, Role::from);
+        sketch.part("part-box").area(&rectangle(part), None, Some(Pen::construction(role)));
+    }
+    let role = options.role(Role::Ink);
+    sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(1.5)));
+    if options.flag("touching", true) {
+        touching(sketch, last);
+    }
+    if options.flag("corners", true) {
+        corners(sketch, last, role);
+    }
+}
+
+fn rectangle(found: &Found) -> Outline {
+    let (min, max) = (found.min, found.max);
+    Outline::polygon(&[min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)])
+}
+
+/// The vertices that touch each side; the first of each is named.
+fn touching(sketch: &mut Sketch, found: &Found) {
+    let role = found.of.map_or(Role::Ink, Role::from);
+    let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
+    for (vertices, (key, text, outward)) in found.touching.iter().zip(SIDES) {
+        for vertex in vertices {
+            sketch.part("touching").marker(vertex.point, marker, role, LARGE_MARKER);
+        }
+        if let Some(first) = vertices.first() {
+            let anchor = Anchor::point_toward(first.point, outward);
+            sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
+        }
+    }
+}
+
+fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
+    let center = 0.5 * (found.min + found.max);
+    for (key, point) in [("min", found.min), ("max", found.max)] {
+        sketch.part(key).marker(point, Marker::Square, role, MARKER);
+        let text = format!("{key} $= ({}, {})$", number(point.x), number(point.y));
+        let anchor = Anchor::point_toward(point, point - center);
+        sketch.label(Label::new(key, text, anchor, role));
+    }
+    sketch.part("center").marker(center, Marker::Cross, role, MARKER);
+    sketch.label(Label::new("c", "$c$", Anchor::point(center), role).rank(Rank::Point));
+}

@@ -1,0 +1,125 @@
+//! A circle's centre clamped to a box: V and its components, what is left of them, B_c, and D = B − B_c.
+//!
+//! Everything lies in the box's frame and is drawn along the box's axes, so the layer stands in a world panel and in
+//! the panel of the box's own frame alike.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Pose, Side};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::{LARGE_MARKER, Marker, Pen};
+use super::super::sketch::{Sketch, Weight};
+use super::{LabelKey, Layer, Shows};
+
+const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "clamp",
+    about: "a circle's centre clamped to a box",
+    shows: Shows::World,
+    options: &[OptionSpec { name: "show", takes: Takes::Words(PARTS), default: "all", about: "which parts" }],
+    labels: &[
+        LabelKey { key: "V", about: "from the box's centre to the circle's" },
+        LabelKey { key: "V_x", about: "its component along the box's x axis" },
+        LabelKey { key: "V_y", about: "its component along the box's y axis" },
+        LabelKey { key: "clamped_x", about: "what is left of V_x" },
+        LabelKey { key: "clamped_y", about: "what is left of V_y" },
+        LabelKey { key: "B_c", about: "the point of the box closest to the circle" },
+        LabelKey { key: "D", about: "from there to the circle's centre" },
+    ],
+    needs: "the algorithm \"clamp\": a circle against a box",
+    fed: |context, _| clamped(context).is_some(),
+    draw,
+};
+
+/// What the algorithm found, in the world but for `v` and `kept`, which are in the box's frame.
+struct Clamped {
+    side: Side,
+    pose: Pose,
+    v: DVec2,
+    kept: DVec2,
+    closest: DVec2,
+    d: DVec2,
+}
+
+fn clamped(context: &Context) -> Option<Clamped> {
+    context.run().events().find_map(|event| match *event {
+        Event::Clamped { body, v, clamped, closest, d, .. } => Some(Clamped {
+            side: body,
+            pose: context.pose(body, context.time)?,
+            v,
+            kept: clamped,
+            closest,
+            d,
+        }),
+        _ => None,
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(c) = clamped(context) else { return };
+    let shows = |part| options.shows("show", part, true);
+    if shows("components") {
+        components(sketch, &c, shows("clamped"));
+    }
+    if shows("clamped") {
+        kept(sketch, options, &c);
+    }
+    if shows("V") {
+        let (from, tip) = (c.pose.position, c.pose.point(c.v));
+        sketch.part("V").arrow(from, tip, Pen::vector(Role::Ink));
+        sketch.label(Label::new("V", "$V$", Anchor::middle(from, tip), Role::Ink));
+    }
+    if shows("D") {
+        let (from, tip) = (c.closest, c.closest + c.d);
+        sketch.part("D").arrow(from, tip, Pen::vector(Role::Translation));
+        sketch.label(Label::new("D", "$D$", Anchor::middle(from, tip), Role::Translation));
+    }
+    if shows("Bc") {
+        let marker = if c.side == Side::A { Marker::Disc } else { Marker::Square };
+        let role = Role::from(c.side);
+        sketch.part("Bc").marker(c.closest, marker, role, LARGE_MARKER);
+        sketch.label(Label::new("B_c", "$B_c$", Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
+    }
+}
+
+/// The axes of the box with the component of V and what clamping left of it.
+fn axes(c: &Clamped) -> [(DVec2, f64, f64); 2] {
+    [(c.pose.vector(DVec2::X), c.v.x, c.kept.x), (c.pose.vector(DVec2::Y), c.v.y, c.kept.y)]
+}
+
+/// V_x and V_y as arrows along the box's axes, each with a dashed line from its tip to the circle's centre. A component
+/// that was not cut is drawn only once, as what is left of it.
+fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
+    let names = [("V_x", "$V_x$"), ("V_y", "$V_y$")];
+    for ((axis, component, kept), (key, text)) in axes(c).into_iter().zip(names) {
+        let tip = c.pose.position + axis * component;
+        sketch.part("projections").weight(Weight::Light).line(
+            tip,
+            c.pose.point(c.v),
+            Pen::construction(Role::Muted).width(1.0),
+        );
+        if !(with_kept && component == kept) {
+            sketch.part(key).arrow(c.pose.position, tip, Pen::vector(Role::Muted));
+            let anchor = Anchor::tip(c.pose.position, tip);
+            sketch.label(Label::new(key, text, anchor, Role::Muted));
+        }
+    }
+}
+
+/// The clamped components, thick.
+fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped) {
+    let role = options.role(Role::Now);
+    let names =
+        [("clamped_x", "V_x", "$V_x$", "clamped $V_x$"), ("clamped_y", "V_y", "$V_y$", "clamped $V_y$")];
+    for ((axis, component, kept), (key, whole_key, whole, cut)) in axes(c).into_iter().zip(names) {
+        let end = c.pose.position + axis * kept;
+        sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
+        let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
+        let anchor = Anchor::middle(c.pose.position, end);
+        sketch.label(Label::new(key, text, anchor, role));
+    }
+}

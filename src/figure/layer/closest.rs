@@ -1,0 +1,45 @@
+//! From the origin to the nearest point of B ⊖ A: the separation as a vector, p_B − p_A = s n.
+
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::number::number;
+use super::super::options::Options;
+use super::super::pen::Pen;
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "closest",
+    about: "from the origin to the nearest point of B ⊖ A",
+    shows: Shows::Configuration,
+    options: &[],
+    labels: &[LabelKey { key: "d", about: "distance or depth" }],
+    needs: "two convex bodies",
+    fed: |context, _| nearest(context).is_some(),
+    draw,
+};
+
+/// The last, so the best, candidate of the algorithm; moved out by the radius, which candidates leave out.
+fn nearest(context: &Context) -> Option<DVec2> {
+    let run = context.separation_at(context.time)?;
+    let answer = *run.separation()?;
+    let candidate = run.events().filter(|e| matches!(e, Event::CandidateImproved { .. })).last();
+    match candidate {
+        Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => {
+            Some(*foot)
+        }
+        _ => Some(answer.normal * answer.separation),
+    }
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(foot) = nearest(context) else { return };
+    let role = options.role(Role::Translation);
+    sketch.part("closest").double_arrow(DVec2::ZERO, foot, Pen::vector(role));
+    let text = format!("$d = {}$", number(foot.length()));
+    sketch.label(Label::new("d", text, Anchor::middle(DVec2::ZERO, foot), role));
+}

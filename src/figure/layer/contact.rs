@@ -1,0 +1,30 @@
+//! The point where the bodies touch at the hit.
+
+use crate::drawing::Role;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::options::Options;
+use super::super::pen::{MARKER, Marker};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "contact",
+    about: "the point of first contact",
+    shows: Shows::World,
+    options: &[],
+    labels: &[LabelKey { key: "contact", about: "the point of first contact; without a text of its own" }],
+    needs: "a hit",
+    fed: |context, _| context.hit().is_some(),
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some((_, contact)) = context.hit() else { return };
+    // At the last moment proved free the witness points are a rounding apart; the contact is between them.
+    let point = 0.5 * (contact.points[0] + contact.points[1]);
+    let role = options.role(Role::Ink);
+    sketch.part("contact").marker(point, Marker::Disc, role, MARKER);
+    sketch.label(Label::new("contact", "", Anchor::point(point), role));
+}

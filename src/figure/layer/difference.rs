@@ -1,0 +1,208 @@
+//! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's dashed too),
+//! diamonds at its vertices. Round bodies make it an arc.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Feature, Side};
+use crate::trace::{Culling, Event};
+
+use super::super::context::Context;
+use super::super::difference::{Difference, Edge};
+use super::super::label::{Anchor, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+/// Width of an edge that the algorithm skipped, page px, and its opacity.
+const THIN: (f64, f64) = (0.75, 0.55);
+
+/// Width of the edges of earlier iterations, page px.
+const EARLIER: f64 = 1.25;
+
+/// Opacity of the first and of the last but one of a series.
+const SERIES: [f64; 2] = [0.3, 0.8];
+
+/// Numbers of iterations closer than this, in page px, would touch: the later one is left out, but never the last.
+const NUMBER_GAP: f64 = 14.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "difference",
+    about: "the Minkowski difference B ⊖ A, edges by source",
+    shows: Shows::Configuration,
+    options: &[
+        OptionSpec {
+            name: "at",
+            takes: Takes::When(&["start", "hit", "end", "steps"]),
+            default: "the panel's moment",
+            about: "when, or at every step of the algorithm",
+        },
+        OptionSpec {
+            name: "culled",
+            takes: Takes::Word(&["same", "thin"]),
+            default: "\"same\"",
+            about: "how edges look that face away from the ray",
+        },
+        OptionSpec {
+            name: "sources",
+            takes: Takes::Flag,
+            default: "false",
+            about: "labels \"from A\" and \"from B\"",
+        },
+        OptionSpec { name: "numbers", takes: Takes::Flag, default: "false", about: "numbers the steps" },
+    ],
+    labels: &[
+        LabelKey { key: "difference", about: "its name, B ⊖ A" },
+        LabelKey { key: "from.A", about: "at an edge of A, with sources" },
+        LabelKey { key: "from.B", about: "at an edge of B, with sources" },
+        LabelKey { key: "step", about: "numbers of the steps" },
+    ],
+    needs: "two convex bodies; for \"steps\" an advancement",
+    fed: |context, options| match options.word("at", "") {
+        "steps" => !context.steps().is_empty(),
+        _ => difference(context, when(context, options).unwrap_or(context.time)).is_some(),
+    },
+    draw,
+};
+
+/// B ⊖ A at a time, as the algorithm that tells of it found it.
+pub(super) fn difference(context: &Context, time: f64) -> Option<Difference> {
+    Difference::of(context.difference_at(time)?.events())
+}
+
+fn when(context: &Context, options: &Options) -> Option<f64> {
+    Some(context.moment(&options.when("at")?)?.time)
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    if options.word("at", "") == "steps" {
+        steps(sketch, context, options);
+        return;
+    }
+    let time = when(context, options).unwrap_or(context.time);
+    let Some(found) = difference(context, time) else { return };
+    area(sketch, options, &found);
+    let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { Vec::new() };
+    for edge in &found.edges {
+        let pen = edge_pen(edge);
+        let thin = skipped.contains(&(edge.source, Feature::Edge(edge.index)));
+        edge_line(sketch, &found, edge, if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen });
+    }
+    diamonds(sketch, &found);
+    name(sketch, context, options, &found);
+    if options.flag("sources", false) {
+        sources(sketch, context, &found);
+    }
+}
+
+/// The area, and its line where no edge of a body is: about a point, or round the corners.
+fn area(sketch: &mut Sketch, options: &Options, found: &Difference) {
+    let role = options.role(Role::Difference);
+    let pen = (found.radius > 0.0).then(|| Pen::outline(role));
+    sketch.part("difference").area(&found.outline(), Some(Wash::theme(role)), pen);
+}
+
+/// Solid in A's colour, dashed in B's.
+pub(super) fn edge_pen(edge: &Edge) -> Pen {
+    let pen = Pen::outline(edge.source.into());
+    if edge.source == Side::B { pen.dash(Dash::Long) } else { pen }
+}
+
+fn edge_line(sketch: &mut Sketch, found: &Difference, edge: &Edge, pen: Pen) {
+    let (from, to) = found.side(edge);
+    sketch.part(if edge.source == Side::A { "edges-A" } else { "edges-B" }).line(from, to, pen);
+}
+
+fn diamonds(sketch: &mut Sketch, found: &Difference) {
+    if found.radius > 0.0 {
+        return;
+    }
+    for edge in &found.edges {
+        sketch.part("vertices").marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
+    }
+}
+
+fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
+    let bare = |side| context.name(side).trim_matches('$').to_owned();
+    let text = format!(r"${} \ominus {}$", bare(Side::B), bare(Side::A));
+    let anchor = Anchor::inside(&found.outline(), &[]);
+    let role = options.role(Role::Difference);
+    sketch.label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));
+}
+
+/// `from A` and `from B` outside the first edge of each that faces up, away from the origin.
+fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
+    for (side, key) in [(Side::A, "from.A"), (Side::B, "from.B")] {
+        let own = found.edges.iter().filter(|e| e.source == side);
+        let Some(edge) =
+            own.max_by(|e, f| e.normal.y.total_cmp(&f.normal.y).then(e.normal.x.total_cmp(&f.normal.x)))
+        else {
+            continue;
+        };
+        let (from, to) = found.side(edge);
+        // Counter-clockwise, so that outside is on the right of from → to, and on the left of to → from.
+        let anchor = Anchor::Beside { from: to, to: from, offset: 0.0 };
+        let text = format!("from {}", context.name(side));
+        sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
+    }
+}
+
+/// The edges that the ray was not tested against.
+fn culled(context: &Context) -> Vec<(Side, Feature)> {
+    let run = context.run();
+    let skipped = run.events().filter_map(|event| match event {
+        Event::RayClipped { source, outcome: Culling::BackFacing, .. } => Some(*source),
+        _ => None,
+    });
+    skipped.collect()
+}
+
+/// Every iteration's difference, fainter the earlier; the last one whole.
+fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let all: Vec<Difference> = context.steps().iter().filter_map(|&time| difference(context, time)).collect();
+    let Some((last, before)) = all.split_last() else { return };
+    for (k, found) in before.iter().enumerate() {
+        let along = if before.len() > 1 { k as f64 / (before.len() - 1) as f64 } else { 1.0 };
+        let opacity = SERIES[0] + along * (SERIES[1] - SERIES[0]);
+        if found.radius > 0.0 {
+            let pen = Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity);
+            sketch.part("iterations").area(&found.outline(), None, Some(pen));
+        }
+        for edge in &found.edges {
+            edge_line(sketch, found, edge, edge_pen(edge).width(EARLIER).opacity(opacity));
+        }
+    }
+    area(sketch, options, last);
+    for edge in &last.edges {
+        edge_line(sketch, last, edge, edge_pen(edge));
+    }
+    diamonds(sketch, last);
+    name(sketch, context, options, last);
+    if options.flag("numbers", false) {
+        numbers(sketch, &all);
+    }
+}
+
+/// The number of each iteration below its lowest vertex.
+fn numbers(sketch: &mut Sketch, all: &[Difference]) {
+    let lowest = |found: &Difference| {
+        let points = found.outline().sampled();
+        points.into_iter().min_by(|p, q| p.y.total_cmp(&q.y).then(q.x.total_cmp(&p.x)))
+    };
+    let places: Vec<DVec2> = all.iter().filter_map(lowest).collect();
+    let gap = sketch.px(NUMBER_GAP);
+    let Some((&last, before)) = places.split_last() else { return };
+    let mut kept: Vec<(usize, DVec2)> = Vec::new();
+    for (k, &place) in before.iter().enumerate() {
+        let clear = |other: DVec2| other.distance(place) >= gap;
+        if clear(last) && kept.last().is_none_or(|&(_, other)| clear(other)) {
+            kept.push((k, place));
+        }
+    }
+    kept.push((before.len(), last));
+    for (k, place) in kept {
+        let anchor = Anchor::point_toward(place, DVec2::NEG_Y);
+        sketch.label(
+            Label::new("step", k.to_string(), anchor, Role::Difference).rank(Rank::Word).size(Size::Small),
+        );
+    }
+}

@@ -1,0 +1,38 @@
+//! A body's own axes: the frame in which an oriented box is an AABB.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+
+use super::super::context::Context;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::Sketch;
+use super::{Layer, Shows};
+
+/// Drawn length of an axis where the scene does not say, in world units.
+const LENGTH: f64 = 1.6;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "frame",
+    about: "the axes of a body's own frame",
+    shows: Shows::World,
+    options: &[
+        OptionSpec { name: "of", takes: Takes::Bodies, default: "the first", about: "which bodies" },
+        OptionSpec { name: "length", takes: Takes::Number, default: "1.6", about: "world units" },
+    ],
+    labels: &[],
+    needs: "nothing",
+    fed: |_, _| true,
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let length = options.number("length").unwrap_or(LENGTH);
+    let pen = Pen::vector(options.role(Role::Muted));
+    for side in options.of(&[Side::A]) {
+        let Some(pose) = context.pose(side, context.time) else { continue };
+        for axis in [DVec2::X, DVec2::Y] {
+            sketch.part(context.part("frame", side)).arrow(pose.position, pose.point(axis * length), pen);
+        }
+    }
+}

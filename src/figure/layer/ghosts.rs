@@ -1,0 +1,139 @@
+//! Bodies at another moment or place, dotted: where they hit, where they were, every step between, or pushed apart.
+
+use crate::collision::Separation;
+use crate::geometry::Side;
+use crate::scene::When;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Outline;
+use super::super::pen::{Dash, Pen, Wash};
+use super::super::sketch::{Sketch, Weight};
+use super::{LabelKey, Layer, Shows};
+
+/// Fill of a ghost: enough to see that it is a body, too little to be taken for one that is there.
+const FAINT: f64 = 0.05;
+
+/// At most this many ghosts of a series, the last included; more are a blur (rule 5 of the figures).
+const MOST: usize = 5;
+
+/// Opacity of the first and of the last but one of a series.
+const SERIES: [f64; 2] = [0.35, 0.65];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "ghosts",
+    about: "bodies at another moment or place, dotted",
+    shows: Shows::World,
+    options: &[
+        OptionSpec {
+            name: "of",
+            takes: Takes::Bodies,
+            default: "those that are elsewhere then",
+            about: "which bodies",
+        },
+        OptionSpec {
+            name: "at",
+            takes: Takes::When(&["hit", "separated", "start", "end", "steps"]),
+            default: "\"hit\"",
+            about: "when, or \"separated\" by the minimum translation, or at every step of the algorithm",
+        },
+        OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "a faint fill" },
+    ],
+    labels: &[
+        LabelKey { key: "A'", about: "the first body then" },
+        LabelKey { key: "B'", about: "the second body then" },
+    ],
+    needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", steps for \"steps\"",
+    fed: |context, options| match options.word("at", "hit") {
+        "separated" => separation(context).is_some(),
+        "steps" => !context.steps().is_empty(),
+        _ => when(context, options).is_some(),
+    },
+    draw,
+};
+
+/// The separation at the panel's moment.
+fn separation(context: &Context) -> Option<Separation> {
+    context.separation_at(context.time)?.separation().copied()
+}
+
+fn when(context: &Context, options: &Options) -> Option<f64> {
+    Some(context.moment(&options.when("at").unwrap_or(When::Hit))?.time)
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    for side in options.of(&context.sides()) {
+        match options.word("at", "hit") {
+            "separated" => separated(sketch, context, options, side),
+            "steps" => steps(sketch, context, options, side),
+            _ => moment(sketch, context, options, side),
+        }
+    }
+}
+
+/// Parted by the minimum translation: B by −s n, A by s n.
+fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    let (Some(answer), Some(outline)) = (separation(context), context.outline(side, context.time)) else {
+        return;
+    };
+    let away = answer.normal * answer.separation;
+    ghost(sketch, context, options, side, &outline.moved(if side == Side::A { away } else { -away }));
+}
+
+fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    let Some(time) = when(context, options) else { return };
+    let still = context.pose(side, time) == context.pose(side, context.time);
+    if still && options.words("of").is_none() {
+        return;
+    }
+    if let Some(outline) = context.outline(side, time) {
+        ghost(sketch, context, options, side, &outline);
+    }
+}
+
+/// One ghost, named.
+fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
+    let role = options.role(side.into());
+    let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
+    sketch.part(context.part("ghost", side)).weight(Weight::Light).area(
+        outline,
+        wash,
+        Some(Pen::ghost(role)),
+    );
+    name(sketch, context, options, side, outline);
+}
+
+fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
+    let key = if side == Side::A { "A'" } else { "B'" };
+    let others: Vec<Outline> =
+        context.sides().into_iter().filter_map(|s| context.outline(s, context.time)).collect();
+    let anchor = Anchor::inside(outline, &others);
+    sketch.label(
+        Label::new(key, context.primed(side, 1), anchor, options.role(side.into()))
+            .rank(Rank::Name)
+            .size(Size::Name),
+    );
+}
+
+/// Where the body was at each step after the first; more than [`MOST`] are thinned, the last one stays and is named.
+fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
+    let Some((&last, before)) = times.split_last() else { return };
+    let role = options.role(side.into());
+    let every = before.len().div_ceil(MOST - 1).max(1);
+    let kept: Vec<f64> = before.iter().copied().step_by(every).collect();
+    for (i, &time) in kept.iter().enumerate() {
+        let along = if kept.len() > 1 { i as f64 / (kept.len() - 1) as f64 } else { 1.0 };
+        let pen = Pen::ghost(role).opacity(SERIES[0] + along * (SERIES[1] - SERIES[0]));
+        if let Some(outline) = context.outline(side, time) {
+            sketch.part(context.part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
+        }
+    }
+    if let Some(outline) = context.outline(side, last) {
+        let pen = Pen::outline(role).dash(Dash::Dotted);
+        let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
+        sketch.part(context.part("ghost", side)).area(&outline, wash, Some(pen));
+        name(sketch, context, options, side, &outline);
+    }
+}

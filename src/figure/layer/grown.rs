@@ -1,0 +1,71 @@
+//! B shrunk to a point while A grows by B's shape: what B ⊖ A looks like from where the bodies stand.
+//!
+//! With b the origin of B, the grown A is {b − x : x ∈ B ⊖ A} = A ⊕ (b − B): A swept by B turned through half a turn
+//! about b. Copies of that on A's corners span it.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::{LARGE_MARKER, Marker, Pen, Wash};
+use super::super::sketch::Sketch;
+use super::difference::{difference, edge_pen};
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "grown",
+    about: "B as a point, A grown by B's shape",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "copies",
+        takes: Takes::Flag,
+        default: "true",
+        about: "dotted copies of B on A's corners",
+    }],
+    labels: &[
+        LabelKey { key: "A", about: "name of the first body" },
+        LabelKey { key: "b", about: "the point that B shrinks to" },
+    ],
+    needs: "two convex bodies",
+    fed: |context, _| difference(context, context.time).is_some(),
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let time = context.time;
+    let Some(found) = difference(context, time) else { return };
+    let (Some(b), Some(outline_a), Some(outline_b)) =
+        (context.pose(Side::B, time), context.outline(Side::A, time), context.outline(Side::B, time))
+    else {
+        return;
+    };
+    let b = b.position;
+    let turned = |p: DVec2| b - p;
+    let grown = found.outline().turned_about(DVec2::ZERO).moved(b);
+    let pen = (found.radius > 0.0).then(|| Pen::outline(Role::Difference));
+    sketch.part("grown").area(&grown, Some(Wash::theme(Role::Difference)), pen);
+    sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
+    if options.flag("copies", true) {
+        for corner in corners(context) {
+            let copy = outline_b.turned_about(b).moved(corner - b);
+            sketch.part("copies").area(&copy, None, Some(Pen::ghost(Role::B)));
+        }
+    }
+    for edge in &found.edges {
+        let (from, to) = found.side(edge);
+        sketch.part("grown").line(turned(from), turned(to), edge_pen(edge));
+    }
+    sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
+    sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
+    let inside = Anchor::inside(&outline_a, &[]);
+    sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
+    sketch.label(Label::new("b", "$b$", Anchor::point(b), Role::B).rank(Rank::Point));
+}
+
+/// The corners of A's core, in the world.
+fn corners(context: &Context) -> Vec<DVec2> {
+    let Some(body) = context.body(Side::A) else { return Vec::new() };
+    body.shape.core.iter().filter_map(|&i| context.vertex(Side::A, i, context.time)).collect()
+}

@@ -1,0 +1,145 @@
+//! Half-extents h_x and h_y, from the centre of a box to its sides, as bars or dimension lines beside it.
+
+use crate::collision::Answer;
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, left_of};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::{LabelKey, Layer, Shows};
+
+/// Distance of the lines from the box where the scene does not say, in page px: a dimension's label fits beside it.
+const OFFSET: f64 = 24.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "half-extents",
+    about: "half-extents of a box, from its centre to its sides",
+    shows: Shows::World,
+    options: &[
+        OptionSpec {
+            name: "of",
+            takes: Takes::Bodies,
+            default: "the first box",
+            about: "which body, unless the query is for bounds",
+        },
+        OptionSpec {
+            name: "style",
+            takes: Takes::Word(&["bar", "dimension"]),
+            default: "\"dimension\"",
+            about: "thick bars or dimension lines",
+        },
+        OptionSpec {
+            name: "offset",
+            takes: Takes::Number,
+            default: "24",
+            about: "distance from the box, page px",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "h_x", about: "half the width" },
+        LabelKey { key: "h_y", about: "half the height" },
+    ],
+    needs: "a query for bounds, or a box",
+    fed: |context, options| boxed(context, options).is_some(),
+    draw,
+};
+
+/// A box with its axes, all in the world.
+struct Boxed {
+    center: DVec2,
+    x: DVec2,
+    y: DVec2,
+    half: DVec2,
+}
+
+fn boxed(context: &Context, options: &Options) -> Option<Boxed> {
+    if let Answer::Bounds(bounds) = context.run().answer {
+        return Some(Boxed { center: bounds.center, x: DVec2::X, y: DVec2::Y, half: bounds.half_extents });
+    }
+    options.of(&context.sides()).into_iter().find_map(|side| {
+        let half = context.body(side)?.shape.half_extents?;
+        let pose = context.pose(side, context.time)?;
+        Some(Boxed { center: pose.position, x: pose.vector(DVec2::X), y: pose.vector(DVec2::Y), half })
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(b) = boxed(context, options) else { return };
+    let offset = sketch.px(options.number("offset").unwrap_or(OFFSET));
+    // Beside the box, on the sides that no other body is at; below and to the right where all are free.
+    let away = others(context, &b);
+    let down = if away.y < 0.0 { b.y } else { -b.y };
+    let aside = if away.x > 0.0 { -b.x } else { b.x };
+    line(
+        sketch,
+        options,
+        &Line {
+            key: "h_x",
+            from: b.center,
+            along: b.x * b.half.x,
+            out: down * (b.half.y + offset),
+            past: down * b.half.y,
+            length: b.half.x,
+        },
+    );
+    line(
+        sketch,
+        options,
+        &Line {
+            key: "h_y",
+            from: b.center,
+            along: b.y * b.half.y,
+            out: aside * (b.half.x + offset),
+            past: aside * b.half.x,
+            length: b.half.y,
+        },
+    );
+}
+
+/// Where the other bodies are from the box, along its axes.
+fn others(context: &Context, b: &Boxed) -> DVec2 {
+    let far = context.sides().into_iter().filter_map(|side| context.pose(side, context.time));
+    let sum: DVec2 = far.map(|pose| pose.position - b.center).sum();
+    if matches!(context.run().answer, Answer::Bounds(_)) {
+        DVec2::ZERO
+    } else {
+        DVec2::new(sum.dot(b.x), sum.dot(b.y))
+    }
+}
+
+/// One half-extent.
+struct Line {
+    key: &'static str,
+    from: DVec2,
+    along: DVec2,
+    /// From the centre to the line's own height.
+    out: DVec2,
+    /// From the centre to the box's side on the way there.
+    past: DVec2,
+    length: f64,
+}
+
+fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
+    let bar = options.word("style", "dimension") == "bar";
+    let role = options.role(Role::Ink);
+    let (p, q) = (l.from + l.out, l.from + l.out + l.along);
+    let part = l.key.replace('_', "-");
+    // A bar stands for the whole way from the centre; a dimension line begins at the box.
+    let begin = if bar { l.from } else { l.from + l.past };
+    sketch.part(&part).weight(Weight::Light).line(begin, p, Pen::extension());
+    sketch.part(&part).weight(Weight::Light).line(l.from + l.past + l.along, q, Pen::extension());
+    let pen = if bar { Pen::highlighted(role) } else { Pen::dimension(role) };
+    sketch.part(&part).bar(p, q, 0.0, pen);
+    let text = format!("${} = {}$", l.key, number(l.length));
+    sketch.label(Label::new(l.key, text, beside(p, q, l.out), role));
+}
+
+/// Beside a line, on the side of `out`.
+pub(super) fn beside(p: DVec2, q: DVec2, out: DVec2) -> Anchor {
+    let (from, to) = if left_of(p, q).dot(out) < 0.0 { (q, p) } else { (p, q) };
+    Anchor::Beside { from, to, offset: 0.0 }
+}

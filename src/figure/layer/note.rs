@@ -1,0 +1,35 @@
+//! Lines of text at a corner of the panel: the one place for a formula with its numbers.
+
+use crate::drawing::Role;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Corner, Label, Rank, Size};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "note",
+    about: "lines of text at a corner",
+    shows: Shows::Anywhere,
+    options: &[
+        OptionSpec { name: "at", takes: Takes::Word(Corner::WORDS), default: "\"top-left\"", about: "where" },
+        OptionSpec {
+            name: "lines",
+            takes: Takes::Lines,
+            default: "none",
+            about: "markup, `{=…}` for values",
+        },
+    ],
+    labels: &[LabelKey { key: "note", about: "the lines" }],
+    needs: "lines",
+    fed: |_, options| options.words("lines").is_some(),
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+    let Some(lines) = options.words("lines") else { return };
+    let corner = Corner::of_word(options.word("at", "top-left")).unwrap_or(Corner::TopLeft);
+    let label = Label::new("note", "", Anchor::Corner(corner), options.role(Role::Ink)).lines(lines);
+    sketch.label(label.rank(Rank::Note).size(Size::Note));
+}

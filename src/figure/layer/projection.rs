@@ -1,0 +1,121 @@
+//! Both bodies projected on one axis of the separating-axis test: two intervals, and the gap or overlap between them.
+//!
+//! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis is drawn beside the
+//! bodies, square to the edge whose normal it is.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Enclosure, Side, perp};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::half_extents::beside;
+use super::{LabelKey, Layer, Shows};
+
+/// Distance of the axis from the bodies, page px.
+const OFFSET: f64 = 26.0;
+
+/// Distance of the two intervals, and of the gap, from the axis, page px: beside each other where they overlap.
+const TRACK: f64 = 6.0;
+
+/// How far the axis reaches past the intervals, page px; its arrow head stands free.
+const PAST: f64 = 22.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "projection",
+    about: "both bodies' intervals on one axis of the separating-axis test",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "axis",
+        takes: Takes::Number,
+        default: "the one of the largest gap",
+        about: "which tested axis, from 1",
+    }],
+    labels: &[
+        LabelKey { key: "n", about: "the axis" },
+        LabelKey { key: "gap", about: "gap of the intervals, negative where they overlap" },
+    ],
+    needs: "the algorithm \"separating-axes\", and no more axes than it tested",
+    fed: |context, options| tested(context, options).is_some(),
+    draw,
+};
+
+/// A tested axis.
+#[derive(Clone, Copy)]
+struct Tested {
+    n: DVec2,
+    a: Enclosure,
+    b: Enclosure,
+    gap: f64,
+}
+
+fn tested(context: &Context, options: &Options) -> Option<Tested> {
+    let run = context.run();
+    let all: Vec<Tested> = run
+        .events()
+        .filter_map(|event| match *event {
+            Event::AxisTested { axis, interval_a, interval_b, gap, .. } => {
+                Some(Tested { n: axis, a: interval_a, b: interval_b, gap })
+            }
+            _ => None,
+        })
+        .collect();
+    match options.number("axis") {
+        Some(k) => all.iter().enumerate().find(|(i, _)| (i + 1) as f64 == k).map(|(_, t)| *t),
+        None => all.into_iter().max_by(|s, t| s.gap.total_cmp(&t.gap)),
+    }
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(t) = tested(context, options) else { return };
+    let side = perp(t.n);
+    let down = if side.y > 0.0 || side.y == 0.0 && side.x < 0.0 { -side } else { side };
+    let points: Vec<DVec2> = context
+        .sides()
+        .into_iter()
+        .filter_map(|s| context.outline(s, context.time))
+        .flat_map(|outline| outline.sampled())
+        .collect();
+    let far = points.iter().map(|p| p.dot(down)).fold(f64::NEG_INFINITY, f64::max) + sketch.px(OFFSET);
+    let at = |along: f64, track: f64| t.n * along + down * (far + track);
+    let past = sketch.px(PAST);
+    let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
+    sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(at(first, 0.0), at(last, 0.0)), Role::Muted));
+    for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
+        let track = sketch.px(track);
+        for end in [interval.lo, interval.hi] {
+            let corner = points.iter().copied().min_by(|p, q| {
+                (p.dot(t.n) - end)
+                    .abs()
+                    .total_cmp(&(q.dot(t.n) - end).abs())
+                    .then(q.dot(down).total_cmp(&p.dot(down)))
+            });
+            if let Some(corner) = corner {
+                sketch.part("shadows").weight(Weight::Light).line(corner, at(end, track), Pen::extension());
+            }
+        }
+        let pen = Pen::highlighted(options.role(body.into()));
+        sketch.part(context.part("interval", body)).bar(
+            at(interval.lo, track),
+            at(interval.hi, track),
+            0.0,
+            pen,
+        );
+    }
+    gap(sketch, &t, at);
+}
+
+/// Between the facing ends: apart from A's upper end to B's lower one, overlapping the other way round.
+fn gap(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
+    let track = sketch.px(4.0 * TRACK);
+    let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
+    sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
+    let out = at(0.0, 1.0) - at(0.0, 0.0);
+    let label = Label::new("gap", format!("gap $= {}$", number(t.gap)), beside(p, q, out), Role::Translation);
+    sketch.label(label.rank(Rank::Measure));
+}

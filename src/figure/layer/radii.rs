@@ -1,0 +1,175 @@
+//! Radii: one as a line from a circle's centre to its rim, or r₁ and r₂ laid under the distance of the centres.
+
+use crate::collision::Separation;
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side, perp};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::half_extents::beside;
+use super::{LabelKey, Layer, Shows};
+
+/// The eight directions that a radius can be drawn in, from E counter-clockwise.
+const COMPASS: &[&str] = &["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
+
+/// Distance of the first length from the larger circle, and of the lengths from each other, in page px: a label of 16
+/// fits between.
+const TRACK: f64 = 32.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "radii",
+    about: "radii, as lines in the circles or as lengths under the distance of the centres",
+    shows: Shows::World,
+    options: &[
+        OptionSpec { name: "of", takes: Takes::Bodies, default: "all that are round", about: "which bodies" },
+        OptionSpec {
+            name: "as",
+            takes: Takes::Word(&["line", "lengths"]),
+            default: "\"line\"",
+            about: "a line in the circle, or bars of all lengths on tracks",
+        },
+        OptionSpec {
+            name: "toward",
+            takes: Takes::Word(COMPASS),
+            default: "square to the normal",
+            about: "direction of the line",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "r", about: "the radius, of one circle" },
+        LabelKey { key: "r1", about: "radius of A" },
+        LabelKey { key: "r2", about: "radius of B" },
+        LabelKey { key: "centers", about: "distance of the centres" },
+    ],
+    needs: "a round body; for lengths the algorithm \"circles\"",
+    fed: |context, options| match options.word("as", "line") {
+        "lengths" => compared(context).is_some(),
+        _ => !round(context, options).is_empty(),
+    },
+    draw,
+};
+
+/// Centres and radii as the algorithm compared them, and its answer.
+fn compared(context: &Context) -> Option<([DVec2; 2], [f64; 2], Separation)> {
+    let run = context.separation_at(context.time)?;
+    let (centers, radii) = run.events().find_map(|event| match *event {
+        Event::CirclesCompared { centers, radii, .. } => Some((centers, radii)),
+        _ => None,
+    })?;
+    Some((centers, radii, *run.separation()?))
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    if options.word("as", "line") == "lengths" {
+        lengths(sketch, context);
+    } else {
+        lines(sketch, context, options);
+    }
+}
+
+fn round(context: &Context, options: &Options) -> Vec<Side> {
+    let is_round = |side: &Side| context.body(*side).is_some_and(|body| body.shape.radius > 0.0);
+    options.of(&context.sides()).into_iter().filter(is_round).collect()
+}
+
+fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let sides = round(context, options);
+    for &side in &sides {
+        let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
+            continue;
+        };
+        let center = pose.point(body.shape.vertices.first().copied().unwrap_or(DVec2::ZERO));
+        let rim = center + direction(context, options) * body.shape.radius;
+        let role = options.role(side.into());
+        let number = number(body.shape.radius);
+        let (key, text) = match (sides.len(), side) {
+            (1, _) => ("r", format!("$r = {number}$")),
+            (_, Side::A) => ("r1", format!("$r_1 = {number}$")),
+            (_, Side::B) => ("r2", format!("$r_2 = {number}$")),
+        };
+        sketch.part(context.part("radius", side)).line(center, rim, Pen::dimension(role).width(1.5));
+        sketch.label(Label::new(key, text, Anchor::middle(center, rim), role));
+    }
+}
+
+/// As asked for, else square to the normal, on its right: beside everything that runs between the bodies.
+fn direction(context: &Context, options: &Options) -> DVec2 {
+    let word = options.word("toward", "");
+    if let Some(eighth) = COMPASS.iter().position(|w| *w == word) {
+        let angle = std::f64::consts::FRAC_PI_4 * eighth as f64;
+        return DVec2::new(libm::cos(angle), libm::sin(angle));
+    }
+    context
+        .separation_at(context.time)
+        .and_then(|run| run.separation().map(|s| -perp(s.normal)))
+        .unwrap_or(DVec2::X)
+}
+
+/// A length on a track beside the circles.
+struct Length {
+    key: &'static str,
+    text: String,
+    ends: [DVec2; 2],
+    role: Role,
+    weight: Pen,
+}
+
+/// ‖A − B‖, r₁ and r₂ on tracks along the line of centres, below the circles: the radii overlap by the depth.
+fn lengths(sketch: &mut Sketch, context: &Context) {
+    let Some((centers, radii, answer)) = compared(context) else { return };
+    let n = answer.normal;
+    let side = perp(n);
+    let down = if side.y > 0.0 { -side } else { side };
+    let tracks = tracks(centers, radii, &answer);
+    for (i, length) in tracks.iter().enumerate() {
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i as f64 + 0.75)));
+        let [p, q] = length.ends.map(|end| end + out);
+        sketch.part("lengths").bar(p, q, 0.0, length.weight);
+        let anchor = beside(p, q, -down);
+        sketch.label(Label::new(length.key, length.text.clone(), anchor, length.role));
+    }
+    let last = |point: DVec2| {
+        tracks.iter().rposition(|l| {
+            l.ends.iter().any(|end| end.distance(point) <= f64::EPSILON * radii[0].max(radii[1]))
+        })
+    };
+    for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
+        let deepest = last(point).unwrap_or(tracks.len() - 1);
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (deepest as f64 + 0.75)));
+        sketch.part("lengths").weight(Weight::Light).line(point, point + out, Pen::extension());
+    }
+}
+
+fn tracks(centers: [DVec2; 2], radii: [f64; 2], answer: &Separation) -> [Length; 3] {
+    let n = answer.normal;
+    let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };
+    let apart = centers[0].distance(centers[1]);
+    [
+        bar(
+            "centers",
+            format!(r"$\|A - B\| = {}$", number(apart)),
+            centers,
+            Role::Ink,
+            Pen::dimension(Role::Ink).width(1.5),
+        ),
+        bar(
+            "r1",
+            format!("$r_1 = {}$", number(radii[0])),
+            [centers[0], centers[0] + n * radii[0]],
+            Role::A,
+            Pen::highlighted(Role::A),
+        ),
+        bar(
+            "r2",
+            format!("$r_2 = {}$", number(radii[1])),
+            [centers[1] - n * radii[1], centers[1]],
+            Role::B,
+            Pen::highlighted(Role::B),
+        ),
+    ]
+}

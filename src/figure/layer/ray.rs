@@ -1,0 +1,41 @@
+//! The ray from the origin along the relative velocity against B ⊖ A at t = 0: it enters when the bodies touch.
+
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::options::Options;
+use super::super::pen::{LARGE_MARKER, Marker, Pen};
+use super::super::sketch::Sketch;
+use super::velocity::{relative, until_hit};
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "ray",
+    about: "the ray from the origin along the relative velocity, and where it hits",
+    shows: Shows::Configuration,
+    options: &[],
+    labels: &[
+        LabelKey { key: "v", about: "the relative velocity" },
+        LabelKey { key: "t", about: "time of the hit" },
+    ],
+    needs: "a sweep of bodies that move relative to each other",
+    fed: |context, _| {
+        relative(context) != DVec2::ZERO
+            && context.run().events().any(|e| matches!(e, Event::RayClipped { .. } | Event::Advanced { .. }))
+    },
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let v = relative(context);
+    let role = options.role(Role::Ink);
+    sketch.part("ray").arrow(DVec2::ZERO, v, Pen::vector(role));
+    sketch.label(Label::new("v", "$v$", Anchor::tip(DVec2::ZERO, v), role));
+    if let Some((time, _)) = context.hit() {
+        until_hit(sketch, DVec2::ZERO, v, time);
+        sketch.part("hit").marker(v * time, Marker::Disc, Role::Now, LARGE_MARKER);
+    }
+}

@@ -1,0 +1,145 @@
+//! Witness points and the double arrow between them: the distance of bodies apart, the depth of bodies that overlap.
+//!
+//! p_B − p_A = s n, so the arrow runs outside both bodies or inside both, and its length is |s|.
+
+use std::sync::Arc;
+
+use crate::collision::Separation;
+use crate::drawing::Role;
+use crate::geometry::{Feature, Side};
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::number::number;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::{MARKER, Marker, Pen};
+use super::super::runs::Run;
+use super::super::sketch::{Ends, Sketch, Weight};
+use super::{LabelKey, Layer, Shows};
+
+/// How far the carrier line reaches beyond its edge, in world units.
+const CARRIER: f64 = 1.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "separation",
+    about: "the distance or depth between the closest points",
+    shows: Shows::World,
+    options: &[
+        OptionSpec {
+            name: "at",
+            takes: Takes::When(&["start", "hit", "end"]),
+            default: "the panel's moment",
+            about: "when the bodies are asked for their separation",
+        },
+        OptionSpec {
+            name: "style",
+            takes: Takes::Word(&["arrow", "dimension", "bar"]),
+            default: "\"arrow\"",
+            about: "a double arrow, a dimension line with ticks, or a thick bar",
+        },
+        OptionSpec {
+            name: "offset",
+            takes: Takes::Number,
+            default: "0",
+            about: "page px to the right of the way from A to B",
+        },
+        OptionSpec {
+            name: "carrier",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the line of the edge that faces, dashed",
+        },
+        OptionSpec {
+            name: "points",
+            takes: Takes::Flag,
+            default: "false",
+            about: "marks the closest points",
+        },
+        OptionSpec {
+            name: "text",
+            takes: Takes::Lines,
+            default: "by the algorithm",
+            about: "text of the label in this panel",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "d", about: "distance or depth" },
+        LabelKey { key: "p", about: "the signed penetration of two circles" },
+        LabelKey { key: "distance", about: "the distance of a circle from a box" },
+    ],
+    needs: "two bodies",
+    fed: |context, options| found(context, options).is_some(),
+    draw,
+};
+
+fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
+    let time = match options.when("at") {
+        Some(when) => context.moment(&when)?.time,
+        None => context.time,
+    };
+    context.separation_at(time).filter(|run| run.separation().is_some())
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(run) = found(context, options) else { return };
+    let Some(&answer) = run.separation() else { return };
+    let role = options.role(Role::Translation);
+    if options.flag("carrier", false) {
+        carrier(sketch, context, &run, &answer);
+    }
+    if options.flag("points", false) {
+        sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
+        sketch.part("closest-points").marker(answer.points[1], Marker::Square, Side::B.into(), MARKER);
+    }
+    let [p, q] = answer.points;
+    let offset = options.number("offset").unwrap_or(0.0);
+    sketch.part("separation");
+    match options.word("style", "arrow") {
+        "dimension" => sketch.dimension(p, q, -offset, Ends::Ticks, Pen::dimension(role).width(1.5)),
+        "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
+        _ => sketch.double_arrow(p, q, Pen::vector(role)),
+    };
+    let (key, text) = words(&run, options, &answer);
+    // Beside a line that is moved aside, on its outer side.
+    let anchor = if offset > 0.0 { Anchor::Beside { from: q, to: p, offset } } else { Anchor::middle(p, q) };
+    sketch.label(Label::new(key, text, anchor, role));
+}
+
+/// The line of the edge that carries a witness point, a unit longer at both ends.
+fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
+    for (side, feature) in [(Side::A, answer.features[0]), (Side::B, answer.features[1])] {
+        let (Feature::Edge(i), Some(body), Some(pose)) =
+            (feature, context.body(side), context.pose(side, run.time))
+        else {
+            continue;
+        };
+        let vertices = &body.shape.vertices;
+        let (Some(&p), Some(&q)) = (vertices.get(i), vertices.get((i + 1) % vertices.len().max(1))) else {
+            continue;
+        };
+        let outward = if side == Side::A { answer.normal } else { -answer.normal };
+        let [p, q] = [p, q].map(|v| pose.point(v) + outward * body.shape.radius);
+        let reach = (q - p).normalize_or_zero() * CARRIER;
+        sketch.part("carrier").weight(Weight::Light).line(
+            p - reach,
+            q + reach,
+            Pen::construction(Role::Muted),
+        );
+    }
+}
+
+/// Key and text in the algorithm's own words: the article calls the signed penetration of circles p, the distance of a
+/// circle from a box distance, and the depth of polygons d.
+fn words(run: &Run, options: &Options, answer: &Separation) -> (&'static str, String) {
+    let (signed, depth) = (number(answer.separation), number(answer.separation.abs()));
+    let given = options.words("text").and_then(|t| t.first().cloned());
+    let (key, text) = if run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. })) {
+        ("p", format!("$p = {signed}$"))
+    } else if run.events().any(|e| matches!(e, Event::Clamped { .. })) {
+        ("distance", format!("distance $= {signed}$"))
+    } else {
+        ("d", format!("$d = {depth}$"))
+    };
+    (key, given.unwrap_or(text))
+}

@@ -1,0 +1,86 @@
+//! One step of GJK or EPA on B ⊖ A: the simplex, its point v closest to the origin, and the vertex w that is farthest
+//! towards the origin and comes next; or the polytope grown around the origin.
+
+use crate::drawing::Role;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Outline;
+use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen, Wash};
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+/// Fill of a simplex: it lies on the difference, which is filled too.
+const FILL: f64 = 0.12;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "simplex",
+    about: "one step of GJK or EPA: the simplex, its closest point, the next vertex",
+    shows: Shows::Configuration,
+    options: &[OptionSpec {
+        name: "step",
+        takes: Takes::Number,
+        default: "the last",
+        about: "which simplex or polytope, from 1",
+    }],
+    labels: &[
+        LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
+        LabelKey { key: "w", about: "the vertex that comes next" },
+    ],
+    needs: "the algorithm \"gjk\", and no more steps than it took",
+    fed: |context, options| shown(context, options).is_some(),
+    draw,
+};
+
+/// A simplex or polytope.
+struct Step {
+    vertices: Vec<DVec2>,
+    /// v, of a simplex that does not hold the origin.
+    closest: Option<DVec2>,
+    /// The vertex of the next step that this one lacks.
+    next: Option<DVec2>,
+}
+
+fn shown(context: &Context, options: &Options) -> Option<Step> {
+    let run = context.run();
+    let all: Vec<(&Vec<DVec2>, Option<DVec2>)> = run
+        .events()
+        .filter_map(|event| match event {
+            Event::SimplexUpdated { vertices, closest, .. } => Some((vertices, Some(*closest))),
+            Event::PolytopeExpanded { vertices, .. } => Some((vertices, None)),
+            _ => None,
+        })
+        .collect();
+    let index = match options.number("step") {
+        Some(step) => (0..all.len()).find(|&i| (i + 1) as f64 == step)?,
+        None => all.len().checked_sub(1)?,
+    };
+    let &(vertices, closest) = all.get(index)?;
+    let next =
+        all.get(index + 1).and_then(|(after, _)| after.iter().find(|w| !vertices.contains(w)).copied());
+    Some(Step { vertices: vertices.clone(), closest: closest.filter(|v| *v != DVec2::ZERO), next })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(step) = shown(context, options) else { return };
+    let role = options.role(Role::Now);
+    if step.vertices.len() > 1 {
+        let wash = (step.vertices.len() > 2).then(|| Wash::faint(role, FILL));
+        sketch.part("simplex").area(&Outline::polygon(&step.vertices), wash, Some(Pen::highlighted(role)));
+    }
+    for &vertex in &step.vertices {
+        sketch.part("simplex").marker(vertex, Marker::Disc, role, MARKER);
+    }
+    if let Some(v) = step.closest {
+        let blue = Role::Translation;
+        sketch.part("closest").arrow(DVec2::ZERO, v, Pen::vector(blue));
+        sketch.label(Label::new("closest", "$v$", Anchor::middle(DVec2::ZERO, v), blue));
+    }
+    if let Some(w) = step.next {
+        sketch.part("next").marker(w, Marker::RingedDisc, role, LARGE_MARKER);
+        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+    }
+}

@@ -1,0 +1,86 @@
+//! The supporting vertices of the nearest edge, all of them: two where the bodies are exactly aligned.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+use crate::scene::Space;
+use crate::trace::{Event, SupportVertex};
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label, Rank};
+use super::super::options::Options;
+use super::super::pen::{LARGE_MARKER, Marker, Pen};
+use super::super::sketch::{Sketch, Weight};
+use super::difference::difference;
+use super::{LabelKey, Layer, Shows};
+
+/// A direction is the normal's if they differ by less: both are unit vectors rounded a few times. A hundred million
+/// times more is still a thousandth of a degree.
+const SAME_DIRECTION: f64 = 1e-12;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "support",
+    about: "all supporting vertices of the nearest edge; in configuration space, where its two parts join",
+    shows: Shows::Anywhere,
+    options: &[],
+    labels: &[
+        LabelKey { key: "a_1", about: "first supporting vertex, on A" },
+        LabelKey { key: "a_2", about: "second supporting vertex, on A" },
+        LabelKey { key: "b_1", about: "first supporting vertex, on B" },
+        LabelKey { key: "b_2", about: "second supporting vertex, on B" },
+    ],
+    needs: "an algorithm that tells its supporting vertices, as \"minkowski\"",
+    fed: |context, _| supports(context).is_some(),
+    draw,
+};
+
+/// The body and its vertices that support the nearest edge: a tie first, then B's.
+fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
+    let run = context.separation_at(context.time)?;
+    let normal = run.separation()?.normal;
+    let found = |count: usize, side: Side| {
+        let toward = if side == Side::B { -normal } else { normal };
+        run.events().find_map(|event| match event {
+            Event::SupportFound { body, direction, vertices }
+                if *body == side
+                    && vertices.len() == count
+                    && direction.distance(toward) < SAME_DIRECTION =>
+            {
+                Some((side, vertices.clone()))
+            }
+            _ => None,
+        })
+    };
+    found(2, Side::B)
+        .or_else(|| found(2, Side::A))
+        .or_else(|| found(1, Side::B))
+        .or_else(|| found(1, Side::A))
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let role = options.role(Role::Now);
+    if *context.space == Space::Configuration {
+        if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
+            sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
+        }
+        return;
+    }
+    let Some((side, vertices)) = supports(context) else { return };
+    if let [p, q] = vertices.as_slice() {
+        sketch.part("support").weight(Weight::Light).line(
+            p.point,
+            q.point,
+            Pen::construction(role).width(2.25),
+        );
+    }
+    let middle = vertices.iter().map(|v| v.point).sum::<DVec2>() / vertices.len().max(1) as f64;
+    let keys = if side == Side::A {
+        [("a_1", "$a_1$"), ("a_2", "$a_2$")]
+    } else {
+        [("b_1", "$b_1$"), ("b_2", "$b_2$")]
+    };
+    for (vertex, (key, text)) in vertices.iter().zip(keys) {
+        sketch.part("support").marker(vertex.point, Marker::HollowSquare, role, LARGE_MARKER);
+        let anchor = Anchor::point_toward(vertex.point, vertex.point - middle);
+        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
+    }
+}

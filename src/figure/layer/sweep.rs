@@ -1,0 +1,106 @@
+//! The outer tangents between a body and its ghost at the hit: the band that it sweeps.
+//!
+//! The band of a translated body is the convex hull of both places. Of the hull of all core vertices, the edges that
+//! lead from one place to the other are the tangents of the cores; moved out by the radius, those of the bodies.
+
+use crate::drawing::Role;
+use crate::geometry::{DVec2, Side};
+
+use super::super::context::Context;
+use super::super::options::{OptionSpec, Options, Takes};
+use super::super::pen::Pen;
+use super::super::sketch::{Sketch, Weight};
+use super::{Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "sweep",
+    about: "dashed tangents between a body and its ghost at the hit",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "of",
+        takes: Takes::Bodies,
+        default: "all that move",
+        about: "which bodies",
+    }],
+    labels: &[],
+    needs: "a hit of convex bodies",
+    fed: |context, _| context.hit().is_some(),
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some((time, _)) = context.hit() else { return };
+    for side in options.of(&context.sides()) {
+        let (before, after) = (core(context, side, context.time), core(context, side, time));
+        if before == after {
+            continue;
+        }
+        let radius = context.body(side).map_or(0.0, |body| body.shape.radius);
+        for (p, q) in tangents(&before, &after, radius) {
+            sketch.part(context.part("sweep", side)).weight(Weight::Light).line(
+                p,
+                q,
+                Pen::construction(options.role(Role::Muted)).width(1.25),
+            );
+        }
+    }
+}
+
+/// The vertices of a body's core at a moment, in the world.
+fn core(context: &Context, side: Side, time: f64) -> Vec<DVec2> {
+    let Some(body) = context.body(side) else { return Vec::new() };
+    body.shape.core.iter().filter_map(|&i| context.vertex(side, i, time)).collect()
+}
+
+/// Hull edges from one of two sets to the other, moved out by `radius`.
+fn tangents(before: &[DVec2], after: &[DVec2], radius: f64) -> Vec<(DVec2, DVec2)> {
+    let mut points: Vec<(DVec2, bool)> =
+        before.iter().map(|&p| (p, false)).chain(after.iter().map(|&p| (p, true))).collect();
+    points.sort_by(|(p, _), (q, _)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let mut hull = half_hull(points.iter());
+    hull.pop();
+    hull.extend(half_hull(points.iter().rev()));
+    let across = |w: &[(DVec2, bool)]| {
+        let ((p, p_after), (q, q_after)) = (w[0], w[1]);
+        let along = (q - p).normalize_or_zero();
+        let out = DVec2::new(along.y, -along.x) * radius;
+        (p_after != q_after).then_some((p + out, q + out))
+    };
+    hull.windows(2).filter_map(across).collect()
+}
+
+/// One half of the hull, counter-clockwise: from the first point to the last, turning left only.
+fn half_hull<'p>(points: impl Iterator<Item = &'p (DVec2, bool)>) -> Vec<(DVec2, bool)> {
+    let mut hull: Vec<(DVec2, bool)> = Vec::new();
+    for &point in points {
+        while let [.., (a, _), (b, _)] = hull.as_slice() {
+            if (*b - *a).perp_dot(point.0 - *b) > 0.0 {
+                break;
+            }
+            hull.pop();
+        }
+        hull.push(point);
+    }
+    hull
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_disc_sweeps_a_band_as_wide_as_itself() {
+        let lines = tangents(&[DVec2::ZERO], &[DVec2::new(4.0, 0.0)], 1.0);
+        let expected =
+            [(DVec2::new(0.0, -1.0), DVec2::new(4.0, -1.0)), (DVec2::new(4.0, 1.0), DVec2::new(0.0, 1.0))];
+        assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn a_square_that_moves_along_its_diagonal_is_joined_at_its_other_corners() {
+        let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+        let moved = square.map(|p| p + DVec2::splat(3.0));
+        let lines = tangents(&square, &moved, 0.0);
+        assert_eq!(lines, [(DVec2::X, DVec2::new(4.0, 3.0)), (DVec2::new(3.0, 4.0), DVec2::Y)]);
+    }
+}

@@ -1,0 +1,41 @@
+//! The minimum translation of B, −s n, as an arrow from its centre: it moves B until the bodies just touch.
+
+use std::sync::Arc;
+
+use crate::drawing::Role;
+use crate::geometry::Side;
+use crate::trace::Event;
+
+use super::super::context::Context;
+use super::super::label::{Anchor, Label};
+use super::super::options::Options;
+use super::super::pen::Pen;
+use super::super::runs::Run;
+use super::super::sketch::Sketch;
+use super::{LabelKey, Layer, Shows};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "translation",
+    about: "the minimum translation of B from its centre",
+    shows: Shows::World,
+    options: &[],
+    labels: &[LabelKey { key: "P", about: "the minimum translation" }],
+    needs: "a separation",
+    fed: |context, _| run(context).is_some(),
+    draw,
+};
+
+fn run(context: &Context) -> Option<Arc<Run>> {
+    context.separation_at(context.time).filter(|run| run.separation().is_some())
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let (Some(run), Some(pose)) = (run(context), context.pose(Side::B, context.time)) else { return };
+    let Some(answer) = run.separation() else { return };
+    let tip = pose.position - answer.normal * answer.separation;
+    let role = options.role(Role::Now);
+    let of_circles = run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. }));
+    let text = if of_circles { "$P = N p$" } else { r"$d\,n$" };
+    sketch.part("translation").arrow(pose.position, tip, Pen::highlighted(role));
+    sketch.label(Label::new("P", text, Anchor::middle(pose.position, tip), role));
+}
