@@ -3,6 +3,8 @@
 //! Numbers are the shortest decimals that read back as the same double. A bound that is infinite, as the upper one
 //! after a separating axis, is `null` in JSON.
 
+use std::fmt::Write;
+
 use serde_json::{Map, Value, json};
 
 use crate::collision::{Answer, Bounds, Impact, Outcome, Overlap, QueryKind, Separation};
@@ -115,7 +117,8 @@ pub fn answer_text(kind: QueryKind, answer: &Answer) -> String {
     let Value::Object(fields) = answer_json(kind, answer) else { return String::new() };
     let mut lines = String::new();
     for (key, value) in fields.iter().filter(|(key, _)| *key != "kind") {
-        lines.push_str(&format!("  {:<18} {}\n", key.replace('_', " "), part(key, value)));
+        // Writing to a text can't fail.
+        let _ = writeln!(lines, "  {:<18} {}", key.replace('_', " "), part(key, value));
     }
     lines
 }

@@ -246,10 +246,9 @@ fn out_of_range(node: &Node, row: &Field, p: &mut Problems) {
 /// Whether a value is a list of `n` finite numbers.
 fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
     match as_list(node) {
-        // Not `all`: each wrong number is told.
         Some(items) if items.len() == n => {
             let row = Field { holds: ANY_NUMBER, ..*row };
-            items.iter().fold(true, |good, item| in_range(item, &row, -MAX_NUMBER, MAX_NUMBER, p) && good)
+            each(items, |item| in_range(item, &row, -MAX_NUMBER, MAX_NUMBER, p))
         }
         _ => wrong(node, row, p),
     }
@@ -268,5 +267,11 @@ fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
         return false;
     }
     let row = Field { holds: Holds::Pair, ..*row };
-    items.iter().fold(true, |good, item| numbers(item, &row, 2, p) && good)
+    each(items, |item| numbers(item, &row, 2, p))
+}
+
+/// Whether all are good; unlike `all` it looks at each, so that everything wrong is told.
+fn each(items: &[Node], mut is_good: impl FnMut(&Node) -> bool) -> bool {
+    let wrong = items.iter().filter(|item| !is_good(item)).count();
+    wrong == 0
 }

@@ -204,8 +204,13 @@ mod tests {
             "[0.1, 1e-320, 123456789012345678901234567890, 9007199254740993, 2.2250738585072011e-308, 1e999]";
         let NodeValue::List(items) = parse(text).unwrap().value else { panic!("a list") };
         let got: Vec<_> = items.iter().map(|i| i.value.clone()).collect();
-        let want =
-            [0.1, 1e-320, 123456789012345678901234567890.0, 9007199254740992.0, 2.2250738585072011e-308];
+        let want = [
+            0.1,
+            1e-320,
+            123_456_789_012_345_680_000_000_000_000.0,
+            9_007_199_254_740_992.0,
+            2.225_073_858_507_201e-308,
+        ];
         for (got, want) in got.iter().zip(want) {
             assert_eq!(*got, NodeValue::Number(want));
         }

@@ -61,7 +61,7 @@ pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
     let name = path.display().to_string();
     match File::open(path) {
         Ok(file) => open_reader(&name, file),
-        Err(error) => Err(refuse(&name, Fault::Unreadable { reason: error.to_string() })),
+        Err(error) => Err(Box::new(refuse(&name, Fault::Unreadable { reason: error.to_string() }))),
     }
 }
 
@@ -72,11 +72,14 @@ pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
 pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refused>> {
     let mut bytes = Vec::new();
     if let Err(error) = reader.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes) {
-        return Err(refuse(name, Fault::Unreadable { reason: error.to_string() }));
+        return Err(Box::new(refuse(name, Fault::Unreadable { reason: error.to_string() })));
     }
     if bytes.len() > MAX_FILE_BYTES {
         let (what, got) = ("the file".to_owned(), bytes.len());
-        return Err(refuse(name, Fault::OverLimit { what, limit: MAX_FILE_BYTES, unit: "bytes", got }));
+        return Err(Box::new(refuse(
+            name,
+            Fault::OverLimit { what, limit: MAX_FILE_BYTES, unit: "bytes", got },
+        )));
     }
     match String::from_utf8(bytes) {
         Ok(text) => open_text(name, &text),
@@ -102,6 +105,6 @@ pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {
     }
 }
 
-fn refuse(name: &str, fault: Fault) -> Box<Refused> {
-    Box::new(Refused { source: Source::new(name, ""), problems: vec![Problem::new(fault, 0..0)] })
+fn refuse(name: &str, fault: Fault) -> Refused {
+    Refused { source: Source::new(name, ""), problems: vec![Problem::new(fault, 0..0)] }
 }

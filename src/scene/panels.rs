@@ -109,17 +109,13 @@ fn layer(node: &Node, p: &mut Problems) -> Option<LayerSpec> {
     let mut options = Vec::new();
     for (key, value) in entries {
         if key.value == "layer" {
-            match as_text(value) {
-                Some(text) => name = Some(Spanned { value: text.to_owned(), span: value.span.clone() }),
-                None => {
-                    let expected = "the name of a layer".to_owned();
-                    p.add(
-                        Fault::WrongType { key: "layer".to_owned(), expected, got: value.describe() },
-                        &value.span,
-                    );
-                    return None;
-                }
-            }
+            let Some(text) = as_text(value) else {
+                let expected = "the name of a layer".to_owned();
+                let fault = Fault::WrongType { key: "layer".to_owned(), expected, got: value.describe() };
+                p.add(fault, &value.span);
+                return None;
+            };
+            name = Some(Spanned { value: text.to_owned(), span: value.span.clone() });
         } else if let Some(option) = option(&key.value, value, p) {
             options.push((key.clone(), option));
         }

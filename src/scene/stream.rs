@@ -1,5 +1,6 @@
 //! `solve --jsonl`: a scene a line in, an answer a line out.
 
+use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use serde_json::{Value, json};
@@ -91,7 +92,7 @@ fn error_json(problems: &[Problem], source: &Source) -> Value {
         message.push_str(&help);
     }
     if problems.len() > 1 {
-        message.push_str(&format!(" (and {} more)", problems.len() - 1));
+        let _ = write!(message, " (and {} more)", problems.len() - 1);
     }
     json!({ "code": first.fault.code(), "message": message })
 }
