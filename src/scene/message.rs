@@ -53,6 +53,17 @@ const BEFORE: usize = 50;
 /// ```
 #[must_use]
 pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink) -> String {
+    message_at(source, problem, source.pointer(&problem.span), severity, ink)
+}
+
+/// As [`message`], for a place whose JSON pointer is known.
+pub(super) fn message_at(
+    source: &Source,
+    problem: &Problem,
+    pointer: Option<String>,
+    severity: Severity,
+    ink: Ink,
+) -> String {
     let level = match severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
@@ -79,8 +90,11 @@ pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink)
         }
     }
     elements.extend(fault.help().map(|help| Level::HELP.message(help).into()));
-    let pointer = source.pointer(&problem.span).filter(|pointer| !pointer.is_empty());
-    elements.extend(pointer.map(|pointer| Level::NOTE.message(format!("at {pointer}")).into()));
+    elements.extend(
+        pointer
+            .filter(|pointer| !pointer.is_empty())
+            .map(|pointer| Level::NOTE.message(format!("at {pointer}")).into()),
+    );
     let report = level.primary_title(fault.to_string()).id(fault.code()).elements(elements);
     let renderer = match ink {
         Ink::Plain => Renderer::plain(),

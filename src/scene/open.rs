@@ -6,10 +6,10 @@ use std::io::Read;
 use std::path::Path;
 
 use super::limits::MAX_FILE_BYTES;
-use super::message::{Ink, Severity, message};
+use super::message::{Ink, Severity, message_at};
 use super::problem::{Fault, Problem};
-use super::source::Source;
-use super::{Scene, read};
+use super::source::{Source, Syntax};
+use super::{Scene, json, read};
 
 /// A scene and the text that it was read from.
 #[derive(Clone, Debug)]
@@ -33,8 +33,19 @@ impl Refused {
     /// All messages, a blank line between two.
     #[must_use]
     pub fn render(&self, ink: Ink) -> String {
-        let messages: Vec<_> =
-            self.problems.iter().map(|p| message(&self.source, p, Severity::Error, ink)).collect();
+        // One reading for the pointers of all.
+        let root = match self.source.syntax {
+            Syntax::Json => self.source.tree().ok(),
+            Syntax::Toml => None,
+        };
+        let messages: Vec<_> = self
+            .problems
+            .iter()
+            .map(|p| {
+                let pointer = root.as_ref().map(|root| json::pointer(root, p.span.start));
+                message_at(&self.source, p, pointer, Severity::Error, ink)
+            })
+            .collect();
         messages.join("\n")
     }
 }

@@ -11,7 +11,7 @@ use super::problem::{Fault, Problem};
 
 /// Reads a TOML text.
 pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
-    if let Some(problem) = deep_key(text) {
+    if let Some(problem) = too_deep(text) {
         return Err(vec![problem]);
     }
     let (root, errors) = DeTable::parse_recoverable(text);
@@ -46,29 +46,27 @@ fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
     problems
 }
 
-/// A dotted key of a million parts would become a million nested tables, and dropping these a million calls deep.
-fn deep_key(text: &str) -> Option<Problem> {
-    let mut dots = 0;
+/// Brackets or parts of a dotted key a million deep would become as many nested values, and dropping these as many
+/// nested calls; the parser would also complain a million times.
+fn too_deep(text: &str) -> Option<Problem> {
+    let (mut dots, mut brackets) = (0_usize, 0_usize);
     for token in toml_parser::Source::new(text).lex() {
         match token.kind() {
             TokenKind::Dot => dots += 1,
-            TokenKind::Equals
-            | TokenKind::Comma
-            | TokenKind::Newline
-            | TokenKind::LeftCurlyBracket
-            | TokenKind::RightCurlyBracket
-            | TokenKind::LeftSquareBracket
-            | TokenKind::RightSquareBracket => dots = 0,
+            TokenKind::LeftCurlyBracket | TokenKind::LeftSquareBracket => {
+                (dots, brackets) = (0, brackets + 1)
+            }
+            TokenKind::RightCurlyBracket | TokenKind::RightSquareBracket => {
+                (dots, brackets) = (0, brackets.saturating_sub(1));
+            }
+            TokenKind::Equals | TokenKind::Comma | TokenKind::Newline => dots = 0,
             _ => {}
         }
-        if dots > MAX_NESTING {
+        let got = dots.max(brackets);
+        if got > MAX_NESTING {
             let at = token.span().start();
-            let fault = Fault::OverLimit {
-                what: "nesting".to_owned(),
-                limit: MAX_NESTING,
-                unit: "levels",
-                got: dots,
-            };
+            let fault =
+                Fault::OverLimit { what: "nesting".to_owned(), limit: MAX_NESTING, unit: "levels", got };
             return Some(Problem::new(fault, at..at + 1));
         }
     }
