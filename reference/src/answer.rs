@@ -3,11 +3,12 @@
 //! It is what the tests of the checker mutate, and what `generate` prints as `expected` if asked.
 
 use crate::check::{Feature, Setting};
+use crate::first_contact::{Motion, Passage};
 use crate::float::Real;
 use crate::json::Json;
 use crate::placement::{Placed, Point};
-use crate::scene::Scene;
-use crate::separation::{Exact, parallel_sine, separation};
+use crate::scene::{Kind, Scene};
+use crate::separation::{Exact, separation};
 
 /// The line that a perfect solver prints for a separation.
 #[must_use]
@@ -27,6 +28,53 @@ pub fn separation_line(scene: &Scene) -> Json {
         to.extend(from);
     }
     Json::object([("id", scene.id.clone()), ("result", fields)])
+}
+
+/// The line that a perfect solver prints for a sweep or a time of impact: `overlapping`, `miss`, or a `hit` within two
+/// neighbouring doubles. A graze that 2⁻¹¹⁰ of time does not decide is called a hit.
+#[must_use]
+pub fn impact_line(scene: &Scene) -> Json {
+    let setting = Setting::of(scene);
+    let motion = Motion::of(&scene.bodies);
+    let start = motion.separation(Real::ZERO);
+    let word = |word: &str| Json::Text(word.to_owned());
+    let mut result = Json::object([("kind", word(scene.kind.word()))]);
+    let tolerance = if scene.kind == Kind::LinearSweep { 0.0 } else { setting.least_tolerance(scene) };
+    if start.separation.signum() <= 0 {
+        result.set("outcome", word("overlapping"));
+        let contact = contact(&motion.pair(Real::ZERO), &start);
+        for key in ["separation", "separation_bounds"] {
+            result.set(key, contact.get(key).cloned().unwrap_or(Json::Null));
+        }
+    } else {
+        match motion.first_within(Real::ZERO, Real::ZERO, Real::one()) {
+            Passage::Clear => result.set("outcome", word("miss")),
+            Passage::Below { after, by } | Passage::Unsettled { after, until: by } => {
+                let (free, met) = (below(after), above(by));
+                result.set("outcome", word("hit"));
+                result.set("time", Json::Number(free));
+                result.set("time_bounds", Json::from_pair([free, met]));
+                let free = Real::from(free);
+                if let Json::Object(fields) = contact(&motion.pair(free), &motion.separation(free)) {
+                    fields.into_iter().for_each(|(key, value)| result.set(&key, value));
+                }
+            }
+        }
+    }
+    result.set("tolerance", Json::Number(tolerance));
+    Json::object([("id", scene.id.clone()), ("result", result)])
+}
+
+/// The largest double not above x ≥ 0.
+fn below(x: Real) -> f64 {
+    let near = x.to_f64();
+    if Real::from(near) > x { near.next_down() } else { near }
+}
+
+/// The least double not below x.
+fn above(x: Real) -> f64 {
+    let near = x.to_f64();
+    if Real::from(near) < x { near.next_up() } else { near }
 }
 
 /// Separation, bounds, normal, points and features.
@@ -74,11 +122,16 @@ fn at([from, to]: [Point; 2], along: Point, place: Real) -> Point {
     if whole.is_zero() { from } else { from.plus(to.minus(from).times(part.over(whole))) }
 }
 
+/// How far a normal may be off: that of cores 1e-20 apart keeps 2⁻³²⁰ · 1e20.
+fn near_normal() -> Real {
+    Real::power_of_two(-150)
+}
+
 /// The vertices that are farthest along a direction.
 fn farthest(body: &Placed, direction: Point) -> impl Iterator<Item = usize> {
     let reach = body.core_points().map(|p| p.dot(direction)).max().unwrap_or(Real::ZERO);
     let size = body.core_points().map(|p| p.minus(body.vertices[0]).length()).max().unwrap_or(Real::ZERO);
-    let tiny = size * parallel_sine();
+    let tiny = size * near_normal();
     (0..body.vertices.len()).filter(move |i| reach - body.vertices[*i].dot(direction) <= tiny)
 }
 

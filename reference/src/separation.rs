@@ -180,6 +180,7 @@ pub fn separation(a: &Placed, b: &Placed) -> Exact {
         return inside(&difference, radii);
     }
     let apart = core > difference.size() * touching();
+    let core = if apart { core } else { Real::ZERO };
     let normal = apart.then(|| best.times(core.recip()));
     let ways = match normal {
         Some(normal) => vec![Way { separation: core - radii, normal }],

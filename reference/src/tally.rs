@@ -109,9 +109,10 @@ impl Tally {
 impl fmt::Display for Tally {
     /// A Markdown table; measures that a category does not have are left out.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const COLUMNS: [&str; 8] = [
+        const COLUMNS: [&str; 9] = [
             "error / εS",
             "error / |s|",
+            "error / bound",
             "width / εS",
             "width / |s|",
             "off n",

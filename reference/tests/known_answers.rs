@@ -4,6 +4,7 @@
 use tracefig_reference::answer::separation_line;
 use tracefig_reference::check::{Setting, check};
 use tracefig_reference::float::Real;
+use tracefig_reference::generate::Family;
 use tracefig_reference::json::Json;
 use tracefig_reference::scene::{Kind, Scene};
 use tracefig_reference::separation::{Exact, separation};
@@ -88,6 +89,23 @@ fn exact_answers_rounded_to_doubles_pass_the_check() {
             assert_eq!(report.faults, [], "{}", separation_line(&scene));
         }
     }
+}
+
+#[test]
+fn exact_answers_to_generated_cases_pass_the_check() {
+    let mut wrong = String::new();
+    for i in 0..1900 {
+        let case = Family::Separation.case(11, i).to_string();
+        let scene = Scene::parse(&case).expect("valid");
+        if scene.kind == Kind::Separation {
+            let line = separation_line(&scene);
+            let faults = check(&scene, &line).faults;
+            if !faults.is_empty() {
+                wrong += &format!("{faults:?}\n  {case}\n  {line}\n");
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
 }
 
 /// A right answer with one claim changed.

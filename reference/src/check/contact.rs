@@ -109,6 +109,15 @@ pub(super) fn check_value(
     }
     let error = (Real::from(value) - s).abs();
     let width = Real::from(hi) - Real::from(lo);
+    // How much of the bounds is needed: where this never exceeds a quarter, bounds cut to a quarter would go unseen.
+    let side = if Real::from(value) < s {
+        Real::from(hi) - Real::from(value)
+    } else {
+        Real::from(value) - Real::from(lo)
+    };
+    if side.signum() > 0 {
+        report.measures.push(("error / bound", error.over(side).to_f64()));
+    }
     report.limit("error / εS", setting.units(error), ERROR);
     report.limit("width / εS", setting.units(width), WIDTH);
     if setting.units(s) > RELATIVE_FROM {

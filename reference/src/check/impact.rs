@@ -83,7 +83,7 @@ fn told(passage: Passage) -> String {
 
 impl Case<'_> {
     fn check_tolerance(&self, report: &mut Report) {
-        let most = self.scene.tolerance.max(WIDTH * EPSILON * self.setting.scale);
+        let most = self.setting.least_tolerance(self.scene);
         let fits = match self.scene.kind {
             Kind::LinearSweep if !self.scene.iterates => self.tolerance == 0.0,
             Kind::LinearSweep => (0.0..=most).contains(&self.tolerance),

@@ -95,6 +95,12 @@ impl Setting {
         Self { scale: scale(&scene.bodies, moving), cores }
     }
 
+    /// The least tolerance that may be in force: the one written, or the rounding of S.
+    #[must_use]
+    pub fn least_tolerance(&self, scene: &Scene) -> f64 {
+        scene.tolerance.max(WIDTH * EPSILON * self.scale)
+    }
+
     /// Both bodies at time t.
     #[must_use]
     pub fn pair(&self, bodies: &[Body], t: Real) -> [Placed; 2] {
