@@ -3,6 +3,7 @@
 mod advancement;
 mod axis_gap;
 mod bounds;
+mod certify;
 mod circles;
 mod clamp;
 mod conservative_advancement;
@@ -10,25 +11,32 @@ mod contact;
 mod difference;
 mod expansion;
 mod extents;
+mod fine;
 mod first_root;
 mod gjk;
+mod gaps;
 mod merge;
 mod minkowski;
 mod motion_bound;
 mod moving_pair;
 mod nearest;
+mod pair;
+mod place;
 mod ray_cast;
 mod ray_clipping;
 mod relative;
 mod separating_axes;
+mod separation;
 #[cfg(test)]
 mod storyboard;
 #[cfg(test)]
 mod storyboard_motion;
 mod swept_axis;
+mod walk;
 mod witness;
 
 pub use difference::{Difference, DifferenceEdge, difference};
+pub use pair::Pair;
 
 use crate::geometry::{Body, DVec2, Enclosure, Feature};
 use crate::trace::{NoTrace, Trace};
@@ -118,6 +126,14 @@ impl Algorithm {
 
 /// Every algorithm; the first that takes a query is its default.
 pub static ALGORITHMS: &[Algorithm] = &[
+    Algorithm {
+        name: separation::NAME,
+        about: "closest features of B - A, proved by supports and witnesses in double-doubles (Toussaint 1983)",
+        kinds: DISCRETE,
+        shapes: convex_pair,
+        quiet: separation::answer,
+        traced: separation::answer,
+    },
     Algorithm {
         name: circles::NAME,
         about: "circle against circle: squared early-out, p, N and P (Firth 2011, Circle vs circle)",

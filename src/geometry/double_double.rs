@@ -73,6 +73,27 @@ pub fn two_product(a: f64, b: f64) -> (f64, f64) {
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
 }
 
+/// The power of two that brings `x` ≠ 0 into [1, 2) (denormals into [2⁻⁷⁴, 2⁻²²)); 1 for 0.
+///
+/// ```
+/// use tracefig::geometry::taming_power;
+/// assert_eq!(taming_power(-12.0), 0.125);
+/// ```
+#[inline]
+#[must_use]
+pub fn taming_power(x: f64) -> f64 {
+    /// Exponent field of a double.
+    const FIELD: u64 = 0x7ff;
+    let exponent = (x.to_bits() >> 52) & FIELD;
+    if x == 0.0 {
+        1.0
+    } else if exponent == 0 {
+        f64::from_bits((1023 + 1000) << 52)
+    } else {
+        f64::from_bits((2046_u64.saturating_sub(exponent)).max(1) << 52)
+    }
+}
+
 impl Dd {
     /// 0.
     pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };

@@ -5,6 +5,8 @@
 
 use glam::DVec2;
 
+use super::{Ball, Dd, taming_power};
+
 /// The corners of a convex core in counter-clockwise order, and what follows from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hull {
@@ -12,22 +14,33 @@ pub struct Hull {
     pub corners: Vec<DVec2>,
     /// Side i runs from corner i to corner i + 1: their difference, each component within ε/2 of itself.
     pub sides: Vec<DVec2>,
-    /// Outward unit normals of the sides; each component within 3ε.
+    /// Outward unit normals of the sides; each component within ε/2.
     pub normals: Vec<DVec2>,
+    /// What `normals` leave out, so that both together are within [`NORMAL_ERROR`].
+    pub tails: Vec<DVec2>,
+    /// Normal · corner, the side's distance from the body's origin: within 2ε of the reach.
+    pub offsets: Vec<f64>,
     /// Not below the distance of any corner from the body's origin.
     pub reach: f64,
 }
+
+/// Bound on the error of each component of a double-double normal: 16 ε². The square of a side's length is off by
+/// 10 ε² of itself (a product, a sum), its root by 5 + 5 ε², the quotient by 5 more.
+pub const NORMAL_ERROR: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
 
 impl Hull {
     /// Prepares corners that are strictly convex and counter-clockwise.
     #[must_use]
     pub(crate) fn new(corners: Vec<DVec2>) -> Self {
         let n = corners.len();
-        let sides: Vec<DVec2> =
-            if n < 2 { Vec::new() } else { (0..n).map(|i| corners[(i + 1) % n] - corners[i]).collect() };
-        let normals = sides.iter().map(|&side| outward(side)).collect();
+        let following = |i: usize| corners[(i + 1) % n];
+        let count = if n < 2 { 0 } else { n };
+        let sides: Vec<DVec2> = (0..count).map(|i| following(i) - corners[i]).collect();
+        let (normals, tails): (Vec<DVec2>, Vec<DVec2>) =
+            (0..count).map(|i| outward(corners[i], following(i))).unzip();
+        let offsets = normals.iter().zip(&corners).map(|(normal, corner)| normal.dot(*corner)).collect();
         let reach = corners.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
-        Self { corners, sides, normals, reach: reach * (1.0 + 4.0 * f64::EPSILON) }
+        Self { corners, sides, normals, tails, offsets, reach }
     }
 
     /// Corner after `i`, counter-clockwise.
@@ -43,39 +56,41 @@ impl Hull {
     pub fn previous(&self, i: usize) -> usize {
         if i == 0 { self.corners.len() - 1 } else { i - 1 }
     }
-}
 
-/// A power of two near 1 / |v|, that keeps squares from overflowing or vanishing.
-fn tamer(v: DVec2) -> f64 {
-    let largest = v.x.abs().max(v.y.abs());
-    if (1e-140..1e140).contains(&largest) {
-        1.0
-    } else if largest < 1e-140 {
-        f64::from_bits((1023 + 1000) << 52)
-    } else {
-        f64::from_bits((1023 - 900) << 52)
+    /// Outward unit normal of side `i`, to twice the precision; exact where the side is parallel to an axis.
+    #[inline]
+    #[must_use]
+    pub fn fine_normal(&self, i: usize) -> [Ball; 2] {
+        let (hi, lo) = (self.normals[i], self.tails[i]);
+        let radius = if hi.x == 0.0 || hi.y == 0.0 { 0.0 } else { NORMAL_ERROR };
+        [Ball::within(Dd { hi: hi.x, lo: lo.x }, radius), Ball::within(Dd { hi: hi.y, lo: lo.y }, radius)]
     }
 }
 
-/// |v| to 2ε, without overflow or underflow.
+/// |v|, rounded up, without overflow or underflow.
 fn length(v: DVec2) -> f64 {
-    let k = tamer(v);
-    let v = v * k;
-    let length = (v.x * v.x + v.y * v.y).sqrt();
-    if k < 1.0 { length / k } else { (length / k).next_up() }
+    let factor = taming_power(v.x.abs().max(v.y.abs()));
+    let v = v * factor;
+    // Two products, a sum and a root: 2ε; then the way back, which may round where it is denormal.
+    let length = (v.x * v.x + v.y * v.y).sqrt() * (1.0 + 4.0 * f64::EPSILON);
+    if length == 0.0 { 0.0 } else { (length / factor).next_up() }
 }
 
-/// The unit normal to the right of a side: outward where corners run counter-clockwise.
-fn outward(side: DVec2) -> DVec2 {
-    let v = side * tamer(side);
-    if v.x == 0.0 {
-        return DVec2::new(v.y.signum(), 0.0);
+/// The unit normal to the right of a side, outward where corners run counter-clockwise: its doubles and their tails.
+fn outward(from: DVec2, to: DVec2) -> (DVec2, DVec2) {
+    let rough = to - from;
+    let factor = taming_power(rough.x.abs().max(rough.y.abs()));
+    if rough.x == 0.0 {
+        return (DVec2::new(rough.y.signum(), 0.0), DVec2::ZERO);
     }
-    if v.y == 0.0 {
-        return DVec2::new(0.0, -v.x.signum());
+    if rough.y == 0.0 {
+        return (DVec2::new(0.0, -rough.x.signum()), DVec2::ZERO);
     }
-    let length = (v.x * v.x + v.y * v.y).sqrt();
-    DVec2::new(v.y / length, -v.x / length)
+    let x = Dd::difference(to.x, from.x).scale_by_power_of_two(factor);
+    let y = Dd::difference(to.y, from.y).scale_by_power_of_two(factor);
+    let length = (x * x + y * y).sqrt();
+    let (nx, ny) = (y.div(length), -x.div(length));
+    (DVec2::new(nx.hi, ny.hi), DVec2::new(nx.lo, ny.lo))
 }
 
 #[cfg(test)]

@@ -14,7 +14,7 @@ mod sines;
 pub use ball::Ball;
 pub use body::{Body, Pose, perp};
 pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, Turn};
-pub use double_double::{Dd, two_product, two_sum};
+pub use double_double::{Dd, taming_power, two_product, two_sum};
 pub use glam::DVec2;
 pub use hull::Hull;
 pub use shape::Shape;

@@ -8,6 +8,7 @@ use glam::DVec2;
 use robust::{Coord, orient2d};
 
 use super::ShapeError;
+use crate::geometry::taming_power;
 
 /// Indices of the strictly convex corners, counter-clockwise, starting from the first of them in the file.
 pub(super) fn convex_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> {
@@ -67,13 +68,7 @@ fn not_convex(corner: usize) -> ShapeError {
 /// A power of two that brings the corners near 1, so that the exact predicate neither overflows nor underflows.
 pub(super) fn tamer(vertices: &[DVec2]) -> f64 {
     let largest = vertices.iter().fold(0.0, |m: f64, v| m.max(v.x.abs()).max(v.y.abs()));
-    if largest > 1e100 {
-        f64::from_bits((1023 - 900) << 52)
-    } else if largest < 1e-100 {
-        f64::from_bits((1023 + 900) << 52)
-    } else {
-        1.0
-    }
+    if (1e-100..1e100).contains(&largest) { 1.0 } else { taming_power(largest) }
 }
 
 /// Positive where p, q, r turn counter-clockwise; the sign is exact.

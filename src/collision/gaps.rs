@@ -1,0 +1,77 @@
+//! First stage: the gap between the bodies along the normal of every side, in doubles with a proven bound.
+//!
+//! Each side of A or B gives an edge of B ⊖ A: that side and the corner of the other body that is nearest along its
+//! normal. The signed distance of the origin from that edge's line is the gap between the cores along the normal; the
+//! largest of them is minus the penetration depth where they are all negative, and a lower bound of the distance where
+//! one is positive. As the normals of a convex polygon turn one way, so does the nearest corner: one pointer goes round
+//! the other body while the sides go by, O(n + m) (Toussaint, *Solving geometric problems with the rotating calipers*,
+//! 1983). Each pass works in the frame of the body whose sides it visits, and asks the other body in its own.
+
+use super::pair::Pair;
+use crate::geometry::{CosSin, DVec2, Hull, Side};
+
+/// An edge of B ⊖ A: a side of one core and the corner of the other that faces it; counted along the cores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Facing {
+    /// The body whose side it is.
+    pub(crate) source: Side,
+    /// That side.
+    pub(crate) edge: usize,
+    /// The other body's corner.
+    pub(crate) corner: usize,
+}
+
+/// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
+#[inline]
+pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {
+    let CosSin { cos, sin, .. } = pair.cos_sin;
+    let c = pair.center / pair.scale;
+    pass(pair.hull(Side::A), pair.hull(Side::B), c, (cos, sin), |edge, corner, gap| {
+        visit(Facing { source: Side::A, edge, corner }, gap);
+    });
+    let c = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
+    pass(pair.hull(Side::B), pair.hull(Side::A), c, (cos, -sin), |edge, corner, gap| {
+        visit(Facing { source: Side::B, edge, corner }, gap);
+    });
+}
+
+/// One body's sides against the other's corners: `center` is the other's origin and (cos, sin) its turn, in the first
+/// one's frame.
+#[inline]
+fn pass(
+    own: &Hull,
+    other: &Hull,
+    center: DVec2,
+    (cos, sin): (f64, f64),
+    mut visit: impl FnMut(usize, usize, f64),
+) {
+    let Some(&first) = own.normals.first() else { return };
+    let into = |n: DVec2| DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
+    let mut corner = lowest(other, into(first));
+    let mut q = other.corners[corner];
+    for (edge, (&n, &offset)) in own.normals.iter().zip(&own.offsets).enumerate() {
+        let u = into(n);
+        // At most once round: each step goes down along u.
+        for _ in 0..other.sides.len() {
+            if u.dot(other.sides[corner]) >= 0.0 {
+                break;
+            }
+            corner = other.next(corner);
+            q = other.corners[corner];
+        }
+        visit(edge, corner, n.dot(center) + u.dot(q) - offset);
+    }
+}
+
+/// The corner that is lowest along `u`, in the hull's frame; the first of several.
+#[inline]
+pub(crate) fn lowest(hull: &Hull, u: DVec2) -> usize {
+    let (mut best, mut least) = (0, f64::INFINITY);
+    for (k, q) in hull.corners.iter().enumerate() {
+        let height = u.dot(*q);
+        if height < least {
+            (best, least) = (k, height);
+        }
+    }
+    best
+}

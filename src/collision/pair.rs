@@ -1,0 +1,208 @@
+//! Two bodies at one moment, seen from A's frame: what every certified query starts from.
+//!
+//! A's corners are then the file's own doubles; only B's are turned, by the exact difference of the angles, and moved,
+//! by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and nothing is lost when
+//! the pair is far from the world's origin:
+//!
+//!     w_j = c + R(β − α) q_j        c = R(−α) (p_B − p_A)        v_i = the file's corner i of A
+//!
+//! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to be
+//! whatever makes the rest exact.
+//!
+//! Coordinates here are multiplied by a power of two, [`Pair::scale`], where the scene is so small or large that
+//! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
+//! serve the first stage, [`super::fine::Fine`] is the second.
+
+use crate::geometry::{Ball, Body, CosSin, DVec2, Dd, Hull, Pose, Shape, Side, Turn, taming_power};
+
+/// Two bodies at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<'s> {
+    /// Body A.
+    pub a: &'s Body,
+    /// Body B.
+    pub b: &'s Body,
+    /// The moment.
+    pub time: f64,
+    /// Power of two by which the coordinates of this struct are multiplied; 1 for scenes from 1e-60 to 1e60.
+    pub(crate) scale: f64,
+    /// Angle of A's frame in the world.
+    pub(crate) frame: Turn,
+    /// Angle of B in A's frame.
+    pub(crate) turn: Turn,
+    /// p_B − p_A in the world, scaled.
+    pub(crate) apart: [Ball; 2],
+    /// Cosine and sine of `frame`.
+    pub(crate) frame_cos_sin: CosSin,
+    /// Cosine and sine of `turn`.
+    pub(crate) cos_sin: CosSin,
+    /// c in doubles.
+    pub(crate) center: DVec2,
+    /// r_A + r_B, exactly, scaled.
+    pub(crate) radius: Dd,
+    /// |c| + both reaches: no coordinate difference of the pair is larger. Rounded up; scaled.
+    pub(crate) magnitude: f64,
+}
+
+/// Below and above this a scene is scaled: 2^±200.
+const TAME: std::ops::Range<f64> = f64::from_bits((1023 - 200) << 52)..f64::from_bits((1023 + 200) << 52);
+
+/// Error of a gap along a side's normal as computed by [`super::gaps`], as a multiple of ε and the magnitude M.
+///
+/// With unit letters for what is multiplied: c is off by 2.5ε (difference ½, cosine and sine ½ each, products and sum);
+/// the normal by ½√2 ε, which all terms share; its turn by 2ε; three dot products by 1.5ε each; the side's offset by
+/// 2ε; the last two sums by ½ε each: 14ε together. A support that rounding missed lies, side by side, less than 6ε of
+/// the sides' lengths below the true one; such sides are all but parallel, so that they are 2 reaches long at most:
+/// 12ε. Rounded up to a power of two.
+const GAP_ERROR: f64 = 32.0;
+
+impl<'s> Pair<'s> {
+    /// The pair at time `t`.
+    ///
+    /// ```
+    /// use tracefig::collision::Pair;
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let shape = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
+    /// let still = |x| Body {
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Degrees(30.0),
+    ///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+    /// };
+    /// let (a, b) = (still(0.0), still(4.0));
+    /// let found = Pair::at(&a, &b, 0.0).separation();
+    /// assert!(found.bounds.lo <= found.separation && found.bounds.hi - found.bounds.lo <= 1e-15);
+    /// ```
+    #[must_use]
+    pub fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        let rough = rough_distance(a, b, t)
+            + (a.shape.hull.reach + b.shape.hull.reach)
+            + (a.shape.radius + b.shape.radius);
+        let scale = if TAME.contains(&rough) { 1.0 } else { taming_power(rough) };
+        let (frame, turn) = turns(a, b, t);
+        let apart = [
+            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
+            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
+        ];
+        let (frame_cos_sin, cos_sin) = (frame.cos_sin(), turn.cos_sin());
+        let (x, y) = (apart[0].value.hi, apart[1].value.hi);
+        let center = DVec2::new(
+            frame_cos_sin.cos * x + frame_cos_sin.sin * y,
+            frame_cos_sin.cos * y - frame_cos_sin.sin * x,
+        );
+        let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
+        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
+        // The larger of the 1-norm of `apart` and twice its rounding.
+        let magnitude = (x.abs() + y.abs() + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        Self { a, b, time: t, scale, frame, turn, apart, frame_cos_sin, cos_sin, center, radius, magnitude }
+    }
+
+    /// A body's prepared core.
+    #[inline]
+    pub(crate) fn hull(&self, side: Side) -> &'s Hull {
+        &self.shape(side).hull
+    }
+
+    /// A body's shape.
+    #[inline]
+    pub(crate) fn shape(&self, side: Side) -> &'s Shape {
+        match side {
+            Side::A => &self.a.shape,
+            Side::B => &self.b.shape,
+        }
+    }
+
+    /// Whether the doubles of the first stage can be trusted: the scene needs no scaling.
+    #[inline]
+    pub(crate) fn is_tame(&self) -> bool {
+        self.scale == 1.0
+    }
+
+    /// Bound on the error of a gap of the first stage.
+    #[inline]
+    pub(crate) fn gap_error(&self) -> f64 {
+        if self.is_tame() { GAP_ERROR * f64::EPSILON * self.magnitude } else { f64::INFINITY }
+    }
+
+    /// A vector of A's frame, in the world.
+    pub(crate) fn to_world(&self, v: DVec2) -> DVec2 {
+        turned(self.frame_cos_sin, v)
+    }
+
+    /// A point of B's frame in A's frame, scaled.
+    pub(crate) fn from_b(&self, q: DVec2) -> DVec2 {
+        self.center + turned(self.cos_sin, q * self.scale)
+    }
+
+    /// A point of A's frame, scaled, in B's frame, unscaled.
+    pub(crate) fn to_b(&self, p: DVec2) -> DVec2 {
+        let CosSin { cos, sin, .. } = self.cos_sin;
+        let v = p - self.center;
+        DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) / self.scale
+    }
+
+    /// Where a body is, in the world.
+    pub(crate) fn pose(&self, side: Side) -> Pose {
+        match side {
+            Side::A => {
+                let CosSin { cos, sin, .. } = self.frame_cos_sin;
+                Pose { position: self.a.position + self.a.velocity * self.time, cos, sin }
+            }
+            Side::B => {
+                let position = self.b.position + self.b.velocity * self.time;
+                let (f, t) = (self.frame_cos_sin, self.cos_sin);
+                if f.error == 0.0 || t.error == 0.0 {
+                    let (cos, sin) = (f.cos * t.cos - f.sin * t.sin, f.sin * t.cos + f.cos * t.sin);
+                    return Pose { position, cos, sin };
+                }
+                self.b.pose_at(self.time)
+            }
+        }
+    }
+}
+
+/// A vector, turned.
+fn turned(CosSin { cos, sin, .. }: CosSin, v: DVec2) -> DVec2 {
+    DVec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
+}
+
+/// Angle of A's frame in the world, and of B in it.
+fn turns(a: &Body, b: &Body, t: f64) -> (Turn, Turn) {
+    let fixed = |body: &Body| body.shape.hull.corners.as_slice() == [DVec2::ZERO];
+    match (fixed(a), fixed(b)) {
+        (true, true) => (Turn::NONE, Turn::NONE),
+        (true, false) => (Turn::NONE, Turn::at(b.angle, b.spin, t)),
+        (false, true) => (Turn::at(a.angle, a.spin, t), Turn::NONE),
+        (false, false) => {
+            (Turn::at(a.angle, a.spin, t), Turn::between((a.angle, a.spin), (b.angle, b.spin), t))
+        }
+    }
+}
+
+/// About |p_B − p_A| at time t.
+fn rough_distance(a: &Body, b: &Body, t: f64) -> f64 {
+    let d = (b.position - a.position) + (b.velocity - a.velocity) * t;
+    d.x.abs() + d.y.abs()
+}
+
+/// A coordinate of p_B − p_A at time t, exactly where a double-double holds it, times `scale`.
+fn apart(from: f64, to: f64, [v_from, v_to]: [f64; 2], t: f64, scale: f64) -> Ball {
+    let start = scaled(Dd::difference(to, from), scale);
+    let speed = Dd::difference(v_to, v_from);
+    if t == 0.0 || speed == Dd::ZERO {
+        return start;
+    }
+    start + scaled(speed, scale).scale(t)
+}
+
+/// x · scale for a power of two; widened where the product is so small that bits may be lost.
+pub(crate) fn scaled(x: Dd, scale: f64) -> Ball {
+    if scale == 1.0 {
+        return Ball::exact(x);
+    }
+    let y = x.scale_by_power_of_two(scale);
+    let lost = |y: f64, x: f64| scale < 1.0 && x != 0.0 && y.abs() < LOSSY;
+    let radius = if lost(y.hi, x.hi) || lost(y.lo, x.lo) { LOSSY } else { 0.0 };
+    Ball::within(y, radius)
+}
+
+/// 2⁻⁹⁶⁰: a scaled number below it may have lost bits. The scene itself is scaled to about 1.
+const LOSSY: f64 = f64::from_bits((1023 - 960) << 52);

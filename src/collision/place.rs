@@ -1,0 +1,108 @@
+//! From what was found in A's frame to the answer in the world: normal, witness points, features, bounds.
+//!
+//! With n the unit normal from A to B, s the separation, and c the points on the cores:
+//!
+//! ```text
+//! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
+//! ```
+//!
+//! A corner is placed by its own body's pose, so that it is as near to the exact one as doubles come. The other witness
+//! follows along the normal.
+
+use super::Separation;
+use super::certify::{Contact, Found, normal_of};
+use super::gaps::Facing;
+use super::pair::Pair;
+use crate::geometry::{Ball, DVec2, Enclosure, Feature, Side, perp};
+
+/// Witness points of the cores in the world, and the features that carry them.
+type Witnesses = ([DVec2; 2], [Feature; 2]);
+
+/// The answer; `separation` is the scaled ball of s.
+pub(crate) fn answer(pair: &Pair, found: &Found, separation: Ball) -> Separation {
+    let unscale = 1.0 / pair.scale;
+    let bounds = separation.enclosure_scaled(unscale);
+    let value = (separation.value.to_f64() * unscale).clamp(bounds.lo, bounds.hi);
+    let local = normal_of(&found.contact);
+    // Points that coincide: every direction is as good; the world's x axis is taken.
+    let normal = local.map_or(DVec2::X, |n| pair.to_world(n));
+    let (cores, features) = match &found.contact {
+        Contact::Corners([i, j], _) => corners(pair, *i, *j),
+        Contact::Edge(way) => {
+            let core = found.core.value.hi * unscale;
+            let n = local.unwrap_or(DVec2::X);
+            match way.partner {
+                Some(partner) => faces(pair, way.facing, partner, n, core),
+                None => edge_and_corner(pair, way.facing, n, core),
+            }
+        }
+    };
+    let points = [cores[0] + normal * pair.a.shape.radius, cores[1] - normal * pair.b.shape.radius];
+    Separation {
+        separation: value,
+        bounds: widened(bounds, value),
+        normal,
+        ties: found.ties,
+        points,
+        features,
+    }
+}
+
+/// Bounds that hold their value, which NaN could break.
+fn widened(bounds: Enclosure, value: f64) -> Enclosure {
+    Enclosure { lo: bounds.lo.min(value), hi: bounds.hi.max(value) }
+}
+
+/// Two corners.
+fn corners(pair: &Pair, i: usize, j: usize) -> Witnesses {
+    let points = [world_corner(pair, Side::A, i), world_corner(pair, Side::B, j)];
+    (points, [pair.a.shape.vertex_feature(i), pair.b.shape.vertex_feature(j)])
+}
+
+/// A side of one body and a corner of the other, `core` apart along `n`.
+fn edge_and_corner(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesses {
+    let world = pair.to_world(n) * core;
+    let Facing { source, edge, corner } = facing;
+    match source {
+        Side::A => {
+            let point = world_corner(pair, Side::B, corner);
+            let local = pair.from_b(pair.hull(Side::B).corners[corner]) / pair.scale - n * core;
+            let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(corner)];
+            ([point - world, point], features)
+        }
+        Side::B => {
+            let point = world_corner(pair, Side::A, corner);
+            let local = pair.to_b((pair.hull(Side::A).corners[corner] + n * core) * pair.scale);
+            let features = [pair.a.shape.vertex_feature(corner), pair.b.shape.edge_feature(edge, local)];
+            ([point, point + world], features)
+        }
+    }
+}
+
+/// Two parallel sides: the middle of their common span.
+fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Witnesses {
+    let [k, l] = match facing.source {
+        Side::A => [facing.edge, partner],
+        Side::B => [partner, facing.edge],
+    };
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let along = perp(n);
+    // Places along the face, measured from A's corner so that nothing cancels twice.
+    let start = a.corners[k];
+    let end = (a.corners[a.next(k)] - start).dot(along);
+    let place = |j: usize| (pair.from_b(b.corners[j]) / pair.scale - start).dot(along);
+    let (p, q) = (place(l), place(b.next(l)));
+    let (from, to) = (p.min(q).max(end.min(0.0)), p.max(q).min(end.max(0.0)));
+    let middle = start + along * (0.5 * (from + to));
+    let point = pair.pose(Side::A).point(middle);
+    let features = [
+        pair.a.shape.edge_feature(k, middle),
+        pair.b.shape.edge_feature(l, pair.to_b((middle + n * core) * pair.scale)),
+    ];
+    ([point, point + pair.to_world(n) * core], features)
+}
+
+/// A core's corner in the world.
+fn world_corner(pair: &Pair, side: Side, k: usize) -> DVec2 {
+    pair.pose(side).point(pair.hull(side).corners[k])
+}
