@@ -185,30 +185,28 @@ impl Ball {
     }
 
     /// Doubles around x · `factor` for a power of two, rounded outward.
-    ///
-    /// The tails lo ± radius are rounded apart from hi: what they leave is one ulp at most.
     #[must_use]
     pub fn enclosure_scaled(self, factor: f64) -> Enclosure {
         let Dd { hi, lo } = self.value;
         let centre = hi * factor;
-        // Denormal results may round: then hi·factor·(1/factor) is not hi.
-        let rounding = (hi - centre / factor) + lo;
-        let slack = self.radius + rounding.abs() * 2.0 * f64::EPSILON;
-        let up_by = rounding + slack;
-        let down_by = rounding - slack;
-        let hi_end = if up_by > 0.0 { centre.next_up() } else { centre };
-        let lo_end = if down_by < 0.0 { centre.next_down() } else { centre };
-        // A radius above an ulp needs the full sum.
-        let ulp = (centre.abs().next_up() - centre.abs()) / factor;
-        if slack + rounding.abs() < ulp * 0.5 {
-            return Enclosure { lo: lo_end, hi: hi_end };
-        }
-        let reach = up(self.radius + rounding.abs());
-        Enclosure {
-            lo: ((hi - reach).next_down() * factor).next_down(),
-            hi: ((hi + reach).next_up() * factor).next_up(),
-        }
+        // x lies within `rest` ± `radius` of the centre; a denormal centre is itself rounded.
+        let rest = (hi - centre / factor) + lo;
+        let radius = up(self.radius + rest.abs() * f64::EPSILON);
+        Enclosure { lo: -above(-centre, radius - rest, factor), hi: above(centre, radius + rest, factor) }
     }
+}
+
+/// A double that is not below `centre` + `by` · `factor`: the centre, its neighbour, or where it is farther the sum.
+fn above(centre: f64, by: f64, factor: f64) -> f64 {
+    // `by` is the sum of two doubles; were it rounded down to 0, both would be 0.
+    if by <= 0.0 {
+        return centre;
+    }
+    let next = centre.next_up();
+    if by * factor < next - centre {
+        return next;
+    }
+    (centre + (by * (1.0 + 4.0 * f64::EPSILON) * factor).next_up()).next_up()
 }
 
 /// What a product loses where it may have underflowed.

@@ -16,7 +16,7 @@ pub struct Hull {
     pub sides: Vec<DVec2>,
     /// Outward unit normals of the sides; each component within ε/2.
     pub normals: Vec<DVec2>,
-    /// What `normals` leave out, so that both together are within [`NORMAL_ERROR`].
+    /// What `normals` leave out, so that both together are within 16 ε² of the exact normal, each component.
     pub tails: Vec<DVec2>,
     /// Normal · corner, the side's distance from the body's origin: within 2ε of the reach.
     pub offsets: Vec<f64>,
@@ -26,7 +26,7 @@ pub struct Hull {
 
 /// Bound on the error of each component of a double-double normal: 16 ε². The square of a side's length is off by
 /// 10 ε² of itself (a product, a sum), its root by 5 + 5 ε², the quotient by 5 more.
-pub const NORMAL_ERROR: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
+pub(super) const NORMAL_ERROR: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
 
 impl Hull {
     /// Prepares corners that are strictly convex and counter-clockwise.
