@@ -47,19 +47,24 @@ fn pass(
 ) {
     let Some(&first) = own.normals.first() else { return };
     let into = |n: DVec2| DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
-    let mut corner = lowest(other, into(first));
-    let mut q = other.corners[corner];
+    let mut corner = 0;
+    let mut before = -first;
     for (edge, (&n, &offset)) in own.normals.iter().zip(&own.offsets).enumerate() {
         let u = into(n);
+        if before.dot(n) <= 0.0 {
+            // More than a quarter turn (three times at most, and at the start): after a half turn the pointer would
+            // stand on the highest corner, where rounding may take a level side for the bottom.
+            corner = lowest(other, u);
+        }
+        before = n;
         // At most once round: each step goes down along u.
         for _ in 0..other.sides.len() {
             if u.dot(other.sides[corner]) >= 0.0 {
                 break;
             }
             corner = other.next(corner);
-            q = other.corners[corner];
         }
-        visit(edge, corner, n.dot(center) + u.dot(q) - offset);
+        visit(edge, corner, n.dot(center) + u.dot(other.corners[corner]) - offset);
     }
 }
 

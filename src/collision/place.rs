@@ -15,7 +15,7 @@ use super::gaps::Facing;
 use super::pair::Pair;
 use crate::geometry::{Ball, DVec2, Enclosure, Feature, Side, perp};
 
-/// Witness points of the cores in the world, and the features that carry them.
+/// Witness points of the cores in the world, scaled (so that they round once), and the features that carry them.
 type Witnesses = ([DVec2; 2], [Feature; 2]);
 
 /// The answer; `separation` is the scaled ball of s.
@@ -29,7 +29,7 @@ pub(crate) fn answer(pair: &Pair, found: &Found, separation: Ball) -> Separation
     let (cores, features) = match &found.contact {
         Contact::Corners([i, j], _) => corners(pair, *i, *j),
         Contact::Edge(way) => {
-            let core = found.core.value.hi * unscale;
+            let core = found.core.value.hi;
             let n = local.unwrap_or(DVec2::X);
             match way.partner {
                 Some(partner) => faces(pair, way.facing, partner, n, core),
@@ -37,7 +37,8 @@ pub(crate) fn answer(pair: &Pair, found: &Found, separation: Ball) -> Separation
             }
         }
     };
-    let points = [cores[0] + normal * pair.a.shape.radius, cores[1] - normal * pair.b.shape.radius];
+    let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
+    let points = [(cores[0] + normal * r_a) * unscale, (cores[1] - normal * r_b) * unscale];
     Separation {
         separation: value,
         bounds: widened(bounds, value),
@@ -59,20 +60,20 @@ fn corners(pair: &Pair, i: usize, j: usize) -> Witnesses {
     (points, [pair.a.shape.vertex_feature(i), pair.b.shape.vertex_feature(j)])
 }
 
-/// A side of one body and a corner of the other, `core` apart along `n`.
+/// A side of one body and a corner of the other, `core` apart along `n`; scaled.
 fn edge_and_corner(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesses {
     let world = pair.to_world(n) * core;
     let Facing { source, edge, corner } = facing;
     match source {
         Side::A => {
             let point = world_corner(pair, Side::B, corner);
-            let local = pair.from_b(pair.hull(Side::B).corners[corner]) / pair.scale - n * core;
+            let local = (pair.from_b(pair.hull(Side::B).corners[corner]) - n * core) / pair.scale;
             let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(corner)];
             ([point - world, point], features)
         }
         Side::B => {
             let point = world_corner(pair, Side::A, corner);
-            let local = pair.to_b((pair.hull(Side::A).corners[corner] + n * core) * pair.scale);
+            let local = pair.to_b(pair.hull(Side::A).corners[corner] * pair.scale + n * core);
             let features = [pair.a.shape.vertex_feature(corner), pair.b.shape.edge_feature(edge, local)];
             ([point, point + world], features)
         }
@@ -88,21 +89,27 @@ fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Wi
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let along = perp(n);
     // Places along the face, measured from A's corner so that nothing cancels twice.
-    let start = a.corners[k];
-    let end = (a.corners[a.next(k)] - start).dot(along);
-    let place = |j: usize| (pair.from_b(b.corners[j]) / pair.scale - start).dot(along);
+    let start = a.corners[k] * pair.scale;
+    let end = (a.corners[a.next(k)] * pair.scale - start).dot(along);
+    let place = |j: usize| (pair.from_b(b.corners[j]) - start).dot(along);
     let (p, q) = (place(l), place(b.next(l)));
     let (from, to) = (p.min(q).max(end.min(0.0)), p.max(q).min(end.max(0.0)));
     let middle = start + along * (0.5 * (from + to));
-    let point = pair.pose(Side::A).point(middle);
+    let point = world_point(pair, Side::A, middle);
     let features = [
-        pair.a.shape.edge_feature(k, middle),
-        pair.b.shape.edge_feature(l, pair.to_b((middle + n * core) * pair.scale)),
+        pair.a.shape.edge_feature(k, middle / pair.scale),
+        pair.b.shape.edge_feature(l, pair.to_b(middle + n * core)),
     ];
     ([point, point + pair.to_world(n) * core], features)
 }
 
 /// A core's corner in the world.
 fn world_corner(pair: &Pair, side: Side, k: usize) -> DVec2 {
-    pair.pose(side).point(pair.hull(side).corners[k])
+    world_point(pair, side, pair.hull(side).corners[k] * pair.scale)
+}
+
+/// A point of a body's frame in the world; both scaled.
+fn world_point(pair: &Pair, side: Side, local: DVec2) -> DVec2 {
+    let pose = pair.pose(side);
+    pose.position * pair.scale + pose.vector(local)
 }
