@@ -17,6 +17,7 @@ mod pen;
 mod runs;
 mod sketch;
 pub mod theme;
+pub mod values;
 
 pub use context::{Context, Moment};
 pub use difference::{Difference, Edge};

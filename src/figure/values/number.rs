@@ -1,0 +1,101 @@
+//! Numbers as text: three significant digits at most, and no more than the bounds allow.
+
+/// Most significant digits of a number on a figure.
+const DIGITS: usize = 3;
+/// Decimal exponents within which a number is written without a power of ten.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
+///
+/// ```
+/// use tracefig::figure::values::rounded;
+/// assert_eq!(rounded(0.308_487, 0.308_488), "0.308");
+/// assert_eq!(rounded(0.499_999_999_999_999_94, 0.5), "0.5");
+/// assert_eq!(rounded(0.31, 0.34), "0.3");
+/// assert_eq!(rounded(-2.5, -2.5), "-2.5");
+/// ```
+#[must_use]
+pub fn rounded(lo: f64, hi: f64) -> String {
+    for digits in (1..=DIGITS).rev() {
+        let (p, q) = (significant(lo, digits), significant(hi, digits));
+        if p == q {
+            return p;
+        }
+    }
+    format!("{}…{}", significant(lo, DIGITS), significant(hi, DIGITS))
+}
+
+/// To so many significant digits, without trailing zeros; with a power of ten where it is very large or small.
+fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let scientific = format!("{value:.*e}", digits - 1);
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    if !PLAIN.contains(&exponent) {
+        return format!("{}e{exponent}", without_zeros(mantissa));
+    }
+    // The scientific form has rounded already; printing it again with enough decimals does not round twice.
+    let rounded: f64 = scientific.parse().unwrap_or(value);
+    let decimals = usize::try_from(i32::try_from(digits).unwrap_or(0) - 1 - exponent).unwrap_or(0);
+    without_zeros(&format!("{rounded:.decimals$}")).to_owned()
+}
+
+fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A number from [`rounded`] as LaTeX.
+///
+/// ```
+/// assert_eq!(tracefig::figure::values::in_math("1.5e-9"), r"1.5 \times 10^{-9}");
+/// ```
+#[must_use]
+pub fn in_math(number: &str) -> String {
+    let power = |part: &str| match part.split_once('e') {
+        Some(("1", exponent)) => format!("10^{{{exponent}}}"),
+        Some((mantissa, exponent)) => format!(r"{mantissa} \times 10^{{{exponent}}}"),
+        None => part.to_owned(),
+    };
+    number.split('…').map(power).collect::<Vec<_>>().join(r" \ldots ")
+}
+
+/// A number from [`rounded`] as markup among words: a real minus sign, and a formula where it has a power of ten.
+///
+/// ```
+/// assert_eq!(tracefig::figure::values::in_words("-2.5"), "−2.5");
+/// ```
+#[must_use]
+pub fn in_words(number: &str) -> String {
+    if number.contains('e') || number.contains('…') {
+        format!("${}$", in_math(number))
+    } else {
+        number.replace('-', "−")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn three_digits_at_most_and_no_trailing_zeros() {
+        assert_eq!(rounded(4.293_51, 4.293_51), "4.29");
+        assert_eq!(rounded(11.5, 11.5), "11.5");
+        assert_eq!(rounded(0.791_532, 0.791_532), "0.792");
+        assert_eq!(rounded(1234.0, 1234.0), "1230");
+        assert_eq!(rounded(-2.500_000_000_000_000_4, -2.5), "-2.5");
+        assert_eq!(rounded(0.0, 0.0), "0");
+        assert_eq!(rounded(1.09e-9, 1.09e-9), "1.09e-9");
+        assert_eq!(rounded(9.999, 9.999), "10");
+        assert_eq!(rounded(0.000_999_9, 0.000_999_9), "0.001");
+    }
+
+    #[test]
+    fn digits_that_the_bounds_do_not_share_are_not_printed() {
+        assert_eq!(rounded(0.123, 0.124), "0.12");
+        assert_eq!(rounded(0.25, 1.0), "0.25…1");
+        assert_eq!(in_math("0.25…1"), r"0.25 \ldots 1");
+    }
+}
