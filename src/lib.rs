@@ -10,6 +10,7 @@ pub mod drawing;
 pub mod drift;
 pub mod figure;
 pub mod geometry;
+pub mod output;
 pub mod report;
 pub mod scene;
 pub mod trace;

@@ -7,8 +7,8 @@
 //! B_c = clamp(V, −h, h)      D = B − B_c      distance = ‖D‖ − r
 //! ```
 //!
-//! B_c is the point of the box closest to the circle; taken back into the world it gives D there. The article stops
-//! where the circle's centre is outside the box. Inside, clamping changes nothing and D would be 0: B_c is then the
+//! `B_c` is the point of the box closest to the circle; taken back into the world it gives D there. The article stops
+//! where the circle's centre is outside the box. Inside, clamping changes nothing and D would be 0: `B_c` is then the
 //! nearest point of the nearest side, and the distance is −‖D‖ − r. On an edge or corner exactly, D is 0 and the
 //! normal is that of a side.
 //!

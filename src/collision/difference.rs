@@ -3,7 +3,7 @@
 //! The bodies overlap exactly when it holds the origin, and its distance from the origin is theirs. Each edge is an
 //! edge of one body and a vertex of the other: edge (bₖ, bₖ₊₁) of B with A's supporting vertex a gives bₖ − a → bₖ₊₁ − a, and
 //! edge (aₖ, aₖ₊₁) of A with b gives b − aₖ → b − aₖ₊₁; both run counter-clockwise. Round bodies add a disc of radius
-//! r_A + r_B around it.
+//! `r_A` + `r_B` around it.
 //!
 //! Source: Firth, "Collision detection for dummies", section OBB vs OBB. The merge is [`super::merge`].
 
@@ -45,7 +45,7 @@ pub struct Difference {
     pub edges: Vec<DifferenceEdge>,
     /// The one point of a core without edges.
     pub center: Option<DVec2>,
-    /// r_A + r_B, in world units.
+    /// `r_A` + `r_B`, in world units.
     pub radius: f64,
 }
 

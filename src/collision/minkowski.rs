@@ -15,7 +15,7 @@
 //!
 //! Two things differ from the article's listing. Its `Sign(0)` is 0, which calls a pair touching as soon as the origin
 //! is on the *line* of an edge; here 0 counts as outside. And the round bodies that it leaves out are core and radius:
-//! the distance of the cores less r_A + r_B. A core that is a point has no edges; two points have none between them,
+//! the distance of the cores less `r_A` + `r_B`. A core that is a point has no edges; two points have none between them,
 //! and the one point of their difference is compared instead.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), sections OBB vs OBB and Poly vs Poly. O(n·m).

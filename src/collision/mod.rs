@@ -296,7 +296,7 @@ pub struct Overlap {
     pub separation_bounds: Enclosure,
 }
 
-/// Signed separation with its witnesses. p_B − p_A = s n.
+/// Signed separation with its witnesses. `p_B` − `p_A` = s n.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Separation {
     /// World units; the distance apart, or minus the penetration depth.

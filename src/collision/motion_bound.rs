@@ -10,7 +10,7 @@
 //! for t in [0, 1]. A rounded body's farthest point is its radius beyond its farthest vertex. A body at rest has 0
 //! exactly; everything else is rounded up.
 //!
-//! Source: Brian Mirtich, "Impulse-based dynamic simulation of rigid body systems" (PhD thesis, Berkeley, 1996),
+//! Source: Brian Mirtich, "Impulse-based dynamic simulation of rigid body systems" (`PhD` thesis, Berkeley, 1996),
 //! section 2.3.2; Paul Firth, "Collision detection for dummies" (2011), section Continuous Angular/Linear, figure 8.
 
 use super::{Answer, MotionBound, Query};
@@ -29,6 +29,7 @@ const ROUNDED_UP: f64 = 1.0 + 12.0 * f64::EPSILON;
 const SAME_RADIUS: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// One body or two, of any shape.
+#[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
 pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
     Ok(())
 }

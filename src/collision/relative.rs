@@ -88,7 +88,7 @@ impl<'s> Relative<'s> {
         self.hull(side).sides.len()
     }
 
-    /// r_A + r_B.
+    /// `r_A` + `r_B`.
     pub(crate) fn radius(&self) -> f64 {
         self.a.shape.radius + self.b.shape.radius
     }

@@ -13,7 +13,7 @@
 //! joins them is the last one tested. The normal of an edge of A is, mirrored, that of an edge of B ⊖ A: this is the
 //! Minkowski loop seen from the world.
 //!
-//! Source: Gottschalk, Lin, Manocha, "OBBTree" (1996), section 5; Eberly, "Method of Separating Axes" (2001). O(n·m).
+//! Source: Gottschalk, Lin, Manocha, "`OBBTree`" (1996), section 5; Eberly, "Method of Separating Axes" (2001). O(n·m).
 
 use super::difference::{self, Pairing, Projection};
 use super::minkowski::is_better;

@@ -7,6 +7,7 @@ mod extent;
 mod offset;
 mod paint;
 mod path;
+mod pattern;
 
 use std::sync::Arc;
 

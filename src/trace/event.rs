@@ -92,7 +92,7 @@ pub enum Event {
         /// Vertices that touch each side: left, bottom, right, top.
         touching: [Vec<SupportVertex>; 4],
     },
-    /// The extents of two AABBs were compared axis by axis: D = |c_B − c_A| − (h_A + h_B).
+    /// The extents of two AABBs were compared axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`).
     ExtentsCompared {
         /// Centres of A and B.
         centers: [DVec2; 2],
@@ -111,9 +111,9 @@ pub enum Event {
         half_extents: DVec2,
         /// V, clamped to the half-extents.
         clamped: DVec2,
-        /// B_c in the world: the point of the box closest to the circle.
+        /// `B_c` in the world: the point of the box closest to the circle.
         closest: DVec2,
-        /// D = B − B_c in the world.
+        /// D = B − `B_c` in the world.
         d: DVec2,
         /// The circle's radius.
         radius: f64,
@@ -148,7 +148,7 @@ pub enum Event {
     DifferenceRounded {
         /// The centre where the core is a point.
         center: Option<DVec2>,
-        /// r_A + r_B.
+        /// `r_A` + `r_B`.
         radius: f64,
     },
     /// The origin was projected onto an edge or disc of B ⊖ A.
@@ -237,7 +237,7 @@ pub enum Event {
         estimate: DVec2,
         /// Closing speed v·n.
         closing_speed: f64,
-        /// Bound on the approach used: v·n + r_A|ω_A| + r_B|ω_B|.
+        /// Bound on the approach used: v·n + `r_A|ω_A`| + `r_B|ω_B`|.
         bound: f64,
         /// Time after the step; None where the algorithm stopped here.
         next: Option<f64>,

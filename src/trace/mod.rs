@@ -18,7 +18,7 @@ pub trait Tracer {
 
     /// Whether events are kept at all: where an algorithm must walk something only to tell it, it asks first. Never
     /// decides an answer.
-    #[inline(always)]
+    #[inline]
     fn listens(&self) -> bool {
         true
     }
@@ -32,7 +32,7 @@ impl Tracer for NoTrace {
     #[inline(always)]
     fn record(&mut self, _make: impl FnOnce() -> Event) {}
 
-    #[inline(always)]
+    #[inline]
     fn listens(&self) -> bool {
         false
     }

@@ -67,6 +67,7 @@ pub fn sentence(event: &Event) -> String {
 }
 
 /// Events of the algorithms that look at one moment.
+#[expect(clippy::too_many_lines, reason = "one arm an event, read beside the vocabulary")]
 fn discrete(event: &Event) -> Option<String> {
     Some(match event {
         Event::Started { algorithm, at } => format!("{algorithm} looks at A and B at {}.", moment(at)),
@@ -228,7 +229,10 @@ fn bounds(of: Option<Side>, min: DVec2, max: DVec2, touching: &[Vec<SupportVerte
     let mut text = format!("The box of {whose} runs from {} to {}", point(min), point(max));
     for (side, vertices) in ["left", "bottom", "right", "top"].into_iter().zip(touching) {
         if !vertices.is_empty() {
-            text.push_str(&format!("; {side}: {}", list(vertices)));
+            text.push_str("; ");
+            text.push_str(side);
+            text.push_str(": ");
+            text.push_str(&list(vertices));
         }
     }
     text.push('.');

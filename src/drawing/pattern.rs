@@ -1,0 +1,52 @@
+//! The marks of a pattern as lines, so that every format draws the same ones.
+//!
+//! Both patterns are the lines x + y = k s √2 for whole k, at 45°, a distance s apart; dots are dashes without length on
+//! them. Their phase is the page's, so that the marks of two areas agree where they meet.
+
+use super::{Cap, Paint, Pattern, PatternKind, Point, Rect, Stroke};
+
+/// Distance between the lines of a pattern, in page pixels: far enough that thirds of the size still show lines.
+const SPACING: f64 = 7.0;
+
+/// Width of a hatch line, in page pixels.
+const HATCH_WIDTH: f64 = 1.0;
+
+/// Diameter of a dot, in page pixels.
+const DOT_DIAMETER: f64 = 2.2;
+
+/// Length of the dash that makes a dot: above 0, as a dash without length is dropped by some renderers.
+const DOT_DASH: f64 = 0.01;
+
+impl Pattern {
+    /// The lines over `area`, to be cut to the contour that they fill, and how each is drawn.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Paint, Pattern, PatternKind, Rect, Role};
+    /// let hatch = Pattern { kind: PatternKind::Hatch, paint: Paint::role(Role::A, Color::hex(0)) };
+    /// let (lines, stroke) = hatch.marks(Rect { x0: 0.0, y0: 0.0, x1: 70.0, y1: 70.0 });
+    /// assert!(lines.iter().all(|(p, q)| ((p.x + p.y) - (q.x + q.y)).abs() < 1e-9));
+    /// assert_eq!((lines.len(), stroke.width), (15, 1.0));
+    /// ```
+    #[must_use]
+    pub fn marks(&self, area: Rect) -> (Vec<(Point, Point)>, Stroke) {
+        let step = SPACING * std::f64::consts::SQRT_2;
+        // Starting heights on a multiple of half a step put the dots of all lines on one grid.
+        let (top, bottom) = (area.y0, (area.y1 / (0.5 * step)).ceil() * 0.5 * step);
+        let mut lines = Vec::new();
+        let mut k = ((area.x0 + area.y0) / step).ceil();
+        while k * step <= area.x1 + area.y1 {
+            lines.push((Point::new(k * step - bottom, bottom), Point::new(k * step - top, top)));
+            k += 1.0;
+        }
+        (lines, stroke(self.kind, self.paint))
+    }
+}
+
+fn stroke(kind: PatternKind, paint: Paint) -> Stroke {
+    match kind {
+        PatternKind::Hatch => Stroke::solid(paint, HATCH_WIDTH),
+        PatternKind::Dots => {
+            Stroke { paint, width: DOT_DIAMETER, dash: vec![DOT_DASH, SPACING - DOT_DASH], cap: Cap::Round }
+        }
+    }
+}

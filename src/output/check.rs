@@ -1,0 +1,48 @@
+//! What must hold of a drawing before a format begins: a page with pixels, and finite places.
+
+use super::{MOST_PIXELS, Options, OutputError};
+use crate::drawing::{Drawing, Item};
+
+/// Farthest place from the page's corner, in page pixels: beyond it single-precision rasterizers lose whole pixels.
+const FARTHEST: f64 = 1e6;
+
+/// The size of the image in pixels.
+pub(super) fn image_size(drawing: &Drawing, options: &Options) -> Result<(u32, u32), OutputError> {
+    page(drawing)?;
+    let (width, height, scale) = (drawing.width, drawing.height, options.scale);
+    let (w, h) = ((width * scale).round(), (height * scale).round());
+    if !(scale > 0.0 && scale.is_finite() && w >= 1.0 && h >= 1.0) {
+        return Err(OutputError::Empty { width, height, scale });
+    }
+    if w * h > MOST_PIXELS {
+        // Rounded down to hundredths, so that what the message names does fit.
+        let largest = (libm::sqrt(MOST_PIXELS / (width * height)) * 100.0 - 0.5).floor() / 100.0;
+        return Err(OutputError::TooLarge { scale, largest });
+    }
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 2^26")]
+    Ok((w as u32, h as u32))
+}
+
+/// Refuses an empty page and places that are on no page.
+pub(super) fn page(drawing: &Drawing) -> Result<(), OutputError> {
+    let (width, height) = (drawing.width, drawing.height);
+    if !(width > 0.0 && height > 0.0 && width < FARTHEST && height < FARTHEST) {
+        return Err(OutputError::Empty { width, height, scale: 1.0 });
+    }
+    items(&drawing.items, "figure")
+}
+
+fn items(all: &[Item], group: &str) -> Result<(), OutputError> {
+    for item in all {
+        if let Item::Group(inner) = item {
+            items(&inner.items, &inner.name)?;
+        } else if let Some(r) = item.extent() {
+            // A place that is not a number is in no range.
+            let inside = |v: f64| v.abs() <= FARTHEST;
+            if !(inside(r.x0) && inside(r.y0) && inside(r.x1) && inside(r.y1)) {
+                return Err(OutputError::NotFinite { group: group.to_owned() });
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,97 @@
+//! Path data: contours of the page, and outlines of glyphs.
+//!
+//! An SVG arc is given by its ends, so its centre is only as good as its rounded ends make it. That is worst near a half
+//! turn, where the centre moves by √(r ε) for an error ε of the chord, and near a whole turn, where the ends coincide.
+//! Arcs are therefore written in pieces of at most 120°, whose centre moves by about ε.
+
+use std::f64::consts::{FRAC_PI_3, TAU};
+
+use super::super::curves::{at, end, touches};
+use super::super::number::{push_coordinate, text};
+use crate::drawing::{Point, Segment};
+use crate::typeset::{Outline, OutlineSegment};
+
+/// The longest arc in one piece, in radians.
+const LONGEST_ARC: f64 = 2.0 * FRAC_PI_3;
+
+/// Appends the path data of a contour.
+pub(super) fn segments(out: &mut String, segments: &[Segment]) {
+    let mut current: Option<Point> = None;
+    for segment in segments {
+        match *segment {
+            Segment::Move(p) => command(out, 'M', &[p]),
+            Segment::Line(p) => command(out, 'L', &[p]),
+            Segment::Quad(c, p) => command(out, 'Q', &[c, p]),
+            Segment::Cubic(c, d, p) => command(out, 'C', &[c, d, p]),
+            Segment::Close => out.push('Z'),
+            Segment::Arc { center, radius, start, sweep } => {
+                let from = at(center, radius, start);
+                match current {
+                    None => command(out, 'M', &[from]),
+                    Some(point) if !touches(point, from) => command(out, 'L', &[from]),
+                    Some(_) => {}
+                }
+                arc(out, center, radius, start, sweep);
+            }
+        }
+        current = end(segment).or(current);
+    }
+}
+
+fn command(out: &mut String, letter: char, points: &[Point]) {
+    out.push(letter);
+    for p in points {
+        push_coordinate(out, p.x);
+        push_coordinate(out, p.y);
+    }
+}
+
+fn arc(out: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
+    let sweep = sweep.clamp(-TAU, TAU);
+    let pieces = (sweep.abs() / LONGEST_ARC).ceil().max(1.0);
+    let r = text(radius);
+    let mut i = 0.0;
+    while i < pieces {
+        i += 1.0;
+        let to = at(center, radius, start + sweep * i / pieces);
+        out.push('A');
+        out.push_str(&r);
+        out.push(' ');
+        out.push_str(&r);
+        out.push_str(if sweep > 0.0 { " 0 0 1 " } else { " 0 0 0 " });
+        push_coordinate(out, to.x);
+        push_coordinate(out, to.y);
+    }
+}
+
+/// Appends the path data of a glyph in thousandths of an em, relative and in whole numbers: the faces have no others.
+pub(super) fn outline(out: &mut String, outline: &Outline) {
+    let (mut at, mut begin) = ([0.0_f32; 2], [0.0_f32; 2]);
+    for segment in &outline.segments {
+        match *segment {
+            OutlineSegment::Move(p) => {
+                relative(out, 'm', &[p], &mut at);
+                begin = at;
+            }
+            OutlineSegment::Line(p) => relative(out, 'l', &[p], &mut at),
+            OutlineSegment::Quad(c, p) => relative(out, 'q', &[c, p], &mut at),
+            OutlineSegment::Cubic(c, d, p) => relative(out, 'c', &[c, d, p], &mut at),
+            OutlineSegment::Close => {
+                out.push('z');
+                at = begin;
+            }
+        }
+    }
+}
+
+fn relative(out: &mut String, letter: char, points: &[[f32; 2]], at: &mut [f32; 2]) {
+    out.push(letter);
+    for p in points {
+        for axis in 0..2 {
+            push_coordinate(out, f64::from(p[axis]) - f64::from(at[axis]));
+        }
+    }
+    if let Some(&last) = points.last() {
+        *at = last;
+    }
+}

@@ -1,0 +1,256 @@
+//! SVG: a picture that a page can hold, a reader can hear and a style sheet can recolour.
+//!
+//! Every id and class begins with the drawing's id, so two figures can be inlined in one page. Colours are presentation
+//! attributes; a style sheet inside `@media` overrides them with custom properties, and is all that a renderer without
+//! CSS variables loses. Circles and arcs are arcs; the outline of a glyph is written once and used where it stands.
+//! Nothing is loaded from elsewhere and nothing runs.
+
+mod contour;
+mod style;
+mod text;
+
+use std::collections::BTreeSet;
+
+use super::xml::Xml;
+use super::{Format, Options, OutputError, Writer, number};
+use crate::drawing::{Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Stroke};
+use style::Property;
+
+pub(super) const FORMAT: Format = Format {
+    name: "svg",
+    about: "scalable picture with alternative text, its colours open to the page",
+    write: Writer::One(write),
+};
+
+/// Bytes that a figure takes at least; saves growing the buffer step by step.
+const TYPICAL_SIZE: usize = 32 * 1024;
+
+/// Writes the drawing as a document.
+fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
+    super::check::page(drawing)?;
+    Ok(document(drawing, Sheet::Inside).into_bytes())
+}
+
+/// Whether a document has its style sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Sheet {
+    /// With it.
+    Inside,
+    /// Without: the colours of the attributes alone.
+    #[cfg(test)]
+    Absent,
+}
+
+/// The whole document.
+pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
+    let prefix = identifier(&drawing.id);
+    let used = style::Used::by(drawing);
+    let mut document =
+        Document { xml: Xml::with_capacity(TYPICAL_SIZE), prefix, ids: BTreeSet::new(), clips: Vec::new() };
+    document.open(drawing);
+    if sheet == Sheet::Inside {
+        document.style(&used, &drawing.dark);
+    }
+    document.glyphs(&used.glyphs);
+    document.xml.start("rect");
+    document.xml.number("width", drawing.width);
+    document.xml.number("height", drawing.height);
+    document.paint(Some(&drawing.background), None);
+    document.xml.end();
+    document.items(&drawing.items);
+    document.xml.finish()
+}
+
+/// Letters, digits, `-` and `_`, a letter first: what an id, a class and a selector may be without escapes.
+fn identifier(text: &str) -> String {
+    let allowed = |c: char| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' };
+    let mut id: String = text.chars().map(allowed).collect();
+    if !id.starts_with(|c: char| c.is_ascii_alphabetic()) {
+        id.insert_str(0, "fig-");
+    }
+    id
+}
+
+/// A document being written.
+struct Document {
+    xml: Xml,
+    /// Begins every id and class.
+    prefix: String,
+    /// Ids given so far.
+    ids: BTreeSet<String>,
+    /// Clip rectangles that have an element; the place is the number in its id.
+    clips: Vec<Rect>,
+}
+
+impl Document {
+    fn open(&mut self, drawing: &Drawing) {
+        let (title, desc) = (self.new_id("title"), self.new_id("desc"));
+        let xml = &mut self.xml;
+        xml.start("svg");
+        xml.attribute("xmlns", "http://www.w3.org/2000/svg");
+        xml.number("width", drawing.width);
+        xml.number("height", drawing.height);
+        xml.attribute_by("viewBox", |out| {
+            out.push_str("0 0 ");
+            number::push(out, drawing.width);
+            out.push(' ');
+            number::push(out, drawing.height);
+        });
+        xml.attribute("role", "img");
+        xml.attribute("aria-labelledby", &format!("{title} {desc}"));
+        for (name, id, text) in [("title", title, &drawing.title), ("desc", desc, &drawing.desc)] {
+            xml.start(name);
+            xml.attribute("id", &id);
+            xml.text(text);
+            xml.end();
+        }
+        if !drawing.metadata.is_empty() {
+            xml.start("metadata");
+            xml.text(&drawing.metadata);
+            xml.end();
+        }
+    }
+
+    /// An id that no other element has: the prefix, the name, and a number where the name was given before.
+    fn new_id(&mut self, name: &str) -> String {
+        let base = format!("{}-{}", self.prefix, identifier(name));
+        let mut id = base.clone();
+        let mut count = 1;
+        while !self.ids.insert(id.clone()) {
+            count += 1;
+            id = format!("{base}-{count}");
+        }
+        id
+    }
+
+    fn items(&mut self, items: &[Item]) {
+        for item in items {
+            match item {
+                Item::Group(group) => self.group(group),
+                Item::Path(path) => self.path(path),
+                Item::Text(text) => self.text(text),
+            }
+        }
+    }
+
+    fn group(&mut self, group: &Group) {
+        if group.items.is_empty() {
+            return;
+        }
+        let clip = group.clip.map(|rect| self.clip(rect));
+        let id = self.new_id(&group.name);
+        self.xml.start("g");
+        self.xml.attribute("id", &id);
+        if let Some(role) = group.role {
+            self.xml.attribute("data-role", role.name());
+        }
+        if let Some(label) = &group.label {
+            self.xml.attribute("role", "group");
+            self.xml.attribute("aria-label", label);
+        }
+        if group.opacity < 1.0 {
+            self.xml.number("opacity", group.opacity);
+        }
+        if let Some(clip) = clip {
+            self.xml.attribute("clip-path", &format!("url(#{clip})"));
+        }
+        self.items(&group.items);
+        self.xml.end();
+    }
+
+    /// The id of the clip with that rectangle, written here where it is new.
+    fn clip(&mut self, rect: Rect) -> String {
+        let known = self.clips.iter().position(|&r| r == rect);
+        let number = known.unwrap_or(self.clips.len());
+        let id = format!("{}-clip.{number}", self.prefix);
+        if known.is_none() {
+            self.clips.push(rect);
+            self.xml.start("clipPath");
+            self.xml.attribute("id", &id);
+            self.xml.start("rect");
+            self.xml.number("x", rect.x0);
+            self.xml.number("y", rect.y0);
+            self.xml.number("width", rect.width());
+            self.xml.number("height", rect.height());
+            self.xml.end();
+            self.xml.end();
+        }
+        id
+    }
+
+    fn path(&mut self, path: &Path) {
+        let Some(pattern) = &path.pattern else {
+            self.contour(&path.contour, path.fill.as_ref(), path.stroke.as_ref());
+            return;
+        };
+        if path.fill.is_some() {
+            self.contour(&path.contour, path.fill.as_ref(), None);
+        }
+        self.pattern(&path.contour, pattern);
+        if path.stroke.is_some() {
+            self.contour(&path.contour, None, path.stroke.as_ref());
+        }
+    }
+
+    /// The marks as lines, cut by the contour: an SVG pattern would be a raster in some renderers.
+    fn pattern(&mut self, contour: &Contour, pattern: &Pattern) {
+        let Some(bounds) = contour.bounds() else { return };
+        let id = self.new_id("marks");
+        self.xml.start("clipPath");
+        self.xml.attribute("id", &id);
+        self.shape(contour);
+        self.xml.end();
+        self.xml.end();
+        let (lines, stroke) = pattern.marks(bounds);
+        self.xml.start("path");
+        self.xml.attribute_by("d", |out| {
+            for &(from, to) in &lines {
+                contour::segments(
+                    out,
+                    &[crate::drawing::Segment::Move(from), crate::drawing::Segment::Line(to)],
+                );
+            }
+        });
+        self.paint(None, Some(&stroke));
+        self.xml.attribute("clip-path", &format!("url(#{id})"));
+        self.xml.end();
+    }
+
+    fn contour(&mut self, contour: &Contour, fill: Option<&Paint>, stroke: Option<&Stroke>) {
+        self.shape(contour);
+        self.paint(fill, stroke);
+        self.xml.end();
+    }
+
+    /// Starts the element of a contour.
+    fn shape(&mut self, contour: &Contour) {
+        match contour {
+            Contour::Circle { center, radius } => {
+                self.xml.start("circle");
+                self.xml.number("cx", center.x);
+                self.xml.number("cy", center.y);
+                self.xml.number("r", *radius);
+            }
+            Contour::Segments(segments) => {
+                self.xml.start("path");
+                self.xml.attribute_by("d", |out| contour::segments(out, segments));
+            }
+        }
+    }
+
+    /// The attributes of fill and stroke, and the classes by which the style sheet finds them.
+    fn paint(&mut self, fill: Option<&Paint>, stroke: Option<&Stroke>) {
+        let roles = [
+            (Property::Fill, fill.and_then(|paint| paint.role)),
+            (Property::Stroke, stroke.and_then(|stroke| stroke.paint.role)),
+        ];
+        style::class_attribute(&mut self.xml, &self.prefix, roles);
+        match fill {
+            Some(paint) => style::paint(&mut self.xml, Property::Fill, paint),
+            None => self.xml.attribute("fill", "none"),
+        }
+        if let Some(stroke) = stroke {
+            style::stroke(&mut self.xml, stroke);
+        }
+    }
+}

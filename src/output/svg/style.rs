@@ -1,0 +1,174 @@
+//! Colours of an SVG: presentation attributes, and the style sheet that lets a page set them.
+//!
+//! A page sets `--tracefig-a: …` and so on; where it does not, the fallback in `var()` is the attribute's own colour. The
+//! sheet stands in `@media` as renderers that can't do `var()` skip such blocks and keep the attributes.
+
+use std::collections::BTreeSet;
+
+use super::super::number;
+use super::super::xml::Xml;
+use super::Document;
+use crate::drawing::{Cap, Color, Drawing, Item, Paint, Role, Stroke};
+use crate::typeset::Glyph;
+
+/// A property that takes a colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Property {
+    Fill,
+    Stroke,
+}
+
+impl Property {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Fill => "fill",
+            Self::Stroke => "stroke",
+        }
+    }
+}
+
+/// What a drawing uses of things that are written once, in order.
+#[derive(Default)]
+pub(super) struct Used {
+    /// Glyphs with ink.
+    pub(super) glyphs: BTreeSet<Glyph>,
+    /// Properties by role; with the colour, as a theme has one a role.
+    paints: BTreeSet<(Role, Property, [u8; 3])>,
+}
+
+impl Used {
+    pub(super) fn by(drawing: &Drawing) -> Self {
+        let mut used = Self::default();
+        used.paint(Property::Fill, Some(&drawing.background));
+        used.items(&drawing.items);
+        used
+    }
+
+    fn items(&mut self, items: &[Item]) {
+        for item in items {
+            match item {
+                Item::Group(group) => self.items(&group.items),
+                Item::Path(path) => {
+                    self.paint(Property::Fill, path.fill.as_ref());
+                    self.paint(Property::Stroke, path.stroke.as_ref().map(|s| &s.paint));
+                    self.paint(Property::Stroke, path.pattern.as_ref().map(|p| &p.paint));
+                }
+                Item::Text(text) => {
+                    self.paint(Property::Fill, Some(&text.paint));
+                    let halo = text.halo.as_ref().map(|h| &h.paint);
+                    self.paint(Property::Fill, halo);
+                    self.paint(Property::Stroke, halo);
+                    let inked = text.line.glyphs.iter().map(|g| g.glyph);
+                    self.glyphs.extend(inked.filter(|g| !g.outline().segments.is_empty()));
+                }
+            }
+        }
+    }
+
+    fn paint(&mut self, property: Property, paint: Option<&Paint>) {
+        if let Some(Paint { role: Some(role), color: Color { r, g, b }, .. }) = paint {
+            self.paints.insert((*role, property, [*r, *g, *b]));
+        }
+    }
+}
+
+impl Document {
+    /// The style sheet: one block for all, and one for readers whose system is dark where the drawing has such colours.
+    pub(super) fn style(&mut self, used: &Used, dark: &[(Role, Color)]) {
+        let mut sheet = String::from("@media all{");
+        for &(role, property, [r, g, b]) in &used.paints {
+            self.rule(&mut sheet, role, property, Color { r, g, b });
+        }
+        sheet.push('}');
+        if !dark.is_empty() {
+            sheet.push_str("@media (prefers-color-scheme:dark){");
+            for &(role, property, _) in &used.paints {
+                if let Some(&(_, color)) = dark.iter().find(|(r, _)| *r == role) {
+                    self.rule(&mut sheet, role, property, color);
+                }
+            }
+            sheet.push('}');
+        }
+        self.xml.start("style");
+        self.xml.text(&sheet);
+        self.xml.end();
+    }
+
+    fn rule(&self, sheet: &mut String, role: Role, property: Property, color: Color) {
+        sheet.push('.');
+        class(sheet, &self.prefix, role, property);
+        sheet.push('{');
+        sheet.push_str(property.name());
+        sheet.push_str(":var(--tracefig-");
+        sheet.push_str(role.name());
+        sheet.push(',');
+        hex(sheet, color);
+        sheet.push_str(")}");
+    }
+}
+
+fn class(out: &mut String, prefix: &str, role: Role, property: Property) {
+    out.push_str(prefix);
+    out.push('-');
+    out.push_str(property.name());
+    out.push('-');
+    out.push_str(role.name());
+}
+
+/// The class attribute of an element whose fill and stroke play these roles.
+pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: [(Property, Option<Role>); 2]) {
+    if roles.iter().all(|(_, role)| role.is_none()) {
+        return;
+    }
+    xml.attribute_by("class", |out| {
+        let start = out.len();
+        for (property, role) in roles {
+            let Some(role) = role else { continue };
+            if out.len() > start {
+                out.push(' ');
+            }
+            class(out, prefix, role, property);
+        }
+    });
+}
+
+/// A colour attribute, and the opacity where it is not 1.
+pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
+    xml.attribute_by(property.name(), |out| hex(out, paint.color));
+    if paint.opacity < 1.0 {
+        let name = match property {
+            Property::Fill => "fill-opacity",
+            Property::Stroke => "stroke-opacity",
+        };
+        xml.number(name, paint.opacity);
+    }
+}
+
+/// The attributes of a line.
+pub(super) fn stroke(xml: &mut Xml, stroke: &Stroke) {
+    paint(xml, Property::Stroke, &stroke.paint);
+    xml.number("stroke-width", stroke.width);
+    xml.attribute("stroke-linejoin", "round");
+    if stroke.cap == Cap::Round {
+        xml.attribute("stroke-linecap", "round");
+    }
+    if !stroke.dash.is_empty() {
+        xml.attribute_by("stroke-dasharray", |out| {
+            for (i, &length) in stroke.dash.iter().enumerate() {
+                if i > 0 {
+                    out.push(' ');
+                }
+                number::push(out, length);
+            }
+        });
+    }
+}
+
+fn hex(out: &mut String, color: Color) {
+    const DIGITS: &[u8; 16] = b"0123456789abcdef";
+    out.push('#');
+    for channel in [color.r, color.g, color.b] {
+        out.push(char::from(DIGITS[usize::from(channel >> 4)]));
+        out.push(char::from(DIGITS[usize::from(channel & 15)]));
+    }
+}

@@ -1,0 +1,120 @@
+//! XML elements with everything escaped that must be.
+//!
+//! Text from a scene can't leave its place: `& < > " '` become references and a character that XML 1.0 forbids
+//! becomes U+FFFD.
+
+/// A document being written.
+#[derive(Default)]
+pub(super) struct Xml {
+    out: String,
+    /// Names of the elements that are open.
+    open: Vec<&'static str>,
+    /// Whether the last start tag still takes attributes.
+    in_tag: bool,
+}
+
+impl Xml {
+    pub(super) fn with_capacity(bytes: usize) -> Self {
+        Self { out: String::with_capacity(bytes), ..Self::default() }
+    }
+
+    pub(super) fn start(&mut self, name: &'static str) {
+        self.end_tag();
+        if !self.out.is_empty() {
+            self.out.push('\n');
+        }
+        self.out.push('<');
+        self.out.push_str(name);
+        self.open.push(name);
+        self.in_tag = true;
+    }
+
+    pub(super) fn end(&mut self) {
+        let Some(name) = self.open.pop() else { return };
+        if self.in_tag {
+            self.out.push_str("/>");
+            self.in_tag = false;
+        } else {
+            self.out.push_str("</");
+            self.out.push_str(name);
+            self.out.push('>');
+        }
+    }
+
+    /// An attribute with any text.
+    pub(super) fn attribute(&mut self, name: &str, value: &str) {
+        self.attribute_by(name, |out| escape(out, value));
+    }
+
+    /// An attribute whose value `write` appends; it must need no escaping.
+    pub(super) fn attribute_by(&mut self, name: &str, write: impl FnOnce(&mut String)) {
+        self.out.push(' ');
+        self.out.push_str(name);
+        self.out.push_str("=\"");
+        write(&mut self.out);
+        self.out.push('"');
+    }
+
+    /// A number, rounded to hundredths.
+    pub(super) fn number(&mut self, name: &str, value: f64) {
+        self.attribute_by(name, |out| super::number::push(out, value));
+    }
+
+    /// Text inside the open element.
+    pub(super) fn text(&mut self, text: &str) {
+        self.end_tag();
+        escape(&mut self.out, text);
+    }
+
+    pub(super) fn finish(mut self) -> String {
+        while !self.open.is_empty() {
+            self.end();
+        }
+        self.out.push('\n');
+        self.out
+    }
+
+    fn end_tag(&mut self) {
+        if self.in_tag {
+            self.out.push('>');
+            self.in_tag = false;
+        }
+    }
+}
+
+/// Appends `text`, escaped for attributes and for content.
+pub(super) fn escape(out: &mut String, text: &str) {
+    for character in text.chars() {
+        match character {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\u{0}'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}' => {
+                out.push('\u{FFFD}');
+            }
+            _ => out.push(character),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_text_comes_back_from_a_parser_and_stays_text() {
+        let nasty = "]]> </desc><script>alert(\"1\")</script> & 'x' &lt; \u{1}";
+        let mut xml = Xml::default();
+        xml.start("g");
+        xml.attribute("label", nasty);
+        xml.text(nasty);
+        let document = xml.finish();
+        let parsed = roxmltree::Document::parse(&document).unwrap();
+        let expected = nasty.replace('\u{1}', "\u{FFFD}");
+        assert_eq!(parsed.root_element().attribute("label"), Some(expected.as_str()));
+        assert_eq!(parsed.root_element().text().map(str::trim_end), Some(expected.as_str()));
+        assert_eq!(parsed.root_element().children().filter(roxmltree::Node::is_element).count(), 0);
+    }
+}

@@ -1,0 +1,78 @@
+//! An untraced query allocates nothing, whoever answers it.
+
+mod random_pairs;
+
+use random_pairs::{of_kind, pairs, query, takers};
+use tracefig::collision::QueryKind;
+use tracefig::geometry::shape::FieldValue;
+use tracefig::geometry::{Body, DVec2, Degrees};
+use tracefig::trace::{NoTrace, Trace};
+
+const KINDS: [QueryKind; 4] =
+    [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound];
+
+#[test]
+fn an_untraced_query_allocates_nothing() {
+    for (seed, a, b) in pairs(300) {
+        for kind in KINDS {
+            let query = query(kind, &a, &b);
+            for algorithm in takers(&query) {
+                let used = allocation_counter::measure(|| drop((algorithm.quiet)(&query, &mut NoTrace)));
+                assert_eq!(used.count_total, 0, "seed {seed}, {}", algorithm.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_moving_untraced_query_allocates_nothing() {
+    for (seed, mut a, mut b) in pairs(60) {
+        (a.velocity, b.velocity) = (DVec2::new(3.0, 1.0), DVec2::new(-1.0, 0.5));
+        for kind in [QueryKind::LinearSweep, QueryKind::TimeOfImpact] {
+            if kind == QueryKind::TimeOfImpact && a.shape.kind != "aabb" {
+                a.spin = Degrees(45.0);
+            }
+            let query = query(kind, &a, &b);
+            for algorithm in takers(&query) {
+                let used = allocation_counter::measure(|| drop((algorithm.quiet)(&query, &mut NoTrace)));
+                assert_eq!(used.count_total, 0, "seed {seed}, {}", algorithm.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_thousand_corners_allocate_nothing_either() {
+    let corners = |n: u32| {
+        let corner = |k: u32| {
+            let angle = f64::from(k) * std::f64::consts::TAU / f64::from(n);
+            DVec2::new(libm::cos(angle), libm::sin(angle))
+        };
+        FieldValue::Points((0..n).map(corner).collect())
+    };
+    let body = |n: u32, x: f64| Body {
+        shape: of_kind("polygon", &[("vertices", corners(n))]),
+        position: DVec2::new(x, 0.25),
+        angle: Degrees(x),
+        velocity: DVec2::ZERO,
+        spin: Degrees(0.0),
+    };
+    let a = body(1024, 0.0);
+    for x in [0.0, 0.5, 2.5] {
+        let b = body(1000, x);
+        let query = query(QueryKind::Separation, &a, &b);
+        for algorithm in takers(&query) {
+            let used = allocation_counter::measure(|| drop((algorithm.quiet)(&query, &mut NoTrace)));
+            assert_eq!(used.count_total, 0, "{} at {x}", algorithm.name);
+        }
+    }
+}
+
+#[test]
+fn the_counter_counts() {
+    let (_, a, b) = pairs(1).next().unwrap();
+    let query = query(QueryKind::Separation, &a, &b);
+    let algorithm = takers(&query)[0];
+    let used = allocation_counter::measure(|| drop((algorithm.traced)(&query, &mut Trace::default())));
+    assert!(used.count_total > 0);
+}
