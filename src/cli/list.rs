@@ -6,6 +6,9 @@ use std::io::{self, Write as _};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::collision::{ALGORITHMS, QueryKind};
+use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
+use tracefig::figure::theme::THEMES;
+use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::scene::{ERRORS, Field, Holds, TABLES, shape_rows};
 
@@ -16,38 +19,59 @@ use super::{Runs, Status};
 /// A topic of `list`.
 struct Topic {
     name: &'static str,
+    /// A second word for it, shared with its neighbours.
+    group: &'static str,
     title: &'static str,
     rows: fn() -> Vec<(String, String)>,
 }
 
 /// Every topic, in the order in which they are printed.
 static TOPICS: &[Topic] = &[
-    Topic { name: "shapes", title: "Kinds of shape, and their fields", rows: shapes },
-    Topic { name: "queries", title: "Kinds of query", rows: queries },
-    Topic { name: "algorithms", title: "Algorithms, and what they answer", rows: algorithms },
-    Topic { name: "fields", title: "Tables of a scene, and their keys", rows: fields },
-    Topic { name: "errors", title: "Codes of errors", rows: errors },
-    Topic { name: "figures", title: "Scenes in figures/", rows: figures },
+    Topic { name: "shapes", group: "kinds", title: "Kinds of shape, and their fields", rows: shapes },
+    Topic { name: "queries", group: "kinds", title: "Kinds of query", rows: queries },
+    Topic { name: "algorithms", group: "", title: "Algorithms, and what they answer", rows: algorithms },
+    Topic { name: "fields", group: "", title: "Tables of a scene, and their keys", rows: fields },
+    Topic { name: "layers", group: "", title: "Layers, and their options", rows: layers },
+    Topic {
+        name: "labels",
+        group: "",
+        title: "Keys of labels, and the layers that write them",
+        rows: labels,
+    },
+    Topic { name: "themes", group: "", title: "Themes", rows: themes },
+    Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
+    Topic { name: "figures", group: "", title: "Scenes in figures/", rows: figures },
 ];
+
+/// Every word that names topics.
+fn words() -> Vec<&'static str> {
+    let mut words: Vec<_> = TOPICS.iter().flat_map(|t| [t.name, t.group]).filter(|w| !w.is_empty()).collect();
+    words.sort_unstable();
+    words.dedup();
+    words
+}
 
 /// Options of `list`.
 #[derive(Args)]
 pub(crate) struct List {
     /// What to list; none: everything
-    #[arg(value_parser = PossibleValuesParser::new(TOPICS.iter().map(|t| t.name)))]
+    #[arg(value_parser = PossibleValuesParser::new(words()))]
     topic: Option<String>,
 }
 
 impl Runs for List {
     fn run(self, console: &mut Console) -> io::Result<Status> {
-        let wanted = TOPICS.iter().filter(|t| self.topic.as_deref().is_none_or(|name| name == t.name));
+        let is_wanted =
+            |t: &&Topic| self.topic.as_deref().is_none_or(|word| word == t.name || word == t.group);
+        let wanted: Vec<_> = TOPICS.iter().filter(is_wanted).collect();
+        let titled = wanted.len() > 1;
         let mut text = String::new();
-        for topic in wanted {
-            if self.topic.is_none() {
+        for topic in &wanted {
+            if titled {
                 let gap = if text.is_empty() { "" } else { "\n" };
                 let _ = writeln!(text, "{gap}{}", topic.title);
             }
-            columns(&mut text, &(topic.rows)(), if self.topic.is_none() { "  " } else { "" });
+            columns(&mut text, &(topic.rows)(), if titled { "  " } else { "" });
         }
         console.out.write_all(text.as_bytes())?;
         Ok(Status::Done)
@@ -108,6 +132,47 @@ fn fields() -> Vec<(String, String)> {
         }
     }
     rows
+}
+
+fn takes(takes: Takes) -> String {
+    match takes {
+        Takes::Flag => "true or false".to_owned(),
+        Takes::Number => "a number".to_owned(),
+        Takes::Word(words) => words.join(" | "),
+        Takes::Words(words) => format!("some of {}", words.join(", ")),
+        Takes::Bodies => "names of shapes".to_owned(),
+        Takes::When(words) => format!("a time in [0, 1] | {}", words.join(" | ")),
+        Takes::Role => "a colour role".to_owned(),
+        Takes::Lines => "a text, or a list of texts".to_owned(),
+    }
+}
+
+fn option(option: &OptionSpec) -> (String, String) {
+    (
+        format!("  {}", option.name),
+        format!("{}: {}; default {}", takes(option.takes), option.about, option.default),
+    )
+}
+
+fn layers() -> Vec<(String, String)> {
+    let mut rows = vec![("(every layer)".to_owned(), String::new())];
+    rows.extend(COMMON.iter().map(option));
+    for layer in LAYERS {
+        rows.push((layer.name.to_owned(), format!("{}; needs {}", layer.about, layer.needs)));
+        rows.extend(layer.options.iter().map(option));
+    }
+    rows
+}
+
+fn labels() -> Vec<(String, String)> {
+    let row = |layer: &Layer, label: &LabelKey| {
+        (label.key.to_owned(), format!("{} (`{}`)", label.about, layer.name))
+    };
+    LAYERS.iter().flat_map(|layer| layer.labels.iter().map(move |label| row(layer, label))).collect()
+}
+
+fn themes() -> Vec<(String, String)> {
+    THEMES.iter().map(|t| (t.name.to_owned(), t.about.to_owned())).collect()
 }
 
 fn errors() -> Vec<(String, String)> {

@@ -238,9 +238,11 @@ fn whole(node: &Node, row: &Field, (min, max): (usize, usize), p: &mut Problems)
 }
 
 fn out_of_range(node: &Node, row: &Field, p: &mut Problems) {
-    let fault =
-        Fault::OutOfRange { key: row.name.to_owned(), expected: row.holds.expected(), got: node.describe() };
-    p.add(fault, &node.span);
+    let expected = match row.holds {
+        Holds::Number { max: MAX_NUMBER, min } if min < 0.0 => format!("a number within ±{MAX_NUMBER:e}"),
+        _ => row.holds.expected(),
+    };
+    p.add(Fault::OutOfRange { key: row.name.to_owned(), expected, got: node.describe() }, &node.span);
 }
 
 /// Whether a value is a list of `n` finite numbers.

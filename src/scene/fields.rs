@@ -239,7 +239,7 @@ impl Holds {
             Self::Text => "a text".to_owned(),
             Self::Word { what, .. } => format!("a word, the {what}"),
             Self::Number { min, max } => match (min == -MAX_NUMBER, max == MAX_NUMBER) {
-                (true, _) => "a number within ±1e300".to_owned(),
+                (true, _) => "a number".to_owned(),
                 (false, true) => format!("a number of at least {min}"),
                 (false, false) => format!("a number in [{min}, {max}]"),
             },
