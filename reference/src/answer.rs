@@ -56,7 +56,9 @@ pub fn impact_line(scene: &Scene) -> Json {
                 result.set("time_bounds", Json::from_pair([free, met]));
                 let free = Real::from(free);
                 if let Json::Object(fields) = contact(&motion.pair(free), &motion.separation(free)) {
-                    fields.into_iter().for_each(|(key, value)| result.set(&key, value));
+                    for (key, value) in fields {
+                        result.set(&key, value);
+                    }
                 }
             }
         }
