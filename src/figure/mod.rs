@@ -4,6 +4,7 @@
 //! what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets each layer draw what
 //! they told, and places the labels. No figure has code of its own.
 
+pub mod alt;
 pub mod chart;
 mod context;
 mod difference;
