@@ -31,10 +31,11 @@ pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
 
 /// Answers a query for bounds.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let angle = |body: &Body| body.angle.0 + body.spin.0 * query.time;
-    let angle_b = query.b.map_or(0.0, angle);
-    let at = Moment { time: query.time, angle_a: angle(query.a), angle_b };
-    tracer.record(|| Event::Started { algorithm: NAME, at });
+    tracer.record(|| {
+        let angle = |body: &Body| body.angle_at(query.time);
+        let at = Moment { time: query.time, angle_a: angle(query.a), angle_b: query.b.map_or(0.0, angle) };
+        Event::Started { algorithm: NAME, at }
+    });
     let [min, max] = extremes(Side::A, query.a, query.time, tracer);
     let Some(b) = query.b else {
         return Answer::Bounds(centered(min, max));

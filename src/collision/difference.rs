@@ -11,6 +11,9 @@ use super::relative::{Relative, Turn};
 use crate::geometry::{Body, DVec2, Side, perp};
 use crate::trace::{Event, Tracer};
 
+/// Squares that neither overflowed nor lost digits to underflow, on either coordinate that counts.
+const SAFE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
+
 /// An edge of B ⊖ A by the core features that make it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Pairing {
@@ -209,7 +212,8 @@ pub fn difference(a: &Body, b: &Body, t: f64) -> Difference {
     Difference { edges, center: center(&pair), radius: pair.radius() }
 }
 
-/// Length of a vector, without overflow or underflow of its square.
+/// Length of a vector to 2 ε; without overflow or underflow of its square.
 pub(crate) fn length(v: DVec2) -> f64 {
-    libm::hypot(v.x, v.y)
+    let squared = v.length_squared();
+    if SAFE_SQUARES.contains(&squared) { squared.sqrt() } else { libm::hypot(v.x, v.y) }
 }

@@ -36,9 +36,10 @@ pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
 
 /// Answers a query for a motion bound.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let angle_b = query.b.map_or(0.0, |b| b.angle.0);
-    let at = Moment { time: 0.0, angle_a: query.a.angle.0, angle_b };
-    tracer.record(|| Event::Started { algorithm: NAME, at });
+    tracer.record(|| {
+        let angle_b = query.b.map_or(0.0, |b| b.angle.0);
+        Event::Started { algorithm: NAME, at: Moment { time: 0.0, angle_a: query.a.angle.0, angle_b } }
+    });
     let relative = query.a.velocity - query.b.map_or(DVec2::ZERO, |b| b.velocity);
     let linear = super::difference::length(relative);
     let mut sum = linear + arc(Side::A, query.a, linear, tracer);
@@ -50,6 +51,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 }
 
 /// θ r of one body.
+#[inline]
 fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let far = |v: &DVec2| super::difference::length(*v);
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
