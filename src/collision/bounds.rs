@@ -8,20 +8,17 @@
 //! ```
 //!
 //! Any shape has one, an outline that is not convex too. Every number is rounded outward: the body lies in [min, max]
-//! and in c ± h, whatever was rounded on the way; coordinates that need no rounding stay as they are.
+//! and in c ± h, whatever was rounded on the way: doubles with a bound find the vertices that may be outermost, and those
+//! are placed again in double-doubles. Coordinates that need no rounding stay as they are.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section AABB vs AABB, "Fun AABB facts".
 
 use super::{Answer, Bounds, Query};
-use crate::geometry::{Body, DVec2, Pose, Side};
+use crate::geometry::{Ball, Body, DVec2, Pose, Side, Turn, taming_power, two_sum};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "extremes";
-
-/// Half-width of a placed coordinate's bounds as a multiple of ε and of the sum of the magnitudes that make it:
-/// position, velocity · t, and two products with cos and sin, each of those within 2 ulp.
-const PLACING: f64 = 8.0 * f64::EPSILON;
 
 /// One body or two, of any shape.
 #[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
@@ -48,57 +45,91 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// Smallest and largest coordinates of a body, rounded outward.
 fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 2] {
-    let pose = body.pose_at(t);
-    let (mut min, mut max) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
-    // What the outermost vertices reach for certain: whoever may reach that far touches.
-    let mut inner = [DVec2::INFINITY, DVec2::NEG_INFINITY];
-    for &v in &body.shape.vertices {
-        let [lo, hi] = place(body, &pose, t, v);
-        (min, max) = (min.min(lo), max.max(hi));
-        inner = [inner[0].min(hi), inner[1].max(lo)];
-    }
-    let radius = body.shape.radius;
-    let corners = [
-        DVec2::new(sum_down(min.x, -radius), sum_down(min.y, -radius)),
-        DVec2::new(-sum_down(-max.x, -radius), -sum_down(-max.y, -radius)),
-    ];
+    let placing = Placing::new(body, t);
+    let rough = |k: usize, v: DVec2| placing.rough(k, v);
+    let vertices = &body.shape.vertices;
+    // Coordinates left, bottom, right, top, each counted outward: x, y, and their negatives.
+    let ends: [f64; 4] = std::array::from_fn(|side| {
+        let top = vertices.iter().fold(f64::NEG_INFINITY, |top, &v| top.max(rough(side, v)));
+        let within = vertices.iter().filter(|v| rough(side, **v) >= top - 2.0 * placing.error);
+        within.fold(f64::NEG_INFINITY, |end, &v| end.max(placing.outermost(side, v)))
+    });
+    let corners = [DVec2::new(-ends[0], -ends[1]), DVec2::new(ends[2], ends[3])];
     tracer.record(|| {
-        let touching = |reaches: &dyn Fn([DVec2; 2]) -> bool| {
-            let places = body.shape.vertices.iter().enumerate();
-            let reaching = places.filter(|&(_, &v)| reaches(place(body, &pose, t, v)));
-            reaching.map(|(index, &v)| SupportVertex { index, point: pose.point(v) }).collect()
-        };
-        let touching = [
-            touching(&|[lo, _]| lo.x <= inner[0].x),
-            touching(&|[lo, _]| lo.y <= inner[0].y),
-            touching(&|[_, hi]| hi.x >= inner[1].x),
-            touching(&|[_, hi]| hi.y >= inner[1].y),
-        ];
+        let touching = std::array::from_fn(|side| {
+            let top = vertices.iter().map(|&v| rough(side, v)).fold(f64::NEG_INFINITY, f64::max);
+            let reaching = |v: &DVec2| rough(side, *v) >= top - 2.0 * placing.error;
+            let places = vertices.iter().enumerate().filter(|(_, v)| reaching(v));
+            places.map(|(index, &v)| SupportVertex { index, point: placing.pose.point(v) }).collect()
+        });
         Event::BoundsFound { of: Some(of), min: corners[0], max: corners[1], touching }
     });
     corners
 }
 
-/// Bounds of a vertex in the world.
-fn place(body: &Body, pose: &Pose, t: f64, v: DVec2) -> [DVec2; 2] {
-    let upright = pose.sin == 0.0 && pose.cos == 1.0;
-    if upright && (t == 0.0 || body.velocity == DVec2::ZERO) {
-        let lo = DVec2::new(sum_down(body.position.x, v.x), sum_down(body.position.y, v.y));
-        let hi = DVec2::new(-sum_down(-body.position.x, -v.x), -sum_down(-body.position.y, -v.y));
-        return [lo, hi];
+/// Where a body is at a moment: in doubles with a bound, and in balls.
+struct Placing {
+    pose: Pose,
+    /// Bound on the error of a coordinate placed by `pose`.
+    error: f64,
+    /// Position in balls.
+    position: [Ball; 2],
+    /// Cosine and sine in balls.
+    turn: [Ball; 2],
+    radius: f64,
+    /// Power of two by which the balls are multiplied: 1 but for tiny scenes, whose products would underflow.
+    unit: f64,
+}
+
+/// Scenes below this are scaled.
+const TINY: f64 = 1e-60;
+
+/// Error of a coordinate placed in doubles, as a multiple of ε and of the sum of the magnitudes that make it: cosine
+/// and sine ½, their products ½, three sums ½ each; position + velocity · t one more. Rounded up to a power of two.
+const PLACING: f64 = 4.0 * f64::EPSILON;
+
+impl Placing {
+    fn new(body: &Body, t: f64) -> Self {
+        let moved = body.position.abs() + (body.velocity * t).abs();
+        // An outline has no core to give its reach.
+        let reach = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));
+        let size = moved.max_element() + reach + body.shape.radius;
+        let unit = if size < TINY { taming_power(size) } else { 1.0 };
+        let position = |at: f64, speed: f64| Ball::new(at * unit) + Ball::product(speed * unit, t);
+        let (cos, sin) = Turn::at(body.angle, body.spin, t).cos_sin_fine();
+        Self {
+            pose: body.pose_at(t),
+            error: (moved.max_element() + reach) * PLACING + f64::MIN_POSITIVE,
+            position: [
+                position(body.position.x, body.velocity.x),
+                position(body.position.y, body.velocity.y),
+            ],
+            turn: [cos, sin],
+            radius: body.shape.radius * unit,
+            unit,
+        }
     }
-    let p = pose.point(v);
-    let moved = body.position.abs() + (body.velocity * t).abs();
-    let slack = (moved + DVec2::splat(v.x.abs() + v.y.abs())) * PLACING;
-    let [lo, hi] = [p - slack, p + slack];
-    [DVec2::new(lo.x.next_down(), lo.y.next_down()), DVec2::new(hi.x.next_up(), hi.y.next_up())]
+
+    /// How far a vertex reaches to a side (0 left, 1 bottom, 2 right, 3 top), without the radius.
+    fn rough(&self, side: usize, v: DVec2) -> f64 {
+        let p = self.pose.point(v);
+        [-p.x, -p.y, p.x, p.y][side]
+    }
+
+    /// The same with the radius, not below the exact value.
+    fn outermost(&self, side: usize, v: DVec2) -> f64 {
+        let ([cos, sin], v) = (self.turn, v * self.unit);
+        let turned =
+            if side % 2 == 0 { cos.scale(v.x) - sin.scale(v.y) } else { sin.scale(v.x) + cos.scale(v.y) };
+        let place = self.position[side % 2] + turned;
+        let radius = Ball::new(self.radius);
+        (if side < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi
+    }
 }
 
 /// x + y, rounded down unless it is exact.
 fn sum_down(x: f64, y: f64) -> f64 {
-    let sum = x + y;
-    let part = sum - x;
-    let error = (x - (sum - part)) + (y - part);
+    let (sum, error) = two_sum(x, y);
     if error < 0.0 { sum.next_down() } else { sum }
 }
 

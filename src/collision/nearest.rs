@@ -46,7 +46,7 @@ pub(super) fn nearest(a: &Body, b: &Body, t: f64) -> (Nearest, f64) {
     (found, p.distance)
 }
 
-/// Stands in for the certified separation until that lands.
+/// The certified separation at time `t`.
 pub(super) fn certified(a: &Body, b: &Body, t: f64) -> super::Separation {
-    super::minkowski::separation(&Relative::at(a, b, t), &mut crate::trace::NoTrace)
+    super::Pair::at(a, b, t).separation()
 }

@@ -26,6 +26,8 @@ pub struct Pair<'s> {
     pub time: f64,
     /// Power of two by which the coordinates of this struct are multiplied; 1 for scenes from 1e-60 to 1e60.
     pub(crate) scale: f64,
+    /// Whether the scene needs no scaling.
+    tame: bool,
     /// Angle of A's frame in the world.
     pub(crate) frame: Turn,
     /// Angle of B in A's frame.
@@ -76,7 +78,8 @@ impl<'s> Pair<'s> {
         let rough = rough_distance(a, b, t)
             + (a.shape.hull.reach + b.shape.hull.reach)
             + (a.shape.radius + b.shape.radius);
-        let scale = if TAME.contains(&rough) { 1.0 } else { taming_power(rough) };
+        let tame = TAME.contains(&rough);
+        let scale = if tame { 1.0 } else { fitting(a, b, taming_power(rough)) };
         let (frame, turn) = turns(a, b, t);
         let apart = [
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
@@ -92,7 +95,21 @@ impl<'s> Pair<'s> {
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
         // The larger of the 1-norm of `apart` and twice its rounding.
         let magnitude = (x.abs() + y.abs() + reaches) * (1.0 + 8.0 * f64::EPSILON);
-        Self { a, b, time: t, scale, frame, turn, apart, frame_cos_sin, cos_sin, center, radius, magnitude }
+        Self {
+            a,
+            b,
+            time: t,
+            tame,
+            scale,
+            frame,
+            turn,
+            apart,
+            frame_cos_sin,
+            cos_sin,
+            center,
+            radius,
+            magnitude,
+        }
     }
 
     /// A body's prepared core.
@@ -113,7 +130,7 @@ impl<'s> Pair<'s> {
     /// Whether the doubles of the first stage can be trusted: the scene needs no scaling.
     #[inline]
     pub(crate) fn is_tame(&self) -> bool {
-        self.scale == 1.0
+        self.tame
     }
 
     /// Bound on the error of a gap of the first stage.
@@ -175,6 +192,12 @@ fn turns(a: &Body, b: &Body, t: f64) -> (Turn, Turn) {
             (Turn::at(a.angle, a.spin, t), Turn::between((a.angle, a.spin), (b.angle, b.spin), t))
         }
     }
+}
+
+/// A scale that does not carry positions out of the range of doubles: 1 if this one would.
+fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
+    let far = |body: &Body| (body.position.abs() + body.velocity.abs()).max_element() * scale;
+    if (far(a) + far(b)).is_finite() { scale } else { 1.0 }
 }
 
 /// About |p_B − p_A| at time t.

@@ -226,15 +226,6 @@ impl<'s> Relative<'s> {
         i
     }
 
-    /// The file's edge that holds `point` (A's frame), which lies on core edge k.
-    pub(crate) fn edge_feature(&self, side: Side, k: usize, point: DVec2) -> Feature {
-        let local = match side {
-            Side::A => point,
-            Side::B => self.turn.inverse_point(point),
-        };
-        self.body(side).shape.edge_feature(k, local)
-    }
-
     /// A point of A's frame in the world.
     pub(crate) fn world_point(&self, p: DVec2) -> DVec2 {
         self.frame.point(p)

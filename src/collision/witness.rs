@@ -3,22 +3,16 @@
 //! An algorithm ends with a [`Candidate`]: which feature of A faces which feature of B, and along which normal. What
 //! the article's readers ask for, "the closest feature pair", is that edge of B ⊖ A that is nearest the origin, and
 //! the book-keeping of which edge and vertex made it (Firth, "Collision detection for dummies", the comments).
-//!
-//! With n the unit normal from A to B, s the separation, and c the points on the cores:
-//!
-//! ```text
-//! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
-//! ```
+//! The numbers of the answer are then proved by [`super::certify`].
 
-use super::difference::{Pairing, Projection, Span, length, walk};
+use super::certify::{Hint, certify};
+use super::difference::{Pairing, Projection, Span, length};
+use super::gaps::Facing;
+use super::pair::Pair;
 use super::relative::{Relative, Turn};
 use super::{Answer, Overlap, QueryKind, Separation};
-use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Event, Goal, Tracer};
-
-/// Half-width of the bounds as a multiple of ε·S, S the largest coordinate in A's frame: a vertex of B carries at most
-/// 8 roundings, its distance from an edge 8 more, and a projection doubles them.
-const BOUNDS_BAND: f64 = 32.0;
 
 /// A part of a core: counted along the core, not the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -136,26 +130,25 @@ pub(crate) fn conclude_rounding(pair: &Relative, c: &Candidate, tracer: &mut imp
     if pair.radius() > 0.0 || points { conclude(pair, c, tracer) } else { separation(pair, c) }
 }
 
-/// The answer for a candidate.
+/// The certified answer for a candidate: its features are where the proof begins, and of directions that tie they are
+/// the ones that are taken.
 pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
-    let n = c.normal;
-    let cores = points_of_cores(pair, c);
-    let [r_a, r_b] = [pair.a.shape.radius, pair.b.shape.radius];
-    let separation = c.distance - (r_a + r_b);
-    let points = [pair.world_point(cores[0] + n * r_a), pair.world_point(cores[1] - n * r_b)];
-    let slack = BOUNDS_BAND * f64::EPSILON * scale(pair);
-    let bounds = Enclosure { lo: separation - slack, hi: separation + slack };
-    let ties = ties(pair, c, slack);
-    let features =
-        [feature(pair, Side::A, c.features[0], cores[0]), feature(pair, Side::B, c.features[1], cores[1])];
-    Separation { separation, bounds, normal: pair.world_vector(n), ties, points, features }
+    let facing = |source, edge, corner| Hint::Edge(Facing { source, edge, corner });
+    let hint = match c.features {
+        [CoreFeature::Edge(edge), CoreFeature::Vertex(corner) | CoreFeature::Edge(corner)] => {
+            facing(Side::A, edge, corner)
+        }
+        [CoreFeature::Vertex(corner), CoreFeature::Edge(edge)] => facing(Side::B, edge, corner),
+        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => Hint::Corners([a, b]),
+    };
+    certify(&Pair::at(pair.a, pair.b, pair.at.time), Some(hint))
 }
 
 /// The verdict that a separation allows; touching counts as overlap.
 pub(crate) fn overlap(s: &Separation) -> Overlap {
     let overlap = if s.bounds.lo > 0.0 {
         Some(false)
-    } else if s.bounds.hi <= 0.0 || s.separation == 0.0 {
+    } else if s.bounds.hi <= 0.0 {
         Some(true)
     } else {
         None
@@ -187,76 +180,4 @@ pub(crate) fn word(separation: f64) -> &'static str {
     } else {
         "touching"
     }
-}
-
-/// Points of the cores that face each other, in A's frame.
-fn points_of_cores(pair: &Relative, c: &Candidate) -> [DVec2; 2] {
-    let push = c.normal * c.distance;
-    match c.features {
-        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => {
-            [pair.vertex(Side::A, a), pair.vertex(Side::B, b)]
-        }
-        [CoreFeature::Edge(_), CoreFeature::Vertex(b)] => {
-            let p = pair.vertex(Side::B, b);
-            [p - push, p]
-        }
-        [CoreFeature::Vertex(a), CoreFeature::Edge(_)] => {
-            let p = pair.vertex(Side::A, a);
-            [p, p + push]
-        }
-        [CoreFeature::Edge(a), CoreFeature::Edge(b)] => {
-            let p = middle_of_common_span(pair, a, b);
-            [p, p + push]
-        }
-    }
-}
-
-/// The middle of the common span of A's edge a and the parallel edge b of B, on A's edge.
-fn middle_of_common_span(pair: &Relative, a: usize, b: usize) -> DVec2 {
-    let (start, along) = (pair.vertex(Side::A, a), pair.edge(Side::A, a));
-    let len = length(along);
-    let d = along / len;
-    let p = (pair.vertex(Side::B, b) - start).dot(d);
-    let q = (pair.vertex(Side::B, pair.next(Side::B, b)) - start).dot(d);
-    let (lo, hi) = (p.min(q).max(0.0), p.max(q).min(len));
-    start + d * (0.5 * (lo + hi))
-}
-
-/// The core feature that holds a point, with the file's number.
-fn feature(pair: &Relative, side: Side, f: CoreFeature, point: DVec2) -> Feature {
-    match f {
-        CoreFeature::Vertex(k) => Feature::Vertex(pair.file_vertex(side, k)),
-        CoreFeature::Edge(k) => pair.edge_feature(side, k, point),
-    }
-}
-
-/// The number of directions with the same depth: only one apart, all of them (0) for concentric circles, else the
-/// sides of B ⊖ A that are as near; parallel edges of A and B are one side.
-fn ties(pair: &Relative, c: &Candidate, slack: f64) -> u32 {
-    if c.distance > slack {
-        return 1;
-    }
-    let mut ties = 0;
-    let mut side: Option<Pairing> = None;
-    walk(pair, |p| {
-        let same_side = side
-            .is_some_and(|s| s.source != p.source && pair.turn_of(s.source, s.edge, p.edge) == Turn::Along);
-        side = Some(p);
-        if !same_side && p.project(pair).line >= c.distance - slack {
-            ties += 1;
-        }
-    });
-    ties
-}
-
-/// The largest coordinate of the pair in A's frame.
-fn scale(pair: &Relative) -> f64 {
-    let mut s = pair.radius();
-    for side in [Side::A, Side::B] {
-        for k in 0..pair.count(side) {
-            let p = pair.vertex(side, k).abs();
-            s = s.max(p.x).max(p.y);
-        }
-    }
-    s
 }
