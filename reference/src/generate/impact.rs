@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, Shape, direction, sign};
 use super::separation::{moved_to, near_each_other, without_spin_of_aabb};
-use super::{Category, lattice, scene};
+use super::{Category, extremes, lattice, scene};
 use crate::float::Real;
 use crate::json::Json;
 use crate::placement::{Point, Rotation};
@@ -23,19 +23,21 @@ pub(super) const CATEGORIES: &[Category] = &[
     Category { name: "no-relative-motion", draw: no_relative_motion },
     Category { name: "starts-near", draw: starts_near },
     Category { name: "near-graze", draw: near_graze },
-    Category { name: "far", draw: far },
-    Category { name: "sizes", draw: sizes },
-    Category { name: "sliver", draw: sliver },
+    Category { name: "far", draw: extremes::far },
+    Category { name: "sizes", draw: extremes::sizes },
+    Category { name: "sliver", draw: extremes::sliver },
     Category { name: "parallel-slide", draw: parallel_slide },
-    Category { name: "many-corners", draw: many_corners },
-    Category { name: "many-turns", draw: many_turns },
+    Category { name: "many-corners", draw: extremes::many_corners },
+    Category { name: "many-turns", draw: extremes::many_turns },
+    Category { name: "near-parallel", draw: extremes::near_parallel },
+    Category { name: "sweep-extreme", draw: extremes::sweep },
 ];
 
-const SWEEP: &str = "linear-sweep";
-const IMPACT: &str = "time-of-impact";
+pub(super) const SWEEP: &str = "linear-sweep";
+pub(super) const IMPACT: &str = "time-of-impact";
 
 /// Two bodies `apart` from each other that fly at each other, more or less.
-fn approaching(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2] {
+pub(super) fn approaching(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2] {
     let away = size * random.between(2.5, 6.0);
     let [x, y] = direction(random, away);
     let speed = random.between(0.5, 2.0);
@@ -51,7 +53,7 @@ fn approaching(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2]
     [a, b].map(without_spin_of_aabb)
 }
 
-fn spun(random: &mut Random, [mut a, mut b]: [Draft; 2], most: f64) -> [Draft; 2] {
+pub(super) fn spun(random: &mut Random, [mut a, mut b]: [Draft; 2], most: f64) -> [Draft; 2] {
     a.spin = random.between(-most, most);
     b.spin = if random.once_in(3) { 0.0 } else { random.between(-most, most) };
     [a, b].map(without_spin_of_aabb)
@@ -235,35 +237,6 @@ fn near_graze(random: &mut Random) -> Json {
     scene(random, IMPACT, [a, b], &[])
 }
 
-fn far(random: &mut Random) -> Json {
-    let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
-    let pair = approaching(random, shapes, 1.0);
-    let mut pair = spun(random, pair, 300.0);
-    let away = random.magnitude(3.0, 9.0);
-    let [x, y] = direction(random, away);
-    for body in &mut pair {
-        body.position = [body.position[0] + x, body.position[1] + y];
-    }
-    scene(random, IMPACT, pair, &[])
-}
-
-fn sizes(random: &mut Random) -> Json {
-    let size = random.magnitude(-9.0, 9.0);
-    let other = size * random.magnitude(-3.0, 0.0);
-    let shapes = [Shape::any(random, size), Shape::any(random, other)];
-    let pair = approaching(random, shapes, size);
-    let pair = spun(random, pair, 300.0);
-    scene(random, IMPACT, pair, &[])
-}
-
-fn sliver(random: &mut Random) -> Json {
-    let needle = Shape::Box([1.0, random.magnitude(-9.0, -3.0)], 0.0);
-    let shapes = [needle, Shape::any(random, 0.6)];
-    let pair = approaching(random, shapes, 0.7);
-    let pair = spun(random, pair, 300.0);
-    scene(random, IMPACT, pair, &[])
-}
-
 /// Parallel faces that close while they slide, turning together or not at all.
 fn parallel_slide(random: &mut Random) -> Json {
     let angle = if random.once_in(2) { 0.0 } else { random.between(-180.0, 180.0) };
@@ -278,26 +251,4 @@ fn parallel_slide(random: &mut Random) -> Json {
     let a = Draft::still(Shape::Box(half, 0.0), start, angle).moving(velocity, 0.0);
     let b = Draft::still(Shape::Box([half[1], half[0]], 0.0), [0.0, 0.0], angle);
     scene(random, IMPACT, [a, b], &[])
-}
-
-fn many_corners(random: &mut Random) -> Json {
-    let mut polygon = |most: f64| {
-        let target = random.magnitude(0.9, most);
-        let corners = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
-        let half = [random.between(0.5, 1.0), random.between(0.5, 1.0)];
-        Shape::polygon(random, usize::try_from(corners).unwrap_or(3), half, 0.0)
-    };
-    let shapes = [polygon(2.2), polygon(1.8)];
-    let pair = approaching(random, shapes, 0.8);
-    let pair = spun(random, pair, 400.0);
-    scene(random, IMPACT, pair, &[])
-}
-
-/// Ten turns and more while they approach.
-fn many_turns(random: &mut Random) -> Json {
-    let shapes = [Shape::Box([1.0, 0.1], 0.0), Shape::any(random, 0.8)];
-    let pair = approaching(random, shapes, 1.0);
-    let mut pair = spun(random, pair, 100.0);
-    pair[0].spin = sign(random) * random.between(3600.0, 12_000.0);
-    scene(random, IMPACT, pair, &[])
 }

@@ -4,6 +4,7 @@
 //! depend on how many cases are asked for. A category is one row of a table.
 
 mod draft;
+mod extremes;
 mod impact;
 mod lattice;
 mod separation;
