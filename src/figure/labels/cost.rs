@@ -1,0 +1,109 @@
+//! What a place costs, in units of slight preferences.
+
+use crate::drawing::{Point, Rect};
+
+use super::super::frame::Frame;
+use super::super::sketch::{Cover, Obstacle, Weight};
+use super::candidates::Candidate;
+use super::{Placed, Sought, distance_to, length_inside};
+
+/// Room that labels keep from foreign strokes, page pixels.
+const STROKE_ROOM: f64 = 2.0;
+/// Room that labels keep from markers and arrowheads, page pixels.
+const MARKER_ROOM: f64 = 1.5;
+/// Room that labels keep from each other, page pixels.
+const LABEL_ROOM: f64 = 3.0;
+/// Two labels at this distance are as good as apart, page pixels.
+const LABEL_COMFORT: f64 = 9.0;
+/// Touching a foreign stroke; a page pixel of it inside the label.
+const STROKE: (f64, f64) = (14.0, 0.5);
+/// The same for construction lines, ghosts and axes.
+const LIGHT_STROKE: (f64, f64) = (11.0, 0.3);
+/// Touching a stroke of one's own.
+const OWN_STROKE: (f64, f64) = (6.0, 0.3);
+/// Touching a marker or an arrowhead.
+const MARKER: f64 = 30.0;
+/// Near a marker that belongs to something else, where a reader could take the label for its.
+const MISLEADING: f64 = 2.5;
+/// Within this distance a marker misleads, page pixels.
+const NEAR: f64 = 7.0;
+/// Reaching over the panel's edge; a page pixel of it.
+const EDGE: (f64, f64) = (60.0, 2.0);
+/// Two labels that overlap; a square page pixel of it.
+const OVERLAP: (f64, f64) = (70.0, 0.2);
+/// Two labels that nearly touch.
+const CLOSE: f64 = 2.5;
+/// A stroke or label under a leader line.
+const LEADER: f64 = 8.0;
+/// Standing elsewhere than the same label in an earlier panel.
+const MOVED: f64 = 6.0;
+
+/// What a place costs whatever the other labels do.
+pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, slot: usize, scene: &Surroundings) -> f64 {
+    let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
+    for obstacle in scene.obstacles {
+        cost += obstacle_cost(obstacle, obstacle.part == sought.part, candidate);
+    }
+    let elsewhere = scene.earlier.iter().rev().find(|p| p.key == sought.key).is_some_and(|p| p.slot != slot);
+    cost + if elsewhere { MOVED } else { 0.0 }
+}
+
+/// What a panel offers and what stands already.
+pub(super) struct Surroundings<'p> {
+    pub(super) frame: &'p Frame,
+    pub(super) obstacles: &'p [Obstacle],
+    /// Labels of earlier panels of the series.
+    pub(super) earlier: &'p [Placed],
+}
+
+fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate) -> f64 {
+    let rect = &candidate.rect;
+    match obstacle.cover {
+        Cover::Stroke { from, to, half } => {
+            let room = if own { half } else { half + STROKE_ROOM };
+            let (touch, pixel) = match (own, obstacle.weight) {
+                (true, _) => OWN_STROKE,
+                (false, Weight::Normal) => STROKE,
+                (false, _) => LIGHT_STROKE,
+            };
+            let hidden = length_inside(from, to, &rect.grown(room)).map_or(0.0, |l| touch + pixel * l);
+            let led = candidate.leader.filter(|_| !own).is_some_and(|(p, q)| cross(p, q, from, to));
+            hidden + if led { LEADER } else { 0.0 }
+        }
+        Cover::Marker { at, radius } | Cover::Head { at, radius } => {
+            let distance = distance_to(rect, at) - radius;
+            if distance < MARKER_ROOM {
+                MARKER
+            } else if !own && distance < NEAR && matches!(obstacle.cover, Cover::Marker { .. }) {
+                MISLEADING
+            } else {
+                0.0
+            }
+        }
+    }
+}
+
+fn edge(rect: &Rect, panel: &Rect) -> f64 {
+    let over = (panel.x0 - rect.x0).max(rect.x1 - panel.x1).max(panel.y0 - rect.y0).max(rect.y1 - panel.y1);
+    if over > 0.0 { EDGE.0 + EDGE.1 * over } else { 0.0 }
+}
+
+/// What two places cost each other.
+pub(super) fn pair_cost(a: &Candidate, b: &Candidate) -> f64 {
+    let led = |x: &Candidate, y: &Candidate| {
+        x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some())
+    };
+    let mut cost = if led(a, b) || led(b, a) { LEADER } else { 0.0 };
+    if let Some(both) = a.rect.grown(LABEL_ROOM).intersection(b.rect) {
+        cost += OVERLAP.0 + OVERLAP.1 * both.width() * both.height();
+    } else if a.rect.grown(LABEL_COMFORT).intersection(b.rect).is_some() {
+        cost += CLOSE;
+    }
+    cost
+}
+
+/// Whether two segments cross.
+fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
+    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
+    side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
+}

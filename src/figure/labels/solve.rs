@@ -1,0 +1,180 @@
+//! Greedy by regret, then 1-opt, then pairs, until nothing moves.
+
+use super::super::frame::Frame;
+use super::super::sketch::Obstacle;
+use super::candidates::{Candidate, candidates};
+use super::cost::{Surroundings, own_cost, pair_cost};
+use super::{LEADING, Labelled, Placed, Sought};
+use crate::drawing::Point;
+
+/// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
+const PASSES: usize = 64;
+/// A move has to gain this much, so that rounding never decides between equal places.
+const GAIN: f64 = 1e-6;
+/// Labels that still overlap another one by this many page pixels in both directions are left out, the weaker first.
+const CLASH: f64 = 1.0;
+
+/// The candidates of every label with their own costs.
+struct Problem {
+    places: Vec<Vec<(Candidate, f64)>>,
+    chosen: Vec<usize>,
+}
+
+/// Places the labels of a panel. `earlier` are those of the panels before it in the series.
+pub(crate) fn place(sought: &[Sought], frame: &Frame, obstacles: &[Obstacle], earlier: &[Placed]) -> Labelled {
+    let surroundings = Surroundings { frame, obstacles, earlier };
+    let places = sought
+        .iter()
+        .map(|s| {
+            let all = candidates(s, frame).into_iter().enumerate();
+            all.map(|(slot, c)| {
+                let cost = own_cost(s, &c, slot, &surroundings);
+                (c, cost)
+            })
+            .collect()
+        })
+        .collect();
+    let mut problem = Problem { places, chosen: vec![0; sought.len()] };
+    problem.greedy();
+    problem.improve();
+    problem.finish(sought, frame, obstacles)
+}
+
+impl Problem {
+    fn candidate(&self, label: usize) -> &Candidate {
+        &self.places[label][self.chosen[label]].0
+    }
+
+    /// The cost of a place beside the labels in `set`.
+    fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
+        let (candidate, own) = &self.places[label][slot];
+        let pairs = set.iter().filter(|&&o| o != label).map(|&o| pair_cost(candidate, self.candidate(o)));
+        own + pairs.sum::<f64>()
+    }
+
+    /// The best place beside the labels in `set`, its cost, and how much worse the second best is.
+    fn best(&self, label: usize, set: &[usize]) -> (usize, f64, f64) {
+        let (mut best, mut first, mut second) = (0, f64::INFINITY, f64::INFINITY);
+        for slot in 0..self.places[label].len() {
+            let cost = self.cost(label, slot, set);
+            if cost < first {
+                (best, second, first) = (slot, first, cost);
+            } else if cost < second {
+                second = cost;
+            }
+        }
+        (best, first, second - first)
+    }
+
+    fn greedy(&mut self) {
+        let mut waiting: Vec<usize> = (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
+        let mut set = Vec::new();
+        while !waiting.is_empty() {
+            let mut next = (0, 0, f64::NEG_INFINITY);
+            for (i, &label) in waiting.iter().enumerate() {
+                let (slot, _, regret) = self.best(label, &set);
+                if regret > next.2 {
+                    next = (i, slot, regret);
+                }
+            }
+            let label = waiting.remove(next.0);
+            self.chosen[label] = next.1;
+            set.push(label);
+        }
+    }
+
+    fn improve(&mut self) {
+        let all: Vec<usize> = (0..self.places.len()).collect();
+        for _ in 0..PASSES {
+            let mut moved = false;
+            for &label in &all {
+                let now = self.cost(label, self.chosen[label], &all);
+                let (slot, cost, _) = self.best(label, &all);
+                if cost + GAIN < now {
+                    self.chosen[label] = slot;
+                    moved = true;
+                }
+            }
+            if !moved && !self.improve_pairs(&all) {
+                return;
+            }
+        }
+    }
+
+    /// Moves two labels that cost each other something at once, where that pays.
+    fn improve_pairs(&mut self, all: &[usize]) -> bool {
+        for &a in all {
+            for &b in &all[a + 1..] {
+                if pair_cost(self.candidate(a), self.candidate(b)) > 0.0 && self.improve_pair(a, b, all) {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
+    fn improve_pair(&mut self, a: usize, b: usize, all: &[usize]) -> bool {
+        let others: Vec<usize> = all.iter().copied().filter(|&o| o != a && o != b).collect();
+        let costs = |p: &Self, label: usize| -> Vec<f64> {
+            (0..p.places[label].len()).map(|slot| p.cost(label, slot, &others)).collect()
+        };
+        let (of_a, of_b) = (costs(self, a), costs(self, b));
+        let total = |i: usize, j: usize| {
+            of_a[i] + of_b[j] + pair_cost(&self.places[a][i].0, &self.places[b][j].0)
+        };
+        let (mut best, mut cost) = ((self.chosen[a], self.chosen[b]), total(self.chosen[a], self.chosen[b]));
+        let before = cost;
+        for i in 0..of_a.len() {
+            for j in 0..of_b.len() {
+                let here = total(i, j);
+                if here + GAIN < cost {
+                    (best, cost) = ((i, j), here);
+                }
+            }
+        }
+        (self.chosen[a], self.chosen[b]) = best;
+        cost < before
+    }
+
+    /// The labels at their places, without those that clash beyond help.
+    fn finish(&self, sought: &[Sought], frame: &Frame, obstacles: &[Obstacle]) -> Labelled {
+        let mut order: Vec<usize> = (0..sought.len()).collect();
+        order.sort_by_key(|&i| std::cmp::Reverse(sought[i].rank));
+        let mut kept: Vec<usize> = Vec::new();
+        let mut dropped = Vec::new();
+        for &i in &order {
+            let rect = self.candidate(i).rect;
+            let clash = |&o: &usize| {
+                let both = rect.intersection(self.candidate(o).rect);
+                both.is_some_and(|r| r.width() > CLASH && r.height() > CLASH)
+            };
+            if kept.iter().any(clash) {
+                dropped.push((sought[i].key, sought[i].span.clone()));
+            } else {
+                kept.push(i);
+            }
+        }
+        kept.sort_unstable();
+        let placed = kept.iter().map(|&i| placed(&sought[i], self.candidate(i), self.chosen[i])).collect();
+        Labelled { frame: *frame, obstacles: obstacles.to_vec(), placed, dropped }
+    }
+}
+
+fn placed(sought: &Sought, candidate: &Candidate, slot: usize) -> Placed {
+    use super::super::label::{Anchor, Corner};
+    let bounds = candidate.rect;
+    let align = match sought.anchor {
+        Anchor::Corner(Corner::TopLeft | Corner::BottomLeft) => 0.0,
+        Anchor::Corner(Corner::TopRight | Corner::BottomRight) => 1.0,
+        _ => 0.5,
+    };
+    let mut y = bounds.y0;
+    let mut lines = Vec::with_capacity(sought.lines.len());
+    for line in &sought.lines {
+        let x = bounds.x0 + align * (bounds.width() - line.width);
+        lines.push((Point::new(x, y + line.ascent), std::sync::Arc::clone(line)));
+        y += line.height() + LEADING;
+    }
+    let Sought { key, role, rank, part, .. } = *sought;
+    Placed { key, role, rank, lines, bounds, leader: candidate.leader, part, slot, span: sought.span.clone() }
+}

@@ -1,0 +1,181 @@
+//! The page: cells of panels, titles above them, a caption below.
+//!
+//! On 960 × 540 a panel reaches from y = 44 (20 without titles) to 476 and the caption has two lines below. Other pages
+//! keep these margins and give the rest to the panels, in the arrangement of rows that leaves them largest.
+
+use crate::drawing::{Point, Rect};
+
+/// Left and right margin, and the gap between panels, page pixels.
+const MARGIN: f64 = 24.0;
+/// Above the panels, without their titles.
+const TOP: f64 = 20.0;
+/// What a row of titles takes.
+const TITLE: f64 = 24.0;
+/// From a title's baseline to its panel.
+const TITLE_DROP: f64 = 12.0;
+/// Below the panels where there is no caption.
+const BOTTOM: f64 = 20.0;
+/// What a caption of two lines takes below the panels.
+const CAPTION: f64 = 64.0;
+/// From the panels to the first baseline of the caption.
+const CAPTION_DROP: f64 = 24.0;
+/// From one baseline of the caption to the next.
+pub(crate) const CAPTION_STEP: f64 = 20.0;
+/// The page that type sizes are made for.
+const USUAL: (f64, f64) = (960.0, 540.0);
+/// No base size is set smaller, page pixels.
+const SMALLEST_TYPE: f64 = 11.0;
+/// The share of the page's height that a caption may take; a longer one is left to the alternative text.
+const CAPTION_SHARE: f64 = 0.34;
+
+/// Where things lie on a page.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Page {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+    /// The panels, row by row.
+    pub(crate) cells: Vec<Rect>,
+    /// Lines between panels.
+    pub(crate) rules: Vec<(Point, Point)>,
+    /// First baseline of the caption, left end.
+    pub(crate) caption: Point,
+    /// Width of a caption's line.
+    pub(crate) measure: f64,
+}
+
+impl Page {
+    /// Cells for `panels` panels above a caption of `lines` lines.
+    pub(crate) fn new(width: f64, height: f64, panels: usize, titled: bool, lines: usize) -> Self {
+        let margin = margin(width, height);
+        let k = margin / MARGIN;
+        let foot = match lines {
+            0 => BOTTOM * k,
+            _ => k * (CAPTION - 2.0 * CAPTION_STEP) + CAPTION_STEP * count(lines.max(2)),
+        };
+        let body = Rect { x0: margin, y0: TOP * k, x1: width - margin, y1: (height - foot).max(TOP * k + 1.0) };
+        let columns = columns(&body, panels, titled, margin);
+        let rows = panels.max(1).div_ceil(columns);
+        let size = cell(&body, columns, rows, titled, margin);
+        let mut cells = Vec::new();
+        for i in 0..panels {
+            let (row, column) = (i / columns, i % columns);
+            // A last row that is not full stands in the middle.
+            let missing = columns - columns.min(panels - row * columns);
+            let x0 = body.x0 + (count(column) + 0.5 * count(missing)) * (size.0 + margin);
+            let y0 = body.y0 + count(row) * (size.1 + margin + title(titled)) + title(titled);
+            cells.push(Rect { x0, y0, x1: x0 + size.0, y1: y0 + size.1 });
+        }
+        let rules = rules(&cells, columns, margin, titled);
+        let caption = Point::new(margin, body.y1 + CAPTION_DROP * k.max(0.75));
+        Self { width, height, cells, rules, caption, measure: width - 2.0 * margin }
+    }
+
+    /// The most lines of caption that a page takes.
+    pub(crate) fn caption_lines(height: f64) -> usize {
+        let mut lines = 1;
+        while CAPTION_STEP * count(lines + 1) < CAPTION_SHARE * height {
+            lines += 1;
+        }
+        lines.max(2)
+    }
+
+    /// Baseline of a title that is centred over a panel.
+    pub(crate) fn title_baseline(cell: &Rect) -> Point {
+        Point::new(cell.center().x, cell.y0 - TITLE_DROP)
+    }
+}
+
+/// Margin of a page; smaller on small pages.
+pub(crate) fn margin(width: f64, height: f64) -> f64 {
+    MARGIN * (width / USUAL.0).min(height / USUAL.1).clamp(1.0 / 3.0, 1.0)
+}
+
+/// A type size on a page: smaller on small pages, never under 11 px.
+pub(crate) fn type_size(width: f64, height: f64, size: f64) -> f64 {
+    let k = (width / USUAL.0).min(height / USUAL.1).min(1.0);
+    (size * libm::sqrt(k)).max(SMALLEST_TYPE.min(size))
+}
+
+fn title(titled: bool) -> f64 {
+    if titled { TITLE } else { 0.0 }
+}
+
+fn cell(body: &Rect, columns: usize, rows: usize, titled: bool, gap: f64) -> (f64, f64) {
+    let (c, r) = (count(columns), count(rows));
+    let width = (body.width() - (c - 1.0) * gap) / c;
+    let height = (body.height() - (r - 1.0) * gap - r * title(titled)) / r;
+    (width.max(1.0), height.max(1.0))
+}
+
+/// The number of columns that leaves the panels largest; a panel is a little wider than high.
+fn columns(body: &Rect, panels: usize, titled: bool, gap: f64) -> usize {
+    let size = |columns: usize| {
+        let (w, h) = cell(body, columns, panels.div_ceil(columns), titled, gap);
+        w.min(1.2 * h)
+    };
+    let mut best = 1;
+    for columns in 2..=panels {
+        if size(columns) > size(best) {
+            best = columns;
+        }
+    }
+    best
+}
+
+fn rules(cells: &[Rect], columns: usize, gap: f64, titled: bool) -> Vec<(Point, Point)> {
+    let mut rules = Vec::new();
+    for (i, cell) in cells.iter().enumerate() {
+        if i % columns > 0 {
+            let x = cell.x0 - 0.5 * gap;
+            rules.push((Point::new(x, cell.y0), Point::new(x, cell.y1)));
+        }
+        if i >= columns {
+            let y = cell.y0 - title(titled) - 0.5 * gap;
+            rules.push((Point::new(cell.x0, y), Point::new(cell.x1, y)));
+        }
+    }
+    rules
+}
+
+#[expect(clippy::cast_precision_loss, reason = "counts of panels and lines")]
+fn count(n: usize) -> f64 {
+    n as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_usual_page_is_that_of_the_storyboard() {
+        let one = Page::new(960.0, 540.0, 1, false, 2);
+        assert_eq!(one.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 476.0 }]);
+        let two = Page::new(960.0, 540.0, 2, true, 1);
+        assert_eq!(two.cells[0], Rect { x0: 24.0, y0: 44.0, x1: 468.0, y1: 476.0 });
+        assert_eq!(two.cells[1], Rect { x0: 492.0, y0: 44.0, x1: 936.0, y1: 476.0 });
+        assert_eq!(Page::title_baseline(&two.cells[0]).y, 32.0);
+        let three = Page::new(960.0, 540.0, 3, true, 2);
+        assert_eq!(three.cells[2].width(), 288.0);
+    }
+
+    #[test]
+    fn panels_lie_on_every_page_without_touching() {
+        for (w, h) in [(320.0, 180.0), (960.0, 540.0), (540.0, 960.0), (4096.0, 4096.0), (320.0, 4096.0)] {
+            for panels in 1..=6 {
+                let page = Page::new(w, h, panels, true, 2);
+                assert_eq!(page.cells.len(), panels);
+                for (i, cell) in page.cells.iter().enumerate() {
+                    assert!(cell.x0 >= 0.0 && cell.y0 >= 0.0 && cell.x1 <= w && cell.y1 <= h, "{w} {h} {cell:?}");
+                    assert!(page.cells[..i].iter().all(|c| c.intersection(*cell).is_none()));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn type_is_never_under_eleven_pixels() {
+        assert_eq!(type_size(320.0, 180.0, 12.0), 11.0);
+        assert_eq!(type_size(960.0, 540.0, 17.0), 17.0);
+        assert_eq!(type_size(4096.0, 4096.0, 17.0), 17.0);
+    }
+}
