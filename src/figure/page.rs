@@ -52,7 +52,8 @@ impl Page {
             0 => BOTTOM * k,
             _ => k * (CAPTION - 2.0 * CAPTION_STEP) + CAPTION_STEP * count(lines.max(2)),
         };
-        let body = Rect { x0: margin, y0: TOP * k, x1: width - margin, y1: (height - foot).max(TOP * k + 1.0) };
+        let body =
+            Rect { x0: margin, y0: TOP * k, x1: width - margin, y1: (height - foot).max(TOP * k + 1.0) };
         let columns = columns(&body, panels, titled, margin);
         let rows = panels.max(1).div_ceil(columns);
         let size = cell(&body, columns, rows, titled, margin);
@@ -165,7 +166,10 @@ mod tests {
                 let page = Page::new(w, h, panels, true, 2);
                 assert_eq!(page.cells.len(), panels);
                 for (i, cell) in page.cells.iter().enumerate() {
-                    assert!(cell.x0 >= 0.0 && cell.y0 >= 0.0 && cell.x1 <= w && cell.y1 <= h, "{w} {h} {cell:?}");
+                    assert!(
+                        cell.x0 >= 0.0 && cell.y0 >= 0.0 && cell.x1 <= w && cell.y1 <= h,
+                        "{w} {h} {cell:?}"
+                    );
                     assert!(page.cells[..i].iter().all(|c| c.intersection(*cell).is_none()));
                 }
             }

@@ -108,8 +108,10 @@ fn pinned(pin: LabelPlace, anchor: &Anchor, size: (f64, f64), frame: &Frame) -> 
             let (dx, dy, _) = AROUND[usize::from(direction) % AROUND.len()];
             [(GAP, 0.0), (SECOND_GAP, SECOND_RING)]
                 .iter()
-                .map(|&(gap, reluctance)| {
-                    Candidate { rect: toward(at, clear + gap, (dx, dy), size), reluctance, leader: None }
+                .map(|&(gap, reluctance)| Candidate {
+                    rect: toward(at, clear + gap, (dx, dy), size),
+                    reluctance,
+                    leader: None,
                 })
                 .collect()
         }
@@ -192,8 +194,7 @@ fn beside(from: Point, to: Point, offset: f64, size: (f64, f64)) -> Vec<Candidat
     let shift = u.left() * offset;
     let (a, b) = (from + shift, to + shift);
     let n = if offset == 0.0 { upward(u) } else { u.left() * offset.signum() };
-    let points: Vec<_> =
-        [0.5, 0.35, 0.65, 0.2, 0.8].iter().map(|&t| (a + (b - a) * t, n)).collect();
+    let points: Vec<_> = [0.5, 0.35, 0.65, 0.2, 0.8].iter().map(|&t| (a + (b - a) * t, n)).collect();
     let mut all = sides(&points, size, if offset == 0.0 { 0.6 } else { 2.0 });
     let reach = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
     for (end, direction) in [(b, u), (a, -u)] {
@@ -212,7 +213,10 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect) -> Vec<Candidate> {
         Corner::Bottom => (0.0, 1.0),
         Corner::BottomRight => (1.0, 1.0),
     };
-    let room = ((0.5 * (panel.width() - size.0) - INSET).max(0.0), (0.5 * (panel.height() - size.1) - INSET).max(0.0));
+    let room = (
+        (0.5 * (panel.width() - size.0) - INSET).max(0.0),
+        (0.5 * (panel.height() - size.1) - INSET).max(0.0),
+    );
     let mut all = Vec::new();
     for down in [0.0, 24.0, 48.0, 72.0] {
         for across in [0.0, 32.0, -32.0, 64.0, -64.0, 96.0, -96.0] {
@@ -220,7 +224,8 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect) -> Vec<Candidate> {
                 continue;
             }
             let x = if sx == 0.0 { across } else { sx * (room.0 - across) };
-            let center = panel.center() + Offset::new(x.clamp(-room.0, room.0), sy * (room.1 - down).max(0.0));
+            let center =
+                panel.center() + Offset::new(x.clamp(-room.0, room.0), sy * (room.1 - down).max(0.0));
             let reluctance = 0.03 * (down + f64::abs(across));
             all.push(Candidate { rect: about(center, size), reluctance, leader: None });
         }

@@ -90,9 +90,8 @@ fn edge(rect: &Rect, panel: &Rect) -> f64 {
 
 /// What two places cost each other.
 pub(super) fn pair_cost(a: &Candidate, b: &Candidate) -> f64 {
-    let led = |x: &Candidate, y: &Candidate| {
-        x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some())
-    };
+    let led =
+        |x: &Candidate, y: &Candidate| x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some());
     let mut cost = if led(a, b) || led(b, a) { LEADER } else { 0.0 };
     if let Some(both) = a.rect.grown(LABEL_ROOM).intersection(b.rect) {
         cost += OVERLAP.0 + OVERLAP.1 * both.width() * both.height();

@@ -109,8 +109,10 @@ pub fn faults(panel: &Labelled) -> Vec<Fault> {
                 found.push(Fault::Overlap { key, other: other.key, span: span.clone() });
             }
         }
-        let marker = |c: &Cover| matches!(*c, Cover::Marker { at, radius } if distance_to(&rect, at) < radius);
-        let head = |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < 0.75 * radius);
+        let marker =
+            |c: &Cover| matches!(*c, Cover::Marker { at, radius } if distance_to(&rect, at) < radius);
+        let head =
+            |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < 0.75 * radius);
         let stroke = |c: &Cover| matches!(*c, Cover::Stroke { from, to, .. } if length_inside(from, to, &rect).is_some());
         if panel.obstacles.iter().any(|o| marker(&o.cover)) {
             found.push(Fault::OnMarker { key, span: span.clone() });

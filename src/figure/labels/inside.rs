@@ -6,8 +6,8 @@
 
 use crate::drawing::{Offset, Point, Rect};
 
-use super::candidates::Candidate;
 use super::about;
+use super::candidates::Candidate;
 
 /// Points of the grid along the longer side of an area.
 const GRID: u32 = 22;
@@ -73,7 +73,8 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)>
         }
     }
     points.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let mut refined: Vec<(Point, f64)> = points.iter().take(4).map(|&(p, _)| climb(p, 0.5 * step, &room)).collect();
+    let mut refined: Vec<(Point, f64)> =
+        points.iter().take(4).map(|&(p, _)| climb(p, 0.5 * step, &room)).collect();
     refined.extend(points);
     refined.sort_by(|a, b| b.1.total_cmp(&a.1));
     refined
@@ -126,7 +127,9 @@ fn distance_to_line(line: &[Point], p: Point) -> f64 {
 
 /// Even-odd: whether a ray to the right crosses the line an odd number of times.
 fn contains(line: &[Point], p: Point) -> bool {
-    edges(line).filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)).count()
+    edges(line)
+        .filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
+        .count()
         % 2
         == 1
 }
@@ -149,7 +152,16 @@ fn crosses(rect: &Rect, line: &[Point]) -> bool {
 fn outside(area: &[Point], size: (f64, f64)) -> Vec<Candidate> {
     let Some(bounds) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
     let center = bounds.center();
-    let directions = [(1.0, -1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, -1.0), (-1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (-1.0, 1.0)];
+    let directions = [
+        (1.0, -1.0),
+        (0.0, -1.0),
+        (1.0, 0.0),
+        (-1.0, -1.0),
+        (-1.0, 0.0),
+        (1.0, 1.0),
+        (0.0, 1.0),
+        (-1.0, 1.0),
+    ];
     directions
         .iter()
         .enumerate()

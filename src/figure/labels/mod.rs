@@ -28,7 +28,7 @@ use super::sketch::Obstacle;
 
 pub use faults::{Fault, faults};
 pub(crate) use solve::place;
-pub(crate) use words::{Worded, Wording};
+pub(crate) use words::{Wording, bad_markup, fill};
 
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]

@@ -21,7 +21,12 @@ struct Problem {
 }
 
 /// Places the labels of a panel. `earlier` are those of the panels before it in the series.
-pub(crate) fn place(sought: &[Sought], frame: &Frame, obstacles: &[Obstacle], earlier: &[Placed]) -> Labelled {
+pub(crate) fn place(
+    sought: &[Sought],
+    frame: &Frame,
+    obstacles: &[Obstacle],
+    earlier: &[Placed],
+) -> Labelled {
     let surroundings = Surroundings { frame, obstacles, earlier };
     let places = sought
         .iter()
@@ -67,7 +72,8 @@ impl Problem {
     }
 
     fn greedy(&mut self) {
-        let mut waiting: Vec<usize> = (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
+        let mut waiting: Vec<usize> =
+            (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
         let mut set = Vec::new();
         while !waiting.is_empty() {
             let mut next = (0, 0, f64::NEG_INFINITY);
@@ -119,9 +125,8 @@ impl Problem {
             (0..p.places[label].len()).map(|slot| p.cost(label, slot, &others)).collect()
         };
         let (of_a, of_b) = (costs(self, a), costs(self, b));
-        let total = |i: usize, j: usize| {
-            of_a[i] + of_b[j] + pair_cost(&self.places[a][i].0, &self.places[b][j].0)
-        };
+        let total =
+            |i: usize, j: usize| of_a[i] + of_b[j] + pair_cost(&self.places[a][i].0, &self.places[b][j].0);
         let (mut best, mut cost) = ((self.chosen[a], self.chosen[b]), total(self.chosen[a], self.chosen[b]));
         let before = cost;
         for i in 0..of_a.len() {

@@ -1,0 +1,163 @@
+//! A plan to a display list: layers, labels, titles, caption.
+
+use std::sync::Arc;
+
+use crate::drawing::{Contour, Drawing, Group, Halo, Item, Path, Point, Role, Stroke, Text};
+use crate::scene::{Fault as SceneFault, Problem};
+use crate::typeset::Line;
+
+use super::alt;
+use super::labels::{Fault, Labelled, Placed, Sought, Wording, faults, place};
+use super::page::{CAPTION_STEP, Page, type_size};
+use super::plan::{PanelPlan, Plan};
+use super::theme::Theme;
+
+/// How far a label's halo reaches, page pixels.
+const HALO: f64 = 2.5;
+/// Width of leader lines and of the lines between panels, page pixels.
+const THIN: f64 = 0.75;
+
+/// A figure, drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// What an output format draws.
+    pub drawing: Drawing,
+    /// Each panel's map from its space to the page, what labels keep off, and its labels.
+    pub panels: Vec<Labelled>,
+    /// What should be better, with its place in the scene.
+    pub warnings: Vec<Problem>,
+}
+
+impl Figure {
+    /// Everything that is wrong with the labels.
+    #[must_use]
+    pub fn faults(&self) -> Vec<Fault> {
+        self.panels.iter().flat_map(faults).collect()
+    }
+}
+
+/// Draws a plan in a theme. `id` is the prefix of every id in an SVG.
+#[must_use]
+pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
+    let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
+    let mut items = vec![rules(plan, theme)];
+    let mut panels: Vec<Labelled> = Vec::new();
+    for (i, panel) in plan.panels.iter().enumerate() {
+        let (group, labelled) = draw_panel(plan, theme, i, &earlier(plan, &panels, i));
+        items.push(Item::Group(group));
+        items.extend(panel.title.as_ref().map(|line| title(line, &labelled, theme)));
+        panels.push(labelled);
+    }
+    items.push(caption(plan, theme));
+    let dark = theme.dark.map_or_else(Vec::new, |colors| Role::ALL.into_iter().zip(colors).collect());
+    let mut warnings = plan.warnings.clone();
+    warnings.extend(panels.iter().flat_map(faults).map(|fault| warning(&fault)));
+    let drawing = Drawing {
+        width: plan.page.width,
+        height: plan.page.height,
+        id: id.to_owned(),
+        title: alt::short(plan.scene, &run),
+        desc: alt::long(plan.scene, &run),
+        background: theme.paint(Role::Background),
+        dark,
+        metadata: String::new(),
+        hash: String::new(),
+        items,
+    };
+    Figure { drawing, panels, warnings }
+}
+
+/// The labels of the panels before that show the same space in the same size: where they stand, the same stands again.
+fn earlier(plan: &Plan, panels: &[Labelled], index: usize) -> Vec<Placed> {
+    let this = &plan.panels[index];
+    let same = |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
+    plan.panels.iter().zip(panels).filter(|(p, _)| same(p)).flat_map(|(_, l)| l.placed.clone()).collect()
+}
+
+fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[Placed]) -> (Group, Labelled) {
+    let panel = &plan.panels[index];
+    let context = panel.context(plan.scene, &plan.runs);
+    let sketched = panel.sketch(&context, theme);
+    let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
+    let wording = Wording { context: &context, type_size: &size };
+    let sought: Vec<Sought> = sketched
+        .requests
+        .iter()
+        .filter_map(|request| {
+            let span = panel.layers.get(request.layer).map_or(&panel.source.span, |l| l.span);
+            // A text that can't be set was said by the plan.
+            wording.set(request, span).ok().flatten()
+        })
+        .collect();
+    let labelled = place(&sought, &sketched.frame, &sketched.obstacles, earlier);
+    let mut layers = Group::new("layers");
+    layers.clip = Some(sketched.frame.panel);
+    layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
+    let mut group = Group::new(format!("panel-{}", index + 1));
+    group.label = panel.source.title.as_ref().map(|t| alt::plain(&t.value));
+    group.items = vec![Item::Group(layers), labels(&labelled, theme)];
+    (group, labelled)
+}
+
+/// A layer names a part before it knows whether it will draw anything in it.
+fn without_empty_parts(mut layer: Group) -> Group {
+    layer.items.retain(|item| !matches!(item, Item::Group(part) if part.items.is_empty()));
+    layer
+}
+
+fn labels(panel: &Labelled, theme: &Theme) -> Item {
+    let mut group = Group::new("labels");
+    for label in &panel.placed {
+        let mut one = Group::new(format!("label-{}", label.key));
+        one.role = Some(label.role);
+        if let Some((from, to)) = label.leader {
+            let stroke = Stroke::solid(theme.paint(Role::Muted), THIN);
+            one.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
+        }
+        let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
+        one.items.extend(label.lines.iter().map(|(origin, line)| {
+            Item::Text(Text { line: Arc::clone(line), origin: *origin, paint: theme.paint(label.role), halo })
+        }));
+        group.items.push(Item::Group(one));
+    }
+    Item::Group(group)
+}
+
+fn text(line: &Line, origin: Point, theme: &Theme) -> Item {
+    Item::Text(Text { line: Arc::new(line.clone()), origin, paint: theme.paint(Role::Ink), halo: None })
+}
+
+fn title(line: &Line, panel: &Labelled, theme: &Theme) -> Item {
+    let at = Page::title_baseline(&panel.frame.panel);
+    let mut group = Group::new("title");
+    group.items.push(text(line, Point::new(at.x - 0.5 * line.width, at.y), theme));
+    Item::Group(group)
+}
+
+fn caption(plan: &Plan, theme: &Theme) -> Item {
+    let mut group = Group::new("caption");
+    let mut at = plan.page.caption;
+    for line in &plan.caption {
+        group.items.push(text(line, at, theme));
+        at.y += CAPTION_STEP;
+    }
+    Item::Group(group)
+}
+
+/// The thin lines between panels.
+fn rules(plan: &Plan, theme: &Theme) -> Item {
+    let mut group = Group::new("rules");
+    for &(from, to) in &plan.page.rules {
+        let stroke = Stroke::solid(theme.paint(Role::Grid), 2.0 * THIN);
+        group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
+    }
+    Item::Group(group)
+}
+
+fn warning(fault: &Fault) -> Problem {
+    let (key, span) = fault.label();
+    let help =
+        Some(format!("pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or give the panel a wider `view`"));
+    let fault = SceneFault::Other { code: "label-clash", message: fault.to_string(), help };
+    Problem::new(fault, span.clone())
+}

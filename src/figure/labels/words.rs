@@ -1,0 +1,73 @@
+//! The text of a label: the layer's own or the scene's, with its values filled in, set in type.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use crate::scene::{Fault, LabelOverride, Problem, Scene, Spanned};
+use crate::typeset::{Style, typeset};
+
+use super::super::context::Context;
+use super::super::sketch::Request;
+use super::super::values;
+use super::Sought;
+
+/// Sets the labels of one panel.
+pub(crate) struct Wording<'w> {
+    pub(crate) context: &'w Context<'w>,
+    /// The size in page pixels at which a size of the usual page is set here.
+    pub(crate) type_size: &'w dyn Fn(f64) -> f64,
+}
+
+impl Wording<'_> {
+    /// A label with its text; none where the scene hides it or nobody gives it a text.
+    ///
+    /// `origin` is the place of its layer in the scene.
+    pub(crate) fn set(&self, request: &Request, origin: &Range<usize>) -> Result<Option<Sought>, Problem> {
+        let label = &request.label;
+        let given = overridden(self.context.scene, label.key);
+        if given.is_some_and(|(_, o)| o.hide) {
+            return Ok(None);
+        }
+        let text = given.and_then(|(_, o)| o.text.as_ref());
+        let place = text.map_or_else(|| origin.clone(), |t| t.span.clone());
+        let own = text.map(|t| vec![t.value.clone()]);
+        let lines = own.as_ref().unwrap_or(&label.lines);
+        if lines.iter().all(String::is_empty) {
+            return Ok(None);
+        }
+        let style = Style::regular((self.type_size)(label.size.px()));
+        let set = |line: &String| {
+            let filled = fill(line, self.context, &place)?;
+            typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(&e.message, &filled, &place))
+        };
+        Ok(Some(Sought {
+            key: label.key,
+            lines: lines.iter().map(set).collect::<Result<_, _>>()?,
+            anchor: label.anchor.clone(),
+            role: label.role,
+            rank: label.rank,
+            part: request.part,
+            pin: given.and_then(|(_, o)| o.at.as_ref()).map(|at| at.value),
+            span: given.map_or_else(|| origin.clone(), |(key, _)| key.span.clone()),
+        }))
+    }
+}
+
+/// What a scene says of a label.
+fn overridden<'s>(scene: &'s Scene, key: &str) -> Option<&'s (Spanned<String>, LabelOverride)> {
+    scene.labels.iter().find(|(k, _)| k.value == key)
+}
+
+/// A text of the scene with its values filled in.
+pub(crate) fn fill(text: &str, context: &Context, span: &Range<usize>) -> Result<String, Problem> {
+    values::fill(text, context).map_err(|unknown| {
+        let fault = Fault::UnknownWord { what: "value", got: unknown.name, known: unknown.known };
+        Problem::new(fault, span.clone())
+    })
+}
+
+/// A text that can't be set.
+pub(crate) fn bad_markup(message: &str, markup: &str, span: &Range<usize>) -> Problem {
+    let message = format!("`{markup}` can't be typeset: {message}");
+    Problem::new(Fault::Other { code: "bad-markup", message, help: None }, span.clone())
+}

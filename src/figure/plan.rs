@@ -1,0 +1,274 @@
+//! What a scene asks to show, resolved: layers and their options, moments, texts, the page, the views.
+//!
+//! Everything that can be wrong with a figure is found here and said with its place in the scene, so that drawing a
+//! plan cannot fail.
+
+use std::ops::Range;
+
+use crate::drawing::Rect;
+use crate::geometry::DVec2;
+use crate::scene::{Fault, LayerSpec, Panel, Problem, Scene, Space, Spanned, When};
+use crate::typeset::{Line, Style, typeset, wrap};
+
+use super::context::{Context, Moment};
+use super::frame::Frame;
+use super::labels::{Wording, bad_markup, fill};
+use super::layer::{self, Layer, Shows};
+use super::options::Options;
+use super::page::{Page, type_size};
+use super::runs::{Runs, is_static};
+use super::sketch::{Sketch, Sketched};
+use super::theme::{self, THEMES, Theme};
+use super::view;
+
+/// A figure, ready to be drawn in any theme.
+#[derive(Debug)]
+pub struct Plan<'s> {
+    /// The scene that it shows.
+    pub scene: &'s Scene,
+    /// The theme that the scene asks for, or the default.
+    pub theme: &'static Theme,
+    pub(crate) runs: Runs,
+    pub(crate) panels: Vec<PanelPlan<'s>>,
+    pub(crate) caption: Vec<Line>,
+    pub(crate) page: Page,
+    /// What should be better, with its place in the scene.
+    pub(crate) warnings: Vec<Problem>,
+}
+
+/// A panel, resolved.
+#[derive(Debug)]
+pub(crate) struct PanelPlan<'s> {
+    pub(crate) source: &'s Panel,
+    pub(crate) moment: Moment,
+    pub(crate) layers: Vec<LayerPlan<'s>>,
+    pub(crate) title: Option<Line>,
+    pub(crate) frame: Frame,
+}
+
+/// A layer, resolved.
+pub(crate) struct LayerPlan<'s> {
+    pub(crate) layer: &'static Layer,
+    pub(crate) options: Options,
+    pub(crate) span: &'s Range<usize>,
+}
+
+impl std::fmt::Debug for LayerPlan<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LayerPlan").field("layer", &self.layer.name).field("options", &self.options).finish()
+    }
+}
+
+/// Resolves what a scene asks to show.
+///
+/// # Errors
+///
+/// Everything that is wrong with its panels, layers, options, labels, texts and theme, in the order of the scene.
+pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
+    let runs = Runs::default();
+    let mut problems = Vec::new();
+    let theme = theme_of(scene, &mut problems);
+    if scene.panels.is_empty() {
+        let message = "a figure needs at least one panel: expected `[[panels]]`".to_owned();
+        problems.push(other("no-panels", message, None, &scene.query.span));
+    }
+    let mut panels: Vec<PanelPlan> =
+        scene.panels.iter().filter_map(|panel| resolve(scene, &runs, panel, &mut problems)).collect();
+    label_keys(scene, &panels, &mut problems);
+    let mut warnings = Vec::new();
+    let caption = caption(scene, &runs, &panels, &mut problems, &mut warnings);
+    let titled = panels.iter().any(|p| p.title.is_some());
+    let page = Page::new(scene.canvas.width, scene.canvas.height, scene.panels.len(), titled, caption.len());
+    if problems.is_empty() {
+        view::fit(scene, &runs, theme, &page, &mut panels);
+        for panel in &panels {
+            check_texts(scene, &runs, theme, panel, &mut problems);
+        }
+    }
+    if problems.is_empty() {
+        return Ok(Plan { scene, theme, runs, panels, caption, page, warnings });
+    }
+    problems.sort_by_key(|p| (p.span.start, p.span.end));
+    problems.dedup();
+    Err(problems)
+}
+
+fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
+    let Some(asked) = &scene.canvas.theme else { return &THEMES[0] };
+    theme::find(&asked.value).unwrap_or_else(|| {
+        let known = THEMES.iter().map(|t| t.name.to_owned()).collect();
+        let fault = Fault::UnknownWord { what: "theme", got: asked.value.clone(), known };
+        problems.push(Problem::new(fault, asked.span.clone()));
+        &THEMES[0]
+    })
+}
+
+fn resolve<'s>(
+    scene: &'s Scene,
+    runs: &Runs,
+    source: &'s Panel,
+    problems: &mut Vec<Problem>,
+) -> Option<PanelPlan<'s>> {
+    let moment = moment(scene, runs, source, problems)?;
+    let context = Context { scene, space: &source.space, time: moment.time, step: moment.step, runs };
+    let layers = source.layers.iter().filter_map(|spec| resolve_layer(&context, spec, problems)).collect();
+    let title = source.title.as_ref().and_then(|t| {
+        let size = type_size(scene.canvas.width, scene.canvas.height, 13.0);
+        set(t, &context, problems, |text| typeset(text, Style::semibold(size)))
+    });
+    let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
+    Some(PanelPlan { source, moment, layers, title, frame })
+}
+
+/// The panel's moment. A step of a sweep without turning changes the estimate, not the difference: that is as it was.
+fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>) -> Option<Moment> {
+    let own = if is_static(scene.query.kind) { scene.query.time } else { 0.0 };
+    let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
+    let context = Context { scene, space: &panel.space, time: own, step: None, runs };
+    let found = context.moment(&when.value);
+    if found.is_none() {
+        let message = match when.value {
+            When::Step(k) => {
+                format!("expected a step of the algorithm, got {k}: it took {}", context.steps().len())
+            }
+            _ => "the panel shows the moment of the hit, but the answer is not a hit".to_owned(),
+        };
+        problems.push(other("no-such-moment", message, None, &when.span));
+    }
+    let still =
+        scene.query.kind == crate::collision::QueryKind::LinearSweep && panel.space == Space::Configuration;
+    found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
+}
+
+fn resolve_layer<'s>(
+    context: &Context,
+    spec: &'s LayerSpec,
+    problems: &mut Vec<Problem>,
+) -> Option<LayerPlan<'s>> {
+    let span = &spec.name.span;
+    let Some(layer) = layer::find(&spec.name.value) else {
+        let known = layer::LAYERS.iter().map(|l| l.name.to_owned()).collect();
+        let fault = Fault::UnknownWord { what: "layer", got: spec.name.value.clone(), known };
+        problems.push(Problem::new(fault, span.clone()));
+        return None;
+    };
+    let options = match Options::read(layer, spec, context.scene) {
+        Ok(options) => options,
+        Err(more) => {
+            problems.extend(more);
+            return None;
+        }
+    };
+    let configuration = *context.space == Space::Configuration;
+    let (wrong, place) = match layer.shows {
+        Shows::World => (configuration, "the world"),
+        Shows::Configuration => (!configuration, "configuration space"),
+        Shows::Anywhere => (false, ""),
+    };
+    if wrong {
+        let message = format!("the layer `{}` shows {place}, and the panel another space", layer.name);
+        problems.push(other("unsuited-layer", message, None, span));
+        return None;
+    }
+    if !(layer.fed)(context, &options) {
+        let message = format!("this scene can't feed the layer `{}`", layer.name);
+        problems.push(other("unfed-layer", message, Some(format!("it needs {}", layer.needs)), span));
+        return None;
+    }
+    Some(LayerPlan { layer, options, span })
+}
+
+/// Keys of `[labels]` that no layer of the scene writes.
+fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
+    let mut known: Vec<String> = Vec::new();
+    for key in panels.iter().flat_map(|p| &p.layers).flat_map(|l| l.layer.labels) {
+        if !known.iter().any(|k| k == key.key) {
+            known.push(key.key.to_owned());
+        }
+    }
+    for (key, _) in &scene.labels {
+        if !known.contains(&key.value) {
+            let place = "`[labels]`: no layer of this scene writes it".to_owned();
+            let fault = Fault::UnknownKey { key: key.value.clone(), place, known: known.clone() };
+            problems.push(Problem::new(fault, key.span.clone()));
+        }
+    }
+}
+
+/// A text of the scene, filled and set.
+fn set<T>(
+    text: &Spanned<String>,
+    context: &Context,
+    problems: &mut Vec<Problem>,
+    typeset: impl Fn(&str) -> Result<T, crate::typeset::TypesetError>,
+) -> Option<T> {
+    let filled = match fill(&text.value, context, &text.span) {
+        Ok(filled) => filled,
+        Err(problem) => {
+            problems.push(problem);
+            return None;
+        }
+    };
+    typeset(&filled).map_err(|e| problems.push(bad_markup(&e.message, &filled, &text.span))).ok()
+}
+
+fn caption(
+    scene: &Scene,
+    runs: &Runs,
+    panels: &[PanelPlan],
+    problems: &mut Vec<Problem>,
+    warnings: &mut Vec<Problem>,
+) -> Vec<Line> {
+    let (Some(text), Some(first)) = (&scene.caption, panels.first()) else { return Vec::new() };
+    let moment = first.moment;
+    let context = Context { scene, space: &first.source.space, time: moment.time, step: moment.step, runs };
+    let (width, height) = (scene.canvas.width, scene.canvas.height);
+    let measure = Page::new(width, height, 1, false, 2).measure;
+    let style = Style::regular(type_size(width, height, 14.0));
+    let lines = set(text, &context, problems, |t| wrap(t, style, measure)).unwrap_or_default();
+    let most = Page::caption_lines(height);
+    if lines.len() > most {
+        let message = format!(
+            "the caption takes {} lines and the page has room for {most}: it is left out",
+            lines.len()
+        );
+        let help =
+            Some("it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned());
+        warnings.push(other("caption-dropped", message, help, &text.span));
+        return Vec::new();
+    }
+    lines
+}
+
+/// Sets every label once, so that a text that can't be set is said before anything is drawn.
+fn check_texts(scene: &Scene, runs: &Runs, theme: &Theme, panel: &PanelPlan, problems: &mut Vec<Problem>) {
+    let context = panel.context(scene, runs);
+    let wording = Wording { context: &context, type_size: &|px| px };
+    for request in &panel.sketch(&context, theme).requests {
+        let span = panel.layers.get(request.layer).map_or(&panel.source.span, |l| l.span);
+        if let Err(problem) = wording.set(request, span) {
+            problems.push(problem);
+        }
+    }
+}
+
+impl<'s> PanelPlan<'s> {
+    pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
+        let Moment { time, step } = self.moment;
+        Context { scene, space: &self.source.space, time, step, runs }
+    }
+
+    /// Lets every layer draw.
+    pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
+        let mut sketch = Sketch::new(self.frame, theme);
+        for planned in &self.layers {
+            sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
+            (planned.layer.draw)(&mut sketch, context, &planned.options);
+        }
+        sketch.finish()
+    }
+}
+
+fn other(code: &'static str, message: String, help: Option<String>, span: &Range<usize>) -> Problem {
+    Problem::new(Fault::Other { code, message, help }, span.clone())
+}

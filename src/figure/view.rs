@@ -1,0 +1,101 @@
+//! Which part of its space a panel shows.
+//!
+//! A panel with a `view` shows that rectangle, as large as it can be. The others show what they draw, with room for
+//! labels: those of one space share one view, and all share one scale.
+
+use crate::drawing::Rect;
+use crate::geometry::{DVec2, Pose};
+use crate::scene::{Scene, Space};
+
+use super::frame::Frame;
+use super::outline::Outline;
+use super::page::Page;
+use super::plan::PanelPlan;
+use super::runs::Runs;
+use super::theme::Theme;
+
+/// Room for labels around what a panel without a `view` draws, page pixels; less in small panels.
+const ROOM: f64 = 40.0;
+/// The share of a small panel's shorter side that this room may take at each side.
+const ROOM_SHARE: f64 = 0.12;
+/// What is drawn in page pixels moves what is drawn in world units: so often the view is fitted again.
+const PASSES: usize = 2;
+
+/// Gives every panel its frame.
+pub(super) fn fit(scene: &Scene, runs: &Runs, theme: &Theme, page: &Page, panels: &mut [PanelPlan]) {
+    for (panel, cell) in panels.iter_mut().zip(&page.cells) {
+        let pose = pose(scene, panel);
+        panel.frame = match &panel.source.view {
+            Some(view) => {
+                let [x0, y0, x1, y1] = view.value;
+                Frame::fit(pose, DVec2::new(x0, y0), DVec2::new(x1, y1), *cell)
+            }
+            None => first_guess(scene, panel, pose, cell),
+        };
+    }
+    for _ in 0..PASSES {
+        let extents: Vec<Option<(DVec2, DVec2)>> = panels
+            .iter()
+            .map(|panel| match panel.source.view {
+                Some(_) => None,
+                None => panel.sketch(&panel.context(scene, runs), theme).extent,
+            })
+            .collect();
+        share(panels, &extents, page);
+    }
+}
+
+/// The pose of the body in whose frame a panel shows.
+fn pose(scene: &Scene, panel: &PanelPlan) -> Option<Pose> {
+    match panel.source.space {
+        Space::Body(i) => scene.shapes.get(i).map(|(_, body)| body.pose_at(panel.moment.time)),
+        Space::World | Space::Configuration => None,
+    }
+}
+
+/// The bodies at the panel's moment, for the world; something of their size about the origin for other spaces.
+fn first_guess(scene: &Scene, panel: &PanelPlan, pose: Option<Pose>, cell: &Rect) -> Frame {
+    let bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).map(|(_, body)| body);
+    let points = bodies.flat_map(|body| Outline::of_body(body, &body.pose_at(panel.moment.time)).sampled());
+    let (lo, hi) = points
+        .map(|p| pose.map_or(p, |pose| pose.inverse_point(p)))
+        .fold(None, |all: Option<(DVec2, DVec2)>, p| {
+            Some(all.map_or((p, p), |(lo, hi)| (lo.min(p), hi.max(p))))
+        })
+        .unwrap_or((DVec2::NEG_ONE, DVec2::ONE));
+    padded(pose, lo, hi, cell)
+}
+
+fn padded(pose: Option<Pose>, lo: DVec2, hi: DVec2, cell: &Rect) -> Frame {
+    let room = ROOM.min(ROOM_SHARE * cell.width().min(cell.height()));
+    // A point, or nothing, still has a view about it.
+    let (lo, hi) = if (hi - lo).max_element() > 0.0 { (lo, hi) } else { (lo - DVec2::ONE, hi + DVec2::ONE) };
+    Frame { panel: *cell, ..Frame::fit(pose, lo, hi, cell.grown(-room)) }
+}
+
+/// Panels of one space share their extent; all share the larger size, each about its own middle.
+fn share(panels: &mut [PanelPlan], extents: &[Option<(DVec2, DVec2)>], page: &Page) {
+    let shared: Vec<Option<(DVec2, DVec2)>> = panels
+        .iter()
+        .map(|panel| {
+            let same =
+                panels.iter().zip(extents).filter(|(other, _)| other.source.space == panel.source.space);
+            same.filter_map(|(_, extent)| *extent).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+        })
+        .collect();
+    let size = shared
+        .iter()
+        .zip(extents)
+        .filter(|(_, e)| e.is_some())
+        .filter_map(|(s, _)| *s)
+        .map(|(lo, hi)| hi - lo);
+    let Some(size) = size.reduce(DVec2::max) else { return };
+    for ((panel, cell), (shared, extent)) in
+        panels.iter_mut().zip(&page.cells).zip(shared.iter().zip(extents))
+    {
+        if let (Some((lo, hi)), Some(_)) = (shared, extent) {
+            let middle = 0.5 * (*lo + *hi);
+            panel.frame = padded(panel.frame.pose, middle - 0.5 * size, middle + 0.5 * size, cell);
+        }
+    }
+}
