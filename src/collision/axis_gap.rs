@@ -93,6 +93,28 @@ impl Axis {
         }
     }
 
+    /// For two vertices: the axis through them when they will touch, or be closest, if they go on as they move at `t`.
+    ///
+    /// With p from R's vertex to O's and w = p', that is at |p + w h| = ρ, or where p + w h is shortest. The axis through
+    /// them at `t` itself is a tangent to the separation and would be used up halfway to a graze, again and again.
+    pub(super) fn ahead(pair: &MovingPair, near: Nearest, t: f64) -> Option<Self> {
+        let Nearest::Vertices(a, b) = near else { return None };
+        let owner = pair.calmer();
+        let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
+        let seen = pair.seen(owner, t);
+        let q = pair.vertex(owner.other(), other);
+        let p = seen.point(q) - pair.vertex(owner, own);
+        let w = pair.velocity_of(owner, q, &seen, t);
+        let (squared, along) = (w.length_squared(), p.dot(w));
+        if along >= 0.0 {
+            return None;
+        }
+        let c = p.length_squared() - pair.radius.hi * pair.radius.hi;
+        let discriminant = along * along - squared * c;
+        let h = if discriminant > 0.0 { c / (discriminant.sqrt() - along) } else { -along / squared };
+        Self::new(pair, owner, p + w * h)
+    }
+
     /// An axis along `direction`, in the owner's frame.
     pub(super) fn new(pair: &MovingPair, owner: Side, direction: DVec2) -> Option<Self> {
         let length = libm::hypot(direction.x, direction.y);

@@ -11,7 +11,7 @@
 //! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
 //! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
-use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Side, Turn};
+use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Side, Turn, perp};
 
 /// Two bodies in relative motion. Lengths are multiplied by `unit`, a power of two, so that products neither overflow
 /// nor underflow.
@@ -145,6 +145,17 @@ impl<'q> MovingPair<'q> {
         let (d, _) = self.offset(owner, t);
         let (cos, sin) = self.relative_angle(owner, t);
         Seen { offset: [c * d.x + s * d.y, c * d.y - s * d.x], cos, sin }
+    }
+
+    /// How fast `owner` sees vertex q of the other core move, in doubles.
+    ///
+    /// x' = Rot(−θ_R) V − ω_R perp(x) + ω_O perp(Rot(θ_O − θ_R) q)
+    pub(super) fn velocity_of(&self, owner: Side, q: DVec2, seen: &Seen<f64>, t: f64) -> DVec2 {
+        let (c, s) = self.angle(owner, t);
+        let (_, v) = self.offset(owner, t);
+        let turned = DVec2::new(seen.cos * q.x - seen.sin * q.y, seen.sin * q.x + seen.cos * q.y);
+        DVec2::new(c * v.x + s * v.y, c * v.y - s * v.x) - perp(seen.point(q)) * self.rate[owner as usize]
+            + perp(turned) * self.rate[owner.other() as usize]
     }
 
     /// What `owner` sees at `t`, in balls.

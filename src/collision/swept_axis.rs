@@ -12,7 +12,7 @@
 //! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game Developers Conference 2013; the
 //! certified Taylor step along it is this library's own.
 
-use super::axis_gap::{Axis, Precision};
+use super::axis_gap::{Axis, Precision, Swept};
 use super::contact::{self, Before};
 use super::moving_pair::MovingPair;
 use super::nearest::{Nearest, nearest};
@@ -22,6 +22,9 @@ use crate::trace::{Event, Moment, Tracer};
 
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "swept-axis";
+
+/// A plain separation below this many roundings is looked at in balls.
+const CLOSE: f64 = 64.0;
 
 /// Trials of a time of proved contact, each four times as far beyond the last free moment as the one before.
 const CONTACT_TRIALS: usize = 24;
@@ -59,83 +62,72 @@ impl Search<'_> {
         let mut t = 0.0;
         let mut near = nearest(self.a, self.b, t).0;
         loop {
-            let swept = self.sweep(near, t, Precision::Plain, tracer);
-            if swept >= 1.0 {
+            let until = self.sweep(near, t, Precision::Plain, tracer).until;
+            if until >= 1.0 {
                 return Outcome::Miss;
             }
-            let stuck = swept <= t;
-            t = swept;
+            let stuck = until <= t;
+            t = until;
             if self.queries >= self.query.max_iterations {
                 return Outcome::Unresolved { reason: Reason::IterationLimit, free_until: t };
             }
-            let (features, distance) = nearest(self.a, self.b, t);
-            self.queries += 1;
-            near = features;
-            let gap = (distance - (self.a.shape.radius + self.b.shape.radius)) * self.pair.unit;
-            if stuck || gap < 64.0 * self.pair.rounding {
-                match self.close_in(near, t, tracer) {
-                    Ok(next) => t = next,
+            let gap;
+            (near, gap) = self.nearest(t);
+            if stuck || gap < CLOSE * self.pair.rounding {
+                t = match self.close_in(near, t, tracer) {
+                    Ok(next) => next,
                     Err(outcome) => return outcome,
-                }
-                near = nearest(self.a, self.b, t).0;
+                };
+                near = self.nearest(t).0;
             }
         }
     }
 
-    /// Follows the axis through the given features from `t`; the time until which it separates.
-    fn sweep(&self, near: Nearest, t: f64, precision: Precision, tracer: &mut impl Tracer) -> f64 {
-        let Some(axis) = Axis::through(&self.pair, near, t) else {
-            return t;
+    /// Follows an axis of the given features from `t`, the one that lasts longer if there are two.
+    fn sweep(&self, near: Nearest, t: f64, precision: Precision, tracer: &mut impl Tracer) -> Swept {
+        let follow = |axis: Option<Axis>| axis.map(|axis| (axis, axis.sweep(&self.pair, t, precision)));
+        let (ahead, through) =
+            (follow(Axis::ahead(&self.pair, near, t)), follow(Axis::through(&self.pair, near, t)));
+        let longest = match (ahead, through) {
+            (Some(x), Some(y)) => Some(if x.1.until > y.1.until { x } else { y }),
+            (x, y) => x.or(y),
         };
-        let swept = axis.sweep(&self.pair, t, precision);
+        let Some((axis, swept)) = longest else {
+            return Swept { until: t, gap: 0.0, slope: 0.0 };
+        };
         if swept.until > t {
-            tracer.record(|| Event::AxisSwept {
-                from: t,
-                to: swept.until,
-                owner: axis.owner,
-                normal: axis.n,
-            });
+            let (owner, normal) = (axis.owner, axis.n);
+            tracer.record(|| Event::AxisSwept { from: t, to: swept.until, owner, normal });
         }
-        swept.until
+        swept
     }
 
     /// At a tiny gap: goes on in balls, and where that ends, proves contact. Ok with a later time if the bodies are
     /// seen to part again.
-    fn close_in(&self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Result<f64, Outcome> {
-        let mut t = from;
-        let mut near = near;
-        let mut gap;
+    fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Result<f64, Outcome> {
+        let (mut t, mut near) = (from, near);
         loop {
-            let Some(axis) = Axis::through(&self.pair, near, t) else {
-                return Err(self.undecided(t));
-            };
-            let swept = axis.sweep(&self.pair, t, Precision::Fine);
-            if swept.until > t {
-                tracer.record(|| Event::AxisSwept {
-                    from: t,
-                    to: swept.until,
-                    owner: axis.owner,
-                    normal: axis.n,
-                });
-            }
-            gap = swept;
+            let swept = self.sweep(near, t, Precision::Fine, tracer);
             if swept.until >= 1.0 {
                 return Err(Outcome::Miss);
             }
-            let moved = swept.until > t;
-            t = swept.until;
-            if !moved {
-                break;
+            if swept.until <= t {
+                return Err(self.prove_contact(t, -swept.slope));
             }
-            let (features, distance) = nearest(self.a, self.b, t);
-            near = features;
-            if (distance - (self.a.shape.radius + self.b.shape.radius)) * self.pair.unit
-                > 64.0 * self.pair.rounding
-            {
+            t = swept.until;
+            let gap;
+            (near, gap) = self.nearest(t);
+            if gap > CLOSE * self.pair.rounding {
                 return Ok(t);
             }
         }
-        Err(self.prove_contact(t, -gap.slope))
+    }
+
+    /// The closest features at `t` and the plain separation, in scaled units.
+    fn nearest(&mut self, t: f64) -> (Nearest, f64) {
+        self.queries += 1;
+        let (features, distance) = nearest(self.a, self.b, t);
+        (features, distance * self.pair.unit - self.pair.radius.hi)
     }
 
     /// Contact just after `lo`, the last moment proved free, where the gap closes at `speed`.
