@@ -80,8 +80,9 @@ impl Axis {
     pub(super) fn through(pair: &MovingPair, near: Nearest, t: f64) -> Option<Self> {
         match near {
             Nearest::Edge { owner, edge, .. } => {
-                let along = pair.vertex(owner, pair.next(owner, edge)) - pair.vertex(owner, edge);
-                Self::new(pair, owner, DVec2::new(along.y, -along.x))
+                let hull = pair.hull(owner);
+                let &n = hull.normals.get(edge)?;
+                Some(Self { owner, n, support: n.dot(*hull.corners.get(edge)?) * pair.unit })
             }
             Nearest::Vertices(a, b) => {
                 let owner = pair.calmer();
@@ -91,6 +92,14 @@ impl Axis {
                 Self::new(pair, owner, apart)
             }
         }
+    }
+
+    /// The axis along a world direction from A to B, at `t`.
+    pub(super) fn along(pair: &MovingPair, normal: DVec2, t: f64) -> Option<Self> {
+        let owner = pair.calmer();
+        let n = if owner == Side::A { normal } else { -normal };
+        let (c, s) = pair.angle(owner, t);
+        Self::new(pair, owner, DVec2::new(c * n.x + s * n.y, c * n.y - s * n.x))
     }
 
     /// For two vertices: the axis through them when they will touch, or be closest, if they go on as they move at `t`.
@@ -122,8 +131,7 @@ impl Axis {
             return None;
         }
         let n = direction / length;
-        let support =
-            (0..pair.count(owner)).map(|k| n.dot(pair.vertex(owner, k))).fold(f64::NEG_INFINITY, f64::max);
+        let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
         Some(Self { owner, n, support })
     }
 
@@ -163,12 +171,13 @@ impl Axis {
         let (cos, sin) = pair.relative_angle(owner, t);
         let m = DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
         let common = Common::new(pair, self, t, (d, v));
-        let mut gap = Gap { least: f64::INFINITY, slope: 0.0, ahead: 1.0 - t };
         let fine = (precision == Precision::Fine).then(|| self.fine(pair, t));
-        let mut circle = common.taylor(common.value - pair.reach[other as usize], 0.0, 0.0);
-        circle.value -= pair.rounding;
-        for k in 0..pair.count(other) {
-            let q = pair.vertex(other, k);
+        // However the other body turns, none of its vertices is farther down than its reach.
+        let circle = common.circle(pair.reach[other as usize] + pair.rounding);
+        let whatever =
+            if common.spin != 0.0 && circle.value > 0.0 { positive_until(circle, 1.0 - t) } else { 0.0 };
+        let mut gap = Gap { least: f64::INFINITY, slope: 0.0, ahead: 1.0 - t };
+        for q in pair.vertices(other) {
             let along = m.dot(q);
             let mut taylor = common.taylor(common.value + along, common.spin * perp(q).dot(m), along);
             taylor.value -= pair.rounding;
@@ -183,14 +192,11 @@ impl Axis {
             }
             if taylor.value <= 0.0 {
                 gap.ahead = 0.0;
-            } else if gap.ahead > 0.0 {
+            } else if !taylor.stays_positive(gap.ahead) {
                 gap.ahead = positive_until(taylor, gap.ahead);
             }
         }
-        if circle.value > 0.0 && common.spin != 0.0 {
-            let whole = common.unturned(circle);
-            gap.ahead = gap.ahead.max(positive_until(whole, 1.0 - t));
-        }
+        gap.ahead = gap.ahead.max(whatever);
         gap
     }
 
@@ -211,8 +217,7 @@ impl Axis {
     /// h in balls: the greatest of the vertices that doubles can't tell apart.
     fn fine_support(&self, pair: &MovingPair) -> Ball {
         let mut best: Option<Ball> = None;
-        for k in 0..pair.count(self.owner) {
-            let q = pair.vertex(self.owner, k);
+        for q in pair.vertices(self.owner) {
             if self.n.dot(q) < self.support - pair.rounding {
                 continue;
             }
@@ -300,9 +305,9 @@ impl Common {
         }
     }
 
-    /// The same for a bound in which the other body's turning does not occur.
-    fn unturned(&self, f: Taylor) -> Taylor {
-        Taylor { value: f.value, slope: self.slope, curvature: self.curvature, third: self.third }
+    /// The polynomial of n_w·D − h − ρ − `reach`, in which the other body's turning does not occur.
+    fn circle(&self, reach: f64) -> Taylor {
+        Taylor { value: self.value - reach, slope: self.slope, curvature: self.curvature, third: self.third }
     }
 }
 

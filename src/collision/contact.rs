@@ -14,7 +14,7 @@
 //! negative. All arithmetic is in balls, so that each fact holds for the exact reals.
 
 use super::moving_pair::{MovingPair, Seen};
-use super::nearest::{Nearest, nearest};
+use super::nearest::{Nearest, certified, nearest};
 use super::{Outcome, Reason, Separation};
 use crate::geometry::{Ball, Body, Side};
 
@@ -58,13 +58,18 @@ impl<'p, 'q> Before<'p, 'q> {
     fn by_features(&self, near: Nearest, hi: f64) -> bool {
         match near {
             Nearest::Vertices(i, j) => self.discs(i, j, hi),
-            Nearest::Edge { owner, edge, vertex } => self.crossing(owner, edge, vertex, hi),
+            Nearest::Edge { owner, edge, vertex } => {
+                // A segment's two sides are one line: rounding may have taken the one that faces away.
+                let back = self.pair.hull(owner).next(edge);
+                self.crossing(owner, edge, vertex, hi)
+                    || (self.pair.hull(owner).corners.len() == 2 && self.crossing(owner, back, vertex, hi))
+            }
         }
     }
 
     /// The third stage: the certified separation.
     fn depth(&self, hi: f64) -> bool {
-        super::nearest::certified(self.a, self.b, hi).bounds.hi <= 0.0
+        certified(self.a, self.b, hi, self.near).bounds.hi <= 0.0
     }
 
     /// Whether core vertices i of A and j of B are at most ρ apart at `hi`.
@@ -89,7 +94,7 @@ impl<'p, 'q> Before<'p, 'q> {
         if line.is_crossed(&views, x, travel) {
             return true;
         }
-        [pair.previous(other, vertex), pair.next(other, vertex)]
+        [pair.hull(other).previous(vertex), pair.hull(other).next(vertex)]
             .into_iter()
             .filter(|&k| k != vertex)
             .filter_map(|k| line.middle_of_span(&views[1], x, ball(pair.vertex(other, k))))
@@ -109,7 +114,7 @@ struct Line {
 
 impl Line {
     fn of(pair: &MovingPair, owner: Side, edge: usize) -> Self {
-        let (p, q) = (pair.vertex(owner, edge), pair.vertex(owner, pair.next(owner, edge)));
+        let (p, q) = (pair.vertex(owner, edge), pair.vertex(owner, pair.hull(owner).next(edge)));
         let along = [Ball::difference(q.x, p.x), Ball::difference(q.y, p.y)];
         let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
         Self { from: ball(p), along, length, radius: Ball::exact(pair.radius) }

@@ -25,6 +25,16 @@ pub(super) struct Taylor {
     pub(super) third: f64,
 }
 
+impl Taylor {
+    /// Whether f is positive on [0, `limit`] even if each term is as low as it gets there: a quick test that lets most
+    /// vertices pass.
+    #[inline]
+    pub(super) fn stays_positive(&self, limit: f64) -> bool {
+        let fall = self.slope.min(0.0) + limit * (0.5 * self.curvature.min(0.0) - limit * self.third / 6.0);
+        self.value + limit * fall > ROUNDING * self.value
+    }
+}
+
 /// Relative allowance for the rounding of the root formula.
 ///
 /// A computed root is the exact root of a parabola whose coefficients differ by at most 4 ε each. At a first root

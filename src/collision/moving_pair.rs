@@ -11,14 +11,14 @@
 //! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
 //! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
-use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Side, Turn, perp};
+use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Side, Turn, perp};
 
 /// Two bodies in relative motion. Lengths are multiplied by `unit`, a power of two, so that products neither overflow
 /// nor underflow.
 #[derive(Clone, Debug)]
 pub(super) struct MovingPair<'q> {
-    /// A and B.
-    bodies: [&'q Body; 2],
+    /// The cores of A and B.
+    hulls: [&'q Hull; 2],
     /// Power of two by which all lengths here are multiplied.
     pub(super) unit: f64,
     /// p_B − p_A, exactly.
@@ -28,6 +28,10 @@ pub(super) struct MovingPair<'q> {
     /// Angle at t = 0 and spin; none for a body whose core is its own origin, which
     /// looks the same from all sides: its frame is the world's.
     turning: [(Degrees, Degrees); 2],
+    /// Cosine and sine of the angles at t = 0.
+    start: [(f64, f64); 2],
+    /// Cosine and sine of B's angle as A sees it, where that does not change.
+    steady: Option<(f64, f64)>,
     /// Spin in radians per unit of time.
     pub(super) rate: [f64; 2],
     /// At least the distance of any core vertex from its body's origin.
@@ -65,14 +69,18 @@ impl<'q> MovingPair<'q> {
         };
         let apart = exact(b.position, a.position);
         let velocity = exact(b.velocity, a.velocity);
-        let reach = [reach(a) * unit, reach(b) * unit];
+        let reach = [a.shape.hull.reach * unit, b.shape.hull.reach * unit];
         let radius = Dd::sum(a.shape.radius * unit, b.shape.radius * unit);
         let turning = [turning(a), turning(b)];
         let one_norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
         let sum = one_norm(&apart) + one_norm(&velocity) + 1.5 * (reach[0] + reach[1]) + radius.hi;
+        let steady =
+            (turning[0].1 == turning[1].1).then(|| cos_sin(Turn::between(turning[0], turning[1], 0.0)));
         Self {
-            bodies: [a, b],
+            hulls: [&a.shape.hull, &b.shape.hull],
             unit,
+            start: turning.map(|(angle, _)| cos_sin(Turn::sum(&[angle.0]))),
+            steady,
             apart,
             velocity,
             turning,
@@ -83,26 +91,23 @@ impl<'q> MovingPair<'q> {
         }
     }
 
-    /// Number of vertices of a core.
-    pub(super) fn count(&self, side: Side) -> usize {
-        self.bodies[side as usize].shape.core.len().max(1)
+    /// A core, in file units.
+    #[inline]
+    pub(super) fn hull(&self, side: Side) -> &'q Hull {
+        self.hulls[side as usize]
     }
 
     /// Vertex k of a core in its body's frame.
     #[inline]
     pub(super) fn vertex(&self, side: Side, k: usize) -> DVec2 {
-        let shape = &self.bodies[side as usize].shape;
-        shape.core.get(k).and_then(|&i| shape.vertices.get(i)).map_or(DVec2::ZERO, |&v| v * self.unit)
+        self.hull(side).corners.get(k).map_or(DVec2::ZERO, |&v| v * self.unit)
     }
 
-    /// The next vertex of a core, counter-clockwise.
-    pub(super) fn next(&self, side: Side, k: usize) -> usize {
-        if k + 1 >= self.count(side) { 0 } else { k + 1 }
-    }
-
-    /// The vertex before.
-    pub(super) fn previous(&self, side: Side, k: usize) -> usize {
-        if k == 0 { self.count(side) - 1 } else { k - 1 }
+    /// Every vertex of a core in its body's frame, in order.
+    #[inline]
+    pub(super) fn vertices(&self, side: Side) -> impl Iterator<Item = DVec2> {
+        let unit = self.unit;
+        self.hull(side).corners.iter().map(move |&v| v * unit)
     }
 
     /// Whether neither body turns.
@@ -127,16 +132,22 @@ impl<'q> MovingPair<'q> {
     #[inline]
     pub(super) fn angle(&self, owner: Side, t: f64) -> (f64, f64) {
         let (angle, spin) = self.turning[owner as usize];
-        let c = Turn::at(angle, spin, t).cos_sin();
-        (c.cos, c.sin)
+        if spin.0 == 0.0 { self.start[owner as usize] } else { cos_sin(Turn::at(angle, spin, t)) }
     }
 
     /// Cosine and sine of the other body's angle as the owner sees it.
     #[inline]
     pub(super) fn relative_angle(&self, owner: Side, t: f64) -> (f64, f64) {
-        let c =
-            Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t).cos_sin();
-        (c.cos, c.sin)
+        let (cos, sin) = match self.steady {
+            Some(steady) => steady,
+            None if self.turning[0] == UNTURNED => self.angle(Side::B, t),
+            None if self.turning[1] == UNTURNED => {
+                let (cos, sin) = self.angle(Side::A, t);
+                (cos, -sin)
+            }
+            None => cos_sin(Turn::between(self.turning[0], self.turning[1], t)),
+        };
+        if owner == Side::A { (cos, sin) } else { (cos, -sin) }
     }
 
     /// What `owner` sees at `t`, in doubles.
@@ -218,13 +229,17 @@ impl Seen<Ball> {
 
 /// Angle and spin, none for a body whose core is its own origin.
 fn turning(body: &Body) -> (Degrees, Degrees) {
-    if reach(body) == 0.0 { (Degrees(0.0), Degrees(0.0)) } else { (body.angle, body.spin) }
+    if body.shape.hull.reach == 0.0 { UNTURNED } else { (body.angle, body.spin) }
 }
 
-/// At least the distance of any core vertex from the body's origin.
-fn reach(body: &Body) -> f64 {
-    let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
-    far * (1.0 + f64::EPSILON)
+/// The world's own frame.
+const UNTURNED: (Degrees, Degrees) = (Degrees(0.0), Degrees(0.0));
+
+/// In doubles, each within ε/2.
+#[inline]
+fn cos_sin(turn: Turn) -> (f64, f64) {
+    let c = turn.cos_sin();
+    (c.cos, c.sin)
 }
 
 /// A power of two that brings the largest length of a pair near 1; 1 where that is harmless as it is.
@@ -232,7 +247,7 @@ fn unit_of(a: &Body, b: &Body) -> f64 {
     /// Within these, no product of three lengths or quotient leaves the range of doubles.
     const COMFORT: std::ops::Range<f64> = 1e-40..1e40;
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
-    let extent = |body: &Body| body.shape.vertices.iter().fold(body.shape.radius, |s, &v| s.max(largest(v)));
+    let extent = |body: &Body| body.shape.hull.reach.max(body.shape.radius);
     let apart =
         largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
     let size = extent(a).max(extent(b)).max(2.0 * apart);

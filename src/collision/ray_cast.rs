@@ -19,6 +19,7 @@
 use super::contact;
 use super::difference::{self, Pairing, walk};
 use super::moving_pair::{MovingPair, Seen};
+use super::pair::Pair;
 use super::relative::{Relative, Turn};
 use super::{Answer, Impact, Outcome, Query, Reason, Separation};
 use crate::geometry::{Ball, Body, DVec2, Enclosure, Feature, Side};
@@ -49,7 +50,7 @@ pub(super) fn first_contact(a: &Body, b: &Body) -> Outcome {
 
 /// First contact along a ray.
 fn cast(ray: &Ray, a: &Body, b: &Body) -> Outcome {
-    let start = super::nearest::certified(a, b, 0.0);
+    let start = Pair::at(a, b, 0.0).separation();
     if start.bounds.hi <= 0.0 || start.separation <= 0.0 {
         return Outcome::Overlapping { contact: start };
     }
@@ -69,7 +70,7 @@ fn cast(ray: &Ray, a: &Body, b: &Body) -> Outcome {
 }
 
 fn contact_at(a: &Body, b: &Body, t: f64) -> Separation {
-    super::nearest::certified(a, b, t)
+    Pair::at(a, b, t).separation()
 }
 
 /// A quotient that says when, kept apart so that equality with a double can be decided.

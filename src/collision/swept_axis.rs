@@ -15,7 +15,7 @@
 use super::axis_gap::{Axis, Precision, Swept};
 use super::contact::{self, Before};
 use super::moving_pair::MovingPair;
-use super::nearest::{Nearest, nearest};
+use super::nearest::{Nearest, certified, nearest};
 use super::{Answer, Impact, Outcome, Query, Reason, Separation, ray_cast};
 use crate::geometry::{Body, Enclosure};
 use crate::trace::{Event, Moment, Tracer};
@@ -53,14 +53,14 @@ struct Search<'q> {
 
 impl Search<'_> {
     fn run(&mut self, tracer: &mut impl Tracer) -> Outcome {
-        let start = super::nearest::certified(self.a, self.b, 0.0);
+        let mut near = nearest(self.a, self.b, 0.0).0;
+        let start = certified(self.a, self.b, 0.0, near);
         self.queries = 1;
         tracer.record(|| Event::Started { algorithm: NAME, at: self.moment(0.0) });
         if start.bounds.lo <= 0.0 {
             return contact::at_start(&start);
         }
         let mut t = 0.0;
-        let mut near = nearest(self.a, self.b, t).0;
         loop {
             let until = self.sweep(near, t, Precision::Plain, tracer).until;
             if until >= 1.0 {
@@ -85,29 +85,43 @@ impl Search<'_> {
 
     /// Follows an axis of the given features from `t`, the one that lasts longer if there are two.
     fn sweep(&self, near: Nearest, t: f64, precision: Precision, tracer: &mut impl Tracer) -> Swept {
-        let follow = |axis: Option<Axis>| axis.map(|axis| (axis, axis.sweep(&self.pair, t, precision)));
-        let (ahead, through) =
-            (follow(Axis::ahead(&self.pair, near, t)), follow(Axis::through(&self.pair, near, t)));
+        let ahead = self.follow(Axis::ahead(&self.pair, near, t), t, precision);
+        let through = self.follow(Axis::through(&self.pair, near, t), t, precision);
         let longest = match (ahead, through) {
             (Some(x), Some(y)) => Some(if x.1.until > y.1.until { x } else { y }),
             (x, y) => x.or(y),
         };
-        let Some((axis, swept)) = longest else {
+        Self::told(longest, t, tracer)
+    }
+
+    fn follow(&self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<(Axis, Swept)> {
+        axis.map(|axis| (axis, axis.sweep(&self.pair, t, precision)))
+    }
+
+    /// What a followed axis proved, recorded.
+    fn told(followed: Option<(Axis, Swept)>, t: f64, tracer: &mut impl Tracer) -> Swept {
+        let Some((Axis { owner, n: normal, .. }, swept)) = followed else {
             return Swept { until: t, gap: 0.0, slope: 0.0 };
         };
         if swept.until > t {
-            let (owner, normal) = (axis.owner, axis.n);
             tracer.record(|| Event::AxisSwept { from: t, to: swept.until, owner, normal });
         }
         swept
     }
 
-    /// At a tiny gap: goes on in balls, and where that ends, proves contact. Ok with a later time if the bodies are
-    /// seen to part again.
+    /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact. Ok with
+    /// a later time if the bodies are seen to part again.
     fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Result<f64, Outcome> {
         let (mut t, mut near) = (from, near);
         loop {
-            let swept = self.sweep(near, t, Precision::Fine, tracer);
+            let mut swept = self.sweep(near, t, Precision::Fine, tracer);
+            if swept.until <= t {
+                let proved = certified(self.a, self.b, t, near);
+                if proved.bounds.lo * self.pair.unit > self.pair.rounding {
+                    let axis = Axis::along(&self.pair, proved.normal, t);
+                    swept = Self::told(self.follow(axis, t, Precision::Fine), t, tracer);
+                }
+            }
             if swept.until >= 1.0 {
                 return Err(Outcome::Miss);
             }
@@ -179,7 +193,7 @@ impl Search<'_> {
     }
 
     fn contact(&self, t: f64) -> Separation {
-        super::nearest::certified(self.a, self.b, t)
+        certified(self.a, self.b, t, nearest(self.a, self.b, t).0)
     }
 
     fn moment(&self, t: f64) -> Moment {
