@@ -37,7 +37,7 @@ pub struct Difference {
     pub edges: Vec<Edge>,
     /// The core where it is a point.
     pub center: Option<DVec2>,
-    /// r_A + r_B, in world units; 0 for sharp bodies.
+    /// `r_A` + `r_B`, in world units; 0 for sharp bodies.
     pub radius: f64,
 }
 

@@ -7,11 +7,11 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::{Outline, angle_of};
 use super::super::pen::{MARKER, Marker, Pen, SMALL_MARKER, Wash};
 use super::super::sketch::{Sketch, Weight};
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 /// The angle mark's radius as a part of r: inside the body, clear of its centre.
@@ -81,8 +81,10 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
             if wanted.contains(body) && *theta > 0.0 =>
         {
             let index = options.number("vertex");
-            let chosen =
-                vertices.iter().find(|v| index.is_some_and(|i| v.index as f64 == i)).or(vertices.first())?;
+            let chosen = vertices
+                .iter()
+                .find(|v| index.is_some_and(|i| u32::try_from(v.index).is_ok_and(|k| f64::from(k) == i)))
+                .or(vertices.first())?;
             let center = context.pose(*body, 0.0)?.position;
             let start = angle_of(chosen.point - center);
             let sweep = theta.copysign(context.body(*body)?.spin.0);

@@ -1,6 +1,6 @@
-//! AABB against AABB, axis by axis: D = |c_B − c_A| − (h_A + h_B) laid out on tracks below (x) and to the right (y).
+//! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to the right (y).
 //!
-//! Where D ≥ 0 one track holds h_A | D | h_B end to end; where D < 0 the bars overlap, so each has its own track. The
+//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end; where D < 0 the bars overlap, so each has its own track. The
 //! distance of the centres is the last.
 
 use crate::drawing::Role;
@@ -9,12 +9,12 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::Pen;
 use super::super::sketch::{Sketch, Weight};
+use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, number_of};
 
 /// Distance of the tracks from the boxes and from each other, in page px, below: a label of 16 fits between.
 const BELOW: f64 = 40.0;
@@ -78,7 +78,7 @@ struct Place {
 
 impl Place {
     fn point(&self, along: f64, track: usize) -> DVec2 {
-        let across = self.edge + self.step * (track as f64 + 1.0);
+        let across = self.edge + self.step * (number_of(track) + 1.0);
         if self.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
     }
 }
@@ -144,7 +144,7 @@ fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, acros
     }
 }
 
-/// h_A, D, h_B and the distance of the centres along one axis, each with its track.
+/// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
 fn bars(options: &Options, e: Extents) -> Vec<Bar> {
     let role = options.role(Role::Now);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };

@@ -6,11 +6,11 @@ use crate::trace::{Event, SupportVertex};
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::Outline;
 use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen};
 use super::super::sketch::Sketch;
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 /// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists them.

@@ -1,4 +1,4 @@
-//! A circle's centre clamped to a box: V and its components, what is left of them, B_c, and D = B − B_c.
+//! A circle's centre clamped to a box: V and its components, what is left of them, `B_c`, and D = B − `B_c`.
 //!
 //! Everything lies in the box's frame and is drawn along the box's axes, so the layer stands in a world panel and in
 //! the panel of the box's own frame alike.
@@ -91,7 +91,7 @@ fn axes(c: &Clamped) -> [(DVec2, f64, f64); 2] {
     [(c.pose.vector(DVec2::X), c.v.x, c.kept.x), (c.pose.vector(DVec2::Y), c.v.y, c.kept.y)]
 }
 
-/// V_x and V_y as arrows along the box's axes, each with a dashed line from its tip to the circle's centre. A component
+/// `V_x` and `V_y` as arrows along the box's axes, each with a dashed line from its tip to the circle's centre. A component
 /// that was not cut is drawn only once, as what is left of it.
 fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
     let names = [("V_x", "$V_x$"), ("V_y", "$V_y$")];

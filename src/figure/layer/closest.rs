@@ -1,4 +1,4 @@
-//! From the origin to the nearest point of B ⊖ A: the separation as a vector, p_B − p_A = s n.
+//! From the origin to the nearest point of B ⊖ A: the separation as a vector, `p_B` − `p_A` = s n.
 
 use crate::drawing::Role;
 use crate::geometry::DVec2;
@@ -6,10 +6,10 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label};
-use super::super::number::number;
 use super::super::options::Options;
 use super::super::pen::Pen;
 use super::super::sketch::Sketch;
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 pub(super) const LAYER: Layer = Layer {

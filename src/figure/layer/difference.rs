@@ -11,7 +11,7 @@ use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
 use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, fade};
 
 /// Width of an edge that the algorithm skipped, page px, and its opacity.
 const THIN: (f64, f64) = (0.75, 0.55);
@@ -24,6 +24,9 @@ const SERIES: [f64; 2] = [0.3, 0.8];
 
 /// Numbers of iterations closer than this, in page px, would touch: the later one is left out, but never the last.
 const NUMBER_GAP: f64 = 14.0;
+
+/// An edge that rises by less over its length, in page px, looks level.
+const LEVEL: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "difference",
@@ -160,9 +163,7 @@ fn culled(context: &Context) -> Vec<(Side, Feature)> {
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let all: Vec<Difference> = context.steps().iter().filter_map(|&time| difference(context, time)).collect();
     let Some((last, before)) = all.split_last() else { return };
-    for (k, found) in before.iter().enumerate() {
-        let along = if before.len() > 1 { k as f64 / (before.len() - 1) as f64 } else { 1.0 };
-        let opacity = SERIES[0] + along * (SERIES[1] - SERIES[0]);
+    for (found, opacity) in before.iter().zip(fade(SERIES, before.len())) {
         if found.radius > 0.0 {
             let pen = Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity);
             sketch.part("iterations").area(&found.outline(), None, Some(pen));
@@ -184,11 +185,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// The number of each iteration below its lowest vertex.
 fn numbers(sketch: &mut Sketch, all: &[Difference]) {
-    let lowest = |found: &Difference| {
-        let points = found.outline().sampled();
-        points.into_iter().min_by(|p, q| p.y.total_cmp(&q.y).then(q.x.total_cmp(&p.x)))
-    };
-    let places: Vec<DVec2> = all.iter().filter_map(lowest).collect();
+    let level = sketch.px(LEVEL);
+    let places: Vec<DVec2> = all.iter().filter_map(|found| lowest(found, level)).collect();
     let gap = sketch.px(NUMBER_GAP);
     let Some((&last, before)) = places.split_last() else { return };
     let mut kept: Vec<(usize, DVec2)> = Vec::new();
@@ -201,8 +199,16 @@ fn numbers(sketch: &mut Sketch, all: &[Difference]) {
     kept.push((before.len(), last));
     for (k, place) in kept {
         let anchor = Anchor::point_toward(place, DVec2::NEG_Y);
-        sketch.label(
-            Label::new("step", k.to_string(), anchor, Role::Difference).rank(Rank::Word).size(Size::Small),
-        );
+        let label = Label::new("step", k.to_string(), anchor, Role::Difference);
+        sketch.label(label.rank(Rank::Word).size(Size::Small));
     }
+}
+
+/// The lowest vertex; the middle of the lowest edge where that looks level.
+fn lowest(found: &Difference, level: f64) -> Option<DVec2> {
+    let points = found.outline().sampled();
+    let bottom = points.iter().copied().min_by(|p, q| p.y.total_cmp(&q.y))?;
+    let same = points.iter().filter(|p| p.y - bottom.y <= level);
+    let (lo, hi) = same.fold((bottom, bottom), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+    Some(0.5 * (lo + hi))
 }

@@ -10,7 +10,7 @@ use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::Outline;
 use super::super::pen::{Dash, Pen, Wash};
 use super::super::sketch::{Sketch, Weight};
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, fade};
 
 /// Fill of a ghost: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
@@ -123,9 +123,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let role = options.role(side.into());
     let every = before.len().div_ceil(MOST - 1).max(1);
     let kept: Vec<f64> = before.iter().copied().step_by(every).collect();
-    for (i, &time) in kept.iter().enumerate() {
-        let along = if kept.len() > 1 { i as f64 / (kept.len() - 1) as f64 } else { 1.0 };
-        let pen = Pen::ghost(role).opacity(SERIES[0] + along * (SERIES[1] - SERIES[0]));
+    for (&time, opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
+        let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
             sketch.part(context.part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
         }

@@ -1,4 +1,4 @@
-//! Half-extents h_x and h_y, from the centre of a box to its sides, as bars or dimension lines beside it.
+//! Half-extents `h_x` and `h_y`, from the centre of a box to its sides, as bars or dimension lines beside it.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -6,10 +6,10 @@ use crate::geometry::DVec2;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, left_of};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::Pen;
 use super::super::sketch::{Sketch, Weight};
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 /// Distance of the lines from the box where the scene does not say, in page px: a dimension's label fits beside it.

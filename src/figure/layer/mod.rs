@@ -114,3 +114,16 @@ pub static LAYERS: &[Layer] = &[
 pub fn find(name: &str) -> Option<&'static Layer> {
     LAYERS.iter().find(|l| l.name == name)
 }
+
+/// Opacities of a series of `count`, from the first to the last.
+fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
+    let steps = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
+    (0..=steps).map(
+        move |i| if steps == 0 { last } else { first + (last - first) * f64::from(i) / f64::from(steps) },
+    )
+}
+
+/// A small count as a number.
+fn number_of(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::INFINITY, f64::from)
+}

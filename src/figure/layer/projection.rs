@@ -9,12 +9,12 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::Pen;
 use super::super::sketch::{Sketch, Weight};
+use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, number_of};
 
 /// Distance of the axis from the bodies, page px.
 const OFFSET: f64 = 26.0;
@@ -65,22 +65,20 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
         })
         .collect();
     match options.number("axis") {
-        Some(k) => all.iter().enumerate().find(|(i, _)| (i + 1) as f64 == k).map(|(_, t)| *t),
+        Some(k) => all.iter().enumerate().find(|(i, _)| number_of(i + 1) == k).map(|(_, t)| *t),
         None => all.into_iter().max_by(|s, t| s.gap.total_cmp(&t.gap)),
     }
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = tested(context, options) else { return };
-    let side = perp(t.n);
-    let down = if side.y > 0.0 || side.y == 0.0 && side.x < 0.0 { -side } else { side };
     let points: Vec<DVec2> = context
         .sides()
         .into_iter()
         .filter_map(|s| context.outline(s, context.time))
         .flat_map(|outline| outline.sampled())
         .collect();
-    let far = points.iter().map(|p| p.dot(down)).fold(f64::NEG_INFINITY, f64::max) + sketch.px(OFFSET);
+    let (down, far) = beside_bodies(sketch, &t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let past = sketch.px(PAST);
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -108,6 +106,25 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         );
     }
     gap(sketch, &t, at);
+}
+
+/// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view only above.
+fn beside_bodies(sketch: &Sketch, t: &Tested, points: &[DVec2]) -> (DVec2, f64) {
+    let side = perp(t.n);
+    let down = if side.y > 0.0 || side.y == 0.0 && side.x < 0.0 { -side } else { side };
+    let far = |down: DVec2| {
+        points.iter().map(|p| p.dot(down)).fold(f64::NEG_INFINITY, f64::max) + sketch.px(OFFSET)
+    };
+    let (lo, hi) = sketch.visible();
+    let hidden = |down: DVec2| {
+        let out = |along: f64| {
+            let p = t.n * along + down * far(down);
+            (lo - p).max(p - hi).max(DVec2::ZERO).length()
+        };
+        out(t.a.lo.min(t.b.lo)) + out(t.a.hi.max(t.b.hi))
+    };
+    let down = if hidden(-down) < hidden(down) { -down } else { down };
+    (down, far(down))
 }
 
 /// Between the facing ends: apart from A's upper end to B's lower one, overlapping the other way round.

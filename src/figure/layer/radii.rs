@@ -7,12 +7,13 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::on_circle;
 use super::super::pen::Pen;
 use super::super::sketch::{Sketch, Weight};
+use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, number_of};
 
 /// The eight directions that a radius can be drawn in, from E counter-clockwise.
 const COMPASS: &[&str] = &["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
@@ -101,8 +102,7 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn direction(context: &Context, options: &Options) -> DVec2 {
     let word = options.word("toward", "");
     if let Some(eighth) = COMPASS.iter().position(|w| *w == word) {
-        let angle = std::f64::consts::FRAC_PI_4 * eighth as f64;
-        return DVec2::new(libm::cos(angle), libm::sin(angle));
+        return on_circle(DVec2::ZERO, 1.0, std::f64::consts::FRAC_PI_4 * number_of(eighth));
     }
     context
         .separation_at(context.time)
@@ -127,7 +127,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let down = if side.y > 0.0 { -side } else { side };
     let tracks = tracks(centers, radii, &answer);
     for (i, length) in tracks.iter().enumerate() {
-        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i as f64 + 0.75)));
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + 0.75)));
         let [p, q] = length.ends.map(|end| end + out);
         sketch.part("lengths").bar(p, q, 0.0, length.weight);
         let anchor = beside(p, q, -down);
@@ -140,7 +140,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     };
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
-        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (deepest as f64 + 0.75)));
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + 0.75)));
         sketch.part("lengths").weight(Weight::Light).line(point, point + out, Pen::extension());
     }
 }

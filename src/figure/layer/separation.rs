@@ -1,6 +1,6 @@
 //! Witness points and the double arrow between them: the distance of bodies apart, the depth of bodies that overlap.
 //!
-//! p_B − p_A = s n, so the arrow runs outside both bodies or inside both, and its length is |s|.
+//! `p_B` − `p_A` = s n, so the arrow runs outside both bodies or inside both, and its length is |s|.
 
 use std::sync::Arc;
 
@@ -11,11 +11,11 @@ use crate::trace::Event;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::{MARKER, Marker, Pen};
 use super::super::runs::Run;
 use super::super::sketch::{Ends, Sketch, Weight};
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 /// How far the carrier line reaches beyond its edge, in world units.
@@ -88,9 +88,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("carrier", false) {
         carrier(sketch, context, &run, &answer);
     }
-    if options.flag("points", false) {
-        sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
-        sketch.part("closest-points").marker(answer.points[1], Marker::Square, Side::B.into(), MARKER);
+    let arrow = options.word("style", "arrow") == "arrow";
+    if arrow {
+        points(sketch, options, &answer);
     }
     let [p, q] = answer.points;
     let offset = options.number("offset").unwrap_or(0.0);
@@ -100,10 +100,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
         _ => sketch.double_arrow(p, q, Pen::vector(role)),
     };
+    if !arrow {
+        points(sketch, options, &answer);
+    }
     let (key, text) = words(&run, options, &answer);
     // Beside a line that is moved aside, on its outer side.
     let anchor = if offset > 0.0 { Anchor::Beside { from: q, to: p, offset } } else { Anchor::middle(p, q) };
     sketch.label(Label::new(key, text, anchor, role));
+}
+
+/// The closest points: under arrow heads, which meet in them, and over lines.
+fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
+    if options.flag("points", false) {
+        sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
+        sketch.part("closest-points").marker(answer.points[1], Marker::Square, Side::B.into(), MARKER);
+    }
 }
 
 /// The line of the edge that carries a witness point, a unit longer at both ends.

@@ -11,7 +11,7 @@ use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::Outline;
 use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen, Wash};
 use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Shows, number_of};
 
 /// Fill of a simplex: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
@@ -55,7 +55,7 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
         })
         .collect();
     let index = match options.number("step") {
-        Some(step) => (0..all.len()).find(|&i| (i + 1) as f64 == step)?,
+        Some(step) => (0..all.len()).find(|&i| number_of(i + 1) == step)?,
         None => all.len().checked_sub(1)?,
     };
     let &(vertices, closest) = all.get(index)?;

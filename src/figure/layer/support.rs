@@ -8,7 +8,7 @@ use crate::trace::{Event, SupportVertex};
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
 use super::super::options::Options;
-use super::super::pen::{LARGE_MARKER, Marker, Pen};
+use super::super::pen::{Dash, LARGE_MARKER, Marker, Pen};
 use super::super::sketch::{Sketch, Weight};
 use super::difference::difference;
 use super::{LabelKey, Layer, Shows};
@@ -69,10 +69,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("support").weight(Weight::Light).line(
             p.point,
             q.point,
-            Pen::construction(role).width(2.25),
+            Pen::highlighted(role).dash(Dash::Dashed),
         );
     }
-    let middle = vertices.iter().map(|v| v.point).sum::<DVec2>() / vertices.len().max(1) as f64;
+    let middle = match vertices.as_slice() {
+        [p, q] => 0.5 * (p.point + q.point),
+        _ => vertices.first().map_or(DVec2::ZERO, |v| v.point),
+    };
     let keys = if side == Side::A {
         [("a_1", "$a_1$"), ("a_2", "$a_2$")]
     } else {

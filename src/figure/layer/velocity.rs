@@ -1,4 +1,4 @@
-//! A body's velocity in the world; in configuration space the relative velocity v_A − v_B from the origin.
+//! A body's velocity in the world; in configuration space the relative velocity `v_A` − `v_B` from the origin.
 //!
 //! Over t in [0, 1] a body moves by its velocity, so that the arrow is its path; the part up to the hit wears the accent.
 
@@ -8,10 +8,10 @@ use crate::scene::Space;
 
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
-use super::super::number::number;
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::Pen;
 use super::super::sketch::Sketch;
+use super::super::values::number;
 use super::{LabelKey, Layer, Shows};
 
 pub(super) const LAYER: Layer = Layer {
@@ -81,7 +81,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// v_A − v_B: the way the origin goes, seen from B ⊖ A.
+/// `v_A` − `v_B`: the way the origin goes, seen from B ⊖ A.
 pub(super) fn relative(context: &Context) -> DVec2 {
     let velocity = |side| context.body(side).map_or(DVec2::ZERO, |body| body.velocity);
     velocity(Side::A) - velocity(Side::B)

@@ -6,7 +6,7 @@
 mod number;
 mod table;
 
-pub use number::{in_math, in_words, rounded};
+pub use number::{in_math, in_words, number, rounded};
 pub use table::{Quantity, VALUES, Value};
 
 use super::Context;

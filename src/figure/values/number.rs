@@ -25,6 +25,16 @@ pub fn rounded(lo: f64, hi: f64) -> String {
     format!("{}…{}", significant(lo, DIGITS), significant(hi, DIGITS))
 }
 
+/// A double as LaTeX, to at most three significant digits.
+///
+/// ```
+/// assert_eq!(tracefig::figure::values::number(4.293_51), "4.29");
+/// ```
+#[must_use]
+pub fn number(value: f64) -> String {
+    in_math(&rounded(value, value))
+}
+
 /// To so many significant digits, without trailing zeros; with a power of ten where it is very large or small.
 fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
