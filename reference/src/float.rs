@@ -465,19 +465,27 @@ impl<const N: usize> fmt::Debug for Float<N> {
     }
 }
 
+impl<const N: usize> Float<N> {
+    /// The number as a decimal with so many significant digits, cut, not rounded.
+    #[must_use]
+    pub fn to_decimal(self, digits: usize) -> String {
+        let Some((all, exponent)) = decimal::digits(self, digits) else { return "0".to_owned() };
+        format!("{}{}.{}e{exponent}", if self.sign < 0 { "-" } else { "" }, &all[..1], &all[1..])
+    }
+}
+
 impl<const N: usize> fmt::Display for Float<N> {
     /// 25 significant digits.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some((digits, exponent)) = decimal::digits(*self) else { return f.write_str("0") };
-        write!(f, "{}{}.{}e{exponent}", if self.sign < 0 { "-" } else { "" }, &digits[..1], &digits[1..])
+        f.write_str(&self.to_decimal(25))
     }
 }
 
 mod decimal {
     use super::Float;
 
-    /// 25 digits and the power of ten of the first; None for 0.
-    pub(super) fn digits<const N: usize>(x: Float<N>) -> Option<(String, i64)> {
+    /// So many digits and the power of ten of the first; None for 0.
+    pub(super) fn digits<const N: usize>(x: Float<N>, count: usize) -> Option<(String, i64)> {
         if x.is_zero() {
             return None;
         }
@@ -493,7 +501,7 @@ mod decimal {
             exponent -= 1;
         }
         let mut digits = String::new();
-        for _ in 0..25 {
+        for _ in 0..count {
             let whole = rest.floor();
             digits.push(char::from_digit(super::digit(whole.to_f64()), 10).unwrap_or('9'));
             rest = (rest - whole) * ten;

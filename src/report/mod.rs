@@ -6,6 +6,7 @@
 
 mod answers;
 mod contender;
+mod files;
 mod measure;
 mod ours;
 mod plots;
@@ -13,6 +14,7 @@ mod tables;
 mod workload;
 
 pub use contender::{Contender, Outcome, Preparation, Prepared};
+pub use files::{machine, write};
 pub use measure::{Effort, Row, run};
 pub use ours::contenders;
 pub use plots::plots;

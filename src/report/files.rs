@@ -1,0 +1,72 @@
+//! The report as files, and what it ran on.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use crate::drawing::Role;
+use crate::figure::theme;
+use crate::output::{FORMATS, Options, Writer};
+
+use super::{Report, json, markdown, plots};
+
+/// Writes `report.md`, `report.json` and every plot in every format of one drawing to a folder, which is made where
+/// there is none. Returns the files.
+///
+/// # Errors
+///
+/// What the file system says, or that a plot can't be drawn.
+pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
+    fs::create_dir_all(folder)?;
+    let mut files = Vec::new();
+    let mut put = |name: String, bytes: &[u8]| {
+        let path = folder.join(name);
+        fs::write(&path, bytes)?;
+        files.push(path);
+        io::Result::Ok(())
+    };
+    put("report.md".into(), markdown(report).as_bytes())?;
+    put("report.json".into(), format!("{:#}\n", json(report)).as_bytes())?;
+    let look = theme::find("light");
+    let color = |role: Role| look.as_ref().map_or_else(|| theme::THEMES[0].color(role), |t| t.color(role));
+    for plot in plots(report, &color).map_err(io::Error::other)? {
+        for format in FORMATS {
+            if let Writer::One(bytes) = format.write
+                && ["svg", "png"].contains(&format.name)
+            {
+                let bytes = bytes(&plot.drawing, &Options::default()).map_err(io::Error::other)?;
+                put(format!("{}.{}", plot.stem, format.name), &bytes)?;
+            }
+        }
+    }
+    Ok(files)
+}
+
+/// What this program runs on: processor, system, version, and the commit where it runs in a checkout of itself.
+#[must_use]
+pub fn machine() -> Vec<(String, String)> {
+    let mut facts = vec![
+        ("processor".to_owned(), processor().unwrap_or_else(|| std::env::consts::ARCH.to_owned())),
+        ("system".to_owned(), format!("{} {}", std::env::consts::OS, std::env::consts::ARCH)),
+        ("tracefig".to_owned(), env!("CARGO_PKG_VERSION").to_owned()),
+    ];
+    if let Some(commit) = commit() {
+        facts.push(("commit".to_owned(), commit));
+    }
+    facts
+}
+
+fn processor() -> Option<String> {
+    let text = fs::read_to_string("/proc/cpuinfo").ok()?;
+    let line = text.lines().find(|line| line.starts_with("model name"))?;
+    Some(line.split_once(':')?.1.trim().to_owned())
+}
+
+fn commit() -> Option<String> {
+    let manifest = fs::read_to_string("Cargo.toml").or_else(|_| fs::read_to_string("../Cargo.toml")).ok()?;
+    manifest.contains("name = \"tracefig").then_some(())?;
+    let output =
+        Command::new("git").args(["describe", "--always", "--dirty", "--abbrev=12"]).output().ok()?;
+    output.status.success().then(|| String::from_utf8_lossy(&output.stdout).trim().to_owned())
+}
