@@ -28,8 +28,8 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
     };
     put("report.md".into(), markdown(report).as_bytes())?;
     put("report.json".into(), format!("{:#}\n", json(report)).as_bytes())?;
-    let look = theme::find("light");
-    let color = |role: Role| look.as_ref().map_or_else(|| theme::THEMES[0].color(role), |t| t.color(role));
+    let look = &theme::THEMES[0];
+    let color = |role: Role| look.color(role);
     for plot in plots(report, &color).map_err(io::Error::other)? {
         for format in FORMATS {
             if let Writer::One(bytes) = format.write
