@@ -23,10 +23,6 @@ use crate::trace::{Event, Tracer};
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "circles";
 
-/// Half-width of the band in which the squared test decides nothing, relative to (|x| + |y| + r₁ + r₂)²: either square
-/// carries fewer than 16 roundings of terms no larger than that.
-const SQUARED_BAND: f64 = 16.0 * f64::EPSILON;
-
 /// Two circles, and no other shapes.
 pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
     let round = |body: &crate::geometry::Body| body.shape.core.len() == 1;
@@ -63,18 +59,22 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// The verdict of the squares, where they differ by more than their rounding. With d = ‖A − B‖, R = r₁ + r₂ and the
 /// 1-norm m ≥ d, the separation d − R = (d² − R²)/(d + R) is bounded without a root by (d² − R²)/(m + R).
+///
+/// With e the error of d, that of d² − R² is at most 2 (m + R) e + e² and 8 roundings of (m + R)², which are all below
+/// 4 (m + R) e, since e is no less than 16 ε (m + R).
 fn squared_test(pair: &Relative, tracer: &mut impl Tracer) -> Option<Overlap> {
     let v = pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0);
     let radius = pair.radius();
     let reach = v.x.abs() + v.y.abs() + radius;
     let excess = v.length_squared() - radius * radius;
-    let settled = excess.abs() > SQUARED_BAND * reach * reach && reach.is_finite();
+    let slack = 4.0 * pair.gap_error();
+    let settled = excess.abs() > slack * reach;
     record_comparison(pair, settled, tracer);
-    let near = excess / reach * (1.0 - SQUARED_BAND);
+    let near = excess / reach;
     let separation_bounds = match (settled, excess > 0.0) {
         (false, _) => return None,
-        (true, true) => Enclosure { lo: near.next_down().max(0.0).next_up(), hi: reach.next_up() },
-        (true, false) => Enclosure { lo: -radius.next_up(), hi: near.next_up().min(0.0).next_down() },
+        (true, true) => Enclosure { lo: near - slack, hi: (reach - radius) - radius + slack },
+        (true, false) => Enclosure { lo: -radius.next_up(), hi: near + slack },
     };
     Some(Overlap { overlap: Some(excess < 0.0), separation_bounds })
 }

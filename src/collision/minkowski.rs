@@ -52,13 +52,25 @@ pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separatio
 
 /// Whether a pair overlaps: the search ends at the first edge that separates.
 fn overlap(pair: &Relative, tracer: &mut impl Tracer) -> Overlap {
-    let found = closest(pair, Some(pair.radius()), tracer);
-    let mut answer = witness::overlap(&witness::separation(pair, &found.candidate(pair)));
-    if matches!(found, Closest::Axis(_)) && answer.overlap == Some(false) {
-        answer.separation_bounds.hi = f64::INFINITY;
-    }
+    let answer = match closest(pair, Some(Axis::certain(pair)), tracer) {
+        Closest::Axis(p) => witness::separated(pair, &p),
+        found => witness::overlap(&witness::conclude_rounding(pair, &found.candidate(pair), tracer)),
+    };
     tracer.record(|| Event::Finished { outcome: witness::verdict(&answer) });
     answer
+}
+
+/// What ends a search that only asks for overlap.
+#[derive(Clone, Copy, Debug)]
+struct Axis {
+    /// A line of B ⊖ A that is farther from the origin separates, whatever was rounded.
+    beyond: f64,
+}
+
+impl Axis {
+    fn certain(pair: &Relative) -> Self {
+        Self { beyond: pair.radius() + pair.gap_error() }
+    }
 }
 
 /// What the loop found.
@@ -75,16 +87,15 @@ impl Closest {
     /// The features that it found facing each other.
     fn candidate(&self, pair: &Relative) -> Candidate {
         match self {
-            Self::Edge(p) => Candidate::of_projection(pair, p),
-            Self::Axis(p) => Candidate::of_axis(pair, p),
+            Self::Axis(p) | Self::Edge(p) => Candidate::of_projection(pair, p),
             Self::Points => Candidate::of_vertices(pair, 0, 0),
         }
     }
 }
 
 /// The edge of B ⊖ A nearest the origin: least positive if the origin is outside any, else least penetrating. With
-/// `beyond` the first edge whose line is farther from the origin than that ends the search.
-fn closest(pair: &Relative, beyond: Option<f64>, tracer: &mut impl Tracer) -> Closest {
+/// `axis` the first edge whose line is beyond that ends the search.
+fn closest(pair: &Relative, axis: Option<Axis>, tracer: &mut impl Tracer) -> Closest {
     let mut best: Option<Projection> = None;
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
@@ -94,7 +105,7 @@ fn closest(pair: &Relative, beyond: Option<f64>, tracer: &mut impl Tracer) -> Cl
                     foot: pair.world_vector(p.foot),
                     distance: p.distance,
                 });
-                if beyond.is_some_and(|radius| p.line > radius) {
+                if axis.is_some_and(|axis| p.line > axis.beyond) {
                     let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
                     tracer.record(|| Event::SeparatingAxisFound { normal, gap });
                     return Closest::Axis(p);

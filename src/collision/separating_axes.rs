@@ -31,7 +31,10 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
     tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
     difference::record(&pair, tracer);
-    let stop = if query.kind == QueryKind::Overlap { Stop::AtFirst } else { Stop::Never };
+    let stop = match query.kind {
+        QueryKind::Overlap => Stop::Beyond(pair.radius() + pair.gap_error()),
+        _ => Stop::Never,
+    };
     let mut best: Option<Projection> = None;
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
@@ -39,7 +42,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
             let p = Pairing { source, edge, vertex: first }.project(&pair);
             let feature = Feature::Edge(pair.file_edge(source, edge));
             record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
-            if stop == Stop::AtFirst && p.line > pair.radius() {
+            if matches!(stop, Stop::Beyond(line) if p.line > line) {
                 return Answer::Overlap(separated(&pair, &p, tracer));
             }
             let beside = second.map(|vertex| Pairing { source, edge, vertex }.project(&pair));
@@ -69,16 +72,16 @@ fn gap(p: &Projection) -> f64 {
 }
 
 /// Whether a separating axis ends the search.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 enum Stop {
-    AtFirst,
+    /// The first whose gap, before the radii come off, is certainly beyond this.
+    Beyond(f64),
     Never,
 }
 
-/// The verdict of a separating axis; undecided where its gap is within the bounds.
+/// The verdict of a separating axis.
 fn separated(pair: &Relative, p: &Projection, tracer: &mut impl Tracer) -> super::Overlap {
-    let mut answer = witness::overlap(&witness::separation(pair, &Candidate::of_axis(pair, p)));
-    answer.separation_bounds.hi = f64::INFINITY;
+    let answer = witness::separated(pair, p);
     let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
     tracer.record(|| Event::SeparatingAxisFound { normal, gap });
     tracer.record(|| Event::Finished { outcome: witness::verdict(&answer) });

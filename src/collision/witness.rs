@@ -55,11 +55,6 @@ impl Candidate {
         Self::of_vertices(pair, a, b)
     }
 
-    /// The line of an edge of B ⊖ A as an axis that separates: its distance is a lower bound.
-    pub(crate) fn of_axis(pair: &Relative, p: &Projection) -> Self {
-        Self::of_projection(pair, &Projection { distance: p.line, span: Span::Within, ..*p })
-    }
-
     /// Two vertices that face each other. Where they coincide no direction is better than another, and the normal is
     /// the world's x axis.
     pub(crate) fn of_vertices(pair: &Relative, a: usize, b: usize) -> Self {
@@ -154,6 +149,12 @@ pub(crate) fn overlap(s: &Separation) -> Overlap {
         None
     };
     Overlap { overlap, separation_bounds: s.bounds }
+}
+
+/// The verdict of an axis whose gap is larger than its rounding: apart, by at least that.
+pub(crate) fn separated(pair: &Relative, p: &Projection) -> Overlap {
+    let lo = ((p.line - pair.radius()) - pair.gap_error()).max(0.0);
+    Overlap { overlap: Some(false), separation_bounds: Enclosure { lo, hi: f64::INFINITY } }
 }
 
 /// A separation as the answer to a query of either kind.
