@@ -79,7 +79,7 @@ fn gap_along(a: &Body, b: &Body, n: DVec2) -> f64 {
 
 #[test]
 fn every_algorithm_finds_what_the_hull_of_all_differences_says() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         let (truth, slack) = (brute_force(&a, &b), ROUNDING * scale(&a, &b));
         let answers = answers(&a, &b);
         assert!(answers.len() >= 4, "{seed}");
@@ -94,7 +94,7 @@ fn every_algorithm_finds_what_the_hull_of_all_differences_says() {
 
 #[test]
 fn the_normal_is_a_unit_vector_that_carries_the_separation() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         let slack = ROUNDING * scale(&a, &b);
         for (name, s) in answers(&a, &b) {
             let context = || format!("seed {seed}, {name}: {s:?}, {a:?} {b:?}");
@@ -108,7 +108,7 @@ fn the_normal_is_a_unit_vector_that_carries_the_separation() {
 
 #[test]
 fn listening_changes_no_bit() {
-    for (seed, a, b) in pairs(2000) {
+    for (seed, a, b) in pairs(800) {
         for kind in [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound] {
             let query = query(kind, &a, &b);
             for algorithm in takers(&query) {
@@ -125,7 +125,7 @@ fn listening_changes_no_bit() {
 
 #[test]
 fn overlap_says_what_separation_says() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         for algorithm in takers(&query(QueryKind::Overlap, &a, &b)) {
             let Answer::Overlap(o) = (algorithm.quiet)(&query(QueryKind::Overlap, &a, &b), &mut NoTrace)
             else {
@@ -151,7 +151,7 @@ fn overlap_says_what_separation_says() {
 #[test]
 fn both_builders_of_the_difference_find_the_same_edges() {
     let minkowski = ALGORITHMS.iter().find(|x| x.name == "minkowski").unwrap();
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         let built = difference(&a, &b, 0.0);
         let mut trace = Trace::default();
         (minkowski.traced)(&query(QueryKind::Separation, &a, &b), &mut trace);
@@ -181,7 +181,7 @@ fn edge(event: &Event) -> Option<Edge> {
 
 #[test]
 fn the_difference_is_a_closed_convex_chain() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         let edges = difference(&a, &b, 0.0).edges;
         for (k, e) in edges.iter().enumerate() {
             let next = &edges[(k + 1) % edges.len()];
@@ -194,7 +194,7 @@ fn the_difference_is_a_closed_convex_chain() {
 
 #[test]
 fn every_algorithm_tells_the_whole_difference_and_the_candidate_that_won() {
-    for (seed, a, b) in pairs(1000) {
+    for (seed, a, b) in pairs(600) {
         let built = difference(&a, &b, 0.0);
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
             let mut trace = Trace::default();
@@ -232,7 +232,7 @@ fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
 
 #[test]
 fn exchanging_the_bodies_turns_the_normal_around() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
             let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &b, &a));
             let context = format!("seed {seed}, {}: {s:?} {t:?}", algorithm.name);
@@ -243,7 +243,7 @@ fn exchanging_the_bodies_turns_the_normal_around() {
 
 #[test]
 fn a_rigid_motion_of_the_pair_turns_the_answer_with_it() {
-    for (seed, a, b) in pairs(4000) {
+    for (seed, a, b) in pairs(1500) {
         let angle = if a.shape.kind == "aabb" || b.shape.kind == "aabb" { 0.0 } else { 90.0 };
         let moved = |body: &Body| {
             let p = body.position;
@@ -277,7 +277,7 @@ fn twice_the_pair_has_exactly_twice_the_separation() {
         };
         Body { shape: of_kind(s.kind, &fields), position: body.position * 2.0, ..body.clone() }
     };
-    for (seed, a, b) in pairs(2000) {
+    for (seed, a, b) in pairs(800) {
         let (c, d) = (twice(&a), twice(&b));
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
             let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &c, &d));

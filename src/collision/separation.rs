@@ -7,8 +7,7 @@ use super::pair::Pair;
 use super::relative::Relative;
 use super::{Query, Separation, difference, witness};
 use crate::collision::Answer;
-use crate::geometry::{Feature, Side};
-use crate::trace::{Event, Goal, Tracer};
+use crate::trace::{Event, Tracer};
 
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "closest-features";
@@ -20,25 +19,10 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         let pair = Relative::of(query);
         tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
         difference::record(&pair, tracer);
-        tell(&found, tracer);
+        witness::tell(&pair, &found, tracer);
     }
     tracer.record(|| Event::Finished { outcome: witness::word(found.separation) });
     witness::answer(query.kind, found)
-}
-
-/// Tells where B ⊖ A is nearest the origin.
-fn tell(found: &Separation, tracer: &mut impl Tracer) {
-    let (foot, distance) = (found.normal * found.separation, found.separation);
-    tracer.record(|| Event::OriginProjected { foot, distance });
-    tracer.record(|| Event::CandidateImproved {
-        goal: if distance < 0.0 { Goal::LeastPenetrating } else { Goal::LeastPositive },
-        distance,
-        foot,
-        source: match found.features {
-            [Feature::Vertex(_), of_b @ Feature::Edge(_)] => (Side::B, of_b),
-            [of_a, _] => (Side::A, of_a),
-        },
-    });
 }
 
 impl Pair<'_> {
@@ -54,7 +38,7 @@ impl Pair<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    use crate::geometry::{Body, DVec2, Degrees, Feature, Shape, shape::FieldValue};
 
     fn body(shape: Shape, position: (f64, f64), angle: f64) -> Body {
         let (velocity, spin) = (DVec2::ZERO, Degrees(0.0));

@@ -11,8 +11,8 @@ use super::gaps::Facing;
 use super::pair::Pair;
 use super::relative::{Relative, Turn};
 use super::{Answer, Overlap, QueryKind, Separation};
-use crate::geometry::{DVec2, Feature, Side};
-use crate::trace::{Event, Goal, Tracer};
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::{Event, Goal, SupportVertex, Tracer};
 
 /// A part of a core: counted along the core, not the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,9 +63,7 @@ impl Candidate {
         let normal = if distance > 0.0 { v / distance } else { pair.local_vector(DVec2::X) };
         Self { distance, normal, features: [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] }
     }
-}
 
-impl Candidate {
     /// The same candidate for the same pair with A and B exchanged, from the frame of one to that of the other.
     pub(crate) fn swapped(self, from: &Relative, to: &Relative) -> Self {
         let [a, b] = self.features;
@@ -85,25 +83,23 @@ fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
         .find(|&l| pair.turn_of(p.source, p.edge, l) == Turn::Along)
 }
 
-/// The answer for a candidate, told as every algorithm tells it: the supporting vertices of the feature that was
-/// found, the point of B ⊖ A nearest the origin, and the candidate that won.
+/// The certified answer for a candidate, told.
 pub(crate) fn conclude(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
     let answer = separation(pair, c);
-    let toward_a = -answer.normal;
-    let told = match c.features {
-        [CoreFeature::Edge(_), CoreFeature::Vertex(b)] => Some((Side::B, toward_a, b, None)),
-        [CoreFeature::Edge(_), CoreFeature::Edge(b)] => {
-            Some((Side::B, toward_a, b, Some(pair.next(Side::B, b))))
-        }
-        [CoreFeature::Vertex(a), CoreFeature::Edge(_)] => Some((Side::A, answer.normal, a, None)),
-        [CoreFeature::Vertex(_), CoreFeature::Vertex(_)] => None,
+    tell(pair, &answer, tracer);
+    answer
+}
+
+/// Tells an answer as every algorithm does, so that layers need not know who found it: the supporting vertices of the
+/// edge that faces the other body, the point of B ⊖ A nearest the origin, and the candidate that won.
+pub(crate) fn tell(pair: &Relative, answer: &Separation, tracer: &mut impl Tracer) {
+    let faces = match answer.features {
+        [Feature::Edge(_), of_b] => Some((Side::B, -answer.normal, of_b)),
+        [of_a, Feature::Edge(_)] => Some((Side::A, answer.normal, of_a)),
+        _ => None,
     };
-    if let Some((body, direction, first, second)) = told {
-        tracer.record(|| Event::SupportFound {
-            body,
-            direction,
-            vertices: [Some(first), second].into_iter().flatten().map(|k| pair.told(body, k)).collect(),
-        });
+    if let Some((body, direction, feature)) = faces {
+        tracer.record(|| Event::SupportFound { body, direction, vertices: ends(pair, body, feature) });
     }
     let (foot, distance) = (answer.normal * answer.separation, answer.separation);
     tracer.record(|| Event::OriginProjected { foot, distance });
@@ -116,7 +112,19 @@ pub(crate) fn conclude(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer)
             [of_a, _] => (Side::A, of_a),
         },
     });
-    answer
+}
+
+/// The vertex of a feature, or both ends of an edge, in the world.
+fn ends(pair: &Relative, side: Side, feature: Feature) -> Vec<SupportVertex> {
+    let body = pair.body(side);
+    let pose = body.pose_at(pair.at.time);
+    let count = body.shape.vertices.len().max(1);
+    let indices = match feature {
+        Feature::Vertex(i) => [Some(i), None],
+        Feature::Edge(i) => [Some(i), Some((i + 1) % count)],
+    };
+    let told = |i: usize| Some(SupportVertex { index: i, point: pose.point(*body.shape.vertices.get(i)?) });
+    indices.into_iter().flatten().filter_map(told).collect()
 }
 
 /// [`conclude`] for algorithms that told all of it about the cores: only a radius, or a pair of points, adds to that.
