@@ -107,10 +107,10 @@ impl Setting {
         [0, 1].map(|i| Placed::at(&bodies[i], &self.cores[i], t))
     }
 
-    /// A difference in units of ε·S; the least positive double counts as no error.
+    /// A difference in units of ε·S; twice the least positive double counts as no error, for two points round to it.
     #[must_use]
     pub fn units(&self, difference: Real) -> f64 {
-        let least = Real::from(f64::MIN_POSITIVE * EPSILON);
+        let least = Real::from(2.0 * f64::MIN_POSITIVE * EPSILON);
         if difference.abs() <= least {
             0.0
         } else {
