@@ -10,6 +10,7 @@ use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
+use tracefig::output::FORMATS;
 use tracefig::scene::{ERRORS, Field, Holds, TABLES, shape_rows};
 
 use super::console::Console;
@@ -39,6 +40,7 @@ static TOPICS: &[Topic] = &[
         rows: labels,
     },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
+    Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
     Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
     Topic { name: "figures", group: "", title: "Scenes in figures/", rows: figures },
 ];
@@ -173,6 +175,10 @@ fn labels() -> Vec<(String, String)> {
 
 fn themes() -> Vec<(String, String)> {
     THEMES.iter().map(|t| (t.name.to_owned(), t.about.to_owned())).collect()
+}
+
+fn formats() -> Vec<(String, String)> {
+    FORMATS.iter().map(|f| (f.name.to_owned(), f.about.to_owned())).collect()
 }
 
 fn errors() -> Vec<(String, String)> {

@@ -3,12 +3,17 @@
 //! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a check
 //! failed, 2 usage. A closed pipe ends a command quietly.
 
+mod check;
 mod completions;
 mod console;
+mod describe;
+mod files;
 mod in_order;
 mod inputs;
+mod jobs;
 mod list;
 mod man;
+mod render;
 mod solve;
 mod trace;
 mod whole_file;
@@ -58,8 +63,11 @@ fn run_as<T: Runs>(matches: &ArgMatches, console: &mut Console) -> io::Result<St
 
 /// Every command.
 static COMMANDS: &[Command] = &[
+    row::<render::Render>("render", "Draw scenes, as SVG, PNG and other formats"),
+    row::<check::Check>("check", "Compare the figures on disk with what their scenes give"),
     row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
     row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
+    row::<describe::Describe>("describe", "Tell a figure in words: its alternative text, short and long"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),
     row::<man::Man>("man", "Print the man page"),

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod jsonl;
+mod render;
 mod streams;
 
 use std::path::Path;

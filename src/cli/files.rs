@@ -1,0 +1,171 @@
+//! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as bytes.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use tracefig::drawing::Drawing;
+use tracefig::figure::{Figure, draw, plan, theme};
+use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
+use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
+
+use super::Status;
+use super::console::Console;
+use super::inputs::{Input, inputs};
+use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
+
+/// Which scenes, and how they are drawn.
+#[derive(Args)]
+pub(crate) struct Files {
+    /// Scene files or folders of them; `-` is standard input; none: all of figures/
+    #[arg(value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// Formats, separated by commas
+    #[arg(long, value_delimiter = ',', default_value = "svg,png", value_name = "FORMAT",
+        value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
+    format: Vec<String>,
+    /// Themes, separated by commas; with several, files are named STEM.THEME.EXT; default: each scene's own
+    #[arg(long, value_delimiter = ',', value_name = "THEME",
+        value_parser = PossibleValuesParser::new(theme::THEMES.iter().map(|t| t.name)))]
+    theme: Vec<String>,
+    /// Dots of an image for each page pixel
+    #[arg(long, default_value_t = 2.0, value_parser = scale)]
+    scale: f64,
+    /// How a PNG is packed: fast, or small (slower, the same pixels)
+    #[arg(long, default_value = "fast", value_parser = ["fast", "small"])]
+    png: String,
+    /// A label that finds no free place is an error
+    #[arg(long)]
+    strict: bool,
+}
+
+/// Largest scale: a page of the usual size then has 2²⁵ dots.
+const MAX_SCALE: f64 = 8.0;
+
+fn scale(text: &str) -> Result<f64, String> {
+    let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
+    let scale: f64 = text.parse().map_err(|_| expected())?;
+    if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
+}
+
+/// A scene's files, or what is wrong.
+pub(crate) struct Drawn {
+    /// In the order of the job's files; empty where there is an error.
+    pub(crate) bytes: Vec<Vec<u8>>,
+    /// Messages, ready to be shown.
+    pub(crate) messages: String,
+    /// Whether an error is among them.
+    pub(crate) failed: bool,
+}
+
+impl Files {
+    /// What is to be drawn.
+    pub(crate) fn jobs(&self, folder: Option<&Path>) -> Result<Vec<Job>, Unplanned> {
+        let inputs = inputs(&self.scenes).map_err(Unplanned::Wrong)?;
+        let mut formats: Vec<&'static Format> = self.format.iter().filter_map(|name| format(name)).collect();
+        dedup(&mut formats, |f| f.name);
+        let mut themes = self.theme.clone();
+        dedup(&mut themes, Clone::clone);
+        jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
+    }
+
+    /// Reads, answers and draws one scene.
+    pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
+        let mut messages = String::new();
+        match self.bytes(job, ink, &mut messages) {
+            Ok(bytes) => Drawn { bytes, messages, failed: false },
+            Err(error) => Drawn { bytes: Vec::new(), messages: messages + &error, failed: true },
+        }
+    }
+}
+
+impl Files {
+    fn bytes(&self, job: &Job, ink: Ink, messages: &mut String) -> Result<Vec<Vec<u8>>, String> {
+        let file = job.input.open().map_err(|refused| refused.render(ink))?;
+        let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
+        let plan = plan(&file.scene).map_err(refuse)?;
+        let mut bytes = Vec::new();
+        let mut drawn: Option<(&Planned, Figure)> = None;
+        for planned in &job.files {
+            // The formats of a theme follow one another and share a drawing.
+            let figure = match drawn.take() {
+                Some((last, figure)) if last.theme == planned.theme => figure,
+                last => {
+                    let theme = planned.theme.as_deref().and_then(theme::find).unwrap_or(plan.theme);
+                    let figure = draw(&plan, theme, &figure_id(job, planned));
+                    if self.strict && !figure.warnings.is_empty() {
+                        return Err(refuse(figure.warnings));
+                    }
+                    if last.is_none() {
+                        // Labels stand at the same places in every theme.
+                        warn(&file, &figure.warnings, ink, messages);
+                    }
+                    figure
+                }
+            };
+            bytes.push(
+                self.encode(&figure.drawing, planned.format).map_err(|e| cant_encode(&file, planned, &e))?,
+            );
+            drawn = Some((planned, figure));
+        }
+        Ok(bytes)
+    }
+
+    fn encode(&self, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
+        let png = if self.png == "small" { PngEffort::Small } else { PngEffort::Fast };
+        let options = Options { scale: self.scale, png };
+        match format.write {
+            Writer::One(write) => write(drawing, &options),
+            Writer::Sequence(write) => write(&[drawing], &options),
+        }
+    }
+}
+
+fn warn(file: &SceneFile, warnings: &[Problem], ink: Ink, messages: &mut String) {
+    for warning in warnings {
+        messages.push_str(&message(&file.source, warning, Severity::Warning, ink));
+    }
+}
+
+/// What the ids of an SVG begin with, so that several figures can stand in one page: the file's name without its end,
+/// in the characters that an id may have.
+fn figure_id(job: &Job, planned: &Planned) -> String {
+    let stem = match (&planned.target, &job.input) {
+        (Target::File(path), _) | (Target::Stdout, Input::File(path)) => path.file_stem(),
+        (Target::Stdout, Input::Stdin) => None,
+    };
+    let name = stem.map_or("stdin".into(), |s| s.to_string_lossy());
+    let safe = name.chars().map(|c| if c.is_ascii_alphanumeric() || c == '-' || c == '_' { c } else { '-' });
+    format!("fig-{}", safe.collect::<String>())
+}
+
+fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError) -> String {
+    format!("error: can't write {} as {}: {error}\n", file.source.name, planned.format.name)
+}
+
+/// Keeps the first of equals.
+fn dedup<T, K: PartialEq>(items: &mut Vec<T>, key: impl Fn(&T) -> K) {
+    let mut seen = Vec::new();
+    items.retain(|item| {
+        let key = key(item);
+        let new = !seen.contains(&key);
+        if new {
+            seen.push(key);
+        }
+        new
+    });
+}
+
+/// Says why no file can be written.
+pub(crate) fn tell_unplanned(why: &Unplanned, console: &Console) -> Status {
+    match why {
+        Unplanned::Usage(message) => {
+            console.error(message);
+            Status::Usage
+        }
+        Unplanned::Wrong(message) => {
+            console.error(message);
+            Status::Wrong
+        }
+    }
+}

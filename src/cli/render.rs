@@ -1,0 +1,106 @@
+//! `tracefig render`: scenes to files.
+
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::console::Console;
+use super::files::{Drawn, Files, tell_unplanned};
+use super::in_order::in_order;
+use super::jobs::{Job, Target};
+use super::whole_file::write_whole;
+use super::{Runs, Status};
+
+/// Options of `render`.
+#[derive(Args)]
+pub(crate) struct Render {
+    #[command(flatten)]
+    files: Files,
+    /// Folder for the files, made if it is not there; `-` is standard output; default: beside each scene
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
+
+impl Runs for Render {
+    fn run(self, console: &mut Console) -> io::Result<Status> {
+        let jobs = match self.files.jobs(self.output.as_deref()) {
+            Ok(jobs) => jobs,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
+        };
+        if let Some(folder) = self.output.as_deref().filter(|f| f.as_os_str() != "-")
+            && let Err(error) = std::fs::create_dir_all(folder)
+        {
+            console.error(&format!("can't make the folder {}: {error}", folder.display()));
+            return Ok(Status::Wrong);
+        }
+        let bar = progress(jobs.len(), console);
+        let ink = console.ink();
+        let mut status = Status::Done;
+        let work = |job: &Job| write_files(job, self.files.draw(job, ink));
+        in_order(&jobs, work, |job, written| -> io::Result<()> {
+            let written = written.unwrap_or_else(|| Written::bug(job));
+            if written.failed {
+                status = Status::Wrong;
+            }
+            bar.suspend(|| -> io::Result<()> {
+                if !written.messages.is_empty() {
+                    console.out.flush()?;
+                    console.message(&written.messages);
+                }
+                console.out.write_all(&written.results)
+            })?;
+            bar.inc(1);
+            Ok(())
+        })?;
+        bar.finish_and_clear();
+        Ok(status)
+    }
+}
+
+/// What became of a job.
+struct Written {
+    /// For standard output: the names of the files, or the one file itself.
+    results: Vec<u8>,
+    messages: String,
+    failed: bool,
+}
+
+impl Written {
+    fn bug(job: &Job) -> Self {
+        let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.name());
+        Self { results: Vec::new(), messages, failed: true }
+    }
+}
+
+fn write_files(job: &Job, drawn: Drawn) -> Written {
+    let mut written = Written { results: Vec::new(), messages: drawn.messages, failed: drawn.failed };
+    for (file, bytes) in job.files.iter().zip(drawn.bytes) {
+        match &file.target {
+            Target::Stdout => written.results = bytes,
+            Target::File(path) => match write_whole(path, &bytes) {
+                Ok(()) => written.results.extend(format!("{}\n", path.display()).into_bytes()),
+                Err(error) => {
+                    written.messages.push_str(&cant_write(path, &error));
+                    written.failed = true;
+                }
+            },
+        }
+    }
+    written
+}
+
+pub(super) fn cant_write(path: &Path, error: &io::Error) -> String {
+    format!("error: can't write {}: {error}\n", path.display())
+}
+
+/// A bar where someone watches and there is something to wait for.
+fn progress(scenes: usize, console: &Console) -> ProgressBar {
+    if !console.is_watched() || scenes < 2 {
+        return ProgressBar::hidden();
+    }
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} scenes, {eta} left");
+    let bar = ProgressBar::with_draw_target(Some(scenes as u64), ProgressDrawTarget::stderr());
+    style.map_or(bar.clone(), |style| bar.with_style(style))
+}

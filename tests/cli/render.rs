@@ -1,0 +1,240 @@
+//! `render` and `check`: files appear whole or not at all, named as promised, and one bad scene costs only itself.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use crate::{CIRCLES, folder_with, run, tracefig};
+
+/// [`CIRCLES`] with a panel.
+fn drawn() -> String {
+    format!("{CIRCLES}[[panels]]\nlayers = [\"shapes\"]\n")
+}
+
+fn names(folder: &Path) -> BTreeSet<String> {
+    folder.read_dir().unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
+}
+
+fn set(names: &[&str]) -> BTreeSet<String> {
+    names.iter().map(|&n| n.to_owned()).collect()
+}
+
+#[test]
+fn a_scene_becomes_an_svg_and_a_png_beside_it() {
+    let folder = folder_with("s.toml", &drawn());
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml"]));
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert_eq!(ran.out, "s.svg\ns.png\n");
+    assert_eq!(names(folder.path()), set(&["s.png", "s.svg", "s.toml"]));
+    let svg = std::fs::read_to_string(folder.path().join("s.svg")).unwrap();
+    assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
+    let png = std::fs::read(folder.path().join("s.png")).unwrap();
+    assert_eq!((&png[..4], &png[16..24]), (&b"\x89PNG"[..], &[0, 0, 7, 128, 0, 0, 4, 56][..]));
+}
+
+#[test]
+fn files_are_named_by_theme_when_several_are_asked_for() {
+    let folder = folder_with("s.toml", &drawn());
+    let render = |arguments: &[&str]| run(tracefig(folder.path()).arg("render").args(arguments));
+    assert_eq!(render(&["s.toml", "--theme", "dark", "--format", "svg", "-o", "one"]).out, "one/s.svg\n");
+    let two = ["s.toml", "--theme", "light,dark", "--format", "svg,svg", "-o", "a/b"];
+    assert_eq!(render(&two).out, "a/b/s.light.svg\na/b/s.dark.svg\n");
+    // The ids begin with the file's name; all else is the theme's.
+    let read = |path: &str| std::fs::read_to_string(folder.path().join(path)).unwrap().replace("-dark", "");
+    assert!(read("one/s.svg") == read("a/b/s.dark.svg"));
+    assert!(read("a/b/s.light.svg").replace("-light", "") != read("a/b/s.dark.svg"));
+}
+
+#[test]
+fn two_scenes_of_one_name_are_an_error_before_anything_is_written() {
+    let folder = folder_with("s.toml", &drawn());
+    std::fs::create_dir(folder.path().join("sub")).unwrap();
+    std::fs::write(folder.path().join("sub/s.toml"), drawn()).unwrap();
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "sub/s.toml", "-o", "out"]));
+    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.err, "error: s.toml and sub/s.toml would both become out/s.svg; nothing was written\n");
+    assert_eq!(names(folder.path()), set(&["s.toml", "sub"]));
+    assert_eq!(
+        run(tracefig(folder.path()).args(["render", "s.toml", "sub/s.toml", "--format", "svg"])).code,
+        Some(0)
+    );
+}
+
+#[test]
+fn without_scenes_all_of_figures_is_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = run(tracefig(folder.path()).arg("render"));
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.err.starts_with("error: no scene was given, and can't read the folder figures"),
+        "{}",
+        ran.err
+    );
+    std::fs::create_dir(folder.path().join("figures")).unwrap();
+    for name in ["b.toml", "a.toml"] {
+        std::fs::write(folder.path().join("figures").join(name), drawn()).unwrap();
+    }
+    let ran = run(tracefig(folder.path()).args(["render", "--format", "svg"]));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "figures/a.svg\nfigures/b.svg\n"));
+}
+
+#[test]
+fn a_dash_writes_the_one_file_to_standard_output() {
+    let folder = folder_with("s.toml", &drawn());
+    let svg = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-", "--format", "svg"]));
+    assert!(svg.code == Some(0) && svg.out.starts_with("<svg"), "{}", svg.err);
+    let piped = run(tracefig(folder.path()).args(["render", "-", "--format", "svg"]).write_stdin(drawn()));
+    assert!(piped.code == Some(0) && piped.out.starts_with("<svg"), "{}", piped.err);
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-"]));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    assert_eq!(names(folder.path()), set(&["s.toml"]));
+}
+
+#[test]
+fn one_bad_scene_costs_only_itself() {
+    let folder = folder_with("b.toml", &drawn().replace("radius = 1", "radius = -1"));
+    for name in ["a.toml", "c.toml"] {
+        std::fs::write(folder.path().join(name), drawn()).unwrap();
+    }
+    let scenes = ["render", "--format", "svg", "a.toml", "b.toml", "missing.toml", "c.toml"];
+    let ran = run(tracefig(folder.path()).args(scenes));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), "a.svg\nc.svg\n"));
+    assert!(
+        ran.err.contains("error[negative-radius]") && ran.err.contains("error[unreadable-file]"),
+        "{}",
+        ran.err
+    );
+    assert_eq!(names(folder.path()), set(&["a.svg", "a.toml", "b.toml", "c.svg", "c.toml"]));
+}
+
+#[test]
+fn what_the_figure_can_not_show_is_told_at_its_line() {
+    let says = |from: &str, to: &str, expected: &str| {
+        let folder = folder_with("s.toml", &drawn().replace(from, to));
+        let ran = run(tracefig(folder.path()).args(["render", "s.toml"]));
+        assert_eq!(ran.code, Some(1), "{}", ran.err);
+        assert!(ran.err.starts_with(expected), "{}", ran.err);
+        assert_eq!(names(folder.path()), set(&["s.toml"]));
+    };
+    says("[\"shapes\"]", "[\"shapse\"]", "error[unknown-word]: unknown layer `shapse`\n  --> s.toml:13:11\n");
+    says(
+        "[\"shapes\"]",
+        "[{ layer = \"shapes\", colour = 1 }]",
+        "error[unknown-key]: unknown key `colour` in the layer `shapes`\n  --> s.toml:13:31\n",
+    );
+    says("title = \"Two circles\"", "caption = 'Two $\\frac{1'", "error[");
+    says(
+        "[\"shapes\"]",
+        "[\"shapes\"]\n[canvas]\ntheme = \"drak\"",
+        "error[unknown-word]: unknown theme `drak`\n  --> s.toml:15:9\n",
+    );
+    says("[\"shapes\"]", "[\"shapes\"]\n[labels]\nnobody = \"x\"", "error[");
+}
+
+#[test]
+fn a_folder_that_can_not_be_written_is_told() {
+    let folder = folder_with("s.toml", &drawn());
+    std::fs::write(folder.path().join("file"), "").unwrap();
+    std::fs::create_dir_all(folder.path().join("out/s.svg")).unwrap();
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "file/out"]));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.starts_with("error: can't make the folder file/out: "), "{}", ran.err);
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "out"]));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), "out/s.png\n"));
+    assert!(ran.err.starts_with("error: can't write out/s.svg: "), "{}", ran.err);
+    assert_eq!(names(&folder.path().join("out")), set(&["s.png", "s.svg"]));
+}
+
+#[test]
+fn wrong_options_are_usage() {
+    let folder = folder_with("s.toml", &drawn());
+    for arguments in [&["--format", "doc"][..], &["--theme", "pink"], &["--scale", "0"], &["--scale", "nan"]]
+    {
+        let ran = run(tracefig(folder.path()).args(["render", "s.toml"]).args(arguments));
+        assert_eq!(ran.code, Some(2), "{arguments:?}: {}", ran.err);
+    }
+    assert_eq!(names(folder.path()), set(&["s.toml"]));
+}
+
+#[test]
+fn check_tells_identical_changed_and_missing_and_accepts() {
+    let folder = folder_with("s.toml", &drawn());
+    let check = |arguments: &[&str]| run(tracefig(folder.path()).args(["check", "s.toml"]).args(arguments));
+    let ran = check(&[]);
+    assert_eq!(
+        (ran.code, ran.out.as_str()),
+        (Some(1), "missing   s.svg\nmissing   s.png\n0 identical, 0 changed, 2 missing\n")
+    );
+    assert_eq!(names(folder.path()), set(&["s.toml"]));
+    assert_eq!(check(&["--accept"]).code, Some(0));
+    let ran = check(&[]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "2 identical, 0 changed, 0 missing\n"));
+
+    std::fs::write(folder.path().join("s.toml"), drawn().replace("position = [4, 0]", "position = [5, 1]"))
+        .unwrap();
+    let ran = check(&["-o", "drift"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.out.contains("changed   s.svg: line ") && ran.out.contains("pixels differ, by "),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.ends_with("0 identical, 2 changed, 0 missing\n"), "{}", ran.out);
+    let triptych = std::fs::read(folder.path().join("drift/s.png")).unwrap();
+    let width = u32::from_be_bytes(triptych[16..20].try_into().unwrap());
+    assert!(width >= 3 * 1920, "{width}");
+    let ran = check(&["--accept", "-o", "drift"]);
+    assert_eq!(ran.code, Some(0));
+    assert!(ran.out.ends_with("0 identical, 2 changed, 0 missing, accepted\n"), "{}", ran.out);
+    assert_eq!(check(&[]).code, Some(0));
+}
+
+/// Kills a run after ever longer times: what is there is whole.
+#[cfg(unix)]
+#[test]
+fn a_killed_run_leaves_whole_files() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+    let folder = folder_with("s0.toml", &drawn());
+    for i in 1..6 {
+        std::fs::write(folder.path().join(format!("s{i}.toml")), drawn()).unwrap();
+    }
+    let whole = run(tracefig(folder.path()).args(["render", ".", "--format", "svg", "-o", "whole"]));
+    assert_eq!(whole.code, Some(0), "{}", whole.err);
+    for round in 0..40 {
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+            .args(["render", ".", "--format", "svg", "-o", "out"])
+            .current_dir(folder.path())
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_micros(700 * round));
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let out = folder.path().join("out");
+        let Ok(entries) = out.read_dir() else { continue };
+        for path in entries.map(|e| e.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "svg")) {
+            let expected =
+                std::fs::read(folder.path().join("whole").join(path.file_name().unwrap())).unwrap();
+            assert_eq!(std::fs::read(&path).unwrap(), expected, "{}", path.display());
+        }
+        std::fs::remove_dir_all(&out).unwrap();
+    }
+}
+
+#[test]
+fn runs_that_race_leave_whole_files() {
+    let folder = folder_with("s.toml", &drawn());
+    let mut children: Vec<_> = (0..4)
+        .map(|_| {
+            std::process::Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+                .args(["render", "s.toml", "--format", "svg"])
+                .current_dir(folder.path())
+                .stdout(std::process::Stdio::null())
+                .spawn()
+                .unwrap()
+        })
+        .collect();
+    assert!(children.iter_mut().all(|child| child.wait().unwrap().success()));
+    assert_eq!(names(folder.path()), set(&["s.svg", "s.toml"]));
+    assert_eq!(run(tracefig(folder.path()).args(["check", "s.toml", "--format", "svg"])).code, Some(0));
+}
