@@ -125,6 +125,12 @@ impl Text {
         let Point { x, y } = self.origin;
         Rect { x0: x, y0: y - self.line.ascent, x1: x + self.line.width, y1: y + self.line.descent }
     }
+
+    /// The area that it may paint: its box, and the halo around it.
+    #[must_use]
+    pub fn extent(&self) -> Rect {
+        self.bounds().grown(self.halo.map_or(0.0, |h| h.width))
+    }
 }
 
 impl Group {
@@ -146,7 +152,7 @@ impl Item {
         match self {
             Self::Group(group) => group.extent(),
             Self::Path(path) => path.extent(),
-            Self::Text(text) => Some(text.bounds().grown(text.halo.map_or(0.0, |h| h.width))),
+            Self::Text(text) => Some(text.extent()),
         }
     }
 }

@@ -41,10 +41,10 @@ fn svg_and_png_show_the_same() {
         let pixels = rasterize(&drawing, f64::from(scale)).unwrap();
         let (mean, most) = difference(&pixels.rgba, &witness(&svg, scale));
         println!("scale {scale}: mean {mean}, most {most}, {} bytes of SVG", svg.len());
-        // Hundredths of a page pixel of rounding move an edge's coverage by up to 5 levels; resvg also blends a clip and
-        // the thin ends of its dashes at other places of the pixel, on few pixels.
-        assert!(mean < 0.02, "mean {mean} at {scale}");
-        assert!(most < 64, "most {most} at {scale}");
+        // resvg takes 4 × 4 samples a pixel where we take areas: along an edge that is nearly level or upright that differs
+        // by up to an eighth of the contrast, where edges meet in one pixel by two eighths.
+        assert!(mean < 0.4, "mean {mean} at {scale}");
+        assert!(most < 80, "most {most} at {scale}");
     }
     assert!(svg.len() < 40_000, "{} bytes", svg.len());
 }
