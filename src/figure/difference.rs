@@ -49,8 +49,11 @@ impl Difference {
         let (mut center, mut radius) = (None, 0.0);
         for event in events {
             match *event {
+                Event::Started { .. } if !found.is_empty() || center.is_some() => break,
                 Event::DifferenceEdgeFound { source, edge, from, to, normal, distance, .. } => {
-                    let again = found.iter().any(|e| e.source == source && e.index == edge);
+                    // A segment's two sides, there and back, bear one number.
+                    let same = |e: &Edge| e.source == source && e.index == edge && e.normal.dot(normal) > 0.0;
+                    let again = found.iter().any(same);
                     if !again {
                         found.push(Edge { source, index: edge, from, to, normal, distance });
                     }
@@ -176,6 +179,13 @@ mod tests {
         }
         assert_eq!(difference.edges[0].from, DVec2::ZERO);
         assert_eq!(difference.edges[0].source, Side::B);
+    }
+
+    #[test]
+    fn a_segment_gives_both_of_its_sides() {
+        // A point at the origin and a segment.
+        let told = [edge(Side::B, 0, (1.0, 0.0), (3.0, 0.0)), edge(Side::B, 0, (3.0, 0.0), (1.0, 0.0))];
+        assert_eq!(Difference::of(told.iter()).unwrap().edges.len(), 2);
     }
 
     #[test]
