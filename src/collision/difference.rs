@@ -204,6 +204,22 @@ fn center(pair: &Relative) -> Option<DVec2> {
 /// B ⊖ A of two bodies at time `t` in [0, 1], by merging their edges, O(n + m).
 ///
 /// Coordinates are in configuration space (world axes, world units), in plain doubles.
+///
+/// ```
+/// use tracefig::collision::difference;
+/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, Side, shape::FieldValue};
+/// let still = |kind, fields: &[(&str, FieldValue)], x| Body {
+///     shape: Shape::of_kind(kind, fields).unwrap(),
+///     position: DVec2::new(x, 0.0), angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0),
+/// };
+/// let a = still("box", &[("half_extents", FieldValue::Point(DVec2::new(1.0, 2.0)))], 0.0);
+/// let b = still("circle", &[("radius", FieldValue::Number(0.5))], 3.0);
+/// let found = difference(&a, &b, 0.0);
+/// assert_eq!((found.edges.len(), found.radius), (4, 0.5));
+/// assert!(found.edges.iter().all(|edge| edge.source == Side::A));
+/// // The circle's centre less A's right side: the left side of the difference, running down.
+/// assert_eq!((found.edges[1].from, found.edges[1].to), (DVec2::new(2.0, 2.0), DVec2::new(2.0, -2.0)));
+/// ```
 #[must_use]
 pub fn difference(a: &Body, b: &Body, t: f64) -> Difference {
     let pair = Relative::at(a, b, t);
