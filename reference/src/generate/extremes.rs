@@ -44,15 +44,19 @@ pub(super) fn sliver(random: &mut Random) -> Json {
     scene(random, IMPACT, pair, &[])
 }
 
-/// Up to 150 corners.
+/// Up to 150 corners, and now and then 1000.
 pub(super) fn many_corners(random: &mut Random) -> Json {
-    let mut polygon = |most: f64| {
+    let polygon = |random: &mut Random, most: f64| {
         let target = random.magnitude(0.9, most);
         let corners = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
         let half = [random.between(0.5, 1.0), random.between(0.5, 1.0)];
         Shape::polygon(random, usize::try_from(corners).unwrap_or(3), half, 0.0)
     };
-    let shapes = [polygon(2.2), polygon(1.8)];
+    let shapes = if random.once_in(16) {
+        [polygon(random, 3.0), polygon(random, 3.0)]
+    } else {
+        [polygon(random, 2.2), polygon(random, 1.8)]
+    };
     let pair = approaching(random, shapes, 0.8);
     let pair = spun(random, pair, 400.0);
     scene(random, IMPACT, pair, &[])

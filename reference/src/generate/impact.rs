@@ -104,11 +104,15 @@ fn tolerances(random: &mut Random) -> Json {
     scene(random, IMPACT, pair, &[("tolerance", Json::Number(tolerance))])
 }
 
-/// A bar turns, and its corner enters a wall by 10^−k, or stays out of it by that.
+/// A bar turns, and its corner enters a wall by 10^−k, stays out of it by that, or grazes it.
 fn spinning_bar(random: &mut Random) -> Json {
-    let half = [random.between(0.5, 2.0), random.between(0.05, 0.3)];
+    let mut half = [random.between(0.5, 2.0), random.between(0.05, 0.3)];
+    let mut depth = sign(random) * random.magnitude(-12.0, -2.0);
+    if random.once_in(6) {
+        // 3-4-5: the corner grazes the wall exactly.
+        (half, depth) = ([1.0, 0.75], 0.0);
+    }
     let corner = Point::of(half).length();
-    let depth = sign(random) * random.magnitude(-12.0, -2.0);
     let wall = [0.5, 5.0];
     let x = (corner + Real::from(wall[0]) - Real::from(depth)).to_f64();
     let spin = sign(random) * random.one_of(&[180.0, 360.0, 90.0, 1800.0]);
@@ -131,7 +135,7 @@ fn rod_past_peg(random: &mut Random) -> Json {
         1 => Shape::Circle(random.between(0.01, 0.1), [0.0, 0.0]),
         _ => Shape::Box([0.02, 0.02], 0.0),
     };
-    let spin = sign(random) * random.one_of(&[180.0, 360.0, 1080.0, 3600.0]);
+    let spin = sign(random) * random.one_of(&[180.0, 360.0, 1080.0, 3600.0, 18_000.0, 100_000.0]);
     let away = length * random.between(0.2, 0.98);
     let place = direction(random, away);
     let a = Draft::still(rod, [0.0, 0.0], random.between(-180.0, 180.0)).moving([0.0, 0.0], spin);

@@ -180,6 +180,15 @@ fn denormal(random: &mut Random) -> Json {
         a = Draft::still(Shape::Box(half, 0.0), [0.0, 0.0], 0.0);
         b = Draft::still(Shape::Aabb([half[1], half[0]]), [random.between(0.0, 12.0) * size, size], 0.0);
     }
+    if random.once_in(8) {
+        // A hair of the least doubles beside bodies of ordinary size: exact touch but for 5e-324 or so.
+        let off = random.one_of(&[5e-324, -5e-324, 1e-310, -1e-310]);
+        a = Draft::still(Shape::Box([0.5, 0.5], 0.0), [-0.5, 0.0], 0.0);
+        b = Draft::still(Shape::Aabb([0.25, 0.25]), [0.25, off], 0.0);
+        if random.once_in(2) {
+            b = Draft::still(Shape::Circle(0.0, [0.0, 0.0]), [off, 0.125], 0.0);
+        }
+    }
     ask(random, [a, b])
 }
 
