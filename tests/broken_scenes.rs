@@ -1,5 +1,7 @@
 //! Whatever is done to a scene file, reading and answering it ends in an answer or in problems that point into it.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+
 use std::time::{Duration, Instant};
 
 use arbitrary::Unstructured;
@@ -125,6 +127,8 @@ const PATIENCE: Duration = Duration::from_secs(10);
 
 #[test]
 fn no_hostile_text_takes_long() {
+    let each =
+        |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<Vec<_>>().concat();
     let many = |piece: &str, bytes: usize| piece.repeat(bytes / piece.len());
     let polygon = |corners: &str| {
         format!(
@@ -139,15 +143,15 @@ fn no_hostile_text_takes_long() {
         format!("a = {}", many("[", million)),
         format!("a = {}", many("{a=", million)),
         format!("a = {{ {} = 1 }}", many("a.", million) + "a"),
-        (0..100_000).map(|i| format!("k{i} = 1\n")).collect(),
-        (0..30_000).map(|i| format!("[shapes.s{i}]\nkind = 'x'\n")).collect(),
-        (0..30_000).map(|i| format!("[t{i}]\na.b.c.d = {i}\n")).collect(),
+        each(100_000, &|i| format!("k{i} = 1\n")),
+        each(30_000, &|i| format!("[shapes.s{i}]\nkind = 'x'\n")),
+        each(30_000, &|i| format!("[t{i}]\na.b.c.d = {i}\n")),
         polygon(&many("[0, 0], ", million)),
-        polygon(&(0..9_000).map(|i| format!("[{i}, {}], ", (i * i) % 97)).collect::<String>()),
+        polygon(&each(9_000, &|i| format!("[{i}, {}], ", (i * i) % 97))),
         format!("title = '{}'", many("\\def\\x{\\x\\x}", million)),
         many("\u{1b}[31m", million),
         format!("{{\"a\": {}", many("[", million)),
-        format!("{{{}\"z\": 1}}", (0..50_000).map(|i| format!("\"k{i}\": [{i}], ")).collect::<String>()),
+        format!("{{{}\"z\": 1}}", each(50_000, &|i| format!("\"k{i}\": [{i}], "))),
         format!("{{\"a\": {}1{}}}", many("{\"a\":", 500_000), many("}", 100_000)),
     ];
     for text in &texts {

@@ -42,7 +42,7 @@ impl Runs for Check {
                 let checked = checked.unwrap_or_else(|| Checked::bug(job));
                 if !checked.messages.is_empty() {
                     console.out.flush()?;
-                    console.message(&checked.messages);
+                    Console::message(&checked.messages);
                 }
                 console.out.write_all(checked.lines.as_bytes())?;
                 total.add(&checked.tally);
@@ -90,6 +90,11 @@ impl Checked {
         Self { messages, tally: Tally { failed: 1, ..Tally::default() }, ..Self::default() }
     }
 
+    fn line(&mut self, line: &str) {
+        self.lines.push_str(line);
+        self.lines.push('\n');
+    }
+
     fn fail(&mut self, message: &str) {
         self.messages.push_str(message);
         self.tally.failed += 1;
@@ -124,11 +129,11 @@ impl Check {
             }
             State::Missing => {
                 checked.tally.missing += 1;
-                checked.lines.push_str(&format!("missing   {name}\n"));
+                checked.line(&format!("missing   {name}"));
             }
             State::Changed(change) => {
                 checked.tally.changed += 1;
-                checked.lines.push_str(&format!("changed   {name}: {change}\n"));
+                checked.line(&format!("changed   {name}: {change}"));
                 if let Some(image) = on_disk.and_then(|old| triptych(&old, bytes)) {
                     self.picture(path, &image, checked);
                 }
@@ -146,9 +151,7 @@ impl Check {
         let path = self.output.join(of.file_name().unwrap_or_default());
         let written = std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, image));
         match written {
-            Ok(()) => checked
-                .lines
-                .push_str(&format!("          {}: expected · difference · actual\n", path.display())),
+            Ok(()) => checked.line(&format!("          {}: expected · difference · actual", path.display())),
             Err(error) => checked.fail(&cant_write(&path, &error)),
         }
     }

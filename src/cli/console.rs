@@ -36,14 +36,14 @@ impl Console {
     }
 
     /// Writes a message as it is. What standard error can't take is lost: there is nowhere left to say so.
-    pub(crate) fn message(&self, text: &str) {
+    pub(crate) fn message(text: &str) {
         let _ = io::stderr().lock().write_all(text.as_bytes());
     }
 
     /// Writes all that is wrong with a scene, after the results so far where both go to one place.
     pub(crate) fn refuse(&mut self, refused: &Refused) -> io::Result<Status> {
         self.out.flush()?;
-        self.message(&refused.render(self.ink));
+        Self::message(&refused.render(self.ink));
         Ok(Status::Wrong)
     }
 
@@ -54,7 +54,7 @@ impl Console {
             Ink::Plain => Renderer::plain(),
             Ink::Coloured => Renderer::styled(),
         };
-        self.message(&format!("{}\n", renderer.render(&report)));
+        Self::message(&format!("{}\n", renderer.render(&report)));
     }
 
     /// Writes what is still buffered.

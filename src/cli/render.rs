@@ -47,7 +47,7 @@ impl Runs for Render {
             bar.suspend(|| -> io::Result<()> {
                 if !written.messages.is_empty() {
                     console.out.flush()?;
-                    console.message(&written.messages);
+                    Console::message(&written.messages);
                 }
                 console.out.write_all(&written.results)
             })?;

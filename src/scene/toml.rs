@@ -54,10 +54,12 @@ fn too_deep(text: &str) -> Option<Problem> {
         match token.kind() {
             TokenKind::Dot => dots += 1,
             TokenKind::LeftCurlyBracket | TokenKind::LeftSquareBracket => {
-                (dots, brackets) = (0, brackets + 1)
+                dots = 0;
+                brackets += 1;
             }
             TokenKind::RightCurlyBracket | TokenKind::RightSquareBracket => {
-                (dots, brackets) = (0, brackets.saturating_sub(1));
+                dots = 0;
+                brackets = brackets.saturating_sub(1);
             }
             TokenKind::Equals | TokenKind::Comma | TokenKind::Newline => dots = 0,
             _ => {}

@@ -1,5 +1,7 @@
 //! The command line as a user runs it.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+
 mod bad_input;
 mod jsonl;
 mod render;
