@@ -15,6 +15,8 @@ const GRID: u32 = 22;
 const INSIDE: usize = 10;
 /// Room between a name and the area's line, page pixels.
 const ROOM: f64 = 5.0;
+/// Room that a place may give up for each pixel nearer the middle of its area.
+const CENTRAL: f64 = 0.06;
 /// Reluctance to stand in a part that another area covers.
 const SHARED: f64 = 9.0;
 /// Reluctance to stand outside of the area.
@@ -40,7 +42,7 @@ pub(super) fn places(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64), pan
             points.remove(0);
         }
     }
-    all.extend(outside(area, size));
+    all.extend(outside(area, avoid, size));
     all
 }
 
@@ -72,11 +74,13 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)>
             }
         }
     }
-    points.sort_by(|a, b| b.1.total_cmp(&a.1));
+    // Of places with much the same room, the one nearest the middle: a long box has a whole line of poles.
+    let worth = |(p, room): &(Point, f64)| room - CENTRAL * (*p - middle).length();
+    points.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
     let mut refined: Vec<(Point, f64)> =
         points.iter().take(4).map(|&(p, _)| climb(p, 0.5 * step, &room)).collect();
     refined.extend(points);
-    refined.sort_by(|a, b| b.1.total_cmp(&a.1));
+    refined.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
     refined
 }
 
@@ -149,7 +153,7 @@ fn crosses(rect: &Rect, line: &[Point]) -> bool {
 }
 
 /// Around the area, touching it from outside in eight directions.
-fn outside(area: &[Point], size: (f64, f64)) -> Vec<Candidate> {
+fn outside(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64)) -> Vec<Candidate> {
     let Some(bounds) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
     let center = bounds.center();
     let directions = [
@@ -171,7 +175,9 @@ fn outside(area: &[Point], size: (f64, f64)) -> Vec<Candidate> {
             let half = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
             let rank = f64::from(u8::try_from(i).unwrap_or(8));
             let rect = about(center + u * (reach + ROOM + half), size);
-            Some(Candidate { rect, reluctance: OUTSIDE + 0.3 * rank, leader: None })
+            // In another area it would name that one.
+            let shared = if avoid.iter().any(|a| meets(&rect, a)) { SHARED } else { 0.0 };
+            Some(Candidate { rect, reluctance: OUTSIDE + shared + 0.3 * rank, leader: None })
         })
         .collect()
 }

@@ -82,11 +82,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Role::Muted,
     );
     word(sketch, options, "closest", Anchor::point_toward(s.closest, -s.outward), Role::B);
-    word(sketch, options, "estimate", Anchor::point_toward(s.estimate, DVec2::new(-1.0, -2.0)), Role::Ink);
+    word(sketch, options, "estimate", Anchor::point_toward(s.estimate, DVec2::new(-2.0, -2.0)), Role::Ink);
     if let Some(next) = s.next {
         let role = options.role(Role::A);
-        sketch.part("next").marker(next, Marker::RingedDisc, role, LARGE_MARKER);
-        word(sketch, options, "next", Anchor::point_toward(next, DVec2::new(1.0, -2.0)), role);
+        sketch.part("next").marker(next, Marker::RingedDisc, role, MARKER);
+        word(sketch, options, "next", Anchor::point_toward(next, DVec2::new(2.0, -2.0)), role);
     }
 }
 

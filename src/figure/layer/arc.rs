@@ -12,6 +12,7 @@ use super::super::outline::{Outline, angle_of};
 use super::super::pen::{MARKER, Marker, Pen, SMALL_MARKER, Wash};
 use super::super::sketch::{Sketch, Weight};
 use super::super::values::number;
+use super::half_extents::ON_LINE;
 use super::{LabelKey, Layer, Shows};
 
 /// The angle mark's radius as a part of r: inside the body, clear of its centre.
@@ -142,7 +143,7 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
         let r = format!("$r = {}$", number(t.radius));
         // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
         let (from, to) = if t.sweep > 0.0 { (t.p, t.center) } else { (t.center, t.p) };
-        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: 0.0 }, Role::Ink));
+        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
         let path = Anchor::Arc { center: t.center, radius: t.radius, start: t.start, sweep: t.sweep };
         let length = format!(r"$L = \theta\,r = {}$", number(t.arc));
         sketch.label(Label::new("L", length, path, options.role(Role::Now)));

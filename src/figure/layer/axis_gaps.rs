@@ -20,7 +20,7 @@ use super::{LabelKey, Layer, Shows, number_of};
 const BELOW: f64 = 40.0;
 
 /// The same to the right.
-const BESIDE: f64 = 38.0;
+const BESIDE: f64 = 40.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -134,6 +134,8 @@ fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, acros
         let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
         let role = bar.pen.role;
         sketch.part(&part).bar(p, q, 0.0, bar.pen);
+        // A part of its own, as a label beyond a bar's end must not lie on the bar.
+        sketch.part("label");
         let anchor = match (e.name, bar.low) {
             ('x', true) => beside(p, q, DVec2::NEG_Y),
             ('x', false) => beside(p, q, DVec2::Y),
@@ -174,7 +176,7 @@ fn bars(options: &Options, e: Extents) -> Vec<Bar> {
             ends: facing,
             track: own(1),
             pen: Pen::highlighted(gap_role),
-            low: false,
+            low: name == 'y',
         },
         Bar {
             key: keys[2],

@@ -11,6 +11,7 @@ use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
 use super::super::sketch::Sketch;
+use super::half_extents::ON_LINE;
 use super::{LabelKey, Layer, Shows, fade};
 
 /// Width of an edge that the algorithm skipped, page px, and its opacity.
@@ -143,7 +144,7 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
         };
         let (from, to) = found.side(edge);
         // Counter-clockwise, so that outside is on the right of from → to, and on the left of to → from.
-        let anchor = Anchor::Beside { from: to, to: from, offset: 0.0 };
+        let anchor = Anchor::Beside { from: to, to: from, offset: ON_LINE };
         let text = format!("from {}", context.name(side));
         sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }

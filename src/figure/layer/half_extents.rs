@@ -15,6 +15,9 @@ use super::{LabelKey, Layer, Shows};
 /// Distance of the lines from the box where the scene does not say, in page px: a dimension's label fits beside it.
 const OFFSET: f64 = 24.0;
 
+/// A label that belongs to one side of a line: offset of its anchor to that side, in page px, too little to be seen.
+pub(super) const ON_LINE: f64 = 1.0;
+
 pub(super) const LAYER: Layer = Layer {
     name: "half-extents",
     about: "half-extents of a box, from its centre to its sides",
@@ -141,5 +144,5 @@ fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
 /// Beside a line, on the side of `out`.
 pub(super) fn beside(p: DVec2, q: DVec2, out: DVec2) -> Anchor {
     let (from, to) = if left_of(p, q).dot(out) < 0.0 { (q, p) } else { (p, q) };
-    Anchor::Beside { from, to, offset: 0.0 }
+    Anchor::Beside { from, to, offset: ON_LINE }
 }

@@ -60,7 +60,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "text",
             takes: Takes::Lines,
             default: "by the algorithm",
-            about: "text of the label in this panel",
+            about: "lines of the label in this panel",
         },
     ],
     labels: &[
@@ -103,10 +103,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if !arrow {
         points(sketch, options, &answer);
     }
-    let (key, text) = words(&run, options, &answer);
-    // Beside a line that is moved aside, on its outer side.
-    let anchor = if offset > 0.0 { Anchor::Beside { from: q, to: p, offset } } else { Anchor::middle(p, q) };
-    sketch.label(Label::new(key, text, anchor, role));
+    let (key, text) = words(&run, &answer);
+    // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
+    let anchor = Anchor::Beside { from: q, to: p, offset };
+    let given = options.words("text").map(<[String]>::to_vec);
+    sketch.label(Label::new(key, "", anchor, role).lines(&given.unwrap_or_else(|| vec![text])));
 }
 
 /// The closest points: under arrow heads, which meet in them, and over lines.
@@ -142,15 +143,13 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 
 /// Key and text in the algorithm's own words: the article calls the signed penetration of circles p, the distance of a
 /// circle from a box distance, and the depth of polygons d.
-fn words(run: &Run, options: &Options, answer: &Separation) -> (&'static str, String) {
+fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
     let (signed, depth) = (number(answer.separation), number(answer.separation.abs()));
-    let given = options.words("text").and_then(|t| t.first().cloned());
-    let (key, text) = if run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. })) {
+    if run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. })) {
         ("p", format!("$p = {signed}$"))
     } else if run.events().any(|e| matches!(e, Event::Clamped { .. })) {
         ("distance", format!("distance $= {signed}$"))
     } else {
         ("d", format!("$d = {depth}$"))
-    };
-    (key, given.unwrap_or(text))
+    }
 }

@@ -9,7 +9,7 @@ use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank};
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::Outline;
-use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen, Wash};
+use super::super::pen::{MARKER, Marker, Pen, Wash};
 use super::super::sketch::Sketch;
 use super::{LabelKey, Layer, Shows, number_of};
 
@@ -80,7 +80,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.label(Label::new("closest", "$v$", Anchor::middle(DVec2::ZERO, v), blue));
     }
     if let Some(w) = step.next {
-        sketch.part("next").marker(w, Marker::RingedDisc, role, LARGE_MARKER);
+        sketch.part("next").marker(w, Marker::RingedDisc, role, MARKER);
         sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
     }
 }
