@@ -3,8 +3,10 @@
 //! A format is a row in [`FORMATS`] and sees nothing but the display list, so every format shows the same. The same
 //! drawing gives the same bytes on every machine.
 
+mod apng;
 mod check;
 mod curves;
+mod html;
 mod number;
 mod png;
 mod raster;
@@ -38,7 +40,7 @@ pub enum Writer {
 }
 
 /// Every format.
-pub const FORMATS: [Format; 2] = [svg::FORMAT, png::FORMAT];
+pub const FORMATS: [Format; 4] = [svg::FORMAT, png::FORMAT, html::FORMAT, apng::FORMAT];
 
 /// The format of that name.
 ///

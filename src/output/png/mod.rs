@@ -21,7 +21,7 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// First bytes of every PNG.
-const SIGNATURE: [u8; 8] = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1A, b'\n'];
+pub(super) const SIGNATURE: [u8; 8] = [0x89, b'P', b'N', b'G', b'\r', b'\n', 0x1A, b'\n'];
 
 /// Keyword of the text chunk with the scene's hash.
 const KEYWORD: &str = "tracefig";
@@ -71,24 +71,44 @@ impl Packed {
     }
 }
 
-/// Packs pixels fast.
-pub(super) fn pack(pixels: &Pixels) -> Packed {
+/// Packs pixels fast, with a palette where the colours fit.
+fn pack(pixels: &Pixels) -> Packed {
     let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
     // Above the first row is, by the numbers of a palette, its first colour.
     let background = all.first().copied().unwrap_or_default();
-    let mut spans = rows::spans(all, width, background);
-    let palette = Palette::of(all, width, &spans, background);
-    if palette.is_none() {
-        rows::first_row_differs(&mut spans, pixels.width);
+    let spans = rows::spans(all, width, background);
+    match Palette::of(all, width, &spans, background) {
+        Some(palette) => {
+            let data = zlib(all, width, &spans, &Depth::Indexed(&palette));
+            Packed { header: header(pixels, 3), palette: palette.bytes(), data }
+        }
+        None => pack_spans(pixels, spans),
     }
-    let (w, h) = (pixels.width.to_be_bytes(), pixels.height.to_be_bytes());
-    let color_type = if palette.is_some() { 3 } else { 2 };
-    let header = [w[0], w[1], w[2], w[3], h[0], h[1], h[2], h[3], 8, color_type, 0, 0, 0];
-    let depth = palette.as_ref().map_or(Depth::Rgb, Depth::Indexed);
-    let (tokens, adler) = rows::tokens(all, width, &spans, &depth);
+}
+
+/// Packs pixels fast, as RGB.
+pub(super) fn pack_rgb(pixels: &Pixels) -> Packed {
+    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
+    pack_spans(pixels, rows::spans(all, width, [0; 4]))
+}
+
+fn pack_spans(pixels: &Pixels, mut spans: Vec<rows::Span>) -> Packed {
+    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
+    rows::first_row_differs(&mut spans, pixels.width);
+    Packed { header: header(pixels, 2), palette: Vec::new(), data: zlib(all, width, &spans, &Depth::Rgb) }
+}
+
+fn zlib(all: &[[u8; 4]], width: usize, spans: &[rows::Span], depth: &Depth) -> Vec<u8> {
+    let (tokens, adler) = rows::tokens(all, width, spans, depth);
     let mut data = Vec::with_capacity(TYPICAL_SIZE);
     tokens.zlib(adler, &mut data);
-    Packed { header, palette: palette.map_or(Vec::new(), |p| p.bytes()), data }
+    data
+}
+
+/// Size, 8 bits, the colour type, and 0 for the only compression, the only filters, and rows in order.
+fn header(pixels: &Pixels, color_type: u8) -> [u8; 13] {
+    let (w, h) = (pixels.width.to_be_bytes(), pixels.height.to_be_bytes());
+    [w[0], w[1], w[2], w[3], h[0], h[1], h[2], h[3], 8, color_type, 0, 0, 0]
 }
 
 /// Appends a chunk: length, name, bytes, checksum of name and bytes.

@@ -105,38 +105,44 @@ impl Rasterizer {
         }
         let (sign, top, bottom) = if p.y < q.y { (1.0, p, q) } else { (-1.0, q, p) };
         let slope = (bottom.x - top.x) / (bottom.y - top.y);
-        let last_row = (bottom.y.ceil() - 1.0).min(self.height - 1.0);
-        let (mut y, mut row) = (top.y, top.y.floor());
-        let mut x = top.x;
-        while row <= last_row {
-            let next_y = (row + 1.0).min(bottom.y);
-            let next_x = if next_y == bottom.y { bottom.x } else { top.x + (next_y - top.y) * slope };
-            self.within_row(row as u32, x, next_x, sign * (next_y - y));
+        // Nothing is negative here, so cutting off the fraction is rounding down.
+        let mut row = top.y as u32;
+        let (mut x, mut y) = (top.x, top.y);
+        let rows = self.height as u32;
+        while y < bottom.y && row < rows {
+            let next_row = f64::from(row + 1);
+            let (next_x, next_y) = if next_row < bottom.y {
+                (top.x + (next_row - top.y) * slope, next_row)
+            } else {
+                (bottom.x, bottom.y)
+            };
+            self.within_row(row, x, next_x, sign * (next_y - y));
             (x, y) = (next_x, next_y);
-            row += 1.0;
+            row += 1;
         }
     }
 
     /// Adds a piece inside one row that runs from `x0` to `x1` and has that signed height.
+    #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "inside the image")]
     fn within_row(&mut self, y: u32, x0: f64, x1: f64, height: f64) {
         let (left, right) = if x0 < x1 { (x0, x1) } else { (x1, x0) };
-        let (first, last) = (left.floor(), right.floor());
+        let (first, last) = (left as i32, right as i32);
         if first == last {
-            let area = height * (1.0 - (0.5 * (left + right) - first));
-            self.cell(y, first as i32, height as f32, area as f32);
+            let area = height * (1.0 - (0.5 * (left + right) - f64::from(first)));
+            self.cell(y, first, height as f32, area as f32);
             return;
         }
         let per_pixel = height / (right - left);
         let mut at = left;
         let mut pixel = first;
         while at < right {
-            let next = (pixel + 1.0).min(right);
+            let next = f64::from(pixel + 1).min(right);
             let part = per_pixel * (next - at);
-            let area = part * (1.0 - (0.5 * (at + next) - pixel));
-            self.cell(y, pixel as i32, part as f32, area as f32);
+            let area = part * (1.0 - (0.5 * (at + next) - f64::from(pixel)));
+            self.cell(y, pixel, part as f32, area as f32);
             at = next;
-            pixel += 1.0;
+            pixel += 1;
         }
     }
 

@@ -1,0 +1,53 @@
+//! HTML: one self-contained page with the figure, its alternative text and its numbers.
+//!
+//! The SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone, as what is drawn
+//! is for some only there. Nothing is loaded from elsewhere and nothing runs.
+
+use super::svg::{Sheet, document};
+use super::xml::escape;
+use super::{Format, Options, OutputError, Writer, check};
+use crate::drawing::Drawing;
+
+pub(super) const FORMAT: Format = Format {
+    name: "html",
+    about: "self-contained page: the picture inline, its description below",
+    write: Writer::One(write),
+};
+
+/// The page around the picture: it may shrink to a narrow window but not grow.
+const STYLE: &str = "body{margin:0 auto;padding:1rem;font:1rem/1.5 system-ui,sans-serif}\
+                     figure{margin:0}svg{max-width:100%;height:auto}figcaption{max-width:45rem}";
+
+fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
+    check::page(drawing)?;
+    let mut out = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
+    out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
+    // A page that asks for nothing says so: even a text that became markup could load and run nothing.
+    out.push_str("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
+    out.push_str("<title>");
+    escape(&mut out, &drawing.title);
+    out.push_str("</title>\n<style>");
+    out.push_str(STYLE);
+    out.push_str("</style>\n</head>\n<body>\n<figure>\n");
+    out.push_str(&document(drawing, Sheet::Inside));
+    out.push_str("<figcaption>");
+    escape(&mut out, &drawing.desc);
+    out.push_str("</figcaption>\n</figure>\n</body>\n</html>\n");
+    Ok(out.into_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::everything;
+    use super::*;
+
+    #[test]
+    fn a_page_holds_the_picture_and_its_words_and_no_script() {
+        let mut drawing = everything();
+        drawing.title = "A & B</title><script>alert(1)</script>".into();
+        drawing.desc = "</figcaption><img src=x onerror=alert(1)>".into();
+        let page = String::from_utf8(write(&drawing, &Options::default()).unwrap()).unwrap();
+        assert!(page.contains("<svg") && page.contains("A &amp; B&lt;/title&gt;"));
+        assert!(!page.contains("<script") && !page.contains("<img"));
+    }
+}
