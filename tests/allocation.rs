@@ -1,8 +1,10 @@
 //! An untraced query allocates nothing, whoever answers it.
 
+mod asking;
 mod random_pairs;
 
-use random_pairs::{of_kind, pairs, query, takers};
+use asking::{of_kind, query, takers};
+use random_pairs::pairs;
 use tracefig::collision::QueryKind;
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees};

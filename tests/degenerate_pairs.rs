@@ -1,9 +1,9 @@
 //! Pairs that have no obvious answer (coincident centres, points, segments, touching bodies) have a defined one, the
 //! same from every algorithm.
 
-mod random_pairs;
+mod asking;
 
-use random_pairs::{of_kind, query, takers};
+use asking::{of_kind, query, takers};
 use tracefig::collision::{Answer, QueryKind, Separation};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Shape};
@@ -145,4 +145,12 @@ fn segments_on_one_line_are_as_far_apart_as_their_ends() {
 fn parallel_segments_face_each_other() {
     let expected = Expected { separation: 1.5, ties: 1, normals: &[DVec2::Y] };
     check(&at(segment(0.25), 0.0, 0.0), &at(segment(0.25), 0.5, 2.0), &expected);
+}
+
+#[test]
+fn a_capsule_without_length_is_a_circle() {
+    let ends = vec![DVec2::ONE, DVec2::ONE];
+    let fields = [("points", FieldValue::Points(ends)), ("radius", FieldValue::Number(0.5))];
+    let expected = Expected { separation: 0.5, ties: 1, normals: &[DVec2::X] };
+    check(&at(of_kind("capsule", &fields), 0.0, 0.0), &at(circle(1.0), 3.0, 1.0), &expected);
 }

@@ -1,9 +1,11 @@
 //! Every discrete algorithm on the same random pairs: they agree with each other and with a brute-force hull, listening
 //! changes no bit, and the answer moves with the pair.
 
+mod asking;
 mod random_pairs;
 
-use random_pairs::{of_kind, pairs, query, takers};
+use asking::{of_kind, query, takers};
+use random_pairs::pairs;
 use tracefig::collision::{ALGORITHMS, Algorithm, Answer, QueryKind, Separation, difference};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Side};

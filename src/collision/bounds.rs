@@ -120,7 +120,7 @@ impl Placing {
     fn outermost(&self, side: usize, v: DVec2) -> f64 {
         let ([cos, sin], v) = (self.turn, v * self.unit);
         let turned =
-            if side % 2 == 0 { cos.scale(v.x) - sin.scale(v.y) } else { sin.scale(v.x) + cos.scale(v.y) };
+            if side.is_multiple_of(2) { cos.scale(v.x) - sin.scale(v.y) } else { sin.scale(v.x) + cos.scale(v.y) };
         let place = self.position[side % 2] + turned;
         let radius = Ball::new(self.radius);
         (if side < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi

@@ -1,7 +1,7 @@
 //! Random pairs of every kind of shape, half of them on quarters, so that edges are parallel, bodies touch and centres
 //! coincide.
 
-use tracefig::collision::{ALGORITHMS, Algorithm, Query, QueryKind};
+use super::asking::of_kind;
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Shape};
 
@@ -30,11 +30,6 @@ impl Random {
         let steps = u64::try_from((hi - lo) * 4 + 1).unwrap();
         f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap()) / 4.0
     }
-}
-
-/// A shape that is known to be valid.
-pub(crate) fn of_kind(kind: &str, fields: &[(&str, FieldValue)]) -> Shape {
-    Shape::of_kind(kind, fields).unwrap()
 }
 
 /// Corners on an ellipse: convex, counter-clockwise.
@@ -95,14 +90,4 @@ pub(crate) fn pairs(count: u64) -> impl Iterator<Item = (u64, Body, Body)> {
         let mut r = Random(seed);
         (seed, body(&mut r), body(&mut r))
     })
-}
-
-/// A query of them at t = 0.
-pub(crate) fn query<'s>(kind: QueryKind, a: &'s Body, b: &'s Body) -> Query<'s> {
-    Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 100 }
-}
-
-/// The algorithms that take a query.
-pub(crate) fn takers<'s>(query: &Query<'s>) -> Vec<&'static Algorithm> {
-    ALGORITHMS.iter().filter(|x| x.kinds.contains(&query.kind) && (x.shapes)(query).is_ok()).collect()
 }
