@@ -1,0 +1,36 @@
+//! The parts that each of the seventeen figures must show are in its `Drawing`, at the places that the storyboard's
+//! exact answers give after the panel's world → page transform.
+//!
+//! The numbers here are transcribed from the storyboard, where they were computed with 256 bits; none comes from a
+//! solver of this crate. A golden picture can be accepted wrong; these can not.
+
+/// Every claim must hold; all that do not are told at once.
+macro_rules! shows {
+    ($($claim:expr),+ $(,)?) => {{
+        let failed: Vec<&str> = [$((stringify!($claim), $claim)),+].iter().filter(|(_, ok)| !ok).map(|(s, _)| *s).collect();
+        assert!(failed.is_empty(), "not shown:\n  {}", failed.join("\n  "));
+    }};
+}
+
+mod difference;
+mod motion;
+mod overlap;
+mod seen;
+
+use std::path::Path;
+
+use tracefig::scene::Ink;
+
+use seen::{Figure, Look, Panel};
+
+/// The figure of a scene in `figures/`, drawn in the light theme.
+fn figure(stem: &str) -> Figure {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures").join(format!("{stem}.toml"));
+    let file = tracefig::open(&path).unwrap_or_else(|e| panic!("{}", e.render(Ink::Plain)));
+    let plan = tracefig::figure::plan(&file.scene).unwrap_or_else(|e| panic!("{stem}: {e:?}"));
+    Figure::of(&tracefig::figure::draw(&plan, plan.theme, stem).drawing)
+}
+
+fn look(figure: &Figure, index: u8, count: u8, titled: bool, view: [f64; 4]) -> Look<'_> {
+    Look { figure, panel: Panel::new(index, count, titled, view) }
+}

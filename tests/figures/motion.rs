@@ -1,0 +1,275 @@
+//! Figures of motion: sweeps, advancement, the conservative bound, arcs.
+
+use tracefig::drawing::Path;
+use tracefig::drawing::Role::{A, B, Difference, Ink, Now, Translation};
+
+use super::seen::distance;
+use super::{figure, look};
+
+type P = (f64, f64);
+
+fn dashed(path: &Path) -> bool {
+    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty())
+}
+
+fn moved<const N: usize>(points: [P; N], by: P) -> [P; N] {
+    points.map(|(x, y)| (x + by.0, y + by.1))
+}
+
+#[test]
+fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
+    let f = figure("05-linear-sweep");
+    let a = [(-1.5, -1.5), (-3.0, -0.5), (-4.0, -2.0), (-2.0, -3.5)];
+    let world = look(&f, 0, 2, true, [-4.7, -4.9, 5.7, 4.9]);
+    shows![
+        world.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
+        world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 0.0), (5.0, 2.0), (2.5, 3.5)]).is_some(),
+        world.polygon(A, &[(1.5, 0.0), (0.0, 1.0), (-1.0, -0.5), (1.0, -2.0)]).is_some_and(dashed),
+        world.any_line((-3.0, -0.5), (0.0, 1.0)),
+        world.any_line((-2.0, -3.5), (1.0, -2.0)),
+        world.line(Now, (-1.5, -1.5), (1.5, 0.0)).is_some(),
+        world.head(Ink, (4.5, 1.5)),
+        world.marker(Ink, (1.5, 0.0)),
+        f.says("$A'$"),
+        f.says("$v_A$"),
+    ];
+    let conf = look(&f, 1, 2, true, [-1.0, -2.2, 9.4, 7.6]);
+    let edges = [
+        ((6.0, -1.5), B),
+        ((8.0, 0.5), A),
+        ((9.0, 2.0), B),
+        ((9.0, 4.0), A),
+        ((7.0, 5.5), B),
+        ((4.5, 7.0), B),
+        ((2.0, 5.5), A),
+        ((1.5, 3.5), B),
+        ((4.5, -0.5), A),
+    ];
+    for (i, &(from, role)) in edges.iter().enumerate() {
+        assert!(
+            conf.line(role, from, edges[(i + 1) % 9].0).is_some_and(|e| dashed(e) == (role == B)),
+            "edge {i}"
+        );
+    }
+    shows![
+        conf.marker(Ink, (0.0, 0.0)),
+        conf.line(Now, (0.0, 0.0), (3.0, 1.5)).is_some(),
+        conf.head(Ink, (6.0, 3.0)),
+        conf.marker(Now, (3.0, 1.5)),
+        f.says("$v = v_A - v_B$"),
+        f.texts.iter().filter(|(t, _)| t == "$t = 0.5$").count() == 2,
+    ];
+}
+
+#[test]
+fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
+    let f = figure("06-advancement");
+    let view = [-0.9, -1.6, 8.3, 7.3];
+    let one = look(&f, 0, 2, true, view);
+    let two = look(&f, 1, 2, true, view);
+    for panel in [&one, &two] {
+        shows![
+            panel.circle(Difference, (8.0, 6.0), 6.25).is_some(),
+            panel.head(Ink, (7.5, 0.0)),
+            panel.marker(Ink, (0.0, 0.0)),
+        ];
+    }
+    shows![
+        one.marker(B, (3.0, 2.25)),
+        one.line(Translation, (0.0, 0.0), (3.0, 2.25)).is_some(),
+        one.marker(A, (4.6875, 0.0)),
+        one.head(B, (3.0 - 0.4, 2.25 - 0.3)),
+        two.marker(Ink, (4.6875, 0.0)),
+        two.marker(B, (4.979_260, 0.528_471)),
+        two.line(Translation, (4.6875, 0.0), (4.979_260, 0.528_471)).is_some(),
+        two.marker(A, (5.936_490, 0.0)),
+        two.head(B, (4.979_260 - 0.5 * 0.483_318, 0.528_471 - 0.5 * 0.875_445)),
+        one.through((3.0, 2.25), (4.6875, 0.0)),
+        two.through((4.979_260, 0.528_471), (5.936_490, 0.0)),
+        f.says("estimate")
+            && f.says("closest point")
+            && f.says("new estimate")
+            && f.says("tangent")
+            && f.says("$n$"),
+        f.says(r"$t = 0 \to 0.625$"),
+        f.says(r"$t = 0.625 \to 0.792$"),
+    ];
+}
+
+#[test]
+fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
+    let f = figure("07-conservative-bound");
+    let w = look(&f, 0, 1, false, [-8.7, -4.5, 10.7, 4.7]);
+    let a = moved([(0.0, -3.0), (1.0, 0.0), (0.0, 1.5), (-1.0, 0.0)], (-7.0, -1.0));
+    let b = moved([(-2.0, -1.5), (1.5, -2.0), (2.5, 0.0), (2.0, 1.5), (-2.0, 1.5)], (7.5, -1.5));
+    shows![
+        w.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
+        w.polygon(B, &b).is_some_and(|p| p.fill.is_some()),
+        w.polygon(A, &[(1.0, 2.0), (-2.0, 3.0), (-3.5, 2.0), (-2.0, 1.0)]).is_some_and(dashed),
+        w.polygon(B, &[(4.0, -0.5), (4.5, 3.0), (2.5, 4.0), (1.0, 3.5), (1.0, -0.5)]).is_some_and(dashed),
+        w.along(Translation, (-6.0, -1.0), (5.5, -1.0)),
+        w.marker(A, (-6.0, -1.0)),
+        w.marker(B, (5.5, -1.0)),
+        w.marker(A, (-7.0, -4.0)),
+        w.marker(B, (8.0, 0.0)),
+        w.marker(Ink, (1.0, 2.0)),
+        w.curve(A, (-7.0, -4.0), (1.0, 2.0)),
+        w.curve(B, (8.0, 0.0), (1.0, 2.0)),
+        w.arrow(Ink, (-7.0, -1.0), (-4.5, 0.5)),
+        w.arrow(Ink, (7.5, -1.5), (5.0, 0.0)),
+        w.round((-7.0, -1.0), 0.6),
+        w.round((7.5, -1.5), 0.6),
+        f.says("$d = 11.5$"),
+        f.says("$x_1$") && f.says("$x_2$") && f.says("$v_A$") && f.says("$v_B$"),
+        f.says(r"$\omega_A$") && f.says(r"$\omega_B$"),
+        f.says("$A'$") && f.says("$B'$"),
+        f.says("$x_1$ meets $x_2$ at $t = 0.5$"),
+        f.says(r"$t \ge d \,/\, (v \cdot n + r_A|\omega_A| + r_B|\omega_B|) = 0.308$"),
+    ];
+}
+
+#[test]
+fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
+    let f = figure("08-arc-length");
+    let (p, q) = ((4.0, 0.9), (1.220_58, 3.914_10));
+    let one = look(&f, 0, 2, true, [-4.6, -4.2, 4.6, 4.8]);
+    let two = look(&f, 1, 2, true, [-0.9, -0.9, 5.3, 5.1]);
+    let turned = |(x, y): P| (0.5 * x - 0.75_f64.sqrt() * y, 0.75_f64.sqrt() * x + 0.5 * y);
+    let corners = [(-4.0, -0.9), (4.0, -0.9), (4.0, 0.9), (-4.0, 0.9)];
+    shows![one.polygon(A, &corners).is_some(), one.polygon(A, &corners.map(turned)).is_some_and(dashed),];
+    for panel in [&one, &two] {
+        shows![
+            panel.any_line((0.0, 0.0), p),
+            panel.any_line((0.0, 0.0), q),
+            panel.arc(Now, (0.0, 0.0), p, q),
+            panel.head(Now, q) || panel.marker(A, q),
+            panel.marker(A, p),
+            panel.marker(A, q),
+        ];
+    }
+    shows![
+        f.says(r"$\theta$"),
+        f.says(r"$\theta = 60°$") || f.says(r"$\theta = 60^\circ$"),
+        f.says("$r = 4.1$"),
+        f.says(r"$L = \theta\,r = 4.29$"),
+        f.says("$p$"),
+        f.says("$p'$"),
+    ];
+}
+
+#[test]
+fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
+    let f = figure("frames-continuous");
+    let view = [-3.2, -4.1, 6.6, 4.1];
+    let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
+    let one = look(&f, 0, 2, true, view);
+    let (x, y) = (0.6, 0.8);
+    shows![
+        one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.polygon(B, &b).is_some(),
+        one.circle(A, (1.3, 0.4), 1.0).is_some_and(dashed),
+        one.any_line((-1.5 + x, 2.5 + y), (1.3 + x, 0.4 + y)),
+        one.any_line((-1.5 - x, 2.5 - y), (1.3 - x, 0.4 - y)),
+        one.line(Now, (-1.5, 2.5), (1.3, 0.4)).is_some(),
+        one.head(Ink, (2.5, -0.5)),
+        one.marker(Ink, (2.1, -0.2)),
+        f.says("$v$"),
+        f.says("$t = 0.7$"),
+        f.says("$A'$"),
+    ];
+    let two = look(&f, 1, 2, true, view);
+    shows![
+        two.circle(A, (1.3, 0.4), 1.0).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
+        two.marker(Ink, (2.1, -0.2)),
+    ];
+}
+
+#[test]
+fn demo_linear_sweep_thins_the_edges_that_face_away() {
+    let f = figure("demo-linear-sweep");
+    let world = look(&f, 0, 2, true, [-6.5, -4.0, 5.5, 5.8]);
+    shows![
+        world.polygon(A, &[(0.0, 4.0), (3.0, 0.0), (4.5, 2.0), (3.0, 4.5)]).is_some(),
+        world.polygon(B, &[(-2.5, 0.0), (-4.0, 1.5), (-5.5, 0.0), (-5.0, -2.5), (-3.0, -2.5)]).is_some(),
+        world.polygon(A, &[(-4.0, 2.0), (-1.0, -2.0), (0.5, 0.0), (-1.0, 2.5)]).is_some_and(dashed),
+        world.arrow(Now, (1.5, 2.0), (-2.5, 0.0)),
+        world.marker(Ink, (-2.5, 0.0)),
+        f.says("$A'$"),
+        f.says(r"$t\,v$"),
+    ];
+    let conf = look(&f, 1, 2, true, [-10.8, -7.6, 1.2, 2.2]);
+    let edges = [
+        ((-8.0, -7.0), B, true),
+        ((-6.0, -7.0), A, true),
+        ((-3.0, -6.5), B, false),
+        ((-2.5, -4.0), A, false),
+        ((-5.5, 0.0), B, false),
+        ((-7.0, 1.5), B, true),
+        ((-8.5, 0.0), A, true),
+        ((-10.0, -2.0), B, true),
+        ((-9.5, -4.5), A, true),
+    ];
+    for (i, &(from, role, culled)) in edges.iter().enumerate() {
+        let edge = conf.line(role, from, edges[(i + 1) % 9].0);
+        let thin = |e: &Path| e.stroke.as_ref().is_some_and(|s| s.width < 1.0);
+        assert!(edge.is_some_and(|e| thin(e) == culled), "edge {i} of {role:?} is thin: {culled}");
+    }
+    shows![
+        conf.marker(Ink, (0.0, 0.0)),
+        conf.line(Now, (0.0, 0.0), (-4.0, -2.0)).is_some(),
+        conf.head(Ink, (-10.0, -5.0)),
+        f.says("$t = 0.4$"),
+        f.says("$v$"),
+        f.says(r"$B \ominus A$"),
+    ];
+}
+
+#[test]
+fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
+    let f = figure("demo-angular-sweep");
+    let world = look(&f, 0, 2, true, [-5.6, -5.6, 5.3, 4.5]);
+    let start = moved([(-1.2, -0.5), (1.2, -0.5), (1.2, 0.5), (-1.2, 0.5)], (-3.5, -2.0));
+    shows![
+        world.polygon(A, &start).is_some_and(|p| p.fill.is_some()),
+        world.polygon(B, &[(1.0, -0.5), (3.0, -3.0), (4.5, 0.0), (3.0, 2.0)]).is_some(),
+        f.says("$A'$"),
+    ];
+    let conf = look(&f, 1, 2, true, [-1.0, -4.9, 9.9, 5.2]);
+    let first = [
+        ((5.3, -1.5), A),
+        ((7.7, -1.5), B),
+        ((9.2, 1.5), A),
+        ((9.2, 2.5), B),
+        ((7.7, 4.5), A),
+        ((5.3, 4.5), B),
+        ((3.3, 2.0), A),
+        ((3.3, 1.0), B),
+    ];
+    for (i, &(from, role)) in first.iter().enumerate() {
+        assert!(conf.line(role, from, first[(i + 1) % 8].0).is_some(), "edge {i} at t = 0");
+    }
+    // The last iteration, t = 0.498190: within 0.7 px of the exact hit, where the left edge passes through O.
+    let close = |p: P, role| {
+        let page = conf.panel.page(p);
+        f.paths.iter().any(|s| {
+            let near = |b: tracefig::drawing::Rect| distance(b.center(), page) < 2.0 && b.width() < 20.0;
+            s.fill.and_then(|fill| fill.role) == Some(role) && s.contour.bounds().is_some_and(near)
+        })
+    };
+    for p in
+        [(2.0, -4.2), (3.0, -4.2), (4.5, -1.2), (4.5, 1.2), (3.0, 3.2), (2.0, 3.2), (0.0, 0.7), (0.0, -1.7)]
+    {
+        assert!(close(p, Difference), "a diamond of the last difference near {p:?}");
+    }
+    for k in ["0", "1", "2", "3", "5"] {
+        assert!(f.says(k) || f.says(&format!("${k}$")), "number {k}");
+    }
+    assert!(!f.says("4") && !f.says("$4$"), "4 would come within 14 px of its neighbours");
+    // A has a ghost for each of the steps 1 … 5.
+    let dotted_a = f
+        .paths
+        .iter()
+        .filter(|s| s.stroke.as_ref().is_some_and(|k| k.paint.role == Some(A) && !k.dash.is_empty()));
+    assert_eq!(dotted_a.filter(|s| super::seen::corners(s).len() == 4).count(), 5, "five ghosts of A");
+}

@@ -1,0 +1,231 @@
+//! Figures of a moment: penetration, bounds, clamping, circles, boxes, frames.
+
+use tracefig::drawing::Role::{A, B, Ink, Muted, Now, Translation};
+
+use super::{figure, look};
+
+/// 4/5 and 3/5: the box of `circle-obb` is turned by atan 3/4.
+fn turned((x, y): (f64, f64)) -> (f64, f64) {
+    (0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y)
+}
+
+#[test]
+fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
+    let f = figure("01-penetration");
+    let w = look(&f, 0, 1, false, [-6.0, -4.4, 11.0, 5.4]);
+    let a = [(5.0, -1.0), (2.0, 3.0), (-3.0, 3.5), (-5.0, 0.0), (-3.0, -3.5), (2.0, -4.0)];
+    let b = [(1.5, -0.5), (6.0, -2.0), (8.0, 1.0), (6.0, 3.5), (2.5, 3.0)];
+    let pushed = [(3.5, 1.0), (8.0, -0.5), (10.0, 2.5), (8.0, 5.0), (4.5, 4.5)];
+    let ghost = w.polygon(B, &pushed);
+    shows![
+        w.polygon(A, &a).is_some(),
+        w.polygon(B, &b).is_some(),
+        ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
+        w.double_arrow(Translation, (1.5, -0.5), (3.5, 1.0)),
+        w.arrow(Ink, (3.5, 1.0), (3.5 + 1.2, 1.0 + 0.9)),
+        w.marker(A, (3.5, 1.0)),
+        w.marker(B, (1.5, -0.5)),
+        // The carrier line of A's edge 0, one unit longer at both ends: along (−0.6, 0.8).
+        w.any_line((5.6, -1.8), (1.4, 3.8)),
+        f.says("$d = 2.5$"),
+        f.says("$n$"),
+        f.says(r"B pushed out by $d\,n$"),
+        f.says("$A$"),
+        f.says("$B$"),
+    ];
+}
+
+#[test]
+fn figure_2_shows_the_box_its_corners_its_centre_and_who_touches_it() {
+    let f = figure("02-bounding-box");
+    let w = look(&f, 0, 1, false, [-6.6, -4.4, 9.0, 3.9]);
+    let px = 1.0 / w.panel.scale;
+    let a = [
+        (-5.0, 0.5),
+        (-3.0, -1.0),
+        (-2.0, -3.0),
+        (0.0, -1.5),
+        (3.0, -2.0),
+        (4.0, -0.5),
+        (7.0, 1.0),
+        (4.0, 1.5),
+        (3.0, 3.0),
+        (1.0, 1.0),
+        (-2.0, 2.0),
+        (-2.0, 0.5),
+    ];
+    let (below, right) = (-3.0 - 24.0 * px, 7.0 + 24.0 * px);
+    shows![
+        w.polygon(A, &a).is_some(),
+        w.polygon(Ink, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 3.0), (-5.0, 3.0)]).is_some(),
+        w.marker(Ink, (-5.0, -3.0)),
+        w.marker(Ink, (7.0, 3.0)),
+        w.marker(A, (-5.0, 0.5)),
+        w.marker(A, (-2.0, -3.0)),
+        w.marker(A, (7.0, 1.0)),
+        w.marker(A, (3.0, 3.0)),
+        w.marker(Ink, (1.0, 0.0)),
+        w.line(A, (1.0, below), (7.0, below)).is_some(),
+        w.line(A, (right, 0.0), (right, 3.0)).is_some(),
+        f.says("min $= (-5, -3)$"),
+        f.says("max $= (7, 3)$"),
+        f.says(r"$x_{\min}$") && f.says(r"$x_{\max}$") && f.says(r"$y_{\min}$") && f.says(r"$y_{\max}$"),
+        f.says("$c$"),
+        f.says("$h_x = 6$"),
+        f.says("$h_y = 3$"),
+    ];
+}
+
+#[test]
+fn figure_3_shows_v_its_clamped_components_and_the_distance() {
+    let f = figure("03-circle-box");
+    let w = look(&f, 0, 1, false, [-5.6, -2.0, 7.4, 4.3]);
+    shows![
+        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (-4.0, 1.0)]).is_some(),
+        w.circle(B, (5.5, 3.0), 1.0).is_some(),
+        w.arrow(Ink, (0.0, 0.0), (5.5, 3.0)),
+        w.arrow(Muted, (0.0, 0.0), (5.5, 0.0)),
+        w.arrow(Muted, (0.0, 0.0), (0.0, 3.0)),
+        w.line(A, (0.0, 0.0), (4.0, 0.0)).is_some_and(thick),
+        w.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
+        w.any_line((5.5, 0.0), (5.5, 3.0)),
+        w.any_line((0.0, 3.0), (5.5, 3.0)),
+        w.marker(A, (4.0, 1.0)),
+        w.arrow(Translation, (4.0, 1.0), (5.5, 3.0)),
+        w.text_near("$B_c$", (4.0, 1.0), 40.0),
+        f.says("$V$") && f.says("$V_x$") && f.says("$V_y$"),
+        f.says("clamped $V_x$") && f.says("clamped $V_y$"),
+        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
+        f.says("$D$"),
+        f.says("$r = 1$"),
+        f.says("distance") && f.says("$= 1.5$"),
+        f.says("clamp$(V) = (4, 1)$, $D = (1.5, 2)$"),
+        f.says(r"distance $= \|D\| - r = 2.5 - 1 = 1.5$"),
+    ];
+    // The blue dimension runs beside D, from B_c's level to the circle's, 16 px to the right of it: (0.8, −0.6).
+    let off = 16.0 / w.panel.scale;
+    let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
+    shows![w.along(Translation, beside((4.0, 1.0)), beside((4.9, 2.2)))];
+    let b_c = f.text_at("$B_c$");
+    let corner = w.panel.page((4.0, 1.0));
+    assert!(b_c.x < corner.x && b_c.y > corner.y, "B_c is named inside A, away from the distance line");
+}
+
+#[test]
+fn circle_circle_shows_centres_radii_and_the_shortfall() {
+    let f = figure("circle-circle");
+    let w = look(&f, 0, 1, false, [-5.0, -5.1, 11.2, 3.2]);
+    shows![
+        w.circle(A, (0.0, 0.0), 3.0).is_some(),
+        w.circle(B, (4.0, 0.0), 2.5).is_some(),
+        w.circle(B, (5.5, 0.0), 2.5).is_some_and(|p| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty())),
+        w.marker(A, (0.0, 0.0)),
+        w.marker(B, (4.0, 0.0)),
+        w.line(Translation, (1.5, 0.0), (3.0, 0.0)).is_some(),
+        w.arrow(Now, (4.0, 0.0), (5.5, 0.0)),
+        w.arrow(Ink, (0.0, 0.0), (-1.0, 0.0)),
+        w.horizontal(Ink, 0.0, 4.0),
+        w.horizontal(A, 0.0, 3.0),
+        w.horizontal(B, 1.5, 4.0),
+        f.says(r"$\|A - B\| = 4$"),
+        f.says("$r_1 = 3$"),
+        f.says("$r_2 = 2.5$"),
+        f.says("$p = -1.5$"),
+        f.says("$P = N p$"),
+        f.says("$N$"),
+        f.says(r"$p = \|A - B\| - (r_1 + r_2)$"),
+    ];
+}
+
+#[test]
+fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
+    let f = figure("box-box");
+    let w = look(&f, 0, 1, false, [-8.4, -5.3, 11.2, 4.1]);
+    shows![
+        w.polygon(A, &[(-8.0, -2.5), (0.0, -2.5), (0.0, 1.5), (-8.0, 1.5)]).is_some(),
+        w.polygon(B, &[(1.0, 0.5), (7.0, 0.5), (7.0, 3.5), (1.0, 3.5)]).is_some(),
+        w.marker(A, (-4.0, -0.5)),
+        w.marker(B, (4.0, 2.0)),
+        w.horizontal(A, -4.0, 0.0),
+        w.horizontal(Now, 0.0, 1.0),
+        w.horizontal(A, 1.0, 4.0),
+        w.horizontal(Ink, -4.0, 4.0),
+        w.vertical(A, -0.5, 1.5),
+        w.vertical(Now, 0.5, 1.5),
+        w.vertical(A, 0.5, 2.0),
+        w.vertical(Ink, -0.5, 2.0),
+        f.says("$h_{A,x} = 4$")
+            && f.says("$h_{B,x} = 3$")
+            && f.says("$h_{A,y} = 2$")
+            && f.says("$h_{B,y} = 1.5$"),
+        f.says("$D_x = 1$") && f.says("$D_y = -1$"),
+        f.says("$|c_B - c_A|_x = 8$") && f.says("$|c_B - c_A|_y = 2.5$"),
+        f.says("$c_A$") && f.says("$c_B$"),
+    ];
+}
+
+#[test]
+fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
+    let f = figure("circle-obb");
+    let view = [-3.7, -3.0, 3.7, 6.0];
+    let corners = [(-3.0, -1.0), (3.0, -1.0), (3.0, 1.0), (-3.0, 1.0)];
+    let tilted = corners.map(turned);
+    let world = look(&f, 0, 3, true, view);
+    shows![
+        world.polygon(A, &tilted).is_some(),
+        world.circle(B, (-0.5, 4.0), 1.5).is_some(),
+        world.arrow(Ink, (0.0, 0.0), (-0.5, 4.0)),
+        world.arrow(Muted, (0.0, 0.0), (1.28, 0.96)),
+        world.arrow(Muted, (0.0, 0.0), (-0.96, 1.28)),
+    ];
+    let body = look(&f, 1, 3, true, view);
+    shows![
+        body.polygon(A, &corners).is_some(),
+        body.circle(B, (2.0, 3.5), 1.5).is_some(),
+        body.arrow(Ink, (0.0, 0.0), (2.0, 3.5)),
+        body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
+        body.marker(A, (2.0, 1.0)),
+        body.horizontal(Ink, 0.0, 3.0),
+        body.vertical(Ink, 0.0, 1.0),
+    ];
+    let back = look(&f, 2, 3, true, view);
+    shows![
+        back.polygon(A, &tilted).is_some(),
+        back.marker(A, (1.0, 2.0)),
+        back.arrow(Translation, (1.0, 2.0), (-0.5, 4.0)),
+        f.says("$V$")
+            && f.says("$h_x$")
+            && f.says("$h_y$")
+            && f.says("$B_c$")
+            && f.says("$D$")
+            && f.says("$r$"),
+        f.says("distance $= 1$"),
+    ];
+}
+
+#[test]
+fn frames_discrete_shows_apart_then_overlapping() {
+    let f = figure("frames-discrete");
+    let view = [-3.2, -4.1, 6.6, 4.1];
+    let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
+    let one = look(&f, 0, 2, true, view);
+    shows![
+        one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.polygon(B, &b).is_some(),
+        one.double_arrow(Translation, (-0.7, 1.9), (2.1, -0.2)),
+        f.says("apart 3.5"),
+    ];
+    let two = look(&f, 1, 2, true, view);
+    shows![
+        two.circle(A, (2.5, -0.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        two.polygon(B, &b).is_some(),
+        two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
+        two.double_arrow(Translation, (2.1, -0.2), (3.3, -1.1)),
+        f.says("overlap 1.5"),
+    ];
+}
+
+fn thick(path: &tracefig::drawing::Path) -> bool {
+    path.stroke.as_ref().is_some_and(|s| s.width >= 2.75)
+}

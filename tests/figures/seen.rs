@@ -1,0 +1,333 @@
+//! Looks into a [`Drawing`] for things at places, after the panel's own world → page transform.
+//!
+//! The transform here is the storyboard's description of the page, written down a second time: margins of 24, content
+//! from y = 44 (20 without panel titles) to 476, gaps of 24, one scale for both axes, the view in the middle.
+
+use tracefig::drawing::{Contour, Drawing, Item, Path, Point, Role, Segment};
+
+/// How far a thing may be from its place, in page pixels. Coordinates are exact to some 1e-13 px before they are
+/// written, so that a quarter of a pixel, which no eye sees, finds every thing that is out of place.
+pub(crate) const NEAR: f64 = 0.25;
+
+/// What a figure shows, flattened.
+pub(crate) struct Figure {
+    pub(crate) paths: Vec<Path>,
+    pub(crate) texts: Vec<(String, Point)>,
+}
+
+impl Figure {
+    pub(crate) fn of(drawing: &Drawing) -> Self {
+        let mut figure = Self { paths: Vec::new(), texts: Vec::new() };
+        figure.walk(&drawing.items);
+        figure
+    }
+
+    fn walk(&mut self, items: &[Item]) {
+        for item in items {
+            match item {
+                Item::Group(group) => self.walk(&group.items),
+                Item::Path(path) => self.paths.push(path.clone()),
+                Item::Text(text) => {
+                    let middle = text.origin.x + 0.5 * text.line.width;
+                    let y = text.origin.y + 0.5 * (text.line.descent - text.line.ascent);
+                    self.texts.push((text.line.markup.clone(), Point::new(middle, y)));
+                }
+            }
+        }
+    }
+
+    /// Whether a text with exactly this markup stands somewhere.
+    pub(crate) fn says(&self, markup: &str) -> bool {
+        self.texts.iter().any(|(text, _)| text == markup)
+    }
+
+    /// Where the text with this markup stands: the middle of its box.
+    pub(crate) fn text_at(&self, markup: &str) -> Point {
+        let found = self.texts.iter().find(|(text, _)| text == markup);
+        found.unwrap_or_else(|| panic!("no text {markup:?} among {:?}", self.texts)).1
+    }
+}
+
+/// A panel: where a point of its space lies on the page.
+#[derive(Clone, Copy)]
+pub(crate) struct Panel {
+    pub(crate) scale: f64,
+    middle: Point,
+    center: (f64, f64),
+}
+
+impl Panel {
+    /// Panel `index` of `count`, titled or not, that shows `view`.
+    pub(crate) fn new(index: u8, count: u8, titled: bool, view: [f64; 4]) -> Self {
+        let (index, count) = (f64::from(index), f64::from(count));
+        let width = (912.0 - 24.0 * (count - 1.0)) / count;
+        let top = if titled { 44.0 } else { 20.0 };
+        let height = 476.0 - top;
+        let [x0, y0, x1, y1] = view;
+        Self {
+            scale: (width / (x1 - x0)).min(height / (y1 - y0)),
+            middle: Point::new(24.0 + index * (width + 24.0) + 0.5 * width, top + 0.5 * height),
+            center: (0.5 * (x0 + x1), 0.5 * (y0 + y1)),
+        }
+    }
+
+    pub(crate) fn page(&self, (x, y): (f64, f64)) -> Point {
+        Point::new(
+            self.middle.x + self.scale * (x - self.center.0),
+            self.middle.y - self.scale * (y - self.center.1),
+        )
+    }
+}
+
+pub(crate) fn near(p: Point, q: Point) -> bool {
+    (p.x - q.x).abs() <= NEAR && (p.y - q.y).abs() <= NEAR
+}
+
+fn stroke_role(path: &Path) -> Option<Role> {
+    path.stroke.as_ref().and_then(|s| s.paint.role)
+}
+
+fn fill_role(path: &Path) -> Option<Role> {
+    path.fill.and_then(|f| f.role)
+}
+
+/// The corners of a contour, in order; arcs by their ends.
+pub(crate) fn corners(path: &Path) -> Vec<Point> {
+    let Contour::Segments(segments) = &path.contour else { return Vec::new() };
+    let mut points = Vec::new();
+    for segment in segments {
+        match *segment {
+            Segment::Move(p) | Segment::Line(p) | Segment::Quad(_, p) | Segment::Cubic(_, _, p) => {
+                points.push(p)
+            }
+            Segment::Arc { center, radius, start, sweep } => {
+                for a in [start, start + sweep] {
+                    points.push(Point::new(center.x + radius * a.cos(), center.y + radius * a.sin()));
+                }
+            }
+            Segment::Close => {}
+        }
+    }
+    points
+}
+
+fn closed(path: &Path) -> bool {
+    matches!(&path.contour, Contour::Segments(s) if s.last() == Some(&Segment::Close))
+}
+
+/// Straight pieces of a path, the closing one too.
+fn edges(path: &Path) -> Vec<(Point, Point)> {
+    let points = corners(path);
+    let mut edges: Vec<_> = points.windows(2).map(|w| (w[0], w[1])).collect();
+    if closed(path) && points.len() > 2 {
+        edges.push((points[points.len() - 1], points[0]));
+    }
+    edges
+}
+
+/// A figure through one of its panels.
+pub(crate) struct Look<'f> {
+    pub(crate) figure: &'f Figure,
+    pub(crate) panel: Panel,
+}
+
+type P = (f64, f64);
+
+impl Look<'_> {
+    fn paths(&self) -> impl Iterator<Item = &Path> {
+        self.figure.paths.iter()
+    }
+
+    /// A line of the role between exactly these ends, in either direction.
+    pub(crate) fn line(&self, role: Role, p: P, q: P) -> Option<&Path> {
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        self.paths().find(|path| {
+            stroke_role(path) == Some(role)
+                && edges(path).iter().any(|&(a, b)| (near(a, p) && near(b, q)) || (near(a, q) && near(b, p)))
+        })
+    }
+
+    /// An arrow of the role: a shaft that starts at `from` and points at `tip`, where a filled head has a corner.
+    pub(crate) fn arrow(&self, role: Role, from: P, tip: P) -> bool {
+        self.shaft(role, from, tip) && self.head(role, tip)
+    }
+
+    /// A double-headed arrow: both heads have their corners at the ends.
+    pub(crate) fn double_arrow(&self, role: Role, p: P, q: P) -> bool {
+        self.head(role, p) && self.head(role, q) && self.carried(role, p, q)
+    }
+
+    /// A filled arrow head of the role with its tip there.
+    pub(crate) fn head(&self, role: Role, tip: P) -> bool {
+        let tip = self.panel.page(tip);
+        self.paths().any(|path| {
+            let c = corners(path);
+            let small = path.contour.bounds().is_some_and(|b| b.width() < 16.0 && b.height() < 16.0);
+            fill_role(path) == Some(role)
+                && small
+                && (3..=5).contains(&c.len())
+                && c.iter().any(|&p| near(p, tip))
+        })
+    }
+
+    fn shaft(&self, role: Role, from: P, tip: P) -> bool {
+        let (from, tip) = (self.panel.page(from), self.panel.page(tip));
+        self.paths().any(|path| {
+            stroke_role(path) == Some(role)
+                && edges(path).iter().any(|&(a, b)| {
+                    (near(a, from) && on_segment(b, from, tip) && distance(b, tip) < 12.0)
+                        || (near(b, from) && on_segment(a, from, tip) && distance(a, tip) < 12.0)
+                })
+        })
+    }
+
+    /// A line of the role that lies on the segment p – q and covers it up to arrow heads.
+    fn carried(&self, role: Role, p: P, q: P) -> bool {
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        self.paths().any(|path| {
+            stroke_role(path) == Some(role)
+                && edges(path).iter().any(|&(a, b)| {
+                    on_segment(a, p, q) && on_segment(b, p, q) && distance(a, b) > distance(p, q) - 24.0
+                })
+        })
+    }
+
+    /// A closed polygon with these corners, from any of them, in either direction, stroked in the role.
+    pub(crate) fn polygon(&self, role: Role, points: &[P]) -> Option<&Path> {
+        let points: Vec<_> = points.iter().map(|&p| self.panel.page(p)).collect();
+        self.paths().find(|path| {
+            let c = corners(path);
+            let n = points.len();
+            stroke_role(path) == Some(role)
+                && c.len() == n
+                && closed(path)
+                && (0..n).any(|shift| {
+                    (0..n).all(|i| near(c[i], points[(i + shift) % n]))
+                        || (0..n).all(|i| near(c[n - 1 - i], points[(i + shift) % n]))
+                })
+        })
+    }
+
+    /// A whole circle, stroked in the role; `radius` in units of the space.
+    pub(crate) fn circle(&self, role: Role, center: P, radius: f64) -> Option<&Path> {
+        let (center, radius) = (self.panel.page(center), radius * self.panel.scale);
+        self.paths().find(|path| {
+            stroke_role(path) == Some(role)
+                && matches!(path.contour, Contour::Circle { center: c, radius: r }
+                    if near(c, center) && (r - radius).abs() <= NEAR)
+        })
+    }
+
+    /// An arc of the role about `center` from `p` to `q`, in either direction.
+    pub(crate) fn arc(&self, role: Role, center: P, p: P, q: P) -> bool {
+        let (center, p, q) = (self.panel.page(center), self.panel.page(p), self.panel.page(q));
+        self.paths().any(|path| {
+            let Contour::Segments(segments) = &path.contour else { return false };
+            stroke_role(path) == Some(role)
+                && segments.iter().any(|s| {
+                    let Segment::Arc { center: c, radius, start, sweep } = *s else { return false };
+                    let at = |a: f64| Point::new(c.x + radius * a.cos(), c.y + radius * a.sin());
+                    // A marker and an arrow head take the place of the arc's last pixels.
+                    let ends = [(at(start), at(start + sweep)), (at(start + sweep), at(start))];
+                    near(c, center) && ends.iter().any(|&(a, b)| near(a, p) && distance(b, q) < 14.0)
+                })
+        })
+    }
+
+    /// A marker: something small of the role whose middle is there.
+    pub(crate) fn marker(&self, role: Role, p: P) -> bool {
+        let p = self.panel.page(p);
+        self.paths().any(|path| {
+            let Some(bounds) = path.contour.bounds() else { return false };
+            let colour = fill_role(path) == Some(role) || stroke_role(path) == Some(role);
+            colour && near(bounds.center(), p) && bounds.width() < 24.0 && bounds.height() < 24.0
+        })
+    }
+
+    /// The text nearest to a place is the wanted one, or it is within `reach` pixels of it.
+    pub(crate) fn text_near(&self, markup: &str, p: P, reach: f64) -> bool {
+        let p = self.panel.page(p);
+        self.figure.texts.iter().any(|(text, at)| text == markup && distance(*at, p) <= reach)
+    }
+}
+
+pub(crate) fn distance(p: Point, q: Point) -> f64 {
+    ((p.x - q.x).powi(2) + (p.y - q.y).powi(2)).sqrt()
+}
+
+fn on_segment(x: Point, p: Point, q: Point) -> bool {
+    let length = distance(p, q).max(f64::MIN_POSITIVE);
+    let (ux, uy) = ((q.x - p.x) / length, (q.y - p.y) / length);
+    let along = (x.x - p.x) * ux + (x.y - p.y) * uy;
+    let across = (x.x - p.x) * uy - (x.y - p.y) * ux;
+    across.abs() <= NEAR && (-NEAR..=length + NEAR).contains(&along)
+}
+
+impl Look<'_> {
+    /// A line between these ends in any role.
+    pub(crate) fn any_line(&self, p: P, q: P) -> bool {
+        Role::ALL.into_iter().any(|role| self.line(role, p, q).is_some())
+    }
+
+    /// A line of the role that covers p – q up to arrow heads.
+    pub(crate) fn along(&self, role: Role, p: P, q: P) -> bool {
+        self.carried(role, p, q)
+    }
+
+    /// A horizontal line of the role from x = `x0` to `x1`, at any height: a length on a track.
+    pub(crate) fn horizontal(&self, role: Role, x0: f64, x1: f64) -> bool {
+        let (p, q) = (self.panel.page((x0, 0.0)), self.panel.page((x1, 0.0)));
+        self.bar(role, |a, b| {
+            (a.y - b.y).abs() < 1e-6
+                && (a.x.min(b.x) - p.x).abs() <= NEAR
+                && (a.x.max(b.x) - q.x).abs() <= NEAR
+        })
+    }
+
+    /// A vertical line of the role from y = `y0` to `y1`, anywhere: a length on a track.
+    pub(crate) fn vertical(&self, role: Role, y0: f64, y1: f64) -> bool {
+        let (p, q) = (self.panel.page((0.0, y1)), self.panel.page((0.0, y0)));
+        self.bar(role, |a, b| {
+            (a.x - b.x).abs() < 1e-6
+                && (a.y.min(b.y) - p.y).abs() <= NEAR
+                && (a.y.max(b.y) - q.y).abs() <= NEAR
+        })
+    }
+
+    fn bar(&self, role: Role, fits: impl Fn(Point, Point) -> bool) -> bool {
+        self.paths()
+            .any(|path| stroke_role(path) == Some(role) && edges(path).iter().any(|&(a, b)| fits(a, b)))
+    }
+
+    /// A straight dashed line whose carrier passes through both points.
+    pub(crate) fn through(&self, p: P, q: P) -> bool {
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        self.paths().any(|path| {
+            let dashed = path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty());
+            dashed && edges(path).iter().any(|&(a, b)| on_segment(p, a, b) && on_segment(q, a, b))
+        })
+    }
+
+    /// An open curve of the role from p to q.
+    pub(crate) fn curve(&self, role: Role, p: P, q: P) -> bool {
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        self.paths().any(|path| {
+            let c = corners(path);
+            let ends = c.first().zip(c.last());
+            let joined =
+                ends.is_some_and(|(&a, &b)| (near(a, p) && near(b, q)) || (near(a, q) && near(b, p)));
+            stroke_role(path) == Some(role) && c.len() > 2 && joined
+        })
+    }
+
+    /// An arc about the centre with this radius, in any role.
+    pub(crate) fn round(&self, center: P, radius: f64) -> bool {
+        let (center, radius) = (self.panel.page(center), radius * self.panel.scale);
+        self.paths().any(|path| {
+            let Contour::Segments(segments) = &path.contour else { return false };
+            segments.iter().any(|s| {
+                matches!(*s, Segment::Arc { center: c, radius: r, .. } if near(c, center) && (r - radius).abs() <= NEAR)
+            })
+        })
+    }
+}
