@@ -46,20 +46,29 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 /// Smallest and largest coordinates of a body, rounded outward.
 fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 2] {
     let placing = Placing::new(body, t);
-    let rough = |k: usize, v: DVec2| placing.rough(k, v);
     let vertices = &body.shape.vertices;
-    // Coordinates left, bottom, right, top, each counted outward: x, y, and their negatives.
-    let ends: [f64; 4] = std::array::from_fn(|side| {
-        let top = vertices.iter().fold(f64::NEG_INFINITY, |top, &v| top.max(rough(side, v)));
-        let within = vertices.iter().filter(|v| rough(side, **v) >= top - 2.0 * placing.error);
-        within.fold(f64::NEG_INFINITY, |end, &v| end.max(placing.outermost(side, v)))
-    });
+    // Left, bottom, right, top, each counted outward: −x, −y, x, y.
+    let mut tops = [f64::NEG_INFINITY; 4];
+    for &v in vertices {
+        let reach = placing.rough(v);
+        tops = std::array::from_fn(|side| tops[side].max(reach[side]));
+    }
+    // Whoever rounding may have kept from the top is as outermost as the one that is there.
+    let may_touch = tops.map(|top| top - 2.0 * placing.error);
+    let mut ends = [f64::NEG_INFINITY; 4];
+    for &v in vertices {
+        let reach = placing.rough(v);
+        for side in 0..4 {
+            if reach[side] >= may_touch[side] {
+                ends[side] = ends[side].max(placing.outermost(side, v));
+            }
+        }
+    }
     let corners = [DVec2::new(-ends[0], -ends[1]), DVec2::new(ends[2], ends[3])];
     tracer.record(|| {
         let touching = std::array::from_fn(|side| {
-            let top = vertices.iter().map(|&v| rough(side, v)).fold(f64::NEG_INFINITY, f64::max);
-            let reaching = |v: &DVec2| rough(side, *v) >= top - 2.0 * placing.error;
-            let places = vertices.iter().enumerate().filter(|(_, v)| reaching(v));
+            let touches = |v: &DVec2| placing.rough(*v)[side] >= may_touch[side];
+            let places = vertices.iter().enumerate().filter(|(_, v)| touches(v));
             places.map(|(index, &v)| SupportVertex { index, point: placing.pose.point(v) }).collect()
         });
         Event::BoundsFound { of: Some(of), min: corners[0], max: corners[1], touching }
@@ -110,17 +119,21 @@ impl Placing {
         }
     }
 
-    /// How far a vertex reaches to a side (0 left, 1 bottom, 2 right, 3 top), without the radius.
-    fn rough(&self, side: usize, v: DVec2) -> f64 {
+    /// How far a vertex reaches to each side, left, bottom, right and top, without the radius.
+    #[inline]
+    fn rough(&self, v: DVec2) -> [f64; 4] {
         let p = self.pose.point(v);
-        [-p.x, -p.y, p.x, p.y][side]
+        [-p.x, -p.y, p.x, p.y]
     }
 
-    /// The same with the radius, not below the exact value.
+    /// The same for one side, with the radius, not below the exact value.
     fn outermost(&self, side: usize, v: DVec2) -> f64 {
         let ([cos, sin], v) = (self.turn, v * self.unit);
-        let turned =
-            if side.is_multiple_of(2) { cos.scale(v.x) - sin.scale(v.y) } else { sin.scale(v.x) + cos.scale(v.y) };
+        let turned = if side.is_multiple_of(2) {
+            cos.scale(v.x) - sin.scale(v.y)
+        } else {
+            sin.scale(v.x) + cos.scale(v.y)
+        };
         let place = self.position[side % 2] + turned;
         let radius = Ball::new(self.radius);
         (if side < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi

@@ -91,7 +91,7 @@ mod tests {
         let mut trace = Trace::default();
         let bound = ask(&a, None, &mut trace);
         // 4.1 π/3 to 25 digits: 4.29350995990605076…
-        let exact = 4.293_509_959_906_050_7;
+        let exact = 4.293_509_959_906_051;
         assert!(bound >= exact && bound <= exact * (1.0 + 20.0 * f64::EPSILON), "{bound:e}");
         let Some(Event::MotionBounded { vertices, radius, .. }) = trace.events.last() else {
             panic!("{trace:?}")
