@@ -4,12 +4,15 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use tracefig::drift::{Rendered, State, compare, triptych};
+use tracefig::drawing::Rect;
+use tracefig::drift::report::{Finding, html, json, junit, markdown, tally};
+use tracefig::drift::{Change, PixelDrift, Rendered, State, compare, elements_in, triptych, what_moved};
 
 use super::console::Console;
-use super::files::{Drawn, Files, tell_unplanned};
+use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::in_order::in_order;
 use super::jobs::{Job, Planned, Target};
+use super::orphans::orphans;
 use super::render::cant_write;
 use super::whole_file::write_whole;
 use super::{Runs, Status};
@@ -19,12 +22,39 @@ use super::{Runs, Status};
 pub(crate) struct Check {
     #[command(flatten)]
     files: Files,
-    /// Folder for the images expected · difference · actual of changed figures
+    /// Folder for the images expected · difference · actual of changed figures, and a page that shows all
     #[arg(short, long, value_name = "DIR", default_value = "target/tracefig-check")]
     output: PathBuf,
-    /// Write what changed or is missing
+    /// Write what changed, is stale or is missing
     #[arg(long)]
     accept: bool,
+    /// Channel levels (of 255) by which a pixel may differ
+    #[arg(long, value_name = "LEVELS", default_value_t = 0)]
+    tolerance: u8,
+    /// Print the findings as JSON
+    #[arg(long)]
+    json: bool,
+    /// Write the findings as `JUnit` XML
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Append the findings as Markdown, as to $`GITHUB_STEP_SUMMARY`
+    #[arg(long, value_name = "FILE")]
+    summary: Option<PathBuf>,
+}
+
+/// What `check` says of a scene.
+#[derive(Default)]
+struct Checked {
+    findings: Vec<Finding>,
+    messages: String,
+}
+
+impl Checked {
+    fn fail(&mut self, file: &str, message: &str) {
+        self.messages.push_str(message);
+        let details = message.lines().take(1).map(str::to_owned).collect();
+        self.findings.push(Finding { file: file.to_owned(), state: "error", details, picture: None });
+    }
 }
 
 impl Runs for Check {
@@ -34,125 +64,164 @@ impl Runs for Check {
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         let ink = console.ink();
-        let mut total = Tally::default();
+        let mut findings = Vec::new();
         in_order(
             &jobs,
             |job| self.compare_all(job, self.files.draw(job, ink)),
             |job, checked| -> io::Result<()> {
-                let checked = checked.unwrap_or_else(|| Checked::bug(job));
-                if !checked.messages.is_empty() {
-                    console.out.flush()?;
-                    Console::message(&checked.messages);
-                }
-                console.out.write_all(checked.lines.as_bytes())?;
-                total.add(&checked.tally);
+                let checked = checked.unwrap_or_else(|| {
+                    let mut bug = Checked::default();
+                    let name = job.input.name();
+                    bug.fail(&name, &format!("error: {name} was not drawn because of a bug of tracefig\n"));
+                    bug
+                });
+                self.tell(&checked.findings, &checked.messages, console)?;
+                findings.extend(checked.findings);
                 Ok(())
             },
         )?;
-        let Tally { identical, changed, missing, failed } = total;
-        let accepted = if self.accept { ", accepted" } else { "" };
-        writeln!(console.out, "{identical} identical, {changed} changed, {missing} missing{accepted}")?;
-        let good = failed == 0 && (self.accept || changed + missing == 0);
+        let orphans = orphans(&jobs, self.files.folders());
+        self.tell(&orphans, "", console)?;
+        findings.extend(orphans);
+        let written = self.write_reports(&findings);
+        if let Err(message) = &written {
+            Console::message(message);
+        }
+        self.conclude(&findings, console)?;
+        let settled = |f: &Finding| !f.is_bad() || (self.accept && !["orphan", "error"].contains(&f.state));
+        let good = written.is_ok() && findings.iter().all(settled);
         Ok(if good { Status::Done } else { Status::Wrong })
     }
 }
 
-/// How many files are what.
-#[derive(Default)]
-struct Tally {
-    identical: usize,
-    changed: usize,
-    missing: usize,
-    /// Scenes that can't be drawn, files that can't be read or written.
-    failed: usize,
-}
-
-impl Tally {
-    fn add(&mut self, other: &Self) {
-        self.identical += other.identical;
-        self.changed += other.changed;
-        self.missing += other.missing;
-        self.failed += other.failed;
-    }
-}
-
-/// What `check` says of a scene.
-#[derive(Default)]
-struct Checked {
-    lines: String,
-    messages: String,
-    tally: Tally,
-}
-
-impl Checked {
-    fn bug(job: &Job) -> Self {
-        let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.name());
-        Self { messages, tally: Tally { failed: 1, ..Tally::default() }, ..Self::default() }
-    }
-
-    fn line(&mut self, line: &str) {
-        self.lines.push_str(line);
-        self.lines.push('\n');
-    }
-
-    fn fail(&mut self, message: &str) {
-        self.messages.push_str(message);
-        self.tally.failed += 1;
-    }
-}
-
 impl Check {
+    /// Says what was found, unless it will be said as JSON.
+    fn tell(&self, findings: &[Finding], messages: &str, console: &mut Console) -> io::Result<()> {
+        if !messages.is_empty() {
+            console.out.flush()?;
+            Console::message(messages);
+        }
+        for finding in findings.iter().filter(|f| f.is_bad() && f.state != "error" && !self.json) {
+            writeln!(console.out, "{:<9} {}", finding.state, finding.file)?;
+            for line in &finding.details {
+                writeln!(console.out, "          {line}")?;
+            }
+            if let Some((path, _)) = &finding.picture {
+                writeln!(console.out, "          {path}: expected · difference · actual")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn conclude(&self, findings: &[Finding], console: &mut Console) -> io::Result<()> {
+        if self.json {
+            return console.out.write_all(json(findings).as_bytes());
+        }
+        let always = ["identical", "changed", "missing"];
+        let counts: Vec<_> = tally(findings)
+            .into_iter()
+            .filter(|(state, count)| *count > 0 || always.contains(state))
+            .map(|(state, count)| format!("{count} {state}"))
+            .collect();
+        let accepted = if self.accept { ", accepted" } else { "" };
+        writeln!(console.out, "{}{accepted}", counts.join(", "))
+    }
+
+    fn write_reports(&self, findings: &[Finding]) -> Result<(), String> {
+        let write = |path: &Path, text: String| {
+            write_whole(path, text.as_bytes()).map_err(|error| cant_write(path, &error))
+        };
+        if findings.iter().any(Finding::is_bad) {
+            std::fs::create_dir_all(&self.output).map_err(|error| cant_write(&self.output, &error))?;
+            write(&self.output.join("index.html"), html(findings))?;
+        }
+        if let Some(path) = &self.junit {
+            write(path, junit(findings))?;
+        }
+        if let Some(path) = &self.summary {
+            let file = std::fs::OpenOptions::new().create(true).append(true).open(path);
+            let written = file.and_then(|mut file| file.write_all(markdown(findings).as_bytes()));
+            written.map_err(|error| cant_write(path, &error))?;
+        }
+        Ok(())
+    }
+
     fn compare_all(&self, job: &Job, drawn: Drawn) -> Checked {
-        let mut checked = Checked { messages: drawn.messages, ..Checked::default() };
-        checked.tally.failed += usize::from(drawn.failed);
-        for (file, bytes) in job.files.iter().zip(&drawn.bytes) {
+        let mut checked = Checked::default();
+        if drawn.failed {
+            checked.fail(&job.input.name(), &drawn.messages);
+        } else {
+            checked.messages = drawn.messages;
+        }
+        for (file, encoded) in job.files.iter().zip(&drawn.files) {
             match &file.target {
-                Target::File(path) => self.compare_one(path, file, bytes, &mut checked),
-                Target::Stdout => checked.fail("error: a scene from standard input has no files to check\n"),
+                Target::File(path) => self.compare_one(path, file, encoded, &mut checked),
+                Target::Stdout => {
+                    checked.fail("<stdin>", "error: a scene from standard input has no files to check\n");
+                }
             }
         }
         checked
     }
 
-    fn compare_one(&self, path: &Path, file: &Planned, bytes: &[u8], checked: &mut Checked) {
+    fn compare_one(&self, path: &Path, file: &Planned, encoded: &Encoded, checked: &mut Checked) {
+        let name = path.display().to_string();
         let on_disk = match std::fs::read(path) {
             Ok(bytes) => Some(bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return checked.fail(&format!("error: can't read {}: {error}\n", path.display())),
+            Err(error) => return checked.fail(&name, &format!("error: can't read {name}: {error}\n")),
         };
-        let state = compare(on_disk.as_deref(), Rendered { extension: file.format.name, bytes });
-        let name = path.display();
+        let state =
+            compare(on_disk.as_deref(), Rendered { extension: file.format.name, bytes: &encoded.bytes });
+        let mut finding =
+            Finding { file: name.clone(), state: state.word(), details: Vec::new(), picture: None };
         match &state {
-            State::Identical => {
-                checked.tally.identical += 1;
-                return;
+            State::Identical | State::Missing => {}
+            State::Changed(Change::Pixels(drift)) if drift.is_within(self.tolerance) => {
+                finding.state = "identical";
             }
-            State::Missing => {
-                checked.tally.missing += 1;
-                checked.line(&format!("missing   {name}"));
-            }
-            State::Changed(change) => {
-                checked.tally.changed += 1;
-                checked.line(&format!("changed   {name}: {change}"));
-                if let Some(image) = on_disk.and_then(|old| triptych(&old, bytes)) {
-                    self.picture(path, &image, checked);
+            State::Changed(change) | State::Stale(change) => {
+                let old = on_disk.unwrap_or_default();
+                finding.details = self.details(change, &old, encoded);
+                if let Some(image) = triptych(&old, &encoded.bytes) {
+                    let path = self.output.join(path.file_name().unwrap_or_default());
+                    let written =
+                        std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, &image));
+                    if let Err(error) = written {
+                        checked.fail(&name, &cant_write(&path, &error));
+                    }
+                    finding.picture = Some((path.display().to_string(), image));
                 }
             }
         }
-        if self.accept
-            && let Err(error) = write_whole(path, bytes)
+        let differs = state != State::Identical;
+        checked.findings.push(finding);
+        if differs
+            && self.accept
+            && let Err(error) = write_whole(path, &encoded.bytes)
         {
-            checked.fail(&cant_write(path, &error));
+            checked.fail(&name, &cant_write(path, &error));
         }
     }
 
-    /// Writes expected · difference · actual.
-    fn picture(&self, of: &Path, image: &[u8], checked: &mut Checked) {
-        let path = self.output.join(of.file_name().unwrap_or_default());
-        let written = std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, image));
-        match written {
-            Ok(()) => checked.line(&format!("          {}: expected · difference · actual", path.display())),
-            Err(error) => checked.fail(&cant_write(&path, &error)),
+    /// How a file differs, in lines.
+    fn details(&self, change: &Change, old: &[u8], encoded: &Encoded) -> Vec<String> {
+        let mut lines = what_moved(old, &encoded.bytes);
+        lines.push(change.to_string());
+        if let Change::Pixels(drift) = change {
+            lines.push(drift.under_tolerances());
+            let names = self.elements(drift, encoded);
+            if !names.is_empty() {
+                lines.push(format!("in the changed area: {}", names.join(", ")));
+            }
         }
+        lines
+    }
+
+    /// Named elements in the changed area.
+    fn elements(&self, drift: &PixelDrift, encoded: &Encoded) -> Vec<String> {
+        let Some(area) = drift.area else { return Vec::new() };
+        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / self.files.scale());
+        elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
     }
 }

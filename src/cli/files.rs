@@ -1,17 +1,19 @@
 //! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as bytes.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
+use tracefig::drift::{facts, fingerprint, metadata};
 use tracefig::figure::{Figure, draw, plan, theme};
 use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
 
 use super::Status;
 use super::console::Console;
-use super::inputs::{Input, inputs};
+use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
 
 /// Which scenes, and how they are drawn.
@@ -48,10 +50,17 @@ fn scale(text: &str) -> Result<f64, String> {
     if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
 }
 
+/// One file.
+pub(crate) struct Encoded {
+    pub(crate) bytes: Vec<u8>,
+    /// What it shows; shared by the formats of a theme.
+    pub(crate) drawing: Arc<Drawing>,
+}
+
 /// A scene's files, or what is wrong.
 pub(crate) struct Drawn {
     /// In the order of the job's files; empty where there is an error.
-    pub(crate) bytes: Vec<Vec<u8>>,
+    pub(crate) files: Vec<Encoded>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
     /// Whether an error is among them.
@@ -69,46 +78,63 @@ impl Files {
         jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
     }
 
+    /// The folders that are meant as a whole.
+    pub(crate) fn folders(&self) -> Vec<PathBuf> {
+        whole_folders(&self.scenes)
+    }
+
+    /// Dots of an image for each page pixel.
+    pub(crate) fn scale(&self) -> f64 {
+        self.scale
+    }
+
     /// Reads, answers and draws one scene.
     pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
         let mut messages = String::new();
-        match self.bytes(job, ink, &mut messages) {
-            Ok(bytes) => Drawn { bytes, messages, failed: false },
-            Err(error) => Drawn { bytes: Vec::new(), messages: messages + &error, failed: true },
+        match self.encoded(job, ink, &mut messages) {
+            Ok(files) => Drawn { files, messages, failed: false },
+            Err(error) => Drawn { files: Vec::new(), messages: messages + &error, failed: true },
         }
     }
-}
 
-impl Files {
-    fn bytes(&self, job: &Job, ink: Ink, messages: &mut String) -> Result<Vec<Vec<u8>>, String> {
+    fn encoded(&self, job: &Job, ink: Ink, messages: &mut String) -> Result<Vec<Encoded>, String> {
         let file = job.input.open().map_err(|refused| refused.render(ink))?;
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let plan = plan(&file.scene).map_err(refuse)?;
-        let mut bytes = Vec::new();
-        let mut drawn: Option<(&Planned, Figure)> = None;
-        for planned in &job.files {
-            // The formats of a theme follow one another and share a drawing.
-            let figure = match drawn.take() {
-                Some((last, figure)) if last.theme == planned.theme => figure,
-                last => {
-                    let theme = planned.theme.as_deref().and_then(theme::find).unwrap_or(plan.theme);
-                    let figure = draw(&plan, theme, &figure_id(job, planned));
-                    if self.strict && !figure.warnings.is_empty() {
-                        return Err(refuse(figure.warnings));
-                    }
-                    if last.is_none() {
-                        // Labels stand at the same places in every theme.
-                        warn(&file, &figure.warnings, ink, messages);
-                    }
-                    figure
-                }
-            };
-            bytes.push(
-                self.encode(&figure.drawing, planned.format).map_err(|e| cant_encode(&file, planned, &e))?,
-            );
-            drawn = Some((planned, figure));
+        let facts = facts(&file.scene);
+        let mut files: Vec<Encoded> = Vec::new();
+        // The formats of a theme follow one another and share a drawing.
+        for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
+            let Some(first) = same_theme.first() else { continue };
+            let theme = first.theme.as_deref().and_then(theme::find).unwrap_or(plan.theme);
+            let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
+            if self.strict && !warnings.is_empty() {
+                return Err(refuse(warnings));
+            }
+            if files.is_empty() {
+                // Labels stand at the same places in every theme.
+                warn(&file, &warnings, ink, messages);
+            }
+            let mut all_bytes = Vec::new();
+            for planned in same_theme {
+                drawing.hash = fingerprint(&file.source.text, &self.options_of(planned.format, theme.name));
+                drawing.metadata = metadata(&drawing.hash, &facts);
+                let bytes =
+                    self.encode(&drawing, planned.format).map_err(|e| cant_encode(&file, planned, &e))?;
+                all_bytes.push(bytes);
+            }
+            let drawing = Arc::new(drawing);
+            files.extend(all_bytes.into_iter().map(|bytes| Encoded { bytes, drawing: Arc::clone(&drawing) }));
         }
-        Ok(bytes)
+        Ok(files)
+    }
+
+    /// All that the bytes of a file depend on besides the scene.
+    fn options_of(&self, format: &Format, theme: &str) -> String {
+        match format.name {
+            "svg" => format!("svg theme={theme}"),
+            name => format!("{name} theme={theme} scale={} png={}", self.scale, self.png),
+        }
     }
 
     fn encode(&self, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {

@@ -64,6 +64,14 @@ pub(crate) fn inputs(arguments: &[PathBuf]) -> Result<Vec<Input>, String> {
     Ok(found)
 }
 
+/// The folders among the arguments; the usual one when there is no argument.
+pub(crate) fn whole_folders(arguments: &[PathBuf]) -> Vec<PathBuf> {
+    if arguments.is_empty() {
+        return vec![PathBuf::from(DEFAULT_FOLDER)];
+    }
+    arguments.iter().filter(|a| a.is_dir()).cloned().collect()
+}
+
 /// The scenes of a folder, by name.
 fn folder(path: &Path) -> Result<Vec<Input>, String> {
     let entries = path.read_dir().map_err(|e| format!("can't read the folder {}: {e}", path.display()))?;

@@ -13,6 +13,7 @@ mod inputs;
 mod jobs;
 mod list;
 mod man;
+mod orphans;
 mod render;
 mod solve;
 mod trace;

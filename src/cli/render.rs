@@ -7,7 +7,7 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::console::Console;
-use super::files::{Drawn, Files, tell_unplanned};
+use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::in_order::in_order;
 use super::jobs::{Job, Target};
 use super::whole_file::write_whole;
@@ -76,7 +76,7 @@ impl Written {
 
 fn write_files(job: &Job, drawn: Drawn) -> Written {
     let mut written = Written { results: Vec::new(), messages: drawn.messages, failed: drawn.failed };
-    for (file, bytes) in job.files.iter().zip(drawn.bytes) {
+    for (file, Encoded { bytes, .. }) in job.files.iter().zip(drawn.files) {
         match &file.target {
             Target::Stdout => written.results = bytes,
             Target::File(path) => match write_whole(path, &bytes) {

@@ -1,12 +1,20 @@
 //! Whether a figure is still what lies on disk, and if not, where it differs.
 //!
 //! A [`Rendered`] file is compared with the bytes that are there: texts by their first differing line, images by their
-//! pixels, with a picture of *expected · difference · actual* beside one another.
+//! pixels, with a picture of *expected · difference · actual* beside one another. What both files say of themselves (a
+//! [`Stamp`]) tells whether the scene changed or what tracefig makes of it, and which numbers moved.
 
+mod elements;
+mod moved;
 mod pixels;
+pub mod report;
+mod stamp;
 mod text;
 
-pub use pixels::{PixelDrift, triptych};
+pub use elements::elements_in;
+pub use moved::moved;
+pub use pixels::{PixelDrift, TOLERANCES, triptych};
+pub use stamp::{STAMP_FORMAT, Stamp, facts, fingerprint, metadata};
 pub use text::LineDrift;
 
 /// A file that the scene gives now.
@@ -23,8 +31,10 @@ pub struct Rendered<'b> {
 pub enum State {
     /// The same bytes.
     Identical,
-    /// Other bytes.
+    /// Other bytes, of the same scene and options.
     Changed(Change),
+    /// Other bytes, and the scene or the options have changed since.
+    Stale(Change),
     /// There is no file.
     Missing,
 }
@@ -46,7 +56,7 @@ pub enum Change {
 }
 
 impl State {
-    /// Its word: "identical", "changed" or "missing".
+    /// Its word: "identical", "changed", "stale" or "missing".
     ///
     /// ```
     /// use tracefig::drift::{Rendered, State, compare};
@@ -60,6 +70,7 @@ impl State {
         match self {
             Self::Identical => "identical",
             Self::Changed(_) => "changed",
+            Self::Stale(_) => "stale",
             Self::Missing => "missing",
         }
     }
@@ -71,7 +82,23 @@ pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
     match on_disk {
         None => State::Missing,
         Some(old) if old == rendered.bytes => State::Identical,
-        Some(old) => State::Changed(change(old, rendered)),
+        Some(old) => {
+            let change = change(old, rendered);
+            match (Stamp::read(old), Stamp::read(rendered.bytes)) {
+                (Some(then), Some(now)) if then.hash != now.hash => State::Stale(change),
+                _ => State::Changed(change),
+            }
+        }
+    }
+}
+
+/// What moved between two files of a figure, in words; empty where they do not say.
+#[must_use]
+pub fn what_moved(old: &[u8], new: &[u8]) -> Vec<String> {
+    let facts = |bytes| Stamp::read(bytes).and_then(|stamp| stamp.facts);
+    match (facts(old), facts(new)) {
+        (Some(old), Some(new)) => moved(&old, &new),
+        _ => Vec::new(),
     }
 }
 

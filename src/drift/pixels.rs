@@ -20,6 +20,8 @@ pub struct PixelDrift {
     pub actual_size: (u32, u32),
     /// Pixels that differ, of those that both have.
     pub changed: u64,
+    /// Pixels that differ by more than each of [`TOLERANCES`].
+    pub beyond: [u64; TOLERANCES.len()],
     /// Largest difference of a channel, of 255.
     pub worst: u8,
     /// Left, top, right, bottom of the changed area in pixels, right and bottom not included; None where only the
@@ -27,9 +29,27 @@ pub struct PixelDrift {
     pub area: Option<[u32; 4]>,
 }
 
+/// Channel levels for which a drift says how many pixels would still differ.
+pub const TOLERANCES: [u8; 6] = [0, 1, 2, 4, 8, 16];
+
+impl PixelDrift {
+    /// How many pixels would differ under each tolerance: `tolerance 0: 12 pixels, 1: 3, 2: 0, …`.
+    #[must_use]
+    pub fn under_tolerances(&self) -> String {
+        let each: Vec<_> = TOLERANCES.iter().zip(self.beyond).map(|(t, n)| format!("{t}: {n}")).collect();
+        format!("pixels beyond a tolerance of {}", each.join(", "))
+    }
+
+    /// Whether the images have one size and no channel differs by more than `tolerance` levels.
+    #[must_use]
+    pub fn is_within(&self, tolerance: u8) -> bool {
+        self.expected_size == self.actual_size && self.worst <= tolerance
+    }
+}
+
 impl fmt::Display for PixelDrift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { expected_size: (w, h), actual_size: (x, y), changed, worst, area } = self;
+        let Self { expected_size: (w, h), actual_size: (x, y), changed, worst, area, .. } = self;
         if (w, h) != (x, y) {
             write!(f, "expected {w} × {h} pixels, got {x} × {y}; ")?;
         }
@@ -79,24 +99,29 @@ impl Image {
 
 /// None where all pixels are the same.
 pub(super) fn drift(old: &Image, new: &Image) -> Option<PixelDrift> {
-    let (mut changed, mut worst, mut area) = (0, 0, None::<[u32; 4]>);
+    let (mut beyond, mut worst, mut area) = ([0; TOLERANCES.len()], 0, None::<[u32; 4]>);
     for y in 0..old.height.min(new.height) {
         for x in 0..old.width.min(new.width) {
             let (Some(a), Some(b)) = (old.at(x, y), new.at(x, y)) else { continue };
             if a == b {
                 continue;
             }
-            changed += 1;
-            worst = a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).fold(worst, u8::max);
+            let difference = a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).fold(0, u8::max);
+            worst = worst.max(difference);
+            for (count, tolerance) in beyond.iter_mut().zip(TOLERANCES) {
+                *count += u64::from(difference > tolerance);
+            }
             let [x0, y0, x1, y1] = area.unwrap_or([x, y, x + 1, y + 1]);
             area = Some([x0.min(x), y0.min(y), x1.max(x + 1), y1.max(y + 1)]);
         }
     }
     let (expected_size, actual_size) = ((old.width, old.height), (new.width, new.height));
+    let changed = beyond[0];
     (changed > 0 || expected_size != actual_size).then_some(PixelDrift {
         expected_size,
         actual_size,
         changed,
+        beyond,
         worst,
         area,
     })

@@ -38,6 +38,13 @@ pub static ERRORS: &[ErrorCode] = &[
     row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
     row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
     row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
+    row("no-panels", "a scene without panels is to be drawn"),
+    row("no-such-moment", "a panel shows a hit or a step that the answer does not have"),
+    row("unsuited-layer", "a layer that shows another space than its panel"),
+    row("unfed-layer", "a layer that needs what this query does not give"),
+    row("bad-markup", "a text whose formula can't be typeset"),
+    row("caption-dropped", "warning: the caption has more lines than the page has room for"),
+    row("label-clash", "warning: a label found no free place"),
     row("internal", "a bug of tracefig"),
 ];
 

@@ -1,4 +1,4 @@
-//! `render` and `check`: files appear whole or not at all, named as promised, and one bad scene costs only itself.
+//! `render`: files appear whole or not at all, named as promised, and one bad scene costs only itself.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -6,15 +6,15 @@ use std::path::Path;
 use crate::{CIRCLES, folder_with, run, tracefig};
 
 /// [`CIRCLES`] with a panel.
-fn drawn() -> String {
+pub(crate) fn drawn() -> String {
     format!("{CIRCLES}[[panels]]\nlayers = [\"shapes\"]\n")
 }
 
-fn names(folder: &Path) -> BTreeSet<String> {
+pub(crate) fn names(folder: &Path) -> BTreeSet<String> {
     folder.read_dir().unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect()
 }
 
-fn set(names: &[&str]) -> BTreeSet<String> {
+pub(crate) fn set(names: &[&str]) -> BTreeSet<String> {
     names.iter().map(|&n| n.to_owned()).collect()
 }
 
@@ -153,39 +153,6 @@ fn wrong_options_are_usage() {
         assert_eq!(ran.code, Some(2), "{arguments:?}: {}", ran.err);
     }
     assert_eq!(names(folder.path()), set(&["s.toml"]));
-}
-
-#[test]
-fn check_tells_identical_changed_and_missing_and_accepts() {
-    let folder = folder_with("s.toml", &drawn());
-    let check = |arguments: &[&str]| run(tracefig(folder.path()).args(["check", "s.toml"]).args(arguments));
-    let ran = check(&[]);
-    assert_eq!(
-        (ran.code, ran.out.as_str()),
-        (Some(1), "missing   s.svg\nmissing   s.png\n0 identical, 0 changed, 2 missing\n")
-    );
-    assert_eq!(names(folder.path()), set(&["s.toml"]));
-    assert_eq!(check(&["--accept"]).code, Some(0));
-    let ran = check(&[]);
-    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "2 identical, 0 changed, 0 missing\n"));
-
-    std::fs::write(folder.path().join("s.toml"), drawn().replace("position = [4, 0]", "position = [5, 1]"))
-        .unwrap();
-    let ran = check(&["-o", "drift"]);
-    assert_eq!(ran.code, Some(1));
-    assert!(
-        ran.out.contains("changed   s.svg: line ") && ran.out.contains("pixels differ, by "),
-        "{}",
-        ran.out
-    );
-    assert!(ran.out.ends_with("0 identical, 2 changed, 0 missing\n"), "{}", ran.out);
-    let triptych = std::fs::read(folder.path().join("drift/s.png")).unwrap();
-    let width = u32::from_be_bytes(triptych[16..20].try_into().unwrap());
-    assert!(width >= 3 * 1920, "{width}");
-    let ran = check(&["--accept", "-o", "drift"]);
-    assert_eq!(ran.code, Some(0));
-    assert!(ran.out.ends_with("0 identical, 2 changed, 0 missing, accepted\n"), "{}", ran.out);
-    assert_eq!(check(&[]).code, Some(0));
 }
 
 /// Kills a run after ever longer times: what is there is whole.

@@ -1,0 +1,68 @@
+//! The findings as one page that needs nothing else: pictures are inside it, and there is no script.
+
+use std::fmt::Write;
+
+use super::{Finding, escape, tally};
+
+/// Follows the reader's light or dark system.
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem;\
+color:#1b1f24;background:#fff}img{width:100%;border:1px solid #8888}code{font-size:.95em}\
+@media(prefers-color-scheme:dark){body{color:#e8eaed;background:#12161c}}";
+
+/// The page.
+#[must_use]
+pub fn html(findings: &[Finding]) -> String {
+    let counts: Vec<_> = tally(findings).into_iter().map(|(state, n)| format!("{n} {state}")).collect();
+    let mut out = format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>tracefig check</title>\
+         <style>{STYLE}</style></head>\n<body><h1>Figures</h1>\n<p>{}</p>\n",
+        counts.join(", ")
+    );
+    for finding in findings.iter().filter(|f| f.is_bad()) {
+        let name = escape(&finding.file);
+        let _ = writeln!(out, "<section><h2><code>{name}</code>: {}</h2>\n<ul>", finding.state);
+        for line in &finding.details {
+            let _ = writeln!(out, "<li>{}</li>", escape(line));
+        }
+        out.push_str("</ul>\n");
+        if let Some((_, png)) = &finding.picture {
+            let data = base64(png);
+            let _ = writeln!(
+                out,
+                "<figure><img src=\"data:image/png;base64,{data}\" alt=\"expected, difference and actual image of {name}\">\
+                 <figcaption>expected · difference · actual</figcaption></figure>"
+            );
+        }
+        out.push_str("</section>\n");
+    }
+    out.push_str("</body></html>\n");
+    out
+}
+
+/// Base 64 of RFC 4648, with padding.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let three = [chunk[0], chunk.get(1).copied().unwrap_or(0), chunk.get(2).copied().unwrap_or(0)];
+        let bits = u32::from_be_bytes([0, three[0], three[1], three[2]]);
+        for i in 0..4 {
+            let digit = DIGITS[(bits >> (18 - 6 * i)) as usize & 63];
+            out.push(if i <= chunk.len() { char::from(digit) } else { '=' });
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::base64;
+
+    #[test]
+    fn base_64_is_as_in_the_rfc() {
+        let pairs = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
+        for (text, expected) in pairs {
+            assert_eq!(base64(text.as_bytes()), expected);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The outcome of a check for people and for machines: a page, JSON, JUnit, a summary in Markdown.
+
+mod html;
+mod json;
+mod junit;
+mod markdown;
+
+pub use html::html;
+pub use json::json;
+pub use junit::junit;
+pub use markdown::markdown;
+
+/// What a check says of one file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// The file, as named on the command line.
+    pub file: String,
+    /// "identical", "changed", "stale", "missing", "orphan" or "error".
+    pub state: &'static str,
+    /// How it differs, a line each.
+    pub details: Vec<String>,
+    /// The PNG of expected · difference · actual, and where it was written.
+    pub picture: Option<(String, Vec<u8>)>,
+}
+
+impl Finding {
+    /// Whether the check failed for it.
+    #[must_use]
+    pub fn is_bad(&self) -> bool {
+        self.state != "identical"
+    }
+}
+
+/// How many findings have each state, those that occur, in the order of the states.
+#[must_use]
+pub fn tally(findings: &[Finding]) -> Vec<(&'static str, usize)> {
+    ["identical", "changed", "stale", "missing", "orphan", "error"]
+        .into_iter()
+        .map(|state| (state, findings.iter().filter(|f| f.state == state).count()))
+        .collect()
+}
+
+/// Text for HTML and XML.
+fn escape(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\n' | '\t' => safe.push(c),
+            c if c.is_control() || c == '\u{fffe}' || c == '\u{ffff}' => safe.push('\u{fffd}'),
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    pub(super) fn findings() -> Vec<Finding> {
+        let finding = |file: &str, state, details: &[&str]| Finding {
+            file: file.to_owned(),
+            state,
+            details: details.iter().map(|&d| d.to_owned()).collect(),
+            picture: None,
+        };
+        vec![
+            finding("a.svg", "identical", &[]),
+            Finding {
+                picture: Some(("out/b.png".to_owned(), vec![1, 2, 3, 4])),
+                ..finding("b.png", "changed", &["1 pixel"])
+            },
+            finding("<c>.svg", "missing", &["\u{1}&"]),
+        ]
+    }
+
+    #[test]
+    fn states_are_counted() {
+        let counted = tally(&findings());
+        assert_eq!(counted[..4], [("identical", 1), ("changed", 1), ("stale", 0), ("missing", 1)]);
+    }
+
+    #[test]
+    fn the_xml_of_each_report_is_well_formed() {
+        let text = junit(&findings());
+        let document = roxmltree::Document::parse(&text).unwrap();
+        let suite = document.root_element();
+        assert_eq!((suite.attribute("tests"), suite.attribute("failures")), (Some("3"), Some("2")));
+        assert_eq!(suite.descendants().filter(|n| n.has_tag_name("failure")).count(), 2);
+        let page = html(&findings());
+        assert!(page.contains("data:image/png;base64,AQIDBA==") && !page.contains("<c>"), "{page}");
+        assert!(!page.contains("<script") && !page.contains("http"), "{page}");
+    }
+
+    #[test]
+    fn json_and_markdown_say_the_same() {
+        let value: serde_json::Value = serde_json::from_str(&json(&findings())).unwrap();
+        assert_eq!((value["identical"].as_u64(), value["changed"].as_u64()), (Some(1), Some(1)));
+        assert_eq!(value["files"][1]["picture"], "out/b.png");
+        let text = markdown(&findings());
+        assert!(text.contains("| `b.png` | changed | 1 pixel |") && !text.contains("a.svg"), "{text}");
+    }
+}

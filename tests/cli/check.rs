@@ -1,0 +1,139 @@
+//! `check`: every state a figure can be in, what moved in words, and the reports.
+
+use std::fs;
+
+use crate::render::{drawn, names, set};
+use crate::{folder_with, run, tracefig};
+
+#[test]
+fn check_tells_identical_stale_and_missing_and_accepts() {
+    let folder = folder_with("s.toml", &drawn());
+    let check = |arguments: &[&str]| {
+        run(tracefig(folder.path()).args(["check", "s.toml", "-o", "drift"]).args(arguments))
+    };
+    let ran = check(&[]);
+    assert_eq!(
+        (ran.code, ran.out.as_str()),
+        (Some(1), "missing   s.svg\nmissing   s.png\n0 identical, 0 changed, 2 missing\n")
+    );
+    assert_eq!(names(folder.path()), set(&["drift", "s.toml"]));
+    assert_eq!(check(&["--accept"]).code, Some(0));
+    let ran = check(&[]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "2 identical, 0 changed, 0 missing\n"));
+
+    fs::write(folder.path().join("s.toml"), drawn().replace("position = [4, 0]", "position = [5, 0]"))
+        .unwrap();
+    let ran = check(&[]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.out.contains("stale     s.svg\n          separation: 1.0 → 2.0\n"), "{}", ran.out);
+    assert!(ran.out.contains("pixels beyond a tolerance of 0: "), "{}", ran.out);
+    assert!(ran.out.contains("in the changed area: ") && ran.out.contains("body-B"), "{}", ran.out);
+    assert!(ran.out.ends_with("0 identical, 0 changed, 2 stale, 0 missing\n"), "{}", ran.out);
+    let triptych = fs::read(folder.path().join("drift/s.png")).unwrap();
+    let width = u32::from_be_bytes(triptych[16..20].try_into().unwrap());
+    assert!(width >= 3 * 1920, "{width}");
+    let page = fs::read_to_string(folder.path().join("drift/index.html")).unwrap();
+    assert!(page.contains("separation: 1.0 → 2.0") && page.contains("data:image/png;base64,"));
+    assert!(!page.contains("<script"));
+    let ran = check(&["--accept"]);
+    assert_eq!(ran.code, Some(0));
+    assert!(ran.out.ends_with("0 identical, 0 changed, 2 stale, 0 missing, accepted\n"), "{}", ran.out);
+    assert_eq!(check(&[]).code, Some(0));
+}
+
+#[test]
+fn a_figure_changed_by_hand_is_shown_where() {
+    let folder = folder_with("s.toml", &drawn());
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));
+    assert_eq!(run(&["render", "s.toml", "--format", "svg"]).code, Some(0));
+    let path = folder.path().join("s.svg");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, text.replacen("<circle", "<ellipse", 1)).unwrap();
+    let ran = run(&["check", "s.toml", "--format", "svg"]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.out.starts_with("changed   s.svg\n          line "), "{}", ran.out);
+    assert!(ran.out.contains("<ellipse") && ran.out.contains("<circle"), "{}", ran.out);
+}
+
+#[test]
+fn a_pixel_changed_by_hand_is_found_and_tolerance_is_what_it_says() {
+    let folder = folder_with("s.toml", &drawn());
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));
+    let small = ["--format", "png", "--scale", "0.5"];
+    assert_eq!(run(&[&["render", "s.toml"][..], &small].concat()).code, Some(0));
+    let path = folder.path().join("s.png");
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(fs::read(&path).unwrap()));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut pixels).unwrap();
+    let channels = pixels.len() / (info.width * info.height) as usize;
+    let at = channels * (10 * info.width as usize + 20);
+    pixels[at] = pixels[at].wrapping_sub(5);
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, info.width, info.height);
+    encoder.set_color(info.color_type);
+    encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+    fs::write(&path, bytes).unwrap();
+
+    let ran = run(&[&["check", "s.toml"][..], &small].concat());
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.out.contains("1 pixels differ, by 5 of 255 levels at most, within x 20 – 21, y 10 – 11"),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.contains("a tolerance of 0: 1, 1: 1, 2: 1, 4: 1, 8: 0, 16: 0"), "{}", ran.out);
+    assert_eq!(run(&[&["check", "s.toml", "--tolerance", "4"][..], &small].concat()).code, Some(1));
+    assert_eq!(run(&[&["check", "s.toml", "--tolerance", "5"][..], &small].concat()).code, Some(0));
+}
+
+#[test]
+fn a_figure_without_a_scene_is_an_orphan() {
+    let folder = folder_with("a.toml", &drawn());
+    fs::write(folder.path().join("b.toml"), drawn()).unwrap();
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));
+    assert_eq!(run(&["render", ".", "--format", "svg", "--theme", "light,dark"]).code, Some(0));
+    assert_eq!(run(&["check", ".", "--format", "svg", "--theme", "light,dark"]).code, Some(0));
+    fs::remove_file(folder.path().join("b.toml")).unwrap();
+    // A picture of somebody else's is none of our business.
+    fs::write(folder.path().join("logo.svg"), "<svg/>").unwrap();
+    let check = ["check", ".", "--format", "svg", "--theme", "light,dark"];
+    let ran = run(&check);
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.out.contains("orphan    ./b.dark.svg\n") && ran.out.contains("orphan    ./b.light.svg\n"),
+        "{}",
+        ran.out
+    );
+    assert!(ran.out.ends_with("2 identical, 0 changed, 0 missing, 2 orphan\n"), "{}", ran.out);
+    // Nothing is deleted, so accepting does not make it good.
+    assert_eq!(run(&[&check[..], &["--accept"]].concat()).code, Some(1));
+}
+
+#[test]
+fn findings_are_written_for_machines() {
+    let folder = folder_with("s.toml", &drawn());
+    let options = ["--format", "svg", "--json", "--junit", "junit.xml", "--summary", "summary.md"];
+    let ran = run(tracefig(folder.path()).args(["check", "s.toml"]).args(options));
+    assert_eq!(ran.code, Some(1));
+    let json: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!((json["missing"].as_u64(), json["files"][0]["file"].as_str()), (Some(1), Some("s.svg")));
+    let junit = fs::read_to_string(folder.path().join("junit.xml")).unwrap();
+    assert!(junit.contains("tests=\"1\" failures=\"1\""), "{junit}");
+    let summary = fs::read_to_string(folder.path().join("summary.md")).unwrap();
+    assert!(summary.starts_with("### Figures: 1 missing\n"), "{summary}");
+}
+
+#[test]
+fn a_scene_that_can_not_be_drawn_fails_the_check() {
+    let folder = folder_with("s.toml", "title = 1");
+    let ran = run(tracefig(folder.path()).args(["check", "s.toml"]));
+    assert_eq!(ran.code, Some(1));
+    assert!(
+        ran.err.contains("error[wrong-type]: `title`") && ran.out.contains("1 error"),
+        "{}{}",
+        ran.err,
+        ran.out
+    );
+}
