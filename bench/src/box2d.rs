@@ -4,7 +4,8 @@ use box2d_rust::distance::{
     DistanceInput, ShapeCastPairInput, ShapeProxy, SimplexCache, Sweep, ToiInput, ToiState, make_proxy, shape_cast,
     shape_distance, time_of_impact,
 };
-use box2d_rust::geometry::{Polygon, make_polygon};
+use box2d_rust::collision::Polygon;
+use box2d_rust::geometry::make_polygon;
 use box2d_rust::hull::compute_hull;
 use box2d_rust::manifold::collide_polygons;
 use box2d_rust::math_functions::{inv_mul_transforms, make_rot};
