@@ -34,7 +34,6 @@ pub(crate) const NAME: &str = "minkowski";
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
     tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
-    record_rounding(&pair, tracer);
     if query.kind == QueryKind::Overlap {
         Answer::Overlap(overlap(&pair, tracer))
     } else {
@@ -96,6 +95,7 @@ impl Closest {
 /// The edge of B ⊖ A nearest the origin: least positive if the origin is outside any, else least penetrating. With
 /// `axis` the first edge whose line is beyond that ends the search.
 fn closest(pair: &Relative, axis: Option<Axis>, tracer: &mut impl Tracer) -> Closest {
+    record_rounding(pair, tracer);
     let mut best: Option<Projection> = None;
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
@@ -139,8 +139,8 @@ pub(crate) fn improved(pair: &Relative, p: &Projection) -> Event {
     Event::CandidateImproved { goal, distance: p.distance, foot: pair.world_vector(p.foot), source }
 }
 
-/// The edge with each vertex of the other body that supports it; the difference edge is told with the one that stands
-/// in the outline where B's edges come first.
+/// The edge with each vertex of the other body that supports it. The first, which is told as an edge of B ⊖ A, is the one
+/// that stands in the outline where B's edges come first.
 fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer) -> [Option<Pairing>; 2] {
     let (first, second) = pair.supports_of_edge(source, edge);
     let other = source.other();
@@ -149,10 +149,11 @@ fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer
         direction: pair.world_vector(-pair.outward(source, edge)),
         vertices: [Some(first), second].into_iter().flatten().map(|k| pair.told(other, k)).collect(),
     });
+    let (outline, beside) = match (source, second) {
+        (Side::A, Some(second)) => (second, Some(first)),
+        _ => (first, second),
+    };
     let of = |vertex| Pairing { source, edge, vertex };
-    tracer.record(|| match (source, second) {
-        (Side::A, Some(second)) => of(second).found(pair),
-        _ => of(first).found(pair),
-    });
-    [Some(of(first)), second.map(of)]
+    tracer.record(|| of(outline).found(pair));
+    [Some(of(outline)), beside.map(of)]
 }

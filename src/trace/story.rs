@@ -9,6 +9,10 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side};
 /// Significant digits of the numbers.
 const DIGITS: usize = 6;
 
+/// A coordinate smaller than this part of its point's other coordinate is what rounding left of a 0: told as 0. The
+/// JSON lines have every bit.
+const NOTHING: f64 = 1e-12;
+
 /// The whole trace, a line for each event.
 ///
 /// ```
@@ -296,7 +300,9 @@ fn part(feature: Feature) -> String {
 }
 
 fn point(p: DVec2) -> String {
-    format!("({}, {})", number(p.x), number(p.y))
+    let size = p.abs().max_element();
+    let shown = |x: f64| number(if x.abs() < NOTHING * size { 0.0 } else { x });
+    format!("({}, {})", shown(p.x), shown(p.y))
 }
 
 /// A number to [`DIGITS`] significant digits, without trailing zeros; with an exponent where it is very large or small.
@@ -325,6 +331,12 @@ mod tests {
         for (x, expected) in cases {
             assert_eq!(number(x), expected);
         }
+    }
+
+    #[test]
+    fn what_rounding_left_of_a_zero_is_told_as_zero() {
+        assert_eq!(point(DVec2::new(4.4e-16, 5.0)), "(0, 5)");
+        assert_eq!(point(DVec2::new(4e-16, 5e-16)), "(4e-16, 5e-16)");
     }
 
     #[test]
