@@ -19,15 +19,19 @@ pub(super) struct Candidate {
 }
 
 /// Room between a label and what it belongs to, page pixels.
-const GAP: f64 = 4.0;
+const GAP: f64 = 5.0;
 /// The same for the second ring of places.
-const SECOND_GAP: f64 = 11.0;
-/// The third ring, whose places have a leader line.
-const FAR_GAP: f64 = 25.0;
+const SECOND_GAP: f64 = 10.0;
+/// The same for the third.
+const THIRD_GAP: f64 = 16.0;
+/// The last ring, whose places have a leader line.
+const FAR_GAP: f64 = 27.0;
 /// Reluctance to stand on the second ring.
-const SECOND_RING: f64 = 4.0;
+const SECOND_RING: f64 = 3.0;
+/// Reluctance to stand on the third.
+const THIRD_RING: f64 = 7.0;
 /// Reluctance to stand far off, with a leader.
-const FAR_RING: f64 = 18.0;
+const FAR_RING: f64 = 16.0;
 /// From the panel's corner to a note, page pixels.
 const INSET: f64 = 8.0;
 
@@ -126,8 +130,9 @@ fn toward(at: Point, gap: f64, (dx, dy): (f64, f64), (w, h): (f64, f64)) -> Rect
 }
 
 fn around(at: Point, clear: f64, preferred: Option<Offset>, size: (f64, f64)) -> Vec<Candidate> {
-    let mut all = Vec::with_capacity(3 * AROUND.len());
-    for (gap, more) in [(GAP, 0.0), (SECOND_GAP, SECOND_RING), (FAR_GAP, FAR_RING)] {
+    let mut all = Vec::with_capacity(4 * AROUND.len());
+    let rings = [(GAP, 0.0), (SECOND_GAP, SECOND_RING), (THIRD_GAP, THIRD_RING), (FAR_GAP, FAR_RING)];
+    for (gap, more) in rings {
         for &(dx, dy, usual) in &AROUND {
             let rect = toward(at, clear + gap, (dx, dy), size);
             let own = preferred.map_or(usual, |u| {
@@ -175,7 +180,9 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64)) -> Vec<Candidate>
     let at = |t: f64| from + (to - from) * t;
     if best == Best::Middle {
         let points: Vec<_> = [0.5, 0.35, 0.65, 0.2, 0.8].iter().map(|&t| (at(t), n)).collect();
-        return sides(&points, size, 0.6);
+        let mut all = sides(&points, size, 0.6);
+        all.extend(beyond(from, to, u, size));
+        return all;
     }
     let reach = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
     let mut all = Vec::new();
@@ -196,10 +203,38 @@ fn beside(from: Point, to: Point, offset: f64, size: (f64, f64)) -> Vec<Candidat
     let n = if offset == 0.0 { upward(u) } else { u.left() * offset.signum() };
     let points: Vec<_> = [0.5, 0.35, 0.65, 0.2, 0.8].iter().map(|&t| (a + (b - a) * t, n)).collect();
     let mut all = sides(&points, size, if offset == 0.0 { 0.6 } else { 2.0 });
+    all.extend(beyond(a, b, u, size));
+    all
+}
+
+/// Beyond the ends of a line, in its direction.
+fn beyond(a: Point, b: Point, u: Offset, size: (f64, f64)) -> Vec<Candidate> {
     let reach = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
-    for (end, direction) in [(b, u), (a, -u)] {
+    let place = |(end, direction): (Point, Offset)| {
         let rect = about(end + direction * (2.0 * GAP + reach), size);
-        all.push(Candidate { rect, reluctance: 3.0, leader: None });
+        Candidate { rect, reluctance: 3.0, leader: None }
+    };
+    [(b, u), (a, -u)].map(place).to_vec()
+}
+
+/// A label is moved at most this far from one of its places, page pixels.
+const NUDGE: i32 = 24;
+/// By steps of so many page pixels.
+const NUDGE_STEP: usize = 4;
+/// Reluctance for each page pixel.
+const NUDGED: f64 = 0.16;
+
+/// Places about a place, for a label that finds room nowhere else.
+pub(super) fn nudged(place: &Candidate) -> Vec<Candidate> {
+    let steps = || (-NUDGE..=NUDGE).step_by(NUDGE_STEP).map(f64::from);
+    let mut all = Vec::new();
+    for dx in steps() {
+        for dy in steps() {
+            let by = Offset::new(dx, dy);
+            let rect = about(place.rect.center() + by, (place.rect.width(), place.rect.height()));
+            let reluctance = place.reluctance + NUDGED * by.length();
+            all.push(Candidate { rect, reluctance, leader: place.leader.map(|(p, q)| (p, q + by)) });
+        }
     }
     all
 }

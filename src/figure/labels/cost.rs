@@ -3,9 +3,10 @@
 use crate::drawing::{Point, Rect};
 
 use super::super::frame::Frame;
+use super::super::label::Anchor;
 use super::super::sketch::{Cover, Obstacle, Weight};
 use super::candidates::Candidate;
-use super::{Placed, Sought, distance_to, length_inside};
+use super::{Placed, Sought, distance_to, length_inside, nearest_in, segment_distance};
 
 /// Room that labels keep from foreign strokes, page pixels.
 const STROKE_ROOM: f64 = 2.0;
@@ -14,25 +15,35 @@ const MARKER_ROOM: f64 = 1.5;
 /// Room that labels keep from each other, page pixels.
 const LABEL_ROOM: f64 = 3.0;
 /// Two labels at this distance are as good as apart, page pixels.
-const LABEL_COMFORT: f64 = 9.0;
+const LABEL_COMFORT: f64 = 18.0;
 /// Touching a foreign stroke; a page pixel of it inside the label.
 const STROKE: (f64, f64) = (14.0, 0.5);
 /// The same for construction lines, ghosts and axes.
 const LIGHT_STROKE: (f64, f64) = (11.0, 0.3);
 /// Touching a stroke of one's own.
-const OWN_STROKE: (f64, f64) = (6.0, 0.3);
+const OWN_STROKE: (f64, f64) = (10.0, 0.4);
+/// A foreign stroke within this distance, page pixels, crowds a label, and what that costs at most.
+const CROWDED: (f64, f64) = (7.0, 1.2);
+/// A line between a label and the point that it names.
+const PARTED: f64 = 7.0;
 /// Touching a marker or an arrowhead.
 const MARKER: f64 = 30.0;
 /// Near a marker that belongs to something else, where a reader could take the label for its.
 const MISLEADING: f64 = 2.5;
 /// Within this distance a marker misleads, page pixels.
-const NEAR: f64 = 7.0;
-/// Reaching over the panel's edge; a page pixel of it.
+const NEAR: f64 = 8.0;
+/// Within this distance the name of an area seems to name a marker, page pixels, and what that costs at most.
+const NAMING: (f64, f64) = (30.0, 6.0);
+/// Reaching farther than [`SPILL`] over the panel's edge; a page pixel of it.
 const EDGE: (f64, f64) = (60.0, 2.0);
+/// Reaching over the panel's edge, into the gap between panels; a page pixel of it.
+const SPILLED: (f64, f64) = (1.5, 0.3);
+/// A label may reach so far over the edge of its panel, page pixels: a quarter of the gap.
+pub(super) const SPILL: f64 = 6.0;
 /// Two labels that overlap; a square page pixel of it.
 const OVERLAP: (f64, f64) = (70.0, 0.2);
-/// Two labels that nearly touch.
-const CLOSE: f64 = 2.5;
+/// Two labels that nearly touch; less the farther they are.
+const CLOSE: f64 = 4.0;
 /// A stroke or label under a leader line.
 const LEADER: f64 = 8.0;
 /// Standing elsewhere than the same label in an earlier panel.
@@ -41,8 +52,23 @@ const MOVED: f64 = 6.0;
 /// What a place costs whatever the other labels do.
 pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, slot: usize, scene: &Surroundings) -> f64 {
     let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
+    let named = match &sought.anchor {
+        Anchor::Point { at, .. } => Some(scene.frame.page(*at)),
+        _ => None,
+    };
+    let near = named.map(|p| (p, nearest_in(&candidate.rect, p)));
     for obstacle in scene.obstacles {
+        if let (Some((p, q)), Cover::Stroke { from, to, .. }) = (near, obstacle.cover)
+            && obstacle.weight == Weight::Normal
+            && cross(p, q, from, to)
+        {
+            cost += PARTED;
+        }
         cost += obstacle_cost(obstacle, obstacle.part == sought.part, candidate);
+        if let (Anchor::Inside { .. }, Cover::Marker { at, radius }) = (&sought.anchor, obstacle.cover) {
+            let near = 1.0 - (distance_to(&candidate.rect, at) - radius) / NAMING.0;
+            cost += NAMING.1 * near.clamp(0.0, 1.0);
+        }
     }
     let elsewhere = scene.earlier.iter().rev().find(|p| p.key == sought.key).is_some_and(|p| p.slot != slot);
     cost + if elsewhere { MOVED } else { 0.0 }
@@ -66,7 +92,16 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate) -> f64 {
                 (false, Weight::Normal) => STROKE,
                 (false, _) => LIGHT_STROKE,
             };
-            let hidden = length_inside(from, to, &rect.grown(room)).map_or(0.0, |l| touch + pixel * l);
+            // Far strokes are most of them: a test of boxes first.
+            let apart = rect.grown(CROWDED.0).intersection(Rect::new(from, to)).is_none();
+            let distance = if apart { CROWDED.0 } else { segment_distance(rect, from, to) - half };
+            let hidden = if distance + half < room {
+                touch + pixel * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
+            } else if own {
+                0.0
+            } else {
+                CROWDED.1 * (1.0 - distance / CROWDED.0).max(0.0)
+            };
             let led = candidate.leader.filter(|_| !own).is_some_and(|(p, q)| cross(p, q, from, to));
             hidden + if led { LEADER } else { 0.0 }
         }
@@ -85,7 +120,11 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate) -> f64 {
 
 fn edge(rect: &Rect, panel: &Rect) -> f64 {
     let over = (panel.x0 - rect.x0).max(rect.x1 - panel.x1).max(panel.y0 - rect.y0).max(rect.y1 - panel.y1);
-    if over > 0.0 { EDGE.0 + EDGE.1 * over } else { 0.0 }
+    match over {
+        _ if over > SPILL => EDGE.0 + EDGE.1 * over,
+        _ if over > 0.0 => SPILLED.0 + SPILLED.1 * over,
+        _ => 0.0,
+    }
 }
 
 /// What two places cost each other.
@@ -96,7 +135,10 @@ pub(super) fn pair_cost(a: &Candidate, b: &Candidate) -> f64 {
     if let Some(both) = a.rect.grown(LABEL_ROOM).intersection(b.rect) {
         cost += OVERLAP.0 + OVERLAP.1 * both.width() * both.height();
     } else if a.rect.grown(LABEL_COMFORT).intersection(b.rect).is_some() {
-        cost += CLOSE;
+        let gap = |lo: f64, hi: f64| (lo - hi).max(0.0);
+        let dx = gap(a.rect.x0, b.rect.x1).max(gap(b.rect.x0, a.rect.x1));
+        let dy = gap(a.rect.y0, b.rect.y1).max(gap(b.rect.y0, a.rect.y1));
+        cost += CLOSE * (1.0 - libm::hypot(dx, dy) / LABEL_COMFORT).max(0.0);
     }
     cost
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::super::sketch::Cover;
+use super::cost::SPILL;
 use super::{Labelled, distance_to, length_inside};
 
 /// A leader line longer than this is a fault, page pixels.
@@ -123,7 +124,7 @@ pub fn faults(panel: &Labelled) -> Vec<Fault> {
         if panel.obstacles.iter().any(|o| o.part != label.part && stroke(&o.cover)) {
             found.push(Fault::OnStroke { key, span: span.clone() });
         }
-        let edge = panel.frame.panel.grown(SEEMING);
+        let edge = panel.frame.panel.grown(SPILL + SEEMING);
         if edge.union(label.bounds) != edge {
             found.push(Fault::OverEdge { key, span: span.clone() });
         }

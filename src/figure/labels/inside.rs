@@ -12,11 +12,11 @@ use super::candidates::Candidate;
 /// Points of the grid along the longer side of an area.
 const GRID: u32 = 22;
 /// Places inside that a label is offered.
-const INSIDE: usize = 10;
+const INSIDE: usize = 20;
+/// Reluctance to stand as far from the area's middle as its line is: among equally remote places the middle one.
+const OFF_MIDDLE: f64 = 0.8;
 /// Room between a name and the area's line, page pixels.
 const ROOM: f64 = 5.0;
-/// Room that a place may give up for each pixel nearer the middle of its area.
-const CENTRAL: f64 = 0.06;
 /// Reluctance to stand in a part that another area covers.
 const SHARED: f64 = 9.0;
 /// Reluctance to stand outside of the area.
@@ -24,26 +24,36 @@ const OUTSIDE: f64 = 7.0;
 
 /// Inside first, then around.
 pub(super) fn places(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64), panel: &Rect) -> Vec<Candidate> {
-    let mut points = grid(area, avoid, panel);
-    let best = points.first().map_or(0.0, |p| p.1);
-    let mut all: Vec<Candidate> = Vec::new();
-    let spread = 0.5 * size.0.max(size.1).max(12.0);
-    while let Some(&(center, room)) = points.first() {
-        if all.len() >= INSIDE {
-            break;
-        }
+    let points = grid(area, avoid, panel);
+    let best = points.first().map_or(1.0, |p| p.1.max(1.0));
+    let Some(bounds) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
+    let reach = 0.5 * libm::hypot(bounds.width(), bounds.height()).max(1.0);
+    let mut inside: Vec<Candidate> = Vec::new();
+    for (center, room) in points {
         let rect = about(center, size);
         if fits(&rect, area) {
-            let off_pole = 5.0 * (1.0 - room / best.max(1.0)).clamp(0.0, 2.0);
-            let shared = if avoid.iter().any(|a| meets(&rect, a)) { SHARED } else { 0.0 };
-            all.push(Candidate { rect, reluctance: off_pole + shared, leader: None });
-            points.retain(|(p, _)| (*p - center).length() > spread);
-        } else {
-            points.remove(0);
+            let off_pole = 5.0 * (1.0 - room / best).clamp(0.0, 2.0);
+            let off_middle = OFF_MIDDLE * (center - bounds.center()).length() / reach;
+            let reluctance = off_pole + off_middle + shared(&rect, avoid);
+            inside.push(Candidate { rect, reluctance, leader: None });
+        }
+    }
+    inside.sort_by(|a, b| a.reluctance.total_cmp(&b.reluctance));
+    let spread = (0.25 * size.0).max(10.0);
+    let mut all: Vec<Candidate> = Vec::new();
+    for candidate in inside {
+        let near = |c: &Candidate| (c.rect.center() - candidate.rect.center()).length() < spread;
+        if all.len() < INSIDE && !all.iter().any(near) {
+            all.push(candidate);
         }
     }
     all.extend(outside(area, avoid, size));
     all
+}
+
+/// What it costs to stand on another area.
+fn shared(rect: &Rect, avoid: &[Vec<Point>]) -> f64 {
+    if avoid.iter().any(|a| meets(rect, a)) { SHARED } else { 0.0 }
 }
 
 /// The pole of inaccessibility of an area without others, and its distance from the boundary.
@@ -74,13 +84,12 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)>
             }
         }
     }
-    // Of places with much the same room, the one nearest the middle: a long box has a whole line of poles.
-    let worth = |(p, room): &(Point, f64)| room - CENTRAL * (*p - middle).length();
-    points.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
-    let mut refined: Vec<(Point, f64)> =
-        points.iter().take(4).map(|&(p, _)| climb(p, 0.5 * step, &room)).collect();
+    points.sort_by(|a, b| b.1.total_cmp(&a.1));
+    // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is best.
+    let starts = points.iter().take(4).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
+    let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &room)).collect();
     refined.extend(points);
-    refined.sort_by(|a, b| worth(b).total_cmp(&worth(a)));
+    refined.sort_by(|a, b| b.1.total_cmp(&a.1));
     refined
 }
 
@@ -175,9 +184,7 @@ fn outside(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64)) -> Vec<Candid
             let half = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
             let rank = f64::from(u8::try_from(i).unwrap_or(8));
             let rect = about(center + u * (reach + ROOM + half), size);
-            // In another area it would name that one.
-            let shared = if avoid.iter().any(|a| meets(&rect, a)) { SHARED } else { 0.0 };
-            Some(Candidate { rect, reluctance: OUTSIDE + shared + 0.3 * rank, leader: None })
+            Some(Candidate { rect, reluctance: OUTSIDE + 0.3 * rank + shared(&rect, avoid), leader: None })
         })
         .collect()
 }

@@ -114,6 +114,21 @@ fn distance_to(rect: &Rect, p: Point) -> f64 {
     (p - nearest_in(rect, p)).length()
 }
 
+/// Distance of a segment from a rectangle, page pixels; 0 where they touch.
+fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
+    if length_inside(from, to, rect).is_some() {
+        return 0.0;
+    }
+    let d = to - from;
+    let beside = |corner: Point| {
+        let t = if d.dot(d) > 0.0 { ((corner - from).dot(d) / d.dot(d)).clamp(0.0, 1.0) } else { 0.0 };
+        (corner - (from + d * t)).length()
+    };
+    let corners = [(rect.x0, rect.y0), (rect.x1, rect.y0), (rect.x1, rect.y1), (rect.x0, rect.y1)];
+    let ends = distance_to(rect, from).min(distance_to(rect, to));
+    corners.iter().map(|&(x, y)| beside(Point::new(x, y))).fold(ends, f64::min)
+}
+
 /// The point of a rectangle nearest to a point.
 fn nearest_in(rect: &Rect, p: Point) -> Point {
     Point::new(p.x.clamp(rect.x0, rect.x1), p.y.clamp(rect.y0, rect.y1))

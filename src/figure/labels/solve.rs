@@ -2,7 +2,7 @@
 
 use super::super::frame::Frame;
 use super::super::sketch::Obstacle;
-use super::candidates::{Candidate, candidates};
+use super::candidates::{Candidate, candidates, nudged};
 use super::cost::{Surroundings, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
 use crate::drawing::Point;
@@ -13,6 +13,16 @@ const PASSES: usize = 64;
 const GAIN: f64 = 1e-6;
 /// Labels that still overlap another one by this many page pixels in both directions are left out, the weaker first.
 const CLASH: f64 = 1.0;
+
+/// A label that costs more than this where it stands is offered places about its places.
+const TROUBLE: f64 = 8.0;
+/// Of its cheapest places, so many.
+const NUDGED_PLACES: usize = 12;
+
+/// A label that costs more than this where it stands may disturb others to stand better.
+const UNEASY: f64 = 3.0;
+/// Of its cheapest places, so many are tried.
+const EJECTING: usize = 24;
 
 /// The candidates of every label with their own costs.
 struct Problem {
@@ -28,19 +38,27 @@ pub(crate) fn place(
     earlier: &[Placed],
 ) -> Labelled {
     let surroundings = Surroundings { frame, obstacles, earlier };
+    let priced = |s: &Sought, (slot, c): (usize, Candidate)| {
+        let cost = own_cost(s, &c, slot, &surroundings);
+        (c, cost)
+    };
     let places = sought
         .iter()
-        .map(|s| {
-            let all = candidates(s, frame).into_iter().enumerate();
-            all.map(|(slot, c)| {
-                let cost = own_cost(s, &c, slot, &surroundings);
-                (c, cost)
-            })
-            .collect()
-        })
+        .map(|s| candidates(s, frame).into_iter().enumerate().map(|c| priced(s, c)).collect())
         .collect();
     let mut problem = Problem { places, chosen: vec![0; sought.len()] };
     problem.greedy();
+    problem.improve();
+    let all: Vec<usize> = (0..sought.len()).collect();
+    for (label, s) in sought.iter().enumerate() {
+        if s.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < TROUBLE {
+            continue;
+        }
+        for slot in problem.cheapest(label, NUDGED_PLACES) {
+            let more = nudged(&problem.places[label][slot].0).into_iter().map(|c| priced(s, (slot, c)));
+            problem.places[label].extend(more);
+        }
+    }
     problem.improve();
     problem.finish(sought, frame, obstacles)
 }
@@ -69,6 +87,14 @@ impl Problem {
             }
         }
         (best, first, second - first)
+    }
+
+    /// The places of a label that cost least by themselves.
+    fn cheapest(&self, label: usize, count: usize) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.places[label].len()).collect();
+        order.sort_by(|&a, &b| self.places[label][a].1.total_cmp(&self.places[label][b].1));
+        order.truncate(count);
+        order
     }
 
     fn greedy(&mut self) {
@@ -101,44 +127,42 @@ impl Problem {
                     moved = true;
                 }
             }
-            if !moved && !self.improve_pairs(&all) {
+            if !moved && !all.iter().any(|&label| self.eject(label, &all)) {
                 return;
             }
         }
     }
 
-    /// Moves two labels that cost each other something at once, where that pays.
-    fn improve_pairs(&mut self, all: &[usize]) -> bool {
-        for &a in all {
-            for &b in &all[a + 1..] {
-                if pair_cost(self.candidate(a), self.candidate(b)) > 0.0 && self.improve_pair(a, b, all) {
-                    return true;
-                }
+    /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there move, and
+    /// keeps the first that lowers the sum of all costs.
+    fn eject(&mut self, label: usize, all: &[usize]) -> bool {
+        let now = self.cost(label, self.chosen[label], all);
+        if now < UNEASY {
+            return false;
+        }
+        let (before, kept) = (self.total(all), self.chosen.clone());
+        for slot in self.cheapest(label, EJECTING) {
+            if self.places[label][slot].1 >= now {
+                break;
             }
+            self.chosen[label] = slot;
+            let disturbed =
+                |&&o: &&usize| o != label && pair_cost(self.candidate(label), self.candidate(o)) > 0.0;
+            let disturbed: Vec<usize> = all.iter().filter(disturbed).copied().collect();
+            for other in disturbed {
+                self.chosen[other] = self.best(other, all).0;
+            }
+            if self.total(all) + GAIN < before {
+                return true;
+            }
+            self.chosen.clone_from(&kept);
         }
         false
     }
 
-    fn improve_pair(&mut self, a: usize, b: usize, all: &[usize]) -> bool {
-        let others: Vec<usize> = all.iter().copied().filter(|&o| o != a && o != b).collect();
-        let costs = |p: &Self, label: usize| -> Vec<f64> {
-            (0..p.places[label].len()).map(|slot| p.cost(label, slot, &others)).collect()
-        };
-        let (of_a, of_b) = (costs(self, a), costs(self, b));
-        let total =
-            |i: usize, j: usize| of_a[i] + of_b[j] + pair_cost(&self.places[a][i].0, &self.places[b][j].0);
-        let (mut best, mut cost) = ((self.chosen[a], self.chosen[b]), total(self.chosen[a], self.chosen[b]));
-        let before = cost;
-        for i in 0..of_a.len() {
-            for j in 0..of_b.len() {
-                let here = total(i, j);
-                if here + GAIN < cost {
-                    (best, cost) = ((i, j), here);
-                }
-            }
-        }
-        (self.chosen[a], self.chosen[b]) = best;
-        cost < before
+    /// The sum of all costs.
+    fn total(&self, all: &[usize]) -> f64 {
+        all.iter().map(|&label| self.cost(label, self.chosen[label], &all[..label])).sum()
     }
 
     /// The labels at their places, without those that clash beyond help.
@@ -168,9 +192,9 @@ impl Problem {
 fn placed(sought: &Sought, candidate: &Candidate, slot: usize) -> Placed {
     use super::super::label::{Anchor, Corner};
     let bounds = candidate.rect;
+    // The lines of a note are read as a paragraph or a column of equations.
     let align = match sought.anchor {
-        Anchor::Corner(Corner::TopLeft | Corner::BottomLeft) => 0.0,
-        Anchor::Corner(Corner::TopRight | Corner::BottomRight) => 1.0,
+        Anchor::Corner(corner) if !matches!(corner, Corner::Top | Corner::Bottom) => 0.0,
         _ => 0.5,
     };
     let mut y = bounds.y0;
