@@ -31,6 +31,8 @@ mod separation;
 mod storyboard;
 #[cfg(test)]
 mod storyboard_motion;
+#[cfg(test)]
+mod sweep_properties;
 mod swept_axis;
 mod walk;
 mod witness;
