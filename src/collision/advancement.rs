@@ -17,6 +17,7 @@
 
 use super::contact::{self, Before};
 use super::moving_pair::MovingPair;
+use super::nearest::nearest;
 use super::relative::Relative;
 use super::{Impact, Outcome, Query, Reason, Separation, minkowski};
 use crate::geometry::{Body, DVec2, Enclosure, perp};
@@ -153,7 +154,8 @@ impl Advancement<'_> {
         let speed = closing_speed(self.a, self.b, t, near);
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
         let pair = MovingPair::new(self.a, self.b);
-        if Before::new(&pair, (self.a, self.b), t).touches_by(later) {
+        let features = nearest(&pair, t).0;
+        if Before::new(&pair, (self.a, self.b), t, features).touches_by(later) {
             Outcome::Hit { time: Enclosure { lo: t, hi: later }, contact: *near }
         } else {
             Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t }

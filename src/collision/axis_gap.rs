@@ -29,6 +29,8 @@ pub(super) struct Axis {
     pub(super) n: DVec2,
     /// h, in doubles.
     support: f64,
+    /// The owner's edge that it is square to, if any.
+    pub(super) edge: Option<usize>,
 }
 
 /// How precisely a gap is evaluated.
@@ -40,12 +42,14 @@ pub(super) enum Precision {
     Fine,
 }
 
-/// A time until which an axis is proved to separate, and what is left of the gap then.
+/// A time until which an axis is proved to separate, and what was left of the gap shortly before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Swept {
     /// Apart for all of [start, until].
     pub(super) until: f64,
-    /// Lower bound of the gap at `until`, in scaled units; at most 0 where nothing could be proved at all.
+    /// Where the gap was evaluated last.
+    pub(super) at: f64,
+    /// Lower bound of the gap there, in scaled units; at most 0 where nothing could be proved at all.
     pub(super) gap: f64,
     /// Its rate of change there.
     pub(super) slope: f64,
@@ -82,12 +86,17 @@ impl Axis {
             Nearest::Edge { owner, edge, .. } => {
                 let hull = pair.hull(owner);
                 let &n = hull.normals.get(edge)?;
-                Some(Self { owner, n, support: n.dot(*hull.corners.get(edge)?) * pair.unit })
+                Some(Self {
+                    owner,
+                    n,
+                    support: n.dot(*hull.corners.get(edge)?) * pair.unit,
+                    edge: Some(edge),
+                })
             }
             Nearest::Vertices(a, b) => {
                 let owner = pair.calmer();
                 let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
-                let seen = pair.seen(owner, t);
+                let seen = pair.seen(owner, t, &pair.view(owner, t));
                 let apart = seen.point(pair.vertex(owner.other(), other)) - pair.vertex(owner, own);
                 Self::new(pair, owner, apart)
             }
@@ -98,8 +107,7 @@ impl Axis {
     pub(super) fn along(pair: &MovingPair, normal: DVec2, t: f64) -> Option<Self> {
         let owner = pair.calmer();
         let n = if owner == Side::A { normal } else { -normal };
-        let (c, s) = pair.angle(owner, t);
-        Self::new(pair, owner, DVec2::new(c * n.x + s * n.y, c * n.y - s * n.x))
+        Self::new(pair, owner, pair.view(owner, t).turned(n))
     }
 
     /// For two vertices: the axis through them when they will touch, or be closest, if they go on as they move at `t`.
@@ -110,10 +118,11 @@ impl Axis {
         let Nearest::Vertices(a, b) = near else { return None };
         let owner = pair.calmer();
         let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
-        let seen = pair.seen(owner, t);
+        let view = pair.view(owner, t);
+        let seen = pair.seen(owner, t, &view);
         let q = pair.vertex(owner.other(), other);
         let p = seen.point(q) - pair.vertex(owner, own);
-        let w = pair.velocity_of(owner, q, &seen, t);
+        let w = pair.velocity_of(owner, q, (&view, &seen));
         let (squared, along) = (w.length_squared(), p.dot(w));
         if along >= 0.0 {
             return None;
@@ -132,16 +141,16 @@ impl Axis {
         }
         let n = direction / length;
         let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
-        Some(Self { owner, n, support })
+        Some(Self { owner, n, support, edge: None })
     }
 
     /// Follows the gap from `start` until the axis is used up, or to the end of the motion.
     pub(super) fn sweep(&self, pair: &MovingPair, start: f64, precision: Precision) -> Swept {
         let mut t = start;
-        let mut swept = Swept { until: start, gap: 0.0, slope: 0.0 };
+        let mut swept = Swept { until: start, at: start, gap: 0.0, slope: 0.0 };
         for _ in 0..EVALUATIONS {
             let gap = self.gap(pair, t, precision);
-            swept = Swept { until: t, gap: gap.least, slope: gap.slope };
+            swept = Swept { until: t, at: t, gap: gap.least, slope: gap.slope };
             if t >= 1.0 || gap.least <= 0.0 {
                 break;
             }
@@ -152,8 +161,8 @@ impl Axis {
                 break;
             }
             t = next;
+            swept.until = t;
             if t < 1.0 && precision == Precision::Plain && gap.least < USED_UP * pair.rounding {
-                swept.until = t;
                 break;
             }
         }
@@ -164,11 +173,10 @@ impl Axis {
     fn gap(&self, pair: &MovingPair, t: f64, precision: Precision) -> Gap {
         let (owner, other) = (self.owner, self.owner.other());
         let n = self.n;
-        let (c, s) = pair.angle(owner, t);
+        let view = pair.view(owner, t);
         let (d, v) = pair.offset(owner, t);
-        let turned = |a: DVec2| DVec2::new(c * a.x + s * a.y, c * a.y - s * a.x);
-        let (d, v) = (turned(d), turned(v));
-        let (cos, sin) = pair.relative_angle(owner, t);
+        let (d, v) = (view.turned(d), view.turned(v));
+        let (cos, sin) = view.relative;
         let m = DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
         let common = Common::new(pair, self, t, (d, v));
         let fine = (precision == Precision::Fine).then(|| self.fine(pair, t));

@@ -13,10 +13,11 @@
 //! The last one needs no interior, and so settles points, segments and parallel segments, whose separation is never
 //! negative. All arithmetic is in balls, so that each fact holds for the exact reals.
 
+use super::axis_gap::Axis;
 use super::moving_pair::{MovingPair, Seen};
 use super::nearest::{Nearest, certified, nearest};
 use super::{Outcome, Reason, Separation};
-use crate::geometry::{Ball, Body, Side};
+use crate::geometry::{Ball, Body, DVec2, Side, perp};
 
 /// What a separation at t = 0 that may be at most 0 says.
 pub(super) fn at_start(near: &Separation) -> Outcome {
@@ -39,8 +40,13 @@ pub(super) struct Before<'p, 'q> {
 
 impl<'p, 'q> Before<'p, 'q> {
     /// The pair at `lo`.
-    pub(super) fn new(pair: &'p MovingPair<'q>, (a, b): (&'q Body, &'q Body), lo: f64) -> Self {
-        Self { pair, a, b, lo, near: nearest(a, b, lo).0 }
+    pub(super) fn new(
+        pair: &'p MovingPair<'q>,
+        (a, b): (&'q Body, &'q Body),
+        lo: f64,
+        near: Nearest,
+    ) -> Self {
+        Self { pair, a, b, lo, near }
     }
 
     /// Whether contact in (lo, hi] is proved.
@@ -48,7 +54,7 @@ impl<'p, 'q> Before<'p, 'q> {
         if hi <= self.lo {
             return false;
         }
-        let after = nearest(self.a, self.b, hi).0;
+        let after = nearest(self.pair, hi).0;
         self.by_features(self.near, hi)
             || (after != self.near && self.by_features(after, hi))
             || self.depth(hi)
@@ -99,6 +105,46 @@ impl<'p, 'q> Before<'p, 'q> {
             .filter(|&k| k != vertex)
             .filter_map(|k| line.middle_of_span(&views[1], x, ball(pair.vertex(other, k))))
             .any(|middle| line.is_crossed(&views, middle, travel))
+    }
+}
+
+/// The local proofs in doubles, given an axis that separates the pair at `lo`: the first stage.
+pub(super) fn touches_plainly(pair: &MovingPair, axis: &Axis, near: Nearest, (lo, hi): (f64, f64)) -> bool {
+    let error = pair.rounding;
+    match near {
+        Nearest::Vertices(i, j) => {
+            let seen = pair.seen(Side::A, hi, &pair.view(Side::A, hi));
+            let apart = seen.point(pair.vertex(Side::B, j)) - pair.vertex(Side::A, i);
+            apart.length() <= pair.radius.hi - error
+        }
+        // The axis is the edge's normal, so that every vertex is outside the edge's line at `lo`.
+        Nearest::Edge { owner, edge, vertex } if axis.owner == owner && axis.edge == Some(edge) => {
+            let hull = pair.hull(owner);
+            let (from, to) = (pair.vertex(owner, edge), pair.vertex(owner, hull.next(edge)));
+            let seen = pair.seen(owner, hi, &pair.view(owner, hi));
+            let along = perp(axis.n);
+            let end = (to - from).dot(along);
+            let margin = pair.speed(owner) * (hi - lo) + error;
+            let place = |k: usize| seen.point(pair.vertex(owner.other(), k)) - from;
+            let depth = |x: DVec2| pair.radius.hi - axis.n.dot(x);
+            let x = place(vertex);
+            let crosses = |x: DVec2| {
+                let at = x.dot(along);
+                depth(x) >= error && at >= margin && at <= end - margin
+            };
+            // Of a side that lies along the edge, the middle of what they share may be over it where no vertex is.
+            let other = pair.hull(owner.other());
+            let shared = |k: usize| {
+                let y = place(k);
+                let (u, w) = (x.dot(along), y.dot(along));
+                let middle = 0.5 * (u.min(w).max(0.0) + u.max(w).min(end));
+                let part = (middle - u) / (w - u);
+                part > 0.0 && part < 1.0 && crosses(x + (y - x) * part)
+            };
+            crosses(x)
+                || (other.corners.len() > 1 && (shared(other.next(vertex)) || shared(other.previous(vertex))))
+        }
+        Nearest::Edge { .. } => false,
     }
 }
 
@@ -153,7 +199,7 @@ impl Line {
 }
 
 /// A point in balls.
-fn ball(p: crate::geometry::DVec2) -> [Ball; 2] {
+fn ball(p: DVec2) -> [Ball; 2] {
     [Ball::new(p.x), Ball::new(p.y)]
 }
 

@@ -42,25 +42,26 @@ impl Taylor {
 /// ≥ ½ |q| h, and 16 ε of h pays.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Trials of H; each costs a square root, and the third changes the result by less than one part in a hundred.
-const TRIALS: usize = 3;
+/// H is first tried this much beyond the root of the tangent.
+const BEYOND_TANGENT: f64 = 1.25;
+
+/// A second H is tried where the first leaves more than this part of it unproved: it then gains more than it costs.
+const WORTHWHILE: f64 = 0.25;
 
 /// A time h ≤ `limit` such that f > 0 on [0, h].
 ///
 /// Dimension: time, as `limit`. Never more than the true first root; close to it where M h³ is small against `value`.
 pub(super) fn positive_until(f: Taylor, limit: f64) -> f64 {
-    let mut proved = 0.0_f64;
-    let mut horizon = limit;
-    for _ in 0..TRIALS {
-        let root = parabola_root(f.value, f.slope, f.curvature - f.third * horizon / 3.0);
-        if root >= horizon {
-            return proved.max(horizon);
-        }
-        proved = proved.max(root);
-        // The root grows as H shrinks: the next H lies between the two.
-        horizon = (1.5 * root).min(0.5 * (root + horizon)).max(root);
+    let root = |horizon: f64| parabola_root(f.value, f.slope, f.curvature - f.third * horizon / 3.0);
+    let near = if f.slope < 0.0 { limit.min(BEYOND_TANGENT * f.value / -f.slope) } else { limit };
+    let first = root(near);
+    let proved = first.min(near);
+    if proved >= limit || (first < near && first > near * (1.0 - WORTHWHILE)) {
+        return proved;
     }
-    proved
+    // The root grows as H shrinks: where it is before H, a better H is between the two; else there may be none at all.
+    let far = if first < near { 0.5 * (first + near) } else { limit };
+    proved.max(root(far).min(far))
 }
 
 /// First root of a + b h + ½ q h², less its rounding; infinite where there is none.

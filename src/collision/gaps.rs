@@ -38,7 +38,7 @@ pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {
 /// One body's sides against the other's corners: `center` is the other's origin and (cos, sin) its turn, in the first
 /// one's frame.
 #[inline]
-fn pass(
+pub(super) fn pass(
     own: &Hull,
     other: &Hull,
     center: DVec2,

@@ -22,6 +22,7 @@ mod moving_pair;
 mod nearest;
 mod pair;
 mod place;
+mod quick_turn;
 mod ray_cast;
 mod ray_clipping;
 mod relative;

@@ -11,6 +11,7 @@
 //! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
 //! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
+use super::quick_turn;
 use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Side, Turn, perp};
 
 /// Two bodies in relative motion. Lengths are multiplied by `unit`, a power of two, so that products neither overflow
@@ -53,12 +54,22 @@ pub(super) struct Seen<N> {
     pub(super) sin: N,
 }
 
+/// How a body and the other one are turned at a moment, in doubles.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct View {
+    /// Cosine and sine of the owner's angle.
+    own: (f64, f64),
+    /// Cosine and sine of the other body's angle, seen by the owner.
+    pub(super) relative: (f64, f64),
+}
+
 /// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (reach_A + reach_B) + ρ.
 ///
-/// Cosine and sine are within ε/2; a vector turned by them has components within 1.8 ε of its length; D loses 2 ε of
-/// |D₀| + |V| on its way to doubles; each dot product with a unit vector (itself rounded by ε) loses 2 ε more, each of
-/// the three sums ε/2 of Σ. Together below 8.
-const GAP_ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Cosine and sine are within 3 ε ([`super::quick_turn`]), so that a turn is within 4.3 ε as an operator, and a
+/// difference of two turns within 10 ε. D loses 2 ε of |D₀| + |V| on its way to doubles; a turned vector 1.5 ε more, a dot
+/// product with n 1.5 ε more; h is that of an edge whose normal is rounded, 3.5 ε of the reach; the three sums 1.5 ε
+/// of Σ. That is below 11 of |D₀|₁ + |V|₁ and below 15 of each reach.
+const GAP_ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 impl<'q> MovingPair<'q> {
     /// The pair of a query.
@@ -128,44 +139,41 @@ impl<'q> MovingPair<'q> {
         if owner == Side::A { (d, v) } else { (-d, -v) }
     }
 
-    /// Cosine and sine of the owner's angle at `t`.
+    /// Cosine and sine of a body's angle at `t`.
     #[inline]
-    pub(super) fn angle(&self, owner: Side, t: f64) -> (f64, f64) {
-        let (angle, spin) = self.turning[owner as usize];
-        if spin.0 == 0.0 { self.start[owner as usize] } else { cos_sin(Turn::at(angle, spin, t)) }
+    fn angle(&self, side: Side, t: f64) -> (f64, f64) {
+        let (angle, spin) = self.turning[side as usize];
+        if spin.0 == 0.0 { self.start[side as usize] } else { quick_turn::cos_sin(angle, spin, t) }
     }
 
-    /// Cosine and sine of the other body's angle as the owner sees it.
+    /// How the bodies are turned at `t`.
     #[inline]
-    pub(super) fn relative_angle(&self, owner: Side, t: f64) -> (f64, f64) {
-        let (cos, sin) = match self.steady {
-            Some(steady) => steady,
-            None if self.turning[0] == UNTURNED => self.angle(Side::B, t),
-            None if self.turning[1] == UNTURNED => {
-                let (cos, sin) = self.angle(Side::A, t);
-                (cos, -sin)
-            }
-            None => cos_sin(Turn::between(self.turning[0], self.turning[1], t)),
+    pub(super) fn view(&self, owner: Side, t: f64) -> View {
+        let own = self.angle(owner, t);
+        let relative = if let Some((cos, sin)) = self.steady {
+            (cos, if owner == Side::A { sin } else { -sin })
+        } else {
+            let other = self.angle(owner.other(), t);
+            (other.0 * own.0 + other.1 * own.1, other.1 * own.0 - other.0 * own.1)
         };
-        if owner == Side::A { (cos, sin) } else { (cos, -sin) }
+        View { own, relative }
     }
 
     /// What `owner` sees at `t`, in doubles.
-    pub(super) fn seen(&self, owner: Side, t: f64) -> Seen<f64> {
-        let (c, s) = self.angle(owner, t);
-        let (d, _) = self.offset(owner, t);
-        let (cos, sin) = self.relative_angle(owner, t);
-        Seen { offset: [c * d.x + s * d.y, c * d.y - s * d.x], cos, sin }
+    #[inline]
+    pub(super) fn seen(&self, owner: Side, t: f64, view: &View) -> Seen<f64> {
+        let d = view.turned(self.offset(owner, t).0);
+        let (cos, sin) = view.relative;
+        Seen { offset: [d.x, d.y], cos, sin }
     }
 
     /// How fast `owner` sees vertex q of the other core move, in doubles.
     ///
     /// x' = Rot(−θ_R) V − ω_R perp(x) + ω_O perp(Rot(θ_O − θ_R) q)
-    pub(super) fn velocity_of(&self, owner: Side, q: DVec2, seen: &Seen<f64>, t: f64) -> DVec2 {
-        let (c, s) = self.angle(owner, t);
-        let (_, v) = self.offset(owner, t);
+    pub(super) fn velocity_of(&self, owner: Side, q: DVec2, (view, seen): (&View, &Seen<f64>)) -> DVec2 {
+        let (_, v) = self.offset(owner, 0.0);
         let turned = DVec2::new(seen.cos * q.x - seen.sin * q.y, seen.sin * q.x + seen.cos * q.y);
-        DVec2::new(c * v.x + s * v.y, c * v.y - s * v.x) - perp(seen.point(q)) * self.rate[owner as usize]
+        view.turned(v) - perp(seen.point(q)) * self.rate[owner as usize]
             + perp(turned) * self.rate[owner.other() as usize]
     }
 
@@ -199,6 +207,15 @@ impl<'q> MovingPair<'q> {
         let (d, v) = (norm(&self.apart) + norm(&self.velocity), norm(&self.velocity));
         let speed = v + self.rate[r].abs() * (d + self.reach[o]) + self.rate[o].abs() * self.reach[o];
         speed * (1.0 + GAP_ROUNDING)
+    }
+}
+
+impl View {
+    /// A world vector in the owner's frame.
+    #[inline]
+    pub(super) fn turned(&self, v: DVec2) -> DVec2 {
+        let (c, s) = self.own;
+        DVec2::new(c * v.x + s * v.y, c * v.y - s * v.x)
     }
 }
 

@@ -7,7 +7,8 @@
 
 use super::Separation;
 use super::certify::{Hint, certify};
-use super::gaps::{Facing, every_gap};
+use super::gaps::{Facing, pass};
+use super::moving_pair::{MovingPair, Seen};
 use super::pair::Pair;
 use crate::geometry::{Body, DVec2, Side};
 
@@ -27,74 +28,103 @@ pub(super) enum Nearest {
     Vertices(usize, usize),
 }
 
-/// The closest features of two bodies at time `t`, and the distance of the cores (negative inside). O(n + m).
-pub(super) fn nearest(a: &Body, b: &Body, t: f64) -> (Nearest, f64) {
-    let pair = Pair::at(a, b, t);
-    let mut best: Option<(Facing, f64)> = None;
-    every_gap(&pair, |facing, gap| {
-        if best.is_none_or(|(_, widest)| gap > widest) {
-            best = Some((facing, gap));
-        }
-    });
-    let scene = 1.0 / pair.scale;
-    let Some((Facing { source: owner, edge, corner: vertex }, gap)) = best else {
-        return (Nearest::Vertices(0, 0), libm::hypot(pair.center.x, pair.center.y) * scene);
-    };
-    let over = Nearest::Edge { owner, edge, vertex };
-    if gap <= 0.0 {
-        return (over, gap);
-    }
-    let hull = pair.hull(owner);
-    let end = hull.next(edge);
-    let (from, to) = (point(&pair, owner, edge), point(&pair, owner, end));
-    let along = to - from;
-    // Where on the edge's line a vertex of the other core is: below 0 before its start, above 0 after its end.
-    let place = |k: usize| {
-        let x = point(&pair, owner.other(), k);
-        ((x - from).dot(along), (x - to).dot(along))
-    };
-    let beyond = match place(vertex) {
-        (start, _) if start <= 0.0 => edge,
-        (_, stop) if stop >= 0.0 => end,
-        _ => return (over, gap),
-    };
-    // A side of the other core that is parallel to the edge reaches over it, though its first end may not.
-    let other = pair.hull(owner.other());
-    for k in [other.previous(vertex), other.next(vertex)] {
-        let (start, stop) = place(k);
-        let step = point(&pair, owner.other(), k) - point(&pair, owner.other(), vertex);
-        let level = step.perp_dot(along).abs() <= pair.gap_error() * along.length();
-        if level && if beyond == edge { start > 0.0 } else { stop < 0.0 } {
-            return (Nearest::Edge { owner, edge, vertex: k }, gap);
-        }
-    }
-    let (i, j) = if owner == Side::A { (beyond, vertex) } else { (vertex, beyond) };
-    descend(&pair, i, j, scene)
-}
-
-/// From two vertices to the closest two.
-fn descend(pair: &Pair, mut i: usize, mut j: usize, scene: f64) -> (Nearest, f64) {
+/// The closest features at time `t`, and the distance of the cores (negative inside), in scaled units. O(n + m).
+pub(super) fn nearest(pair: &MovingPair, t: f64) -> (Nearest, f64) {
+    let seen = pair.seen(Side::A, t, &pair.view(Side::A, t));
+    let center = DVec2::new(seen.offset[0], seen.offset[1]) / pair.unit;
+    let (cos, sin) = (seen.cos, seen.sin);
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let squared = |i: usize, j: usize| (point(pair, Side::B, j) - point(pair, Side::A, i)).length_squared();
-    let mut best = squared(i, j);
-    for _ in 0..a.corners.len() + b.corners.len() {
-        let around = [(a.next(i), j), (a.previous(i), j), (i, b.next(j)), (i, b.previous(j))];
-        let Some((k, l, closer)) =
-            around.into_iter().map(|(k, l)| (k, l, squared(k, l))).find(|(_, _, d)| *d < best)
-        else {
-            break;
+    let mut best: Option<(Facing, f64)> = None;
+    let mut visit = |source: Side, edge: usize, corner: usize, gap: f64| {
+        if best.is_none_or(|(_, widest)| gap > widest) {
+            best = Some((Facing { source, edge, corner }, gap));
+        }
+    };
+    pass(a, b, center, (cos, sin), |edge, corner, gap| visit(Side::A, edge, corner, gap));
+    let back = DVec2::new(-cos * center.x - sin * center.y, sin * center.x - cos * center.y);
+    pass(b, a, back, (cos, -sin), |edge, corner, gap| visit(Side::B, edge, corner, gap));
+    let cores = Cores { pair, seen };
+    let Some((Facing { source: owner, edge, corner: vertex }, gap)) = best else {
+        return (Nearest::Vertices(0, 0), cores.between(0, 0).length());
+    };
+    let gap = gap * pair.unit;
+    if gap > 0.0
+        && let Some(end) = cores.beyond(owner, edge, vertex)
+    {
+        return match end {
+            Beyond::Side(vertex) => (Nearest::Edge { owner, edge, vertex }, gap),
+            Beyond::End(end) if owner == Side::A => cores.descend(end, vertex),
+            Beyond::End(end) => cores.descend(vertex, end),
         };
-        (i, j, best) = (k, l, closer);
     }
-    (Nearest::Vertices(i, j), best.sqrt() * scene)
+    (Nearest::Edge { owner, edge, vertex }, gap)
 }
 
-/// A vertex in A's frame, scaled.
-fn point(pair: &Pair, side: Side, k: usize) -> DVec2 {
-    let q = pair.hull(side).corners.get(k).copied().unwrap_or(DVec2::ZERO);
-    match side {
-        Side::A => q * pair.scale,
-        Side::B => pair.from_b(q),
+/// What is over an edge whose facing vertex is not.
+enum Beyond {
+    /// A parallel side of the other core reaches over it, with this vertex.
+    Side(usize),
+    /// Nothing: this end of the edge is nearest.
+    End(usize),
+}
+
+/// Both cores at a moment, in A's frame.
+struct Cores<'p, 'q> {
+    pair: &'p MovingPair<'q>,
+    seen: Seen<f64>,
+}
+
+impl Cores<'_, '_> {
+    /// A vertex.
+    fn point(&self, side: Side, k: usize) -> DVec2 {
+        let q = self.pair.vertex(side, k);
+        if side == Side::A { q } else { self.seen.point(q) }
+    }
+
+    /// From A's vertex i to B's vertex j.
+    fn between(&self, i: usize, j: usize) -> DVec2 {
+        self.point(Side::B, j) - self.point(Side::A, i)
+    }
+
+    /// Whether the vertex facing an edge is beyond one of its ends.
+    fn beyond(&self, owner: Side, edge: usize, vertex: usize) -> Option<Beyond> {
+        let end = self.pair.hull(owner).next(edge);
+        let (from, to) = (self.point(owner, edge), self.point(owner, end));
+        let along = to - from;
+        // Where on the edge's line a point is: at most 0 before its start, at least 0 after its end.
+        let place = |x: DVec2| ((x - from).dot(along), (x - to).dot(along));
+        let x = self.point(owner.other(), vertex);
+        let (start, stop) = place(x);
+        if start > 0.0 && stop < 0.0 {
+            return None;
+        }
+        // A side of the other core that is parallel to the edge reaches over it, though its first end may not.
+        let other = self.pair.hull(owner.other());
+        let level = self.pair.rounding * along.length();
+        let over = [other.previous(vertex), other.next(vertex)].into_iter().find(|&k| {
+            let y = self.point(owner.other(), k);
+            let (first, last) = place(y);
+            (y - x).perp_dot(along).abs() <= level && if start <= 0.0 { first > 0.0 } else { last < 0.0 }
+        });
+        let end = if start <= 0.0 { edge } else { end };
+        Some(over.map_or(Beyond::End(end), Beyond::Side))
+    }
+
+    /// From two vertices to the closest two, and their distance.
+    fn descend(&self, mut i: usize, mut j: usize) -> (Nearest, f64) {
+        let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
+        let squared = |i: usize, j: usize| self.between(i, j).length_squared();
+        let mut best = squared(i, j);
+        for _ in 0..a.corners.len() + b.corners.len() {
+            let around = [(a.next(i), j), (a.previous(i), j), (i, b.next(j)), (i, b.previous(j))];
+            let Some((k, l, closer)) =
+                around.into_iter().map(|(k, l)| (k, l, squared(k, l))).find(|(_, _, d)| *d < best)
+            else {
+                break;
+            };
+            (i, j, best) = (k, l, closer);
+        }
+        (Nearest::Vertices(i, j), best.sqrt())
     }
 }
 

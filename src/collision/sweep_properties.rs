@@ -56,8 +56,14 @@ fn ray_clipping_never_passes_the_ray_cast() {
     for _ in 0..400 {
         let (a, b) = (dice.flying(0.0), dice.flying(0.0));
         let (direct, clipped) = (ask("ray-cast", &a, &b, 0.0).0, ask("ray-clipping", &a, &b, 1e-9).0);
-        assert!(span(&clipped).0 < span(&direct).1 || span(&direct).1 == 0.0, "{direct:?} {clipped:?} {a:?} {b:?}");
-        assert!(span(&direct).0 < span(&clipped).1 || span(&direct).1 == 0.0, "{direct:?} {clipped:?} {a:?} {b:?}");
+        assert!(
+            span(&clipped).0 < span(&direct).1 || span(&direct).1 == 0.0,
+            "{direct:?} {clipped:?} {a:?} {b:?}"
+        );
+        assert!(
+            span(&direct).0 < span(&clipped).1 || span(&direct).1 == 0.0,
+            "{direct:?} {clipped:?} {a:?} {b:?}"
+        );
         assert!(!matches!(direct.outcome, Outcome::Unresolved { .. }), "{direct:?} {a:?} {b:?}");
     }
 }
@@ -99,7 +105,9 @@ fn swapping_the_bodies_keeps_the_time() {
         assert_eq!(there.outcome.word(), back.outcome.word());
         let ((lo, hi), (from, to)) = (span(&there), span(&back));
         assert!(lo <= to && from <= hi, "{there:?} {back:?}");
-        if let (Outcome::Hit { contact: x, .. }, Outcome::Hit { contact: y, .. }) = (there.outcome, back.outcome) {
+        if let (Outcome::Hit { contact: x, .. }, Outcome::Hit { contact: y, .. }) =
+            (there.outcome, back.outcome)
+        {
             assert!((x.normal + y.normal).length() < 1e-6, "{x:?} {y:?}");
         }
     }

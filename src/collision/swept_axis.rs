@@ -13,18 +13,24 @@
 //! certified Taylor step along it is this library's own.
 
 use super::axis_gap::{Axis, Precision, Swept};
-use super::contact::{self, Before};
+use super::contact::{self, Before, touches_plainly};
 use super::moving_pair::MovingPair;
 use super::nearest::{Nearest, certified, nearest};
-use super::{Answer, Impact, Outcome, Query, Reason, Separation, ray_cast};
+use super::{Answer, Impact, Outcome, Query, Reason, ray_cast};
 use crate::geometry::{Body, Enclosure};
-use crate::trace::{Event, Moment, Tracer};
+use crate::trace::{Event, Tracer};
 
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "swept-axis";
 
 /// A plain separation below this many roundings is looked at in balls.
 const CLOSE: f64 = 64.0;
+
+/// Width of the time bounds times the closing speed, in tolerances, that contact proved in doubles may leave.
+const ALLOWED_TOLERANCES: f64 = 4.0;
+
+/// The first trial of proved contact in balls is this many roundings of doubles past the end of the gap: below 4 ε·S.
+const ENOUGH: f64 = 1.0 / 32.0;
 
 /// Trials of a time of proved contact, each four times as far beyond the last free moment as the one before.
 const CONTACT_TRIALS: usize = 24;
@@ -53,16 +59,21 @@ struct Search<'q> {
 
 impl Search<'_> {
     fn run(&mut self, tracer: &mut impl Tracer) -> Outcome {
-        let mut near = nearest(self.a, self.b, 0.0).0;
-        let start = certified(self.a, self.b, 0.0, near);
-        self.queries = 1;
-        tracer.record(|| Event::Started { algorithm: NAME, at: self.moment(0.0) });
-        if start.bounds.lo <= 0.0 {
-            return contact::at_start(&start);
+        tracer.record(|| Event::Started {
+            algorithm: NAME,
+            at: super::advancement::moment(self.a, self.b, 0.0),
+        });
+        let (mut near, gap) = self.nearest(0.0);
+        if gap < CLOSE * self.pair.rounding {
+            let start = certified(self.a, self.b, 0.0, near);
+            if start.bounds.lo <= 0.0 {
+                return contact::at_start(&start);
+            }
         }
         let mut t = 0.0;
         loop {
-            let until = self.sweep(near, t, Precision::Plain, tracer).until;
+            let followed = self.sweep(near, t, Precision::Plain, tracer);
+            let until = followed.map_or(t, |(_, swept)| swept.until);
             if until >= 1.0 {
                 return Outcome::Miss;
             }
@@ -74,6 +85,9 @@ impl Search<'_> {
             let gap;
             (near, gap) = self.nearest(t);
             if stuck || gap < CLOSE * self.pair.rounding {
+                if let Some(hit) = followed.and_then(|followed| self.plain_contact(&followed, near)) {
+                    return hit;
+                }
                 t = match self.close_in(near, t, tracer) {
                     Ok(next) => next,
                     Err(outcome) => return outcome,
@@ -83,9 +97,18 @@ impl Search<'_> {
         }
     }
 
-    /// Follows an axis of the given features from `t`, the one that lasts longer if there are two.
-    fn sweep(&self, near: Nearest, t: f64, precision: Precision, tracer: &mut impl Tracer) -> Swept {
+    /// Follows an axis of the given features from `t`, the one that lasts longer if there are two; records it.
+    fn sweep(
+        &self,
+        near: Nearest,
+        t: f64,
+        precision: Precision,
+        tracer: &mut impl Tracer,
+    ) -> Option<(Axis, Swept)> {
         let ahead = self.follow(Axis::ahead(&self.pair, near, t), t, precision);
+        if ahead.is_some_and(|(_, swept)| swept.until >= 1.0) {
+            return Self::told(ahead, t, tracer);
+        }
         let through = self.follow(Axis::through(&self.pair, near, t), t, precision);
         let longest = match (ahead, through) {
             (Some(x), Some(y)) => Some(if x.1.until > y.1.until { x } else { y }),
@@ -98,37 +121,59 @@ impl Search<'_> {
         axis.map(|axis| (axis, axis.sweep(&self.pair, t, precision)))
     }
 
-    /// What a followed axis proved, recorded.
-    fn told(followed: Option<(Axis, Swept)>, t: f64, tracer: &mut impl Tracer) -> Swept {
-        let Some((Axis { owner, n: normal, .. }, swept)) = followed else {
-            return Swept { until: t, gap: 0.0, slope: 0.0 };
-        };
-        if swept.until > t {
-            tracer.record(|| Event::AxisSwept { from: t, to: swept.until, owner, normal });
+    /// What a followed axis proved from `t` on, recorded.
+    fn told(followed: Option<(Axis, Swept)>, t: f64, tracer: &mut impl Tracer) -> Option<(Axis, Swept)> {
+        if let Some((Axis { owner, n: normal, .. }, Swept { until, .. })) = followed
+            && until > t
+        {
+            tracer.record(|| Event::AxisSwept { from: t, to: until, owner, normal });
         }
-        swept
+        followed
+    }
+
+    /// Contact proved in doubles, where their rounding is within what the tolerance allows.
+    fn plain_contact(&self, (axis, swept): &(Axis, Swept), near: Nearest) -> Option<Outcome> {
+        let speed = -swept.slope;
+        if swept.gap <= 0.0 || speed <= 0.0 {
+            return None;
+        }
+        // Three roundings past where the line through the last two derivatives says the gap is used up.
+        let hi = (swept.at + (swept.gap + 4.0 * self.pair.rounding) / speed).min(1.0);
+        let lo = swept.until;
+        let allowed = ALLOWED_TOLERANCES * self.query.tolerance * self.pair.unit;
+        if (hi - lo) * speed > allowed || !touches_plainly(&self.pair, axis, near, (lo, hi)) {
+            return None;
+        }
+        Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: certified(self.a, self.b, lo, near) })
     }
 
     /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact. Ok with
     /// a later time if the bodies are seen to part again.
     fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Result<f64, Outcome> {
         let (mut t, mut near) = (from, near);
+        let still = Swept { until: from, at: from, gap: 0.0, slope: 0.0 };
         loop {
-            let mut swept = self.sweep(near, t, Precision::Fine, tracer);
+            let mut swept = self.sweep(near, t, Precision::Fine, tracer).map_or(still, |(_, swept)| swept);
             if swept.until <= t {
                 let proved = certified(self.a, self.b, t, near);
                 if proved.bounds.lo * self.pair.unit > self.pair.rounding {
                     let axis = Axis::along(&self.pair, proved.normal, t);
-                    swept = Self::told(self.follow(axis, t, Precision::Fine), t, tracer);
+                    let followed = self.follow(axis, t, Precision::Fine);
+                    swept = Self::told(followed, t, tracer).map_or(still, |(_, swept)| swept);
                 }
             }
             if swept.until >= 1.0 {
                 return Err(Outcome::Miss);
             }
-            if swept.until <= t {
-                return Err(self.prove_contact(t, -swept.slope));
+            let stuck = swept.until <= t;
+            t = t.max(swept.until);
+            let trials = if stuck { CONTACT_TRIALS } else { 1 };
+            if let Some(hit) = self.prove_contact(t, near, (swept.gap, -swept.slope), trials) {
+                return Err(hit);
             }
-            t = swept.until;
+            if stuck {
+                return Err(self.undecided(t, near));
+            }
             let gap;
             (near, gap) = self.nearest(t);
             if gap > CLOSE * self.pair.rounding {
@@ -140,39 +185,47 @@ impl Search<'_> {
     /// The closest features at `t` and the plain separation, in scaled units.
     fn nearest(&mut self, t: f64) -> (Nearest, f64) {
         self.queries += 1;
-        let (features, distance) = nearest(self.a, self.b, t);
-        (features, distance * self.pair.unit - self.pair.radius.hi)
+        let (features, distance) = nearest(&self.pair, t);
+        (features, distance - self.pair.radius.hi)
     }
 
-    /// Contact just after `lo`, the last moment proved free, where the gap closes at `speed`.
-    fn prove_contact(&self, lo: f64, speed: f64) -> Outcome {
-        let before = Before::new(&self.pair, (self.a, self.b), lo);
+    /// Contact just after `lo`, the last moment proved free, where a gap closes at `speed`.
+    fn prove_contact(
+        &self,
+        lo: f64,
+        near: Nearest,
+        (gap, speed): (f64, f64),
+        trials: usize,
+    ) -> Option<Outcome> {
+        let before = Before::new(&self.pair, (self.a, self.b), lo, near);
         let ulp = lo.next_up() - lo;
-        let mut width = if speed > 0.0 { (self.pair.rounding / speed).max(ulp) } else { ulp };
-        for _ in 0..CONTACT_TRIALS {
+        let enough = gap.max(0.0) + ENOUGH * self.pair.rounding;
+        let mut width = if speed > 0.0 { (enough / speed).max(2.0 * ulp) } else { ulp };
+        for trial in 0..trials {
             let hi = (lo + width).min(1.0);
             if before.touches_by(hi) {
-                let hi = self.narrow(&before, lo, hi);
-                let contact = self.contact(lo);
-                return Outcome::Hit { time: Enclosure { lo, hi }, contact };
+                let hi = if trial == 0 { hi } else { self.narrow(&before, lo, hi) };
+                let contact = certified(self.a, self.b, lo, near);
+                return Some(Outcome::Hit { time: Enclosure { lo, hi }, contact });
             }
             if hi >= 1.0 {
                 break;
             }
             width *= 4.0;
         }
-        self.undecided(lo)
+        None
     }
 
     /// A graze: decided exactly where neither body turns.
-    fn undecided(&self, free_until: f64) -> Outcome {
+    fn undecided(&self, free_until: f64, near: Nearest) -> Outcome {
         let unresolved = Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
         if !self.pair.is_linear() {
             return unresolved;
         }
         match ray_cast::first_contact(self.a, self.b) {
             Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
-                Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact: self.contact(free_until) }
+                let contact = certified(self.a, self.b, free_until, near);
+                Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }
             }
             Outcome::Unresolved { .. } => unresolved,
             decided => decided,
@@ -190,13 +243,5 @@ impl Search<'_> {
             if before.touches_by(middle) { good = middle } else { bad = middle }
         }
         good
-    }
-
-    fn contact(&self, t: f64) -> Separation {
-        certified(self.a, self.b, t, nearest(self.a, self.b, t).0)
-    }
-
-    fn moment(&self, t: f64) -> Moment {
-        super::advancement::moment(self.a, self.b, t)
     }
 }
