@@ -66,32 +66,60 @@ fn arc(out: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
 
 /// Appends the path data of a glyph in thousandths of an em, relative and in whole numbers: the faces have no others.
 pub(super) fn outline(out: &mut String, outline: &Outline) {
-    let (mut at, mut begin) = ([0.0_f32; 2], [0.0_f32; 2]);
+    let mut pen = Pen { out, at: [0.0; 2], begin: [0.0; 2], last: ' ' };
     for segment in &outline.segments {
         match *segment {
             OutlineSegment::Move(p) => {
-                relative(out, 'm', &[p], &mut at);
-                begin = at;
+                pen.command('m', &[p]);
+                pen.begin = p;
             }
-            OutlineSegment::Line(p) => relative(out, 'l', &[p], &mut at),
-            OutlineSegment::Quad(c, p) => relative(out, 'q', &[c, p], &mut at),
-            OutlineSegment::Cubic(c, d, p) => relative(out, 'c', &[c, d, p], &mut at),
+            OutlineSegment::Line(p) => pen.line(p),
+            OutlineSegment::Quad(c, p) => pen.command('q', &[c, p]),
+            OutlineSegment::Cubic(c, d, p) => pen.command('c', &[c, d, p]),
             OutlineSegment::Close => {
-                out.push('z');
-                at = begin;
+                pen.out.push('z');
+                (pen.at, pen.last) = (pen.begin, 'z');
             }
         }
     }
 }
 
-fn relative(out: &mut String, letter: char, points: &[[f32; 2]], at: &mut [f32; 2]) {
-    out.push(letter);
-    for p in points {
-        for axis in 0..2 {
-            push_coordinate(out, f64::from(p[axis]) - f64::from(at[axis]));
-        }
+/// Writes relative path data as short as it can be said.
+struct Pen<'o> {
+    out: &'o mut String,
+    at: [f32; 2],
+    begin: [f32; 2],
+    /// The last letter; the same one again needs no letter.
+    last: char,
+}
+
+impl Pen<'_> {
+    fn line(&mut self, p: [f32; 2]) {
+        let [x, y] = self.at;
+        let (letter, value) = match p {
+            [px, py] if py == y => ('h', px - x),
+            [px, py] if px == x => ('v', py - y),
+            _ => return self.command('l', &[p]),
+        };
+        self.letter(letter);
+        push_coordinate(self.out, f64::from(value));
+        self.at = p;
     }
-    if let Some(&last) = points.last() {
-        *at = last;
+
+    fn command(&mut self, letter: char, points: &[[f32; 2]]) {
+        self.letter(letter);
+        for p in points {
+            for (to, from) in p.iter().zip(self.at) {
+                push_coordinate(self.out, f64::from(*to) - f64::from(from));
+            }
+        }
+        self.at = points.last().copied().unwrap_or(self.at);
+    }
+
+    fn letter(&mut self, letter: char) {
+        if self.last != letter {
+            self.out.push(letter);
+        }
+        self.last = letter;
     }
 }

@@ -96,6 +96,9 @@ impl Document {
             out.push(' ');
             number::push(out, drawing.height);
         });
+        // What most elements have; each says it otherwise where it differs.
+        xml.attribute("fill", "none");
+        xml.attribute("stroke-linejoin", "round");
         xml.attribute("role", "img");
         xml.attribute("aria-labelledby", &format!("{title} {desc}"));
         for (name, id, text) in [("title", title, &drawing.title), ("desc", desc, &drawing.desc)] {
@@ -245,9 +248,8 @@ impl Document {
             (Property::Stroke, stroke.and_then(|stroke| stroke.paint.role)),
         ];
         style::class_attribute(&mut self.xml, &self.prefix, roles);
-        match fill {
-            Some(paint) => style::paint(&mut self.xml, Property::Fill, paint),
-            None => self.xml.attribute("fill", "none"),
+        if let Some(paint) = fill {
+            style::paint(&mut self.xml, Property::Fill, paint);
         }
         if let Some(stroke) = stroke {
             style::stroke(&mut self.xml, stroke);

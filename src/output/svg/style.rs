@@ -148,7 +148,6 @@ pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
 pub(super) fn stroke(xml: &mut Xml, stroke: &Stroke) {
     paint(xml, Property::Stroke, &stroke.paint);
     xml.number("stroke-width", stroke.width);
-    xml.attribute("stroke-linejoin", "round");
     if stroke.cap == Cap::Round {
         xml.attribute("stroke-linecap", "round");
     }

@@ -45,7 +45,6 @@ impl Document {
         style::class_attribute(&mut self.xml, &self.prefix, roles);
         style::paint(&mut self.xml, Property::Fill, &halo.paint);
         style::paint(&mut self.xml, Property::Stroke, &halo.paint);
-        self.xml.attribute("stroke-linejoin", "round");
         self.xml.start("g");
         self.xml.attribute("id", &id);
         self.line(&text.line, text.origin, Some(halo));
