@@ -80,7 +80,7 @@ impl Runs for Check {
                 Ok(())
             },
         )?;
-        let orphans = orphans(&jobs, self.files.folders());
+        let orphans = orphans(&jobs, &self.files.folders());
         self.tell(&orphans, "", console)?;
         findings.extend(orphans);
         let written = self.write_reports(&findings);

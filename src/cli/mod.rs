@@ -15,6 +15,7 @@ mod list;
 mod man;
 mod orphans;
 mod render;
+mod report;
 mod solve;
 mod trace;
 mod whole_file;
@@ -69,6 +70,7 @@ static COMMANDS: &[Command] = &[
     row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
     row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
     row::<describe::Describe>("describe", "Tell a figure in words: its alternative text, short and long"),
+    row::<report::Report>("report", "Measure speed against error, as tables and plots"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),
     row::<man::Man>("man", "Print the man page"),

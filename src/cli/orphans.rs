@@ -12,7 +12,7 @@ use super::inputs::Input;
 use super::jobs::Job;
 
 /// The orphans in the folders that were checked as a whole, by name.
-pub(crate) fn orphans(jobs: &[Job], folders: Vec<PathBuf>) -> Vec<Finding> {
+pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
     let stems: BTreeSet<PathBuf> = jobs
         .iter()
         .filter_map(|job| match &job.input {

@@ -123,7 +123,7 @@ fn completions_and_the_man_page_know_every_command() {
     let script = run(tracefig(folder.path()).args(["completions", "bash"])).out;
     let page = run(tracefig(folder.path()).arg("man")).out;
     let help = run(tracefig(folder.path()).arg("--help")).out;
-    for command in ["solve", "trace", "list", "completions", "man"] {
+    for command in ["render", "check", "solve", "trace", "describe", "report", "list", "completions", "man"] {
         assert!(script.contains(command) && page.contains(command) && help.contains(command), "{command}");
     }
     assert!(run(tracefig(folder.path()).args(["man", "solve"])).out.contains("jsonl"));

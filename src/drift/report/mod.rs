@@ -1,4 +1,4 @@
-//! The outcome of a check for people and for machines: a page, JSON, JUnit, a summary in Markdown.
+//! The outcome of a check for people and for machines: a page, JSON, `JUnit`, a summary in Markdown.
 
 mod html;
 mod json;
