@@ -226,6 +226,58 @@ fn every_algorithm_tells_the_whole_difference_and_the_candidate_that_won() {
     }
 }
 
+#[test]
+fn gjk_comes_closer_and_the_polytope_grows_until_the_depth_is_found() {
+    let gjk = ALGORITHMS.iter().find(|x| x.name == "gjk").unwrap();
+    let mut expanded = 0;
+    for (seed, a, b) in pairs(1500) {
+        let slack = ROUNDING * scale(&a, &b);
+        let mut trace = Trace::default();
+        (gjk.traced)(&query(QueryKind::Separation, &a, &b), &mut trace);
+        let core = separation(gjk, &a, &b).separation + a.shape.radius + b.shape.radius;
+        let (mut closest, mut nearest) = (f64::INFINITY, f64::NEG_INFINITY);
+        for event in &trace.events {
+            match event {
+                Event::SimplexUpdated { closest: v, .. } => {
+                    assert!(v.length() < closest, "seed {seed}: {:?}", trace.events);
+                    closest = v.length();
+                }
+                Event::PolytopeExpanded { nearest: d, .. } => {
+                    assert!(*d >= nearest - slack, "seed {seed}: {:?}", trace.events);
+                    nearest = *d;
+                }
+                _ => {}
+            }
+        }
+        let found = if nearest == f64::NEG_INFINITY { closest } else { -nearest };
+        assert!((found - core).abs() <= slack, "seed {seed}: {found} {core} {:?}", trace.events);
+        expanded += u32::from(nearest > 0.0);
+    }
+    assert!(expanded > 300, "{expanded}");
+}
+
+#[test]
+fn the_largest_gap_of_all_axes_is_the_depth() {
+    let axes = ALGORITHMS.iter().find(|x| x.name == "separating-axes").unwrap();
+    for (seed, a, b) in pairs(1500) {
+        let mut trace = Trace::default();
+        (axes.traced)(&query(QueryKind::Separation, &a, &b), &mut trace);
+        let s = separation(axes, &a, &b).separation;
+        let gaps = trace.events.iter().filter_map(|e| match e {
+            Event::AxisTested { gap, interval_a, interval_b, .. } => {
+                assert!(
+                    (interval_b.lo - interval_a.hi - gap).abs() <= ROUNDING * scale(&a, &b),
+                    "seed {seed}"
+                );
+                Some(*gap)
+            }
+            _ => None,
+        });
+        let largest = gaps.fold(f64::NEG_INFINITY, f64::max);
+        assert!((largest - s).abs() <= ROUNDING * scale(&a, &b), "seed {seed}: {largest} {s}");
+    }
+}
+
 /// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same normal.
 fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
     let meet = s.bounds.lo <= other.bounds.hi + slack && other.bounds.lo <= s.bounds.hi + slack;

@@ -93,3 +93,45 @@ fn record_comparison(pair: &Relative, early_out: bool, tracer: &mut impl Tracer)
         }
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::storyboard::{placed, polygon};
+    use super::*;
+    use crate::trace::Trace;
+
+    /// The verdict on two circles of radius 1, and whether the squares settled it.
+    fn overlap(apart: f64) -> (Overlap, bool) {
+        let a = polygon(&[[0., 0.]], 1.0);
+        let b = placed(polygon(&[[0., 0.]], 1.0), apart, 0., 0.);
+        let kind = QueryKind::Overlap;
+        let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let mut trace = Trace::default();
+        let Answer::Overlap(found) = answer(&query, &mut trace) else { panic!("{trace:?}") };
+        (found, trace.events.iter().any(|e| matches!(e, Event::CirclesCompared { early_out: true, .. })))
+    }
+
+    #[test]
+    fn squares_settle_what_is_clear() {
+        for (apart, expected) in [(2.5, false), (1.5, true), (0.0, true)] {
+            let (found, early) = overlap(apart);
+            assert_eq!((found.overlap, early), (Some(expected), true));
+            let bounds = found.separation_bounds;
+            assert!(bounds.lo <= apart - 2.0 && apart - 2.0 <= bounds.hi, "{bounds:?}");
+        }
+    }
+
+    #[test]
+    fn squares_settle_a_gap_of_two_hundred_ulp_and_leave_one_of_ten() {
+        assert_eq!(overlap(2.0 + 400.0 * f64::EPSILON).1, true);
+        let (found, early) = overlap(2.0 + 20.0 * f64::EPSILON);
+        assert_eq!((found.overlap, early), (Some(false), false));
+    }
+
+    #[test]
+    fn touching_is_overlap_and_needs_the_root() {
+        let (found, early) = overlap(2.0);
+        assert_eq!((found.overlap, early), (Some(true), false));
+        assert_eq!((found.separation_bounds.lo, found.separation_bounds.hi), (0.0, 0.0));
+    }
+}

@@ -56,7 +56,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         clamped,
         closest: seen.world_point(if v == clamped { closest } else { clamped }),
         d: seen.world_vector(found.normal * found.distance),
-        radius: pair.body(body.other()).shape.radius,
+        radius: pair.radius(),
     });
     let found = if body == Side::A { found } else { found.swapped(&seen, &pair) };
     let separation = witness::conclude(&pair, &found, tracer);
@@ -92,4 +92,48 @@ fn inside(v: DVec2, half: DVec2) -> Candidate {
         (-depth.y, if up { DVec2::Y } else { DVec2::NEG_Y }, if up { 2 } else { 0 })
     };
     Candidate { distance, normal, features: [CoreFeature::Edge(side), CoreFeature::Vertex(0)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::storyboard::{boxed, placed, polygon};
+    use super::super::{Answer, QueryKind};
+    use super::*;
+    use crate::trace::Trace;
+
+    fn clamp(a: &Body, b: &Body) -> (f64, DVec2, Event) {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let mut trace = Trace::default();
+        let Answer::Separation(s) = answer(&query, &mut trace) else { panic!("{trace:?}") };
+        let clamped = trace.events.into_iter().find(|e| matches!(e, Event::Clamped { .. }));
+        (s.separation, s.normal, clamped.unwrap())
+    }
+
+    #[test]
+    fn a_centre_inside_leaves_by_the_nearest_side() {
+        let a = boxed("box", 4., 2.);
+        let b = placed(polygon(&[[0., 0.]], 0.5), 1., -1.5, 0.);
+        let (s, n, event) = clamp(&a, &b);
+        assert_eq!((s, n), (-1.0, DVec2::NEG_Y));
+        let Event::Clamped { closest, d, v, clamped, .. } = event else { panic!("{event:?}") };
+        assert_eq!((closest, d, v == clamped), (DVec2::new(1., -2.), DVec2::new(0., 0.5), true));
+    }
+
+    #[test]
+    fn either_body_may_be_the_box() {
+        let a = placed(polygon(&[[0., 0.]], 0.5), 6., 0., 0.);
+        let (s, n, event) = clamp(&a, &boxed("aabb", 4., 2.));
+        assert_eq!((s, n), (1.5, DVec2::NEG_X));
+        assert!(matches!(event, Event::Clamped { body: Side::B, .. }));
+    }
+
+    #[test]
+    fn a_rounded_box_adds_its_radius() {
+        let mut a = boxed("box", 4., 2.);
+        a.shape.radius = 0.25;
+        let (s, _, event) = clamp(&a, &placed(polygon(&[[0., 0.]], 0.5), 6., 0., 0.));
+        assert_eq!(s, 1.25);
+        assert!(matches!(event, Event::Clamped { radius: 0.75, .. }));
+    }
 }

@@ -78,3 +78,38 @@ fn corner(right: bool, up: bool) -> CoreFeature {
         (false, true) => 3,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::storyboard::{boxed, placed};
+    use super::super::{QueryKind, Separation};
+    use super::*;
+    use crate::geometry::Feature;
+    use crate::trace::NoTrace;
+
+    fn extents(a: &Body, b: &Body) -> Separation {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        match answer(&query, &mut NoTrace) {
+            Answer::Separation(s) => s,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn the_minimum_translation_is_along_the_axis_of_the_larger_gap() {
+        let a = boxed("aabb", 4., 2.);
+        let s = extents(&a, &placed(boxed("aabb", 1., 1.), -1., 2.5, 0.));
+        // D = (1, 2.5) − (5, 3) = (−4, −0.5): up by 0.5.
+        assert_eq!((s.separation, s.normal), (-0.5, DVec2::Y));
+        assert_eq!(s.features, [Feature::Edge(2), Feature::Edge(0)]);
+    }
+
+    #[test]
+    fn apart_on_both_axes_corners_face_each_other() {
+        let a = boxed("aabb", 1., 1.);
+        let s = extents(&a, &placed(boxed("aabb", 2., 1.), -6., 6., 0.));
+        assert_eq!((s.separation, s.normal), (5.0, DVec2::new(-0.6, 0.8)));
+        assert_eq!(s.features, [Feature::Vertex(3), Feature::Vertex(1)]);
+    }
+}

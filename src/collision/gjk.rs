@@ -65,10 +65,7 @@ enum Found {
 impl Vertex {
     /// The vertex of B ⊖ A farthest along a direction (A's frame).
     pub(crate) fn farthest(pair: &Relative, direction: DVec2) -> Self {
-        Self::of(pair, pair.support(Side::A, -direction), pair.support(Side::B, direction))
-    }
-
-    fn of(pair: &Relative, a: usize, b: usize) -> Self {
+        let (a, b) = (pair.support(Side::A, -direction), pair.support(Side::B, direction));
         Self { a, b, point: pair.vertex(Side::B, b) - pair.vertex(Side::A, a) }
     }
 
@@ -99,7 +96,8 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// The walk: the closest point of the simplex, the vertex beyond it, the simplex with it.
 fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
-    let first = Vertex::of(pair, 0, 0);
+    // Any vertex of B ⊖ A would do, but it must be one: EPA's polytope has to be convex.
+    let first = Vertex::farthest(pair, DVec2::X);
     let mut simplex = Simplex { vertices: [first; 3], count: 1 };
     // Each step takes a vertex closer to the origin, and there are n + m.
     for _ in 0..2 * (pair.count(Side::A) + pair.count(Side::B)) + 2 {
@@ -225,4 +223,66 @@ fn record(pair: &Relative, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer
         closest: pair.world_vector(v),
         direction: pair.world_vector(-v),
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::storyboard::{boxed, placed, polygon};
+    use super::super::{Answer, QueryKind};
+    use super::*;
+    use crate::geometry::Body;
+    use crate::trace::Trace;
+
+    fn gjk(a: &Body, b: &Body) -> (f64, Vec<Event>) {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let mut trace = Trace::default();
+        let Answer::Separation(s) = answer(&query, &mut trace) else { panic!("{trace:?}") };
+        (s.separation, trace.events)
+    }
+
+    /// Distances of the closest points of the simplices, in order.
+    fn walked(events: &[Event]) -> Vec<f64> {
+        let closest = events.iter().filter_map(|e| match e {
+            Event::SimplexUpdated { closest, .. } => Some(length(*closest)),
+            _ => None,
+        });
+        closest.collect()
+    }
+
+    #[test]
+    fn each_simplex_is_closer_than_the_one_before() {
+        let a = polygon(&[[-3., -1.], [-1., -2.5], [1., -1.5], [0.5, 1.], [-2., 1.5]], 0.0);
+        let b = polygon(&[[8.5, 3.5], [6.5, 7.], [3., 6.], [6., 2.]], 0.0);
+        let (s, events) = gjk(&a, &b);
+        let walked = walked(&events);
+        assert!(walked.len() >= 3 && walked.windows(2).all(|w| w[1] < w[0]), "{walked:?}");
+        assert!((walked.last().unwrap() - s).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_polytope_grows_to_the_nearest_side() {
+        let (s, events) = gjk(&boxed("box", 3., 1.5), &placed(boxed("box", 2., 1.5), 1., 0.5, 10.));
+        let nearest: Vec<f64> = events
+            .iter()
+            .filter_map(|e| match e {
+                Event::PolytopeExpanded { nearest, .. } => Some(*nearest),
+                _ => None,
+            })
+            .collect();
+        assert!(nearest.len() >= 2 && nearest.windows(2).all(|w| w[1] >= w[0]), "{nearest:?}");
+        assert!((nearest.last().unwrap() + s).abs() < 1e-14, "{nearest:?} {s}");
+    }
+
+    #[test]
+    fn a_polytope_that_outgrows_its_storage_is_finished_by_the_merge() {
+        let corner = |k: i32| {
+            let angle = f64::from(k) * std::f64::consts::TAU / 512.0;
+            [libm::cos(angle), libm::sin(angle)]
+        };
+        let round: Vec<[f64; 2]> = (0..512).map(corner).collect();
+        let (s, _) = gjk(&polygon(&round, 0.0), &polygon(&round, 0.0));
+        // Twice the distance of a side from the centre.
+        assert!((s + 2.0 * libm::cos(std::f64::consts::PI / 512.0)).abs() < 1e-14, "{s}");
+    }
 }

@@ -157,3 +157,24 @@ fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer
     tracer.record(|| of(outline).found(pair));
     [Some(of(outline)), beside.map(of)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::storyboard::{boxed, placed};
+    use super::*;
+    use crate::trace::Trace;
+
+    #[test]
+    fn a_test_for_overlap_stops_at_the_first_edge_that_separates() {
+        let (a, b) = (boxed("box", 1., 1.), placed(boxed("box", 1., 1.), 4., 0.5, 30.));
+        let kind = QueryKind::Overlap;
+        let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let mut trace = Trace::default();
+        let Answer::Overlap(found) = answer(&query, &mut trace) else { panic!("{trace:?}") };
+        assert_eq!((found.overlap, found.separation_bounds.hi), (Some(false), f64::INFINITY));
+        let edges = trace.events.iter().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
+        // A's right side is its second.
+        assert_eq!(edges, 2);
+        assert_eq!(trace.events.last(), Some(&Event::Finished { outcome: "separating axis" }));
+    }
+}

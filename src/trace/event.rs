@@ -111,11 +111,12 @@ pub enum Event {
         half_extents: DVec2,
         /// V, clamped to the half-extents.
         clamped: DVec2,
-        /// `B_c` in the world: the point of the box closest to the circle.
+        /// `B_c` in the world: the point of the box closest to the circle; where the circle's centre is inside, the
+        /// point of the nearest side.
         closest: DVec2,
         /// D = B − `B_c` in the world.
         d: DVec2,
-        /// The circle's radius.
+        /// What comes off ‖D‖: the circle's radius, and the box's where that is rounded.
         radius: f64,
     },
     /// The supporting vertices along a direction were found, all of them when they tie.
@@ -127,7 +128,9 @@ pub enum Event {
         /// One vertex, or two when an edge is square to the direction.
         vertices: Vec<SupportVertex>,
     },
-    /// An edge of B ⊖ A was found.
+    /// An edge of B ⊖ A was found. Each is told once a run, in the order in which the algorithm finds it; its end is
+    /// another's start, to the bit. Where edges of both bodies lie on one line, B's comes first. The two sides of a
+    /// segment, there and back, bear the same number.
     DifferenceEdgeFound {
         /// The body whose edge it is.
         source: Side,
