@@ -84,7 +84,12 @@ fn sweep_graze(random: &mut Random) -> Json {
     };
     let a =
         Draft::still(round(random, r), [-8.0, r], 0.0).moving([lattice::positive(random, 8) + 8.0, 0.0], 0.0);
-    let b = Draft::still(round(random, q), [0.0, off - q], 0.0);
+    let mut b = Draft::still(round(random, q), [0.0, off - q], 0.0);
+    if random.once_in(4) {
+        // A centre whose height is a sum of two doubles: off by less than an ulp of it.
+        let hair = sign(random) * random.magnitude(-34.0, -17.0);
+        b = Draft::still(Shape::Circle(q, [0.0, hair]), [0.0, -q], 0.0);
+    }
     let kind = if random.once_in(3) { IMPACT } else { SWEEP };
     scene(random, kind, [a, b], &[])
 }

@@ -5,6 +5,7 @@ use super::{Category, lattice, scene, stillness};
 use crate::check::Setting;
 use crate::float::Real;
 use crate::json::Json;
+use crate::placement::Point;
 use crate::random::Random;
 use crate::scene::Scene;
 use crate::separation::separation;
@@ -18,6 +19,7 @@ pub(super) const CATEGORIES: &[Category] = &[
     Category { name: "near-parallel", draw: near_parallel },
     Category { name: "sliver", draw: sliver },
     Category { name: "near-touching", draw: near_touching },
+    Category { name: "hair", draw: hair },
     Category { name: "far", draw: far },
     Category { name: "mixed-sizes", draw: mixed_sizes },
     Category { name: "denormal", draw: denormal },
@@ -133,16 +135,42 @@ fn near_touching(random: &mut Random) -> Json {
 
 /// The pair with B moved along the normal, so that the separation is `gap` but for the rounding of B's position.
 pub(super) fn moved_to([a, mut b]: [Draft; 2], gap: f64) -> [Draft; 2] {
-    let text = scene(&mut Random::new(1), "separation", [a.clone(), b.clone()], &[]).to_string();
-    if let Ok(parsed) = Scene::parse(&text) {
-        let exact = {
-            let pair = Setting::of(&parsed).pair(&parsed.bodies, Real::ZERO);
-            separation(&pair[0], &pair[1])
-        };
-        if let Some(n) = exact.normal {
-            b.position = nudged(b.position, n.times(Real::from(gap) - exact.separation));
-        }
+    if let Some((n, s)) = measured(&[a.clone(), b.clone()]) {
+        b.position = nudged(b.position, n.times(Real::from(gap) - s));
     }
+    [a, b]
+}
+
+/// Normal and separation of a pair at t = 0.
+fn measured(pair: &[Draft; 2]) -> Option<(Point, Real)> {
+    let text = scene(&mut Random::new(1), "separation", pair.clone(), &[]).to_string();
+    let parsed = Scene::parse(&text).ok()?;
+    let placed = Setting::of(&parsed).pair(&parsed.bodies, Real::ZERO);
+    let exact = separation(&placed[0], &placed[1]);
+    Some((exact.normal?, exact.separation))
+}
+
+/// A circle whose place is a sum of two doubles, so that s is down to 1e-33: only there the rounding of double-doubles shows.
+fn hair(random: &mut Random) -> Json {
+    let a = if random.once_in(2) { Shape::sharp(random, 1.0) } else { Shape::any(random, 1.0) };
+    let radius = if random.once_in(2) { 0.0 } else { random.between(0.0, 1.0) };
+    let [a, b] = near_each_other(random, [a, Shape::Circle(radius, [0.0, 0.0])], 1.0);
+    let gap = sign(random) * random.magnitude(-34.0, -17.0);
+    let [a, b] = moved_to([a, Draft { angle: 0.0, ..b }], gap);
+    let pair = centred_to([a, b], radius, gap);
+    let kind = if random.once_in(4) { "overlap" } else { "separation" };
+    scene(random, kind, pair, &[])
+}
+
+/// The pair with the circle's centre moved from its body's origin along the normal until s is nearly `gap`.
+fn centred_to([a, mut b]: [Draft; 2], radius: f64, gap: f64) -> [Draft; 2] {
+    let mut center = [0.0, 0.0];
+    for _ in 0..2 {
+        b.shape = Shape::Circle(radius, center);
+        let Some((n, s)) = measured(&[a.clone(), b.clone()]) else { break };
+        center = nudged(center, n.times(Real::from(gap) - s));
+    }
+    b.shape = Shape::Circle(radius, center);
     [a, b]
 }
 

@@ -32,7 +32,10 @@ pub(super) fn bounds(random: &mut Random) -> Json {
     let body = |random: &mut Random| {
         let shape = if random.once_in(4) { star(random) } else { Shape::any(random, 1.0) };
         let away = random.magnitude(-1.0, 9.0);
-        let draft = Draft::still(shape, direction(random, away), random.between(-1e4, 1e4));
+        // Nearly along the axes two corners reach nearly as far: which of them does must not be guessed.
+        let nearly = random.one_of(&[0.0, 90.0, 180.0]) + sign(random) * random.magnitude(-15.0, -4.0);
+        let angle = if random.once_in(3) { nearly } else { random.between(-1e4, 1e4) };
+        let draft = Draft::still(shape, direction(random, away), angle);
         let draft = draft.moving(direction(random, 1.0), random.between(-360.0, 360.0));
         separation::without_spin_of_aabb(draft)
     };
