@@ -32,13 +32,18 @@ const LOOKS: [(Role, &[f64]); 7] = [
 ///
 /// A [`TypesetError`] where a contender's name has a character that the fonts lack.
 pub fn plots(report: &Report, color: &dyn Fn(Role) -> Color) -> Result<Vec<Plot>, TypesetError> {
+    let names = names(report);
     let mut all = Vec::new();
     for class in Class::ALL {
         for difficulty in Difficulty::ALL {
             let rows: Vec<&Row> =
                 report.rows.iter().filter(|r| r.class == class && r.difficulty == difficulty).collect();
             let name = format!("{}-{}", class.name(), difficulty.name());
-            for chart in [growth(&rows, &name), error_against_time(&rows, &name), steps(&rows, &name)] {
+            for chart in [
+                growth(&rows, &names, &name),
+                error_against_time(&rows, &names, &name),
+                steps(&rows, &names, &name),
+            ] {
                 if !chart.series.is_empty() {
                     all.push(Plot { stem: chart.id.clone(), drawing: draw(&chart, color)? });
                 }
@@ -48,9 +53,20 @@ pub fn plots(report: &Report, color: &dyn Fn(Role) -> Color) -> Result<Vec<Plot>
     Ok(all)
 }
 
+/// The contenders in the order in which they ran, so that each looks the same in every plot.
+fn names(report: &Report) -> Vec<&str> {
+    let mut names: Vec<&str> = Vec::new();
+    for row in &report.rows {
+        if !names.contains(&row.contender.as_str()) {
+            names.push(&row.contender);
+        }
+    }
+    names
+}
+
 /// Time per query against n, at each contender's finest tolerance.
-fn growth(rows: &[&Row], name: &str) -> Chart {
-    let series = series(rows, |of| {
+fn growth(rows: &[&Row], names: &[&str], name: &str) -> Chart {
+    let series = series(rows, names, |of| {
         CORNERS
             .iter()
             .filter_map(|&corners| {
@@ -72,8 +88,8 @@ fn growth(rows: &[&Row], name: &str) -> Chart {
 }
 
 /// Worst error against time per query; a point for each n (direct algorithms) or each tolerance at n = 8.
-fn error_against_time(rows: &[&Row], name: &str) -> Chart {
-    let series = series(rows, |of| {
+fn error_against_time(rows: &[&Row], names: &[&str], name: &str) -> Chart {
+    let series = series(rows, names, |of| {
         let iterative = of.iter().any(|r| r.tolerance != of[0].tolerance);
         of.iter()
             .filter(|r| r.corners == 8 || !iterative)
@@ -87,8 +103,8 @@ fn error_against_time(rows: &[&Row], name: &str) -> Chart {
 }
 
 /// Steps against tolerance at n = 8, for the algorithms that have one.
-fn steps(rows: &[&Row], name: &str) -> Chart {
-    let series = series(rows, |of| {
+fn steps(rows: &[&Row], names: &[&str], name: &str) -> Chart {
+    let series = series(rows, names, |of| {
         of.iter()
             .filter(|r| r.corners == 8 && r.tolerance > 0.0)
             .filter_map(|r| Some((r.tolerance, r.steps?.max(1.0))))
@@ -108,16 +124,13 @@ fn values(series: &[Series], pick: fn(&(f64, f64)) -> f64) -> Vec<f64> {
 }
 
 /// A series for each contender; prepared shapes where the contender has them, from the scene's numbers elsewhere.
-fn series(rows: &[&Row], points: impl Fn(&[&Row]) -> Vec<(f64, f64)>) -> Vec<Series> {
-    let mut names: Vec<&str> = Vec::new();
-    for row in rows {
-        if !names.contains(&row.contender.as_str()) {
-            names.push(&row.contender);
-        }
-    }
+fn series(rows: &[&Row], names: &[&str], points: impl Fn(&[&Row]) -> Vec<(f64, f64)>) -> Vec<Series> {
     let mut all = Vec::new();
     for (i, name) in names.iter().enumerate() {
         let of: Vec<&Row> = rows.iter().filter(|r| r.contender == *name).copied().collect();
+        if of.is_empty() {
+            continue;
+        }
         let prepared: Vec<&Row> =
             of.iter().filter(|r| r.preparation == Preparation::Prepared).copied().collect();
         let points = points(if prepared.is_empty() { &of } else { &prepared });

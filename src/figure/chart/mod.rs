@@ -21,7 +21,7 @@ const LEFT: f64 = 84.0;
 /// Room below the plot for tick labels and the axis's name.
 const BELOW: f64 = 60.0;
 /// Room above the plot for the title.
-const ABOVE: f64 = 44.0;
+const ABOVE: f64 = 72.0;
 /// Distance of the names of two series, page pixels.
 const NAME_PITCH: f64 = 18.0;
 
@@ -70,7 +70,7 @@ pub fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawing, Typ
     let plot =
         Rect { x0: LEFT, y0: ABOVE, x1: chart.width - MARGIN - widest - 24.0, y1: chart.height - BELOW };
     let mut artist = Artist { plot, color, chart, items: Vec::new() };
-    artist.words(&chart.title, Style::semibold(WORDS), Role::Ink, |_| Point::new(MARGIN, 28.0))?;
+    artist.words(&chart.title, Style::semibold(WORDS), Role::Ink, |_| Point::new(MARGIN, 30.0))?;
     artist.axes()?;
     artist.series();
     artist.names(&names);
@@ -166,7 +166,7 @@ impl Artist<'_> {
         self.words(&x, Style::regular(WORDS), Role::Ink, |l| {
             Point::new((plot.x0 + plot.x1 - l.width) / 2.0, plot.y1 + 44.0)
         })?;
-        self.words(&y, Style::regular(WORDS), Role::Ink, |_| Point::new(MARGIN, plot.y0 - 2.0))
+        self.words(&y, Style::regular(WORDS), Role::Ink, |_| Point::new(MARGIN, plot.y0 - 14.0))
     }
 
     fn series(&mut self) {
