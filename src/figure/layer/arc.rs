@@ -18,6 +18,9 @@ use super::{LabelKey, Layer, Shows};
 /// The angle mark's radius as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
 
+/// The length stands off the arc by half its line's width more than usual, page px.
+const CLEAR: f64 = 3.0;
+
 /// Fill of the sector.
 const SECTOR: f64 = 0.06;
 
@@ -144,7 +147,8 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
         // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
         let (from, to) = if t.sweep > 0.0 { (t.p, t.center) } else { (t.center, t.p) };
         sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
-        let path = Anchor::Arc { center: t.center, radius: t.radius, start: t.start, sweep: t.sweep };
+        let outside = t.radius + sketch.px(CLEAR);
+        let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
         let length = format!(r"$L = \theta\,r = {}$", number(t.arc));
         sketch.label(Label::new("L", length, path, options.role(Role::Now)));
     }

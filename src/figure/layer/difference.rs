@@ -17,6 +17,9 @@ use super::{LabelKey, Layer, Shows, fade};
 /// Width of an edge that the algorithm skipped, page px, and its opacity.
 const THIN: (f64, f64) = (0.75, 0.55);
 
+/// At most this many iterations are drawn; more are a blur.
+const MOST: usize = 6;
+
 /// Width of the edges of earlier iterations, page px.
 const EARLIER: f64 = 1.25;
 
@@ -86,11 +89,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(found) = difference(context, time) else { return };
     area(sketch, options, &found);
     let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { Vec::new() };
-    for edge in &found.edges {
+    edges(sketch, &found, |edge| {
         let pen = edge_pen(edge);
         let thin = skipped.contains(&(edge.source, Feature::Edge(edge.index)));
-        edge_line(sketch, &found, edge, if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen });
-    }
+        if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen }
+    });
     diamonds(sketch, &found);
     name(sketch, context, options, &found);
     if options.flag("sources", false) {
@@ -111,17 +114,24 @@ pub(super) fn edge_pen(edge: &Edge) -> Pen {
     if edge.source == Side::B { pen.dash(Dash::Long) } else { pen }
 }
 
-fn edge_line(sketch: &mut Sketch, found: &Difference, edge: &Edge, pen: Pen) {
-    let (from, to) = found.side(edge);
-    sketch.part(if edge.source == Side::A { "edges-A" } else { "edges-B" }).line(from, to, pen);
+/// The edges, as one part for each body that they come from.
+fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge) -> Pen) {
+    for (side, part) in [(Side::A, "edges-A"), (Side::B, "edges-B")] {
+        sketch.part(part);
+        for edge in found.edges.iter().filter(|e| e.source == side) {
+            let (from, to) = found.side(edge);
+            sketch.line(from, to, pen(edge));
+        }
+    }
 }
 
 fn diamonds(sketch: &mut Sketch, found: &Difference) {
     if found.radius > 0.0 {
         return;
     }
+    sketch.part("vertices");
     for edge in &found.edges {
-        sketch.part("vertices").marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
+        sketch.marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
     }
 }
 
@@ -130,7 +140,8 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Diffe
     let text = format!(r"${} \ominus {}$", bare(Side::B), bare(Side::A));
     let anchor = Anchor::inside(&found.outline(), &[]);
     let role = options.role(Role::Difference);
-    sketch.label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));
+    // A part of its own, as the name must not lie on the vertices.
+    sketch.part("name").label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));
 }
 
 /// `from A` and `from B` outside the first edge of each that faces up, away from the origin.
@@ -162,21 +173,18 @@ fn culled(context: &Context) -> Vec<(Side, Feature)> {
 
 /// Every iteration's difference, fainter the earlier; the last one whole.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let all: Vec<Difference> = context.steps().iter().filter_map(|&time| difference(context, time)).collect();
-    let Some((last, before)) = all.split_last() else { return };
-    for (found, opacity) in before.iter().zip(fade(SERIES, before.len())) {
+    let at = |(k, time): (usize, f64)| Some((k, difference(context, time)?));
+    let all: Vec<(usize, Difference)> = thinned(&context.steps()).into_iter().filter_map(at).collect();
+    let Some(((_, last), before)) = all.split_last() else { return };
+    for ((_, found), opacity) in before.iter().zip(fade(SERIES, before.len())) {
         if found.radius > 0.0 {
             let pen = Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity);
             sketch.part("iterations").area(&found.outline(), None, Some(pen));
         }
-        for edge in &found.edges {
-            edge_line(sketch, found, edge, edge_pen(edge).width(EARLIER).opacity(opacity));
-        }
+        edges(sketch, found, |edge| edge_pen(edge).width(EARLIER).opacity(opacity));
     }
     area(sketch, options, last);
-    for edge in &last.edges {
-        edge_line(sketch, last, edge, edge_pen(edge));
-    }
+    edges(sketch, last, edge_pen);
     diamonds(sketch, last);
     name(sketch, context, options, last);
     if options.flag("numbers", false) {
@@ -184,20 +192,28 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// The steps that are drawn, each with its number: at most [`MOST`], spread evenly, the first and the last included.
+fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
+    let last = steps.len().saturating_sub(1);
+    let spread = |i: usize| if last < MOST { i } else { (i * last + (MOST - 1) / 2) / (MOST - 1) };
+    (0..MOST.min(steps.len())).map(spread).filter_map(|k| Some((k, *steps.get(k)?))).collect()
+}
+
 /// The number of each iteration below its lowest vertex.
-fn numbers(sketch: &mut Sketch, all: &[Difference]) {
+fn numbers(sketch: &mut Sketch, all: &[(usize, Difference)]) {
     let level = sketch.px(LEVEL);
-    let places: Vec<DVec2> = all.iter().filter_map(|found| lowest(found, level)).collect();
+    let places: Vec<(usize, DVec2)> =
+        all.iter().filter_map(|(k, found)| Some((*k, lowest(found, level)?))).collect();
     let gap = sketch.px(NUMBER_GAP);
     let Some((&last, before)) = places.split_last() else { return };
     let mut kept: Vec<(usize, DVec2)> = Vec::new();
-    for (k, &place) in before.iter().enumerate() {
+    for &(k, place) in before {
         let clear = |other: DVec2| other.distance(place) >= gap;
-        if clear(last) && kept.last().is_none_or(|&(_, other)| clear(other)) {
+        if clear(last.1) && kept.last().is_none_or(|&(_, other)| clear(other)) {
             kept.push((k, place));
         }
     }
-    kept.push((before.len(), last));
+    kept.push(last);
     for (k, place) in kept {
         let anchor = Anchor::point_toward(place, DVec2::NEG_Y);
         let label = Label::new("step", k.to_string(), anchor, Role::Difference);
@@ -212,4 +228,22 @@ fn lowest(found: &Difference, level: f64) -> Option<DVec2> {
     let same = points.iter().filter(|p| p.y - bottom.y <= level);
     let (lo, hi) = same.fold((bottom, bottom), |(lo, hi), &p| (lo.min(p), hi.max(p)));
     Some(0.5 * (lo + hi))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_steps_the_first_the_last_and_some_between_are_drawn() {
+        let steps: Vec<f64> = (0..23).map(f64::from).collect();
+        let kept: Vec<usize> = thinned(&steps).into_iter().map(|(k, _)| k).collect();
+        assert_eq!(kept, [0, 4, 9, 13, 18, 22]);
+    }
+
+    #[test]
+    fn few_steps_are_all_drawn() {
+        assert_eq!(thinned(&[0.0, 0.5]), [(0, 0.0), (1, 0.5)]);
+        assert!(thinned(&[]).is_empty());
+    }
 }

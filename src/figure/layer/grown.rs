@@ -10,7 +10,7 @@ use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::pen::{LARGE_MARKER, Marker, Pen, Wash};
-use super::super::sketch::Sketch;
+use super::super::sketch::{Sketch, Weight};
 use super::difference::{difference, edge_pen};
 use super::{LabelKey, Layer, Shows};
 
@@ -48,14 +48,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("grown").area(&grown, Some(Wash::theme(Role::Difference)), pen);
     sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     if options.flag("copies", true) {
+        sketch.part("copies").weight(Weight::Light);
         for corner in corners(context) {
             let copy = outline_b.turned_about(b).moved(corner - b);
-            sketch.part("copies").area(&copy, None, Some(Pen::ghost(Role::B)));
+            sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
         }
     }
+    sketch.part("grown-edges");
     for edge in &found.edges {
         let (from, to) = found.side(edge);
-        sketch.part("grown").line(turned(from), turned(to), edge_pen(edge));
+        sketch.line(turned(from), turned(to), edge_pen(edge));
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
