@@ -278,6 +278,53 @@ fn the_largest_gap_of_all_axes_is_the_depth() {
     }
 }
 
+/// The separation that an event amounts to, by the formula of its algorithm.
+fn amounts_to(event: &Event, radius: f64) -> Option<f64> {
+    match event {
+        Event::CirclesCompared { distance_squared, radii, .. } => {
+            Some(distance_squared.sqrt() - (radii[0] + radii[1]))
+        }
+        Event::ExtentsCompared { gap, .. } => {
+            let outside = gap.max(DVec2::ZERO).length();
+            Some(if outside > 0.0 { outside } else { gap.max_element() })
+        }
+        Event::Clamped { v, clamped, d, radius, .. } => {
+            Some(if v == clamped { -d.length() - radius } else { d.length() - radius })
+        }
+        Event::CandidateImproved { distance, .. } => Some(distance - radius),
+        _ => None,
+    }
+}
+
+#[test]
+fn what_an_algorithm_tells_amounts_to_its_answer() {
+    for (seed, a, b) in pairs(1500) {
+        let cores = a.shape.radius + b.shape.radius;
+        for name in ["circles", "extents", "clamp", "merge", "minkowski"] {
+            let query = query(QueryKind::Separation, &a, &b);
+            let Some(algorithm) = takers(&query).into_iter().find(|x| x.name == name) else { continue };
+            let mut trace = Trace::default();
+            (algorithm.traced)(&query, &mut trace);
+            let told: Vec<f64> = trace
+                .events
+                .iter()
+                .filter(|e| matches!(e, Event::CandidateImproved { .. }) == name.starts_with('m'))
+                .filter_map(|e| amounts_to(e, cores))
+                .collect();
+            // The candidates of the cores come before the one of the round bodies, which has the radii off already.
+            let points = a.shape.core.len() == 1 && b.shape.core.len() == 1;
+            let concluded = name.starts_with('m') && (cores > 0.0 || points);
+            let found = if points && concluded {
+                told[0] + cores
+            } else {
+                told[told.len() - 1 - usize::from(concluded)]
+            };
+            let s = separation(algorithm, &a, &b).separation;
+            assert!((found - s).abs() <= ROUNDING * scale(&a, &b), "seed {seed}, {name}: {found} {s}");
+        }
+    }
+}
+
 /// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same normal.
 fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
     let meet = s.bounds.lo <= other.bounds.hi + slack && other.bounds.lo <= s.bounds.hi + slack;
