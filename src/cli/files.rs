@@ -6,7 +6,7 @@ use std::sync::Arc;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
-use tracefig::drift::{facts, fingerprint, metadata};
+use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::{Figure, draw, plan, theme};
 use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
@@ -15,6 +15,7 @@ use super::Status;
 use super::console::Console;
 use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
+use super::times::Times;
 
 /// Which scenes, and how they are drawn.
 #[derive(Args)]
@@ -65,6 +66,8 @@ pub(crate) struct Drawn {
     pub(crate) messages: String,
     /// Whether an error is among them.
     pub(crate) failed: bool,
+    /// Where the time went.
+    pub(crate) times: Times,
 }
 
 impl Files {
@@ -90,24 +93,48 @@ impl Files {
 
     /// Reads, answers and draws one scene.
     pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
-        let mut messages = String::new();
-        match self.encoded(job, ink, &mut messages) {
-            Ok(files) => Drawn { files, messages, failed: false },
-            Err(error) => Drawn { files: Vec::new(), messages: messages + &error, failed: true },
+        let (mut messages, mut times) = (String::new(), Times::start());
+        match self.encoded(job, ink, &mut messages, &mut times) {
+            Ok(files) => Drawn { files, messages, failed: false, times },
+            Err(error) => Drawn { files: Vec::new(), messages: messages + &error, failed: true, times },
         }
     }
 
-    fn encoded(&self, job: &Job, ink: Ink, messages: &mut String) -> Result<Vec<Encoded>, String> {
+    /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these options.
+    pub(crate) fn is_current(&self, job: &Job) -> bool {
+        let Ok(file) = job.input.open() else { return false };
+        let own = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
+        job.files.iter().all(|planned| {
+            let Target::File(path) = &planned.target else { return false };
+            let hash = self.hash(&file, planned.format, planned.theme.as_deref().unwrap_or(own));
+            std::fs::read(path).is_ok_and(|bytes| Stamp::read(&bytes).is_some_and(|stamp| stamp.is_of(&hash)))
+        })
+    }
+
+    fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
+        fingerprint(&file.source.text, &self.options_of(format, theme))
+    }
+
+    fn encoded(
+        &self,
+        job: &Job,
+        ink: Ink,
+        messages: &mut String,
+        times: &mut Times,
+    ) -> Result<Vec<Encoded>, String> {
         let file = job.input.open().map_err(|refused| refused.render(ink))?;
+        times.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let plan = plan(&file.scene).map_err(refuse)?;
         let facts = facts(&file.scene);
+        times.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
         for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
             let Some(first) = same_theme.first() else { continue };
             let theme = first.theme.as_deref().and_then(theme::find).unwrap_or(plan.theme);
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
+            times.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings));
             }
@@ -117,11 +144,12 @@ impl Files {
             }
             let mut all_bytes = Vec::new();
             for planned in same_theme {
-                drawing.hash = fingerprint(&file.source.text, &self.options_of(planned.format, theme.name));
-                drawing.metadata = metadata(&drawing.hash, &facts);
-                let bytes =
-                    self.encode(&drawing, planned.format).map_err(|e| cant_encode(&file, planned, &e))?;
-                all_bytes.push(bytes);
+                let hash = self.hash(&file, planned.format, theme.name);
+                drawing.hash = text_chunk(&hash);
+                drawing.metadata = metadata(&hash, &facts);
+                let encoded = self.encode(&drawing, planned.format);
+                all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error))?);
+                times.lap(planned.format.name);
             }
             let drawing = Arc::new(drawing);
             files.extend(all_bytes.into_iter().map(|bytes| Encoded { bytes, drawing: Arc::clone(&drawing) }));

@@ -17,6 +17,7 @@ mod orphans;
 mod render;
 mod report;
 mod solve;
+mod times;
 mod trace;
 mod whole_file;
 

@@ -10,6 +10,7 @@ use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::in_order::in_order;
 use super::jobs::{Job, Target};
+use super::times::Times;
 use super::whole_file::write_whole;
 use super::{Runs, Status};
 
@@ -21,6 +22,42 @@ pub(crate) struct Render {
     /// Folder for the files, made if it is not there; `-` is standard output; default: beside each scene
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Leave scenes alone whose files say that this version drew them from the same scene and options
+    #[arg(long)]
+    skip_unchanged: bool,
+    /// Draw only the Kth of N equal shares of the scenes, so that N machines share the work
+    #[arg(long, value_name = "K/N")]
+    partition: Option<Partition>,
+    /// Tell on standard error where the time went, added over all scenes
+    #[arg(long)]
+    timings: bool,
+}
+
+/// A share of the scenes.
+#[derive(Clone, Copy, Debug)]
+struct Partition {
+    /// From 1.
+    share: usize,
+    of: usize,
+}
+
+impl std::str::FromStr for Partition {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parsed = text.split_once('/').and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
+        match parsed {
+            Some((share, of)) if 1 <= share && share <= of => Ok(Self { share, of }),
+            _ => Err("expected K/N with 1 ≤ K ≤ N, as 2/8".to_owned()),
+        }
+    }
+}
+
+impl Partition {
+    /// Every Nth scene, so that neighbours, which tend to be alike, are spread.
+    fn of_jobs(self, jobs: Vec<Job>) -> Vec<Job> {
+        jobs.into_iter().skip(self.share - 1).step_by(self.of).collect()
+    }
 }
 
 impl Runs for Render {
@@ -35,15 +72,27 @@ impl Runs for Render {
             console.error(&format!("can't make the folder {}: {error}", folder.display()));
             return Ok(Status::Wrong);
         }
+        // Twins are looked for among all scenes, whichever share is drawn.
+        let jobs = match self.partition {
+            Some(partition) => partition.of_jobs(jobs),
+            None => jobs,
+        };
         let bar = progress(jobs.len(), console);
         let ink = console.ink();
-        let mut status = Status::Done;
-        let work = |job: &Job| write_files(job, self.files.draw(job, ink));
+        let (mut status, mut times) = (Status::Done, Times::start());
+        let work = |job: &Job| {
+            if self.skip_unchanged && self.files.is_current(job) {
+                Written::nothing()
+            } else {
+                write_files(job, self.files.draw(job, ink))
+            }
+        };
         in_order(&jobs, work, |job, written| -> io::Result<()> {
             let written = written.unwrap_or_else(|| Written::bug(job));
             if written.failed {
                 status = Status::Wrong;
             }
+            times.add(&written.times);
             bar.suspend(|| -> io::Result<()> {
                 if !written.messages.is_empty() {
                     console.out.flush()?;
@@ -55,6 +104,9 @@ impl Runs for Render {
             Ok(())
         })?;
         bar.finish_and_clear();
+        if self.timings {
+            Console::message(&times.to_string());
+        }
         Ok(status)
     }
 }
@@ -65,18 +117,24 @@ struct Written {
     results: Vec<u8>,
     messages: String,
     failed: bool,
+    times: Times,
 }
 
 impl Written {
+    fn nothing() -> Self {
+        Self { results: Vec::new(), messages: String::new(), failed: false, times: Times::start() }
+    }
+
     fn bug(job: &Job) -> Self {
         let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.name());
-        Self { results: Vec::new(), messages, failed: true }
+        Self { messages, failed: true, ..Self::nothing() }
     }
 }
 
 fn write_files(job: &Job, drawn: Drawn) -> Written {
-    let mut written = Written { results: Vec::new(), messages: drawn.messages, failed: drawn.failed };
-    for (file, Encoded { bytes, .. }) in job.files.iter().zip(drawn.files) {
+    let Drawn { files, messages, failed, times } = drawn;
+    let mut written = Written { messages, failed, times, ..Written::nothing() };
+    for (file, Encoded { bytes, .. }) in job.files.iter().zip(files) {
         match &file.target {
             Target::Stdout => written.results = bytes,
             Target::File(path) => match write_whole(path, &bytes) {
@@ -88,6 +146,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
             },
         }
     }
+    written.times.lap("write");
     written
 }
 

@@ -14,7 +14,7 @@ mod text;
 pub use elements::elements_in;
 pub use moved::moved;
 pub use pixels::{PixelDrift, TOLERANCES, triptych};
-pub use stamp::{STAMP_FORMAT, Stamp, facts, fingerprint, metadata};
+pub use stamp::{STAMP_FORMAT, Stamp, facts, fingerprint, metadata, text_chunk};
 pub use text::LineDrift;
 
 /// A file that the scene gives now.

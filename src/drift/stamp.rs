@@ -12,6 +12,9 @@ use serde_json::{Value, json};
 use crate::scene::{Scene, answer_json};
 use crate::trace::{Trace, json_lines};
 
+/// The tracefig that drew a figure.
+const VERSION: &str = env!("CARGO_PKG_VERSION");
+
 /// Version of the metadata's format.
 pub const STAMP_FORMAT: u32 = 1;
 
@@ -29,6 +32,8 @@ const MAX_EVENTS: usize = 120;
 pub struct Stamp {
     /// Of the scene and the options.
     pub hash: String,
+    /// The tracefig that drew it.
+    pub version: String,
     /// All of it, as JSON; in a PNG there is only the hash.
     pub facts: Option<Value>,
 }
@@ -50,6 +55,12 @@ pub fn fingerprint(scene: &str, options: &str) -> String {
     let bytes = scene.bytes().chain([0xff]).chain(options.bytes());
     let hash = bytes.fold(BASIS, |hash, byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME));
     format!("{hash:032x}")
+}
+
+/// The text of a PNG: the hash and the version.
+#[must_use]
+pub fn text_chunk(hash: &str) -> String {
+    format!("{hash} {VERSION}")
 }
 
 /// What is the same for every file of a scene: the question, the answer, the first events of its trace.
@@ -89,14 +100,21 @@ fn escaped_length(text: &str) -> usize {
 ///
 /// ```
 /// let text = tracefig::drift::metadata("00ff", "\"answer\":null");
-/// assert_eq!(text, r#"{"tracefig_figure":1,"hash":"00ff","answer":null}"#);
+/// assert!(text.starts_with(r#"{"tracefig_figure":1,"version":""#));
+/// assert!(text.ends_with(r#"","hash":"00ff","answer":null}"#));
 /// ```
 #[must_use]
 pub fn metadata(hash: &str, facts: &str) -> String {
-    format!("{{\"tracefig_figure\":{STAMP_FORMAT},\"hash\":\"{hash}\",{facts}}}")
+    format!("{{\"tracefig_figure\":{STAMP_FORMAT},\"version\":\"{VERSION}\",\"hash\":\"{hash}\",{facts}}}")
 }
 
 impl Stamp {
+    /// Whether this tracefig drew the file, of a scene and options with this hash.
+    #[must_use]
+    pub fn is_of(&self, hash: &str) -> bool {
+        self.hash == hash && self.version == VERSION
+    }
+
     /// What a file says of itself; None where it is none of ours.
     #[must_use]
     pub fn read(bytes: &[u8]) -> Option<Self> {
@@ -112,13 +130,15 @@ impl Stamp {
         let end = start + text[start..].find("</metadata>")?;
         let facts: Value = serde_json::from_str(&unescape(&text[start..end])).ok()?;
         facts.get("tracefig_figure")?;
-        Some(Self { hash: facts.get("hash")?.as_str()?.to_owned(), facts: Some(facts) })
+        let text = |key: &str| Some(facts.get(key)?.as_str()?.to_owned());
+        Some(Self { hash: text("hash")?, version: text("version")?, facts: Some(facts) })
     }
 
     fn of_png(bytes: &[u8]) -> Option<Self> {
         let reader = png::Decoder::new(Cursor::new(bytes)).read_info().ok()?;
         let text = reader.info().uncompressed_latin1_text.iter().find(|t| t.keyword == "tracefig")?;
-        Some(Self { hash: text.text.clone(), facts: None })
+        let (hash, version) = text.text.split_once(' ')?;
+        Some(Self { hash: hash.to_owned(), version: version.to_owned(), facts: None })
     }
 }
 
@@ -144,7 +164,7 @@ mod tests {
         let svg =
             format!("<svg><metadata>{}</metadata></svg>", text.replace('&', "&amp;").replace('<', "&lt;"));
         let stamp = Stamp::read(svg.as_bytes()).unwrap();
-        assert_eq!(stamp.hash, "00ff");
+        assert!(stamp.is_of("00ff") && !stamp.is_of("00fe"));
         let facts = stamp.facts.unwrap();
         assert_eq!(facts["answer"]["separation"], 1.0);
         assert_eq!(facts["trace"][0]["event"], "started");

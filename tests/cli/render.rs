@@ -155,6 +155,47 @@ fn wrong_options_are_usage() {
     assert_eq!(names(folder.path()), set(&["s.toml"]));
 }
 
+#[test]
+fn unchanged_scenes_can_be_left_alone() {
+    let folder = folder_with("a.toml", &drawn());
+    std::fs::write(folder.path().join("b.toml"), drawn()).unwrap();
+    let render = |more: &[&str]| {
+        run(tracefig(folder.path()).args(["render", ".", "--skip-unchanged", "--scale", "0.5"]).args(more))
+            .out
+    };
+    assert_eq!(render(&[]), "./a.svg\n./a.png\n./b.svg\n./b.png\n");
+    assert_eq!(render(&[]), "");
+    std::fs::write(folder.path().join("b.toml"), drawn().replace("radius = 1", "radius = 1.5")).unwrap();
+    assert_eq!(render(&[]), "./b.svg\n./b.png\n");
+    std::fs::remove_file(folder.path().join("a.png")).unwrap();
+    assert_eq!(render(&[]), "./a.svg\n./a.png\n");
+    assert_eq!(render(&["--theme", "dark", "--format", "svg"]), "./a.svg\n./b.svg\n");
+    assert_eq!(render(&["--png", "small", "--format", "png"]), "./a.png\n./b.png\n");
+}
+
+#[test]
+fn partitions_share_the_scenes() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a", "b", "c", "d", "e"] {
+        std::fs::write(folder.path().join(format!("{name}.toml")), drawn()).unwrap();
+    }
+    let render = |share: &str| {
+        run(tracefig(folder.path()).args(["render", ".", "--format", "svg", "--partition", share]))
+    };
+    assert_eq!(render("1/3").out, "./a.svg\n./d.svg\n");
+    assert_eq!(render("2/3").out, "./b.svg\n./e.svg\n");
+    assert_eq!(render("3/3").out, "./c.svg\n");
+    assert_eq!(render("4/3").code, Some(2));
+}
+
+#[test]
+fn timings_name_the_stages() {
+    let folder = folder_with("s.toml", &drawn());
+    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "--format", "svg", "--timings"]));
+    let stages: Vec<_> = ran.err.lines().filter_map(|l| l.split_whitespace().next()).collect();
+    assert_eq!(stages, ["read", "plan", "draw", "svg", "write", "all"], "{}", ran.err);
+}
+
 /// Kills a run after ever longer times: what is there is whole.
 #[cfg(unix)]
 #[test]
