@@ -3,36 +3,65 @@
 use super::coverage::{LEVELS, Span};
 use crate::drawing::Paint;
 
+/// How fine the colours at an edge are.
+///
+/// An edge is smooth for the eye with sixteen levels; where an image has two pixels or more for a page pixel, with
+/// eight, as the eye sees the mean of four. Fewer colours make a smaller file: most figures then fit a palette, which halves it.
+#[derive(Clone, Copy)]
+pub(super) struct Fineness {
+    /// Levels of coverage that are one.
+    step: u32,
+    /// Channel levels that are one where a pixel is covered in part.
+    grain: u32,
+}
+
+impl Fineness {
+    /// Image pixels a page pixel from which on an edge may be coarser.
+    const DENSE: f64 = 1.5;
+
+    pub(super) fn at(scale: f64) -> Self {
+        if scale < Self::DENSE { Self { step: 1, grain: 1 } } else { Self { step: 2, grain: 8 } }
+    }
+}
+
 /// A paint ready to be laid on: its channels and its opacity in 255ths.
 #[derive(Clone, Copy)]
 pub(super) struct Ink {
     channels: [u32; 3],
     alpha: u32,
+    fineness: Fineness,
 }
 
 impl Ink {
-    pub(super) fn of(paint: &Paint) -> Self {
+    pub(super) fn of(paint: &Paint, fineness: Fineness) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
         let alpha = (paint.opacity.clamp(0.0, 1.0) * 255.0).round() as u32;
-        Self { channels: [paint.color.r, paint.color.g, paint.color.b].map(u32::from), alpha }
+        Self { channels: [paint.color.r, paint.color.g, paint.color.b].map(u32::from), alpha, fineness }
     }
 
-    /// The pixel that this ink at a level of coverage makes of one: the nearest to the exact mixture.
+    /// The pixel that this ink at a level of coverage makes of one.
     fn over(self, pixel: [u8; 4], level: u32) -> [u8; 4] {
         const WHOLE: u32 = 255 * LEVELS;
-        let share = self.alpha * self.visible_level(pixel, level);
+        let level = self.visible_level(pixel, level);
+        if level == 0 {
+            return pixel;
+        }
+        let grain = if level == LEVELS { 1 } else { self.fineness.grain };
+        let share = self.alpha * level;
         let mix = |ink: u32, under: u8| {
             let sum = ink * share + u32::from(under) * (WHOLE - share);
-            #[expect(clippy::cast_possible_truncation, reason = "a mean of bytes")]
+            let nearest = (sum + WHOLE / 2) / WHOLE;
+            #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
             {
-                ((sum + WHOLE / 2) / WHOLE) as u8
+                ((nearest + grain / 2) / grain * grain).min(255) as u8
             }
         };
         let [r, g, b] = self.channels;
         [mix(r, pixel[0]), mix(g, pixel[1]), mix(b, pixel[2]), 255]
     }
+
     /// The level, rounded where the pixel is so near the ink that fewer levels are as smooth: no step between two levels
-    /// is larger than the one between black and white, 16 of 255. Fewer colours make a smaller file.
+    /// is larger than it is between black and white.
     fn visible_level(self, pixel: [u8; 4], level: u32) -> u32 {
         let differences = self.channels.iter().zip(pixel).map(|(&ink, under)| ink.abs_diff(u32::from(under)));
         let contrast = differences.max().unwrap_or(0) * self.alpha / 255;
@@ -40,7 +69,7 @@ impl Ink {
             0..=32 => LEVELS / 2,
             33..=64 => LEVELS / 4,
             65..=128 => LEVELS / 8,
-            _ => 1,
+            _ => self.fineness.step,
         };
         (level + step / 2) / step * step
     }

@@ -15,7 +15,7 @@ use crate::drawing::{
     Contour, Drawing, Group, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text,
 };
 use crate::typeset::{OutlineSegment, UNITS_PER_EM};
-use blend::Ink;
+use blend::{Fineness, Ink};
 use coverage::{Rasterizer, Span};
 use polyline::Polylines;
 
@@ -157,7 +157,7 @@ impl Canvas {
     fn fill(&mut self, lines: &Polylines, paint: &Paint, extent: Rect) {
         self.rasterizer.add(lines);
         let spans = self.rasterizer.finish();
-        let ink = Ink::of(paint);
+        let ink = Ink::of(paint, Fineness::at(self.scale));
         match &self.clip {
             Some(Clip { rect, coverage }) if rect.intersection(extent) != Some(extent) => {
                 let inside = coverage::intersection(spans, coverage);
@@ -189,7 +189,7 @@ impl Canvas {
         let outline = self.outline(&lines, &stroke);
         self.rasterizer.add(&outline);
         let visible = coverage::intersection(self.rasterizer.finish(), &inside);
-        blend::lay(&mut self.pixels, self.width, &visible, Ink::of(&stroke.paint));
+        blend::lay(&mut self.pixels, self.width, &visible, Ink::of(&stroke.paint, Fineness::at(self.scale)));
     }
 
     fn text(&mut self, text: &Text) {
