@@ -63,7 +63,6 @@ fn push_integer(out: &mut String, value: u64) {
 }
 
 fn digit(value: u64) -> char {
-    #[expect(clippy::cast_possible_truncation, reason = "one digit")]
     char::from(b'0' + (value % 10) as u8)
 }
 

@@ -6,6 +6,7 @@ use super::svg::{Sheet, document};
 use super::*;
 use crate::drawing::{Item, Point, Role, Text};
 
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sizes of test images")]
 /// Pixels of a document by resvg.
 fn witness(svg: &str, scale: f32) -> Vec<u8> {
     let tree = resvg::usvg::Tree::from_str(svg, &resvg::usvg::Options::default()).unwrap();
@@ -15,6 +16,7 @@ fn witness(svg: &str, scale: f32) -> Vec<u8> {
     pixmap.take()
 }
 
+#[expect(clippy::cast_precision_loss, reason = "sums over test images")]
 /// Mean and largest difference of the channels.
 fn difference(a: &[u8], b: &[u8]) -> (f64, u8) {
     assert_eq!(a.len(), b.len());
@@ -42,9 +44,9 @@ fn svg_and_png_show_the_same() {
         let (mean, most) = difference(&pixels.rgba, &witness(&svg, scale));
         println!("scale {scale}: mean {mean}, most {most}, {} bytes of SVG", svg.len());
         // resvg takes 4 × 4 samples a pixel where we take areas: along an edge that is nearly level or upright that differs
-        // by up to an eighth of the contrast, where edges meet in one pixel by two eighths.
+        // by up to an eighth of the contrast, where edges meet in one pixel by two eighths. Half a level of ours comes on top.
         assert!(mean < 0.4, "mean {mean} at {scale}");
-        assert!(most < 80, "most {most} at {scale}");
+        assert!(most < 100, "most {most} at {scale}");
     }
     assert!(svg.len() < 40_000, "{} bytes", svg.len());
 }

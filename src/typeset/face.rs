@@ -117,6 +117,7 @@ impl Loaded {
 }
 
 fn build(face: &ttf_parser::Face, id: u16) -> Outline {
+    #[expect(clippy::cast_possible_truncation, reason = "a thousand is exact")]
     let scale = UNITS_PER_EM as f32 / f32::from(face.units_per_em());
     let mut pen = Pen { scale, outline: Outline::default(), low: [f32::MAX; 2], high: [f32::MIN; 2] };
     face.outline_glyph(GlyphId(id), &mut pen);
@@ -139,9 +140,10 @@ impl Pen {
     fn at(&mut self, x: f32, y: f32) -> [f32; 2] {
         // `0.0 - y` and not `-y`: a point on the baseline is at 0, not at -0.
         let p = [x * self.scale, 0.0 - y * self.scale];
-        for axis in 0..2 {
-            self.low[axis] = self.low[axis].min(p[axis]);
-            self.high[axis] = self.high[axis].max(p[axis]);
+        let bounds = self.low.iter_mut().zip(&mut self.high);
+        for (value, (low, high)) in p.into_iter().zip(bounds) {
+            *low = low.min(value);
+            *high = high.max(value);
         }
         p
     }

@@ -1,4 +1,4 @@
-//! Formulas: LaTeX maths to glyphs and rules by TeX's rules (Knuth, *The TeXbook*, 1984, appendix G).
+//! Formulas: LaTeX maths to glyphs and rules by TeX's rules (Knuth, *The `TeXbook`*, 1984, appendix G).
 //!
 //! `latex-rust` parses and lays out in exact rationals of an em; here its boxes become page pixels. TeX's scripts are
 //! 0.7 and its scripts of scripts 0.55 of the base; where that would be under [`SMALLEST`], the script box is

@@ -55,7 +55,7 @@ const ORDER: [usize; 19] = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 
 
 /// Literals and copies, counted.
 pub(super) struct Tokens {
-    tokens: Vec<u32>,
+    list: Vec<u32>,
     literals: [u32; 286],
     distances: [u32; 30],
     /// Length symbol less 257 of each length from 3 on.
@@ -68,13 +68,13 @@ impl Tokens {
         for (symbol, &(least, _)) in (0_u8..).zip(&LENGTHS) {
             length_symbol[usize::from(least)..].fill(symbol);
         }
-        Self { tokens: Vec::with_capacity(1 << 15), literals: [0; 286], distances: [0; 30], length_symbol }
+        Self { list: Vec::with_capacity(1 << 15), literals: [0; 286], distances: [0; 30], length_symbol }
     }
 
     /// A byte as it is.
     #[inline]
     pub(super) fn literal(&mut self, byte: u8) {
-        self.tokens.push(u32::from(byte));
+        self.list.push(u32::from(byte));
         self.literals[usize::from(byte)] += 1;
     }
 
@@ -96,7 +96,7 @@ impl Tokens {
 
     #[expect(clippy::cast_possible_truncation, reason = "lengths to 258 and distances to 32768")]
     fn one_copy(&mut self, length: usize, distance: usize) {
-        self.tokens.push(COPY | (length as u32) << 15 | (distance - 1) as u32);
+        self.list.push(COPY | (length as u32) << 15 | (distance - 1) as u32);
         self.literals[END + 1 + usize::from(self.length_symbol[length])] += 1;
         self.distances[distance_symbol(distance).0] += 1;
     }
@@ -122,7 +122,7 @@ impl Tokens {
         let literals: Vec<(u16, u8)> = table(literal_lengths);
         let distances: Vec<(u16, u8)> = table(distance_lengths);
         let push = |bits: &mut Bits, (code, length): (u16, u8)| bits.push(u32::from(code), u32::from(length));
-        for &token in &self.tokens {
+        for &token in &self.list {
             if token & COPY == 0 {
                 push(bits, literals[token as usize]);
                 continue;
@@ -250,7 +250,9 @@ mod tests {
     fn literals_and_copies_of_every_length_come_back() {
         let mut tokens = Tokens::new();
         let mut expected: Vec<u8> = (0..=255).collect();
-        expected.iter().for_each(|&b| tokens.literal(b));
+        for &byte in &expected {
+            tokens.literal(byte);
+        }
         for length in 3..700 {
             for distance in [1, 2, 3, 4, 5, 17, 250] {
                 tokens.copy(length, distance);
@@ -271,7 +273,9 @@ mod tests {
     #[test]
     fn a_stream_without_copies_is_one_that_decoders_take() {
         let mut tokens = Tokens::new();
-        b"abc".iter().for_each(|&b| tokens.literal(b));
+        for &byte in b"abc" {
+            tokens.literal(byte);
+        }
         assert_eq!(decoded(tokens, b"abc"), b"abc");
     }
 }

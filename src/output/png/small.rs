@@ -14,18 +14,15 @@ pub(super) fn encode(pixels: &Pixels, hash: &str) -> Result<Vec<u8>, png::Encodi
     let mut encoder = png::Encoder::new(&mut out, pixels.width, pixels.height);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
-    let bytes: Vec<u8> = match &palette {
-        Some(palette) => {
-            encoder.set_color(png::ColorType::Indexed);
-            encoder.set_palette(palette.bytes());
-            // The numbers of colours have no order, so their differences mean nothing.
-            encoder.set_filter(png::Filter::NoFilter);
-            all.iter().map(|&color| palette.index(color)).collect()
-        }
-        None => {
-            encoder.set_color(png::ColorType::Rgb);
-            all.iter().flat_map(|c| [c[0], c[1], c[2]]).collect()
-        }
+    let bytes: Vec<u8> = if let Some(palette) = &palette {
+        encoder.set_color(png::ColorType::Indexed);
+        encoder.set_palette(palette.bytes());
+        // The numbers of colours have no order, so their differences mean nothing.
+        encoder.set_filter(png::Filter::NoFilter);
+        all.iter().map(|&color| palette.index(color)).collect()
+    } else {
+        encoder.set_color(png::ColorType::Rgb);
+        all.iter().flat_map(|c| [c[0], c[1], c[2]]).collect()
     };
     if !hash.is_empty() {
         encoder.add_text_chunk(KEYWORD.to_owned(), hash.to_owned())?;

@@ -51,10 +51,7 @@ impl Ink {
         let mix = |ink: u32, under: u8| {
             let sum = ink * share + u32::from(under) * (WHOLE - share);
             let nearest = (sum + WHOLE / 2) / WHOLE;
-            #[expect(clippy::cast_possible_truncation, reason = "at most 255")]
-            {
-                ((nearest + grain / 2) / grain * grain).min(255) as u8
-            }
+            ((nearest + grain / 2) / grain * grain).min(255) as u8
         };
         let [r, g, b] = self.channels;
         [mix(r, pixel[0]), mix(g, pixel[1]), mix(b, pixel[2]), 255]

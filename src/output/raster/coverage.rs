@@ -4,7 +4,7 @@
 //! pixel, and to all pixels further right its height. The running sum along a row is then the coverage, times the winding
 //! number. Only crossed pixels are stored; between them coverage is constant. Windings of one sign add up and are cut at 1,
 //! which is the non-zero rule except in pixels that two edges share.
-//! Source: the *cells* of D. Turner's smooth rasterizer in FreeType, and of M. Shemanarev's Anti-Grain Geometry, 2002.
+//! Source: the *cells* of D. Turner's smooth rasterizer in `FreeType`, and of M. Shemanarev's Anti-Grain Geometry, 2002.
 
 use super::polyline::Polylines;
 use crate::drawing::Point;
@@ -235,7 +235,7 @@ fn sweep(y: u32, cells: &[Cell], width: f64, spans: &mut Vec<Span>) {
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and LEVELS")]
 fn level(coverage: f32) -> u32 {
-    (coverage.abs().min(1.0) * LEVELS as f32 + 0.5) as u32
+    (coverage.abs().min(1.0) * f32::from(LEVELS as u16) + 0.5) as u32
 }
 
 fn push(spans: &mut Vec<Span>, span: Span) {

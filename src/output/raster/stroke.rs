@@ -163,16 +163,14 @@ impl Pen {
         let Some(mut from) = points.next() else { return Default::default() };
         for to in points {
             let next = self.normal(from, to);
-            ends = Some(match ends {
-                Some((first, normal)) => {
-                    self.join(from, normal, next);
-                    (first, next)
-                }
-                None => {
-                    self.push(from, next);
-                    (next, next)
-                }
-            });
+            let first = if let Some((first, normal)) = ends {
+                self.join(from, normal, next);
+                first
+            } else {
+                self.push(from, next);
+                next
+            };
+            ends = Some((first, next));
             from = to;
         }
         let ends = ends.unwrap_or_default();
