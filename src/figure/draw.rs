@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::drawing::{Contour, Drawing, Group, Halo, Item, Path, Point, Role, Stroke, Text};
+use crate::drawing::{Contour, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke, Text};
 use crate::scene::{Fault as SceneFault, Problem};
 use crate::typeset::Line;
 
@@ -68,13 +68,14 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 }
 
 /// The labels of the panels before that show the same space in the same size: where they stand, the same stands again.
-fn earlier(plan: &Plan, panels: &[Labelled], index: usize) -> Vec<Placed> {
+fn earlier(plan: &Plan, panels: &[Labelled], index: usize) -> Vec<(Rect, Placed)> {
     let this = &plan.panels[index];
     let same = |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
-    plan.panels.iter().zip(panels).filter(|(p, _)| same(p)).flat_map(|(_, l)| l.placed.clone()).collect()
+    let series = plan.panels.iter().zip(panels).filter(|(p, _)| same(p));
+    series.flat_map(|(_, l)| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect()
 }
 
-fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[Placed]) -> (Group, Labelled) {
+fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[(Rect, Placed)]) -> (Group, Labelled) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
     let sketched = panel.sketch(&context, theme);

@@ -80,7 +80,7 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame) -> Vec<Candidate> {
 }
 
 /// The point that a pin's direction or offset is taken from.
-fn reference(anchor: &Anchor, frame: &Frame) -> (Point, f64) {
+pub(super) fn reference(anchor: &Anchor, frame: &Frame) -> (Point, f64) {
     match anchor {
         Anchor::Point { at, clear, .. } => (frame.page(*at), *clear),
         Anchor::Along { to, best: Best::Tip, .. } => (frame.page(*to), 0.0),

@@ -5,7 +5,7 @@ use crate::drawing::{Point, Rect};
 use super::super::frame::Frame;
 use super::super::label::Anchor;
 use super::super::sketch::{Cover, Obstacle, Weight};
-use super::candidates::Candidate;
+use super::candidates::{Candidate, reference};
 use super::{Placed, Sought, distance_to, length_inside, nearest_in, segment_distance};
 
 /// Room that labels keep from foreign strokes, page pixels.
@@ -46,11 +46,13 @@ const OVERLAP: (f64, f64) = (70.0, 0.2);
 const CLOSE: f64 = 4.0;
 /// A stroke or label under a leader line.
 const LEADER: f64 = 8.0;
-/// Standing elsewhere than the same label in an earlier panel.
+/// Standing elsewhere than the same label of the same thing in an earlier panel.
 const MOVED: f64 = 6.0;
+/// Things and labels of two panels are at the same place if they are so near, page pixels.
+const SAME: f64 = 1.0;
 
 /// What a place costs whatever the other labels do.
-pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, slot: usize, scene: &Surroundings) -> f64 {
+pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, scene: &Surroundings) -> f64 {
     let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
     let named = match &sought.anchor {
         Anchor::Point { at, .. } => Some(scene.frame.page(*at)),
@@ -70,16 +72,27 @@ pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, slot: usize, scen
             cost += NAMING.1 * near.clamp(0.0, 1.0);
         }
     }
-    let elsewhere = scene.earlier.iter().rev().find(|p| p.key == sought.key).is_some_and(|p| p.slot != slot);
-    cost + if elsewhere { MOVED } else { 0.0 }
+    cost + if moved(sought, candidate, scene) { MOVED } else { 0.0 }
+}
+
+/// Whether an earlier panel has this label of a thing at the same place, and elsewhere than here.
+fn moved(sought: &Sought, candidate: &Candidate, scene: &Surroundings) -> bool {
+    let corner = |rect: &Rect| Point::new(rect.x0, rect.y0);
+    let Some((panel, before)) = scene.earlier.iter().rev().find(|(_, p)| p.key == sought.key) else {
+        return false;
+    };
+    let (now, then) = (corner(&scene.frame.panel), corner(panel));
+    let home = reference(&sought.anchor, scene.frame).0 - now;
+    let shift = (candidate.rect.center() - now) - (before.bounds.center() - then);
+    (home - before.home).length() < SAME && shift.length() > SAME
 }
 
 /// What a panel offers and what stands already.
 pub(super) struct Surroundings<'p> {
     pub(super) frame: &'p Frame,
     pub(super) obstacles: &'p [Obstacle],
-    /// Labels of earlier panels of the series.
-    pub(super) earlier: &'p [Placed],
+    /// Labels of earlier panels of the series, each with its panel.
+    pub(super) earlier: &'p [(Rect, Placed)],
 }
 
 fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate) -> f64 {

@@ -73,8 +73,8 @@ pub struct Placed {
     pub leader: Option<(Point, Point)>,
     /// The part that it belongs to.
     pub part: usize,
-    /// Which of its candidate places it took.
-    pub slot: usize,
+    /// Where what it belongs to lies, from the upper left corner of its panel.
+    pub home: Offset,
     /// What a warning points at.
     pub span: Range<usize>,
 }

@@ -2,10 +2,10 @@
 
 use super::super::frame::Frame;
 use super::super::sketch::Obstacle;
-use super::candidates::{Candidate, candidates, nudged};
+use super::candidates::{Candidate, candidates, nudged, reference};
 use super::cost::{Surroundings, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
-use crate::drawing::Point;
+use crate::drawing::{Point, Rect};
 
 /// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
 const PASSES: usize = 64;
@@ -35,16 +35,16 @@ pub(crate) fn place(
     sought: &[Sought],
     frame: &Frame,
     obstacles: &[Obstacle],
-    earlier: &[Placed],
+    earlier: &[(Rect, Placed)],
 ) -> Labelled {
     let surroundings = Surroundings { frame, obstacles, earlier };
-    let priced = |s: &Sought, (slot, c): (usize, Candidate)| {
-        let cost = own_cost(s, &c, slot, &surroundings);
+    let priced = |s: &Sought, c: Candidate| {
+        let cost = own_cost(s, &c, &surroundings);
         (c, cost)
     };
     let places = sought
         .iter()
-        .map(|s| candidates(s, frame).into_iter().enumerate().map(|c| priced(s, c)).collect())
+        .map(|s| candidates(s, frame).into_iter().map(|c| priced(s, c)).collect())
         .collect();
     let mut problem = Problem { places, chosen: vec![0; sought.len()] };
     problem.greedy();
@@ -55,7 +55,7 @@ pub(crate) fn place(
             continue;
         }
         for slot in problem.cheapest(label, NUDGED_PLACES) {
-            let more = nudged(&problem.places[label][slot].0).into_iter().map(|c| priced(s, (slot, c)));
+            let more = nudged(&problem.places[label][slot].0).into_iter().map(|c| priced(s, c));
             problem.places[label].extend(more);
         }
     }
@@ -184,12 +184,12 @@ impl Problem {
             }
         }
         kept.sort_unstable();
-        let placed = kept.iter().map(|&i| placed(&sought[i], self.candidate(i), self.chosen[i])).collect();
+        let placed = kept.iter().map(|&i| placed(&sought[i], self.candidate(i), frame)).collect();
         Labelled { frame: *frame, obstacles: obstacles.to_vec(), placed, dropped }
     }
 }
 
-fn placed(sought: &Sought, candidate: &Candidate, slot: usize) -> Placed {
+fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame) -> Placed {
     use super::super::label::{Anchor, Corner};
     let bounds = candidate.rect;
     // The lines of a note are read as a paragraph or a column of equations.
@@ -205,5 +205,6 @@ fn placed(sought: &Sought, candidate: &Candidate, slot: usize) -> Placed {
         y += line.height() + LEADING;
     }
     let Sought { key, role, rank, part, .. } = *sought;
-    Placed { key, role, rank, lines, bounds, leader: candidate.leader, part, slot, span: sought.span.clone() }
+    let home = reference(&sought.anchor, frame).0 - Point::new(frame.panel.x0, frame.panel.y0);
+    Placed { key, role, rank, lines, bounds, leader: candidate.leader, part, home, span: sought.span.clone() }
 }

@@ -10,9 +10,6 @@ use super::super::pen::{MARKER, Marker, Pen, Wash};
 use super::super::sketch::Sketch;
 use super::{LabelKey, Layer, Shows};
 
-/// A name keeps this far from a marked centre, page px: it would be read as the centre's.
-const CLEAR: f64 = 30.0;
-
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",
     about: "the bodies at the panel's moment, with their names",
@@ -58,14 +55,13 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
     let key = if side == Side::A { "A" } else { "B" };
-    let mut others: Vec<Outline> = context
+    let others: Vec<Outline> = context
         .sides()
         .into_iter()
         .filter(|&s| s != side)
         .filter_map(|s| context.outline(s, context.time))
         .collect();
     let pose = context.pose(side, context.time).filter(|_| center);
-    others.extend(pose.map(|pose| Outline::circle(pose.position, sketch.px(CLEAR))));
     sketch.part(context.part("body", side)).label(
         Label::new(key, context.name(side), Anchor::inside(&outline, &others), role)
             .rank(Rank::Name)
