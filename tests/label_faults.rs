@@ -12,7 +12,7 @@ use tracefig::figure::{Fault, draw, plan};
 use tracefig::scene::{Scene, Source, read};
 
 /// Scenes of a usual run; few enough for a debug build.
-const SCENES: u64 = 150;
+const SCENES: u64 = 100;
 /// Faults a figure on average, at most.
 const LIMIT: f64 = 0.05;
 
@@ -74,9 +74,13 @@ fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String
 
 fn layers(r: &mut Random, configuration: bool) -> String {
     let fits = |shows: Shows| shows == Shows::Anywhere || (shows == Shows::Configuration) == configuration;
-    let all: Vec<&str> =
-        LAYERS.iter().filter(|l| fits(l.shows) && !["note", "shapes"].contains(&l.name)).map(|l| l.name).collect();
-    let mut chosen: Vec<&str> = if configuration { vec!["axes", "difference", "origin"] } else { vec!["shapes"] };
+    let all: Vec<&str> = LAYERS
+        .iter()
+        .filter(|l| fits(l.shows) && !["note", "shapes"].contains(&l.name))
+        .map(|l| l.name)
+        .collect();
+    let mut chosen: Vec<&str> =
+        if configuration { vec!["axes", "difference", "origin"] } else { vec!["shapes"] };
     for _ in 0..1 + r.below(4) {
         let layer = r.of(&all);
         if !chosen.contains(&layer) {
@@ -88,8 +92,15 @@ fn layers(r: &mut Random, configuration: bool) -> String {
 
 fn scene_text(seed: u64) -> String {
     let mut r = Random(seed);
-    let kind =
-        r.of(&["separation", "separation", "overlap", "bounds", "linear-sweep", "time-of-impact", "motion-bound"]);
+    let kind = r.of(&[
+        "separation",
+        "separation",
+        "overlap",
+        "bounds",
+        "linear-sweep",
+        "time-of-impact",
+        "motion-bound",
+    ]);
     let moves = ["linear-sweep", "time-of-impact", "motion-bound"].contains(&kind);
     let turns = ["time-of-impact", "motion-bound"].contains(&kind);
     let near = r.quarter(0, 4);
@@ -101,7 +112,8 @@ fn scene_text(seed: u64) -> String {
     for _ in 0..panels {
         let configuration = of.contains('B') && r.below(3) == 0;
         let space = if configuration { "configuration" } else { "world" };
-        let _ = write!(text, "[[panels]]\nspace = \"{space}\"\nlayers = [{}]\n", layers(&mut r, configuration));
+        let _ =
+            write!(text, "[[panels]]\nspace = \"{space}\"\nlayers = [{}]\n", layers(&mut r, configuration));
     }
     text
 }

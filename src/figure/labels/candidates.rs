@@ -79,8 +79,19 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame) -> Vec<Candidate> {
     }
 }
 
+/// Where what a label belongs to lies on the page: the same for the same thing in another panel of a series.
+pub(super) fn home(anchor: &Anchor, frame: &Frame) -> Point {
+    match anchor {
+        Anchor::Inside { area, .. } => {
+            let bounds = area.iter().map(|&p| frame.page(p)).map(|p| Rect::new(p, p)).reduce(Rect::union);
+            bounds.map_or(frame.panel.center(), Rect::center)
+        }
+        _ => reference(anchor, frame).0,
+    }
+}
+
 /// The point that a pin's direction or offset is taken from.
-pub(super) fn reference(anchor: &Anchor, frame: &Frame) -> (Point, f64) {
+fn reference(anchor: &Anchor, frame: &Frame) -> (Point, f64) {
     match anchor {
         Anchor::Point { at, clear, .. } => (frame.page(*at), *clear),
         Anchor::Along { to, best: Best::Tip, .. } => (frame.page(*to), 0.0),

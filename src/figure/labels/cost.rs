@@ -5,7 +5,7 @@ use crate::drawing::{Point, Rect};
 use super::super::frame::Frame;
 use super::super::label::Anchor;
 use super::super::sketch::{Cover, Obstacle, Weight};
-use super::candidates::{Candidate, reference};
+use super::candidates::Candidate;
 use super::{Placed, Sought, distance_to, length_inside, nearest_in, segment_distance};
 
 /// Room that labels keep from foreign strokes, page pixels.
@@ -52,7 +52,7 @@ const MOVED: f64 = 6.0;
 const SAME: f64 = 1.0;
 
 /// What a place costs whatever the other labels do.
-pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, scene: &Surroundings) -> f64 {
+pub(super) fn own_cost(sought: &Sought, home: Point, candidate: &Candidate, scene: &Surroundings) -> f64 {
     let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
     let named = match &sought.anchor {
         Anchor::Point { at, .. } => Some(scene.frame.page(*at)),
@@ -72,19 +72,18 @@ pub(super) fn own_cost(sought: &Sought, candidate: &Candidate, scene: &Surroundi
             cost += NAMING.1 * near.clamp(0.0, 1.0);
         }
     }
-    cost + if moved(sought, candidate, scene) { MOVED } else { 0.0 }
+    cost + if moved(sought, home, candidate, scene) { MOVED } else { 0.0 }
 }
 
 /// Whether an earlier panel has this label of a thing at the same place, and elsewhere than here.
-fn moved(sought: &Sought, candidate: &Candidate, scene: &Surroundings) -> bool {
+fn moved(sought: &Sought, home: Point, candidate: &Candidate, scene: &Surroundings) -> bool {
     let corner = |rect: &Rect| Point::new(rect.x0, rect.y0);
     let Some((panel, before)) = scene.earlier.iter().rev().find(|(_, p)| p.key == sought.key) else {
         return false;
     };
     let (now, then) = (corner(&scene.frame.panel), corner(panel));
-    let home = reference(&sought.anchor, scene.frame).0 - now;
     let shift = (candidate.rect.center() - now) - (before.bounds.center() - then);
-    (home - before.home).length() < SAME && shift.length() > SAME
+    (home - now - before.home).length() < SAME && shift.length() > SAME
 }
 
 /// What a panel offers and what stands already.

@@ -125,26 +125,31 @@ fn room_at(p: Point, area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> f64 
 }
 
 fn edges(line: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
-    line.iter().copied().zip(line.iter().copied().cycle().skip(1))
+    let last = line.last().copied();
+    line.windows(2).map(|pair| (pair[0], pair[1])).chain(last.zip(line.first().copied()))
 }
 
 fn distance_to_line(line: &[Point], p: Point) -> f64 {
-    edges(line)
-        .map(|(a, b)| {
-            let d = b - a;
-            let t = if d.length() > 0.0 { ((p - a).dot(d) / d.dot(d)).clamp(0.0, 1.0) } else { 0.0 };
-            (p - (a + d * t)).length()
-        })
-        .fold(f64::INFINITY, f64::min)
+    let mut least = f64::INFINITY;
+    for (a, b) in edges(line) {
+        let (d, e) = (b - a, p - a);
+        let square = d.dot(d);
+        let t = if square > 0.0 { (e.dot(d) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let off = e - d * t;
+        least = least.min(off.dot(off));
+    }
+    libm::sqrt(least)
 }
 
 /// Even-odd: whether a ray to the right crosses the line an odd number of times.
 fn contains(line: &[Point], p: Point) -> bool {
-    edges(line)
-        .filter(|(a, b)| (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
-        .count()
-        % 2
-        == 1
+    let mut inside = false;
+    for (a, b) in edges(line) {
+        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
+            inside = !inside;
+        }
+    }
+    inside
 }
 
 /// Whether a label has room inside the area.

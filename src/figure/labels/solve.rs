@@ -2,7 +2,7 @@
 
 use super::super::frame::Frame;
 use super::super::sketch::Obstacle;
-use super::candidates::{Candidate, candidates, nudged, reference};
+use super::candidates::{Candidate, candidates, home, nudged};
 use super::cost::{Surroundings, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
 use crate::drawing::{Point, Rect};
@@ -38,20 +38,22 @@ pub(crate) fn place(
     earlier: &[(Rect, Placed)],
 ) -> Labelled {
     let surroundings = Surroundings { frame, obstacles, earlier };
-    let priced = |s: &Sought, c: Candidate| {
-        let cost = own_cost(s, &c, &surroundings);
+    let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame)).collect();
+    let priced = |(s, at): (&Sought, &Point), c: Candidate| {
+        let cost = own_cost(s, *at, &c, &surroundings);
         (c, cost)
     };
     let places = sought
         .iter()
-        .map(|s| candidates(s, frame).into_iter().map(|c| priced(s, c)).collect())
+        .zip(&homes)
+        .map(|s| candidates(s.0, frame).into_iter().map(|c| priced(s, c)).collect())
         .collect();
     let mut problem = Problem { places, chosen: vec![0; sought.len()] };
     problem.greedy();
     problem.improve();
     let all: Vec<usize> = (0..sought.len()).collect();
-    for (label, s) in sought.iter().enumerate() {
-        if s.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < TROUBLE {
+    for (label, s) in sought.iter().zip(&homes).enumerate() {
+        if s.0.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < TROUBLE {
             continue;
         }
         for slot in problem.cheapest(label, NUDGED_PLACES) {
@@ -205,6 +207,6 @@ fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame) -> Placed {
         y += line.height() + LEADING;
     }
     let Sought { key, role, rank, part, .. } = *sought;
-    let home = reference(&sought.anchor, frame).0 - Point::new(frame.panel.x0, frame.panel.y0);
+    let home = home(&sought.anchor, frame) - Point::new(frame.panel.x0, frame.panel.y0);
     Placed { key, role, rank, lines, bounds, leader: candidate.leader, part, home, span: sought.span.clone() }
 }
