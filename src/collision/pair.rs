@@ -4,7 +4,9 @@
 //! by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and nothing is lost when
 //! the pair is far from the world's origin:
 //!
-//!     w_j = c + R(β − α) q_j        c = R(−α) (p_B − p_A)        v_i = the file's corner i of A
+//! ```text
+//! w_j = c + R(β − α) q_j        c = R(−α) (p_B − p_A)        v_i = the file's corner i of A
+//! ```
 //!
 //! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to be
 //! whatever makes the rest exact.

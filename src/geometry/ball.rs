@@ -3,8 +3,10 @@
 //! A ball stands for an unknown real x with |x − value| ≤ radius. Every operation returns a ball that holds the exact
 //! result for all reals of its operands:
 //!
-//!     radius(x + y) = r_x + r_y + ROUNDING |x + y|
-//!     radius(x · y) = |x| r_y + |y| r_x + r_x r_y + ROUNDING |x · y|
+//! ```text
+//! radius(x + y) = r_x + r_y + ROUNDING |x + y|
+//! radius(x · y) = |x| r_y + |y| r_x + r_x r_y + ROUNDING |x · y|
+//! ```
 //!
 //! (van der Hoeven, *Ball arithmetic*, 2009). Radii are themselves computed in doubles and pushed up by 8ε, which covers
 //! the at most eight roundings of each formula. Sums and products of plain doubles are exact, and their balls stay

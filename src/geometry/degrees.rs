@@ -6,9 +6,11 @@
 //! |δ| ≤ 45, is rounded, so that multiples of 90° have cosines and sines that are exactly 0 and ±1, and parallel
 //! bodies are exactly parallel. Then δ = d + ρ with a whole number d of degrees, and
 //!
-//!     sin(d + ρ) = s + (c sin ρ + s (cos ρ − 1))      with s = sin d°, c = cos d° from a table
-//!     sin ρ = ρ − ρ³/3! + ρ⁵/5! − … ± ρ¹¹/11!         remainder ≤ ρ¹³/13! < 3·10⁻³⁷ for |ρ| ≤ 0.5°
-//!     cos ρ − 1 = − ρ²/2! + ρ⁴/4! − … − ρ¹⁰/10!       remainder ≤ ρ¹²/12! < 5·10⁻³⁴
+//! ```text
+//! sin(d + ρ) = s + (c sin ρ + s (cos ρ − 1))      with s = sin d°, c = cos d° from a table
+//! sin ρ = ρ − ρ³/3! + ρ⁵/5! − … ± ρ¹¹/11!         remainder ≤ ρ¹³/13! < 3·10⁻³⁷ for |ρ| ≤ 0.5°
+//! cos ρ − 1 = − ρ²/2! + ρ⁴/4! − … − ρ¹⁰/10!       remainder ≤ ρ¹²/12! < 5·10⁻³⁴
+//! ```
 //!
 //! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989, has the
 //! idea of the table.)

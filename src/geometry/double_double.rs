@@ -7,7 +7,9 @@
 //! Louvet, Muller, Picot, Rideau, *Accurate Calculation of Euclidean Norms Using Double-Word Arithmetic*, 2023
 //! (square root). With u = ε/2 their relative errors are at most
 //!
-//!     sum 3u² + 13u³     product 8u²     quotient 15u² + 56u³     square root 25u²/8
+//! ```text
+//! sum 3u² + 13u³     product 8u²     quotient 15u² + 56u³     square root 25u²/8
+//! ```
 //!
 //! so that [`Dd::ROUNDING`] = 5 ε² = 20u² covers each (the quotient here uses the shorter product with a double, which
 //! adds at most 2u²). The product is Dekker's and not a fused multiply-add, which is
