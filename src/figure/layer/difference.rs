@@ -9,6 +9,7 @@ use super::super::context::Context;
 use super::super::difference::{Difference, Edge};
 use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Piece;
 use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
 use super::super::sketch::Sketch;
 use super::half_extents::ON_LINE;
@@ -101,11 +102,25 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// The area, and its line where no edge of a body is: about a point, or round the corners.
+/// The area, and its line where no edge of a body is.
 fn area(sketch: &mut Sketch, options: &Options, found: &Difference) {
     let role = options.role(Role::Difference);
-    let pen = (found.radius > 0.0).then(|| Pen::outline(role));
-    sketch.part("difference").area(&found.outline(), Some(Wash::theme(role)), pen);
+    sketch.part("difference").area(&found.outline(), Some(Wash::theme(role)), None);
+    arcs(sketch, found, Pen::outline(role));
+}
+
+/// The outline where it is no body's edge: the arcs about the core's corners.
+pub(super) fn arcs(sketch: &mut Sketch, found: &Difference, pen: Pen) {
+    sketch.part("arcs");
+    for piece in found.outline().pieces {
+        if let Piece::Arc { center, radius, start, sweep } = piece {
+            if found.edges.is_empty() {
+                sketch.circle(center, radius, None, Some(pen));
+            } else {
+                sketch.arc(center, radius, start, sweep, pen);
+            }
+        }
+    }
 }
 
 /// Solid in A's colour, dashed in B's.
@@ -177,10 +192,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let all: Vec<(usize, Difference)> = thinned(&context.steps()).into_iter().filter_map(at).collect();
     let Some(((_, last), before)) = all.split_last() else { return };
     for ((_, found), opacity) in before.iter().zip(fade(SERIES, before.len())) {
-        if found.radius > 0.0 {
-            let pen = Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity);
-            sketch.part("iterations").area(&found.outline(), None, Some(pen));
-        }
+        arcs(sketch, found, Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity));
         edges(sketch, found, |edge| edge_pen(edge).width(EARLIER).opacity(opacity));
     }
     area(sketch, options, last);
@@ -192,11 +204,12 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// The steps that are drawn, each with its number: at most [`MOST`], spread evenly, the first and the last included.
+/// The steps that are drawn, each with its number: at most [`MOST`]. An advancement closes in, so that its first steps
+/// are the ones that differ; those, and the last.
 fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
     let last = steps.len().saturating_sub(1);
-    let spread = |i: usize| if last < MOST { i } else { (i * last + (MOST - 1) / 2) / (MOST - 1) };
-    (0..MOST.min(steps.len())).map(spread).filter_map(|k| Some((k, *steps.get(k)?))).collect()
+    let all = steps.iter().copied().enumerate();
+    all.filter(|&(k, _)| k + 1 < MOST || k == last).collect()
 }
 
 /// The number of each iteration below its lowest vertex.
@@ -235,10 +248,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn of_many_steps_the_first_the_last_and_some_between_are_drawn() {
+    fn of_many_steps_the_first_and_the_last_are_drawn() {
         let steps: Vec<f64> = (0..23).map(f64::from).collect();
         let kept: Vec<usize> = thinned(&steps).into_iter().map(|(k, _)| k).collect();
-        assert_eq!(kept, [0, 4, 9, 13, 18, 22]);
+        assert_eq!(kept, [0, 1, 2, 3, 4, 22]);
     }
 
     #[test]

@@ -116,13 +116,13 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, o
     );
 }
 
-/// Where the body was at each step after the first; more than [`MOST`] are thinned, the last one stays and is named.
+/// Where the body was at each step after the first; of more than [`MOST`] the first ones and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
     let role = options.role(side.into());
-    let every = before.len().div_ceil(MOST - 1).max(1);
-    let kept: Vec<f64> = before.iter().copied().step_by(every).collect();
+    // An advancement closes in: its first steps are the ones that differ.
+    let kept = before.get(..MOST - 1).unwrap_or(before);
     for (&time, opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {

@@ -9,6 +9,7 @@ use crate::geometry::{DVec2, Side};
 use super::super::context::Context;
 use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
+use super::super::outline::Piece;
 use super::super::pen::{LARGE_MARKER, Marker, Pen, Wash};
 use super::super::sketch::{Sketch, Weight};
 use super::difference::{difference, edge_pen};
@@ -44,8 +45,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let b = b.position;
     let turned = |p: DVec2| b - p;
     let grown = found.outline().turned_about(DVec2::ZERO).moved(b);
-    let pen = (found.radius > 0.0).then(|| Pen::outline(Role::Difference));
-    sketch.part("grown").area(&grown, Some(Wash::theme(Role::Difference)), pen);
+    sketch.part("grown").area(&grown, Some(Wash::theme(Role::Difference)), None);
+    for piece in &grown.pieces {
+        if let Piece::Arc { center, radius, start, sweep } = *piece {
+            sketch.arc(center, radius, start, sweep, Pen::outline(Role::Difference));
+        }
+    }
     sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     if options.flag("copies", true) {
         sketch.part("copies").weight(Weight::Light);
