@@ -1,0 +1,71 @@
+//! What the README shows is true: its scene renders, its commands run, its links lead somewhere.
+
+use std::path::Path;
+
+use assert_cmd::Command;
+
+const README: &str = include_str!("../README.md");
+
+/// The fenced blocks of a language.
+fn blocks(language: &str) -> Vec<&'static str> {
+    README.split("\n```").filter_map(|part| part.strip_prefix(language)?.strip_prefix('\n')).collect()
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+#[test]
+fn the_example_scene_goes_through_every_command_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenes = blocks("toml");
+    std::fs::write(folder.path().join("scene.toml"), scenes[0]).unwrap();
+    let commands: Vec<&str> = blocks("sh")
+        .iter()
+        .flat_map(|block| block.lines())
+        .filter(|line| line.starts_with("tracefig ") && line.ends_with("scene.toml"))
+        .collect();
+    assert!(commands.len() >= 4, "{commands:?}");
+    for command in commands {
+        let words: Vec<&str> = command.split_whitespace().skip(1).collect();
+        Command::cargo_bin("tracefig").unwrap().args(&words).current_dir(folder.path()).assert().success();
+    }
+    for file in ["scene.svg", "scene.png"] {
+        assert!(folder.path().join(file).metadata().unwrap().len() > 1000, "{file}");
+    }
+}
+
+#[test]
+fn every_command_named_is_one() {
+    let help = Command::cargo_bin("tracefig").unwrap().arg("--help").output().unwrap();
+    let help = String::from_utf8(help.stdout).unwrap();
+    let mut named = 0;
+    for part in README.split("`tracefig ").skip(1) {
+        let word = part.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap();
+        assert!(help.contains(&format!("  {word} ")), "`tracefig {word}` is no command");
+        named += 1;
+    }
+    assert!(named >= 5);
+}
+
+#[test]
+fn every_link_to_a_file_leads_to_it() {
+    for part in README.split("](").skip(1) {
+        let target = part.split(')').next().unwrap();
+        if !target.contains("://") {
+            assert!(root().join(target).exists(), "{target} is not there");
+        }
+    }
+}
+
+#[test]
+fn the_two_commands_are_those_that_ci_runs() {
+    let first = blocks("sh")[0];
+    let commands: Vec<&str> = first.lines().map(|line| line.split('#').next().unwrap().trim()).collect();
+    assert_eq!(commands, ["cargo run --release -- render", "cargo test"]);
+    let ci = std::fs::read_to_string(root().join(".ci/run")).unwrap();
+    assert!(
+        ci.lines().any(|line| line.trim().starts_with("cargo test")),
+        "CI runs the README's test command"
+    );
+}
