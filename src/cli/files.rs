@@ -7,7 +7,8 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
-use tracefig::figure::{Figure, draw, plan, theme};
+use tracefig::figure::theme::{self, Theme};
+use tracefig::figure::{Figure, draw, plan};
 use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
 
@@ -27,10 +28,10 @@ pub(crate) struct Files {
     #[arg(long, value_delimiter = ',', default_value = "svg,png", value_name = "FORMAT",
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
     format: Vec<String>,
-    /// Themes, separated by commas; with several, files are named STEM.THEME.EXT; default: each scene's own
-    #[arg(long, value_delimiter = ',', value_name = "THEME",
-        value_parser = PossibleValuesParser::new(theme::THEMES.iter().map(|t| t.name)))]
-    theme: Vec<String>,
+    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files are
+    /// named STEM.THEME.EXT; default: each scene's own
+    #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
+    theme: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel
     #[arg(long, default_value_t = 2.0, value_parser = scale)]
     scale: f64,
@@ -49,6 +50,30 @@ fn scale(text: &str) -> Result<f64, String> {
     let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
     let scale: f64 = text.parse().map_err(|_| expected())?;
     if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
+}
+
+/// A theme of the house, or one from a file.
+#[derive(Clone)]
+struct ChosenTheme {
+    /// Its name; for a file its stem.
+    name: String,
+    theme: Theme,
+    /// What tells it apart in a hash: the name, or the file's text.
+    key: String,
+}
+
+fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
+    if let Some(known) = theme::find(text) {
+        return Ok(ChosenTheme { name: text.to_owned(), theme: known.clone(), key: text.to_owned() });
+    }
+    let path = Path::new(text);
+    if path.extension().is_none_or(|e| e != "toml") {
+        let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
+        return Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")));
+    }
+    let key = std::fs::read_to_string(path).map_err(|e| e.to_string())?;
+    let theme = theme::parse(&key).map_err(|e| e.to_string())?;
+    Ok(ChosenTheme { name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), theme, key })
 }
 
 /// One file.
@@ -76,7 +101,7 @@ impl Files {
         let inputs = inputs(&self.scenes).map_err(Unplanned::Wrong)?;
         let mut formats: Vec<&'static Format> = self.format.iter().filter_map(|name| format(name)).collect();
         dedup(&mut formats, |f| f.name);
-        let mut themes = self.theme.clone();
+        let mut themes: Vec<String> = self.theme.iter().map(|t| t.name.clone()).collect();
         dedup(&mut themes, Clone::clone);
         jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
     }
@@ -106,9 +131,14 @@ impl Files {
         let own = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
-            let hash = self.hash(&file, planned.format, planned.theme.as_deref().unwrap_or(own));
+            let theme = self.chosen(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
+            let hash = self.hash(&file, planned.format, theme);
             std::fs::read(path).is_ok_and(|bytes| Stamp::read(&bytes).is_some_and(|stamp| stamp.is_of(&hash)))
         })
+    }
+
+    fn chosen(&self, name: Option<&str>) -> Option<&ChosenTheme> {
+        self.theme.iter().find(|chosen| Some(chosen.name.as_str()) == name)
     }
 
     fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
@@ -132,7 +162,8 @@ impl Files {
         // The formats of a theme follow one another and share a drawing.
         for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
             let Some(first) = same_theme.first() else { continue };
-            let theme = first.theme.as_deref().and_then(theme::find).unwrap_or(plan.theme);
+            let chosen = self.chosen(first.theme.as_deref());
+            let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
             times.lap("draw");
             if self.strict && !warnings.is_empty() {
@@ -144,7 +175,7 @@ impl Files {
             }
             let mut all_bytes = Vec::new();
             for planned in same_theme {
-                let hash = self.hash(&file, planned.format, theme.name);
+                let hash = self.hash(&file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
                 let encoded = self.encode(&drawing, planned.format);

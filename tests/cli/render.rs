@@ -246,3 +246,23 @@ fn runs_that_race_leave_whole_files() {
     assert_eq!(names(folder.path()), set(&["s.svg", "s.toml"]));
     assert_eq!(run(tracefig(folder.path()).args(["check", "s.toml", "--format", "svg"])).code, Some(0));
 }
+
+#[test]
+fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tell_it() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n").unwrap();
+    std::fs::write(folder.path().join("pale.toml"), "[colors]\nink = \"#EEEEEE\"\n").unwrap();
+    let figure = concat!(env!("CARGO_MANIFEST_DIR"), "/figures/01-penetration.toml");
+    let render = |theme: &str| {
+        let mut command = assert_cmd::Command::cargo_bin("tracefig").unwrap();
+        command.current_dir(folder.path()).args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]);
+        command.assert()
+    };
+    render("slides.toml,print").success();
+    let svg = std::fs::read_to_string(folder.path().join("01-penetration.slides.svg")).unwrap();
+    assert!(svg.to_uppercase().contains("#FF6650"));
+    let refused = render("pale.toml").failure().code(2);
+    let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
+    assert!(said.contains("ink and background: contrast"), "{said}");
+    render("sepia").failure().code(2);
+}

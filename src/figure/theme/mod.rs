@@ -9,7 +9,10 @@ pub mod contrast;
 mod dark;
 mod light;
 mod print;
+mod user;
 pub mod vision;
+
+pub use user::{Shortcoming, ThemeError, parse, shortcomings};
 
 use crate::drawing::{Color, Paint, PatternKind, Role};
 
