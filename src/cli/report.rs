@@ -2,6 +2,8 @@
 
 use std::io::{self, Write};
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
@@ -30,7 +32,7 @@ pub(crate) struct Report {
 const QUICK: Effort = Effort { batch: Duration::from_millis(1), batches: 3 };
 
 impl Runs for Report {
-    /// The files are written anew after each workload, so that a run that is stopped leaves what is finished.
+    /// Ctrl-C ends the measuring; what is finished is written.
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let ours = report::contenders();
         let contenders: Vec<&dyn Contender> = ours.iter().map(AsRef::as_ref).collect();
@@ -41,39 +43,48 @@ impl Runs for Report {
             return Ok(Status::Wrong);
         }
         let effort = if self.quick { QUICK } else { Effort::default() };
-        let bar = progress(workloads.len(), console);
-        let mut total = report::Report { machine: report::machine(), rows: Vec::new(), partial: true };
-        let mut files = Vec::new();
-        for (i, workload) in workloads.iter().enumerate() {
-            let mut tell = |_: usize, _: usize, what: &str| {
-                bar.set_message(what.to_owned());
-                true
-            };
-            let one = std::slice::from_ref(workload);
-            total.rows.extend(report::run(one, &contenders, effort, Vec::new(), &mut tell).rows);
-            total.partial = i + 1 < workloads.len();
-            files = match report::write(&total, &self.output) {
-                Ok(files) => files,
-                Err(error) => {
-                    Console::message(&cant_write(&self.output, &error));
-                    return Ok(Status::Wrong);
-                }
-            };
-            bar.inc(1);
-        }
+        let stop = stopped_by_ctrl_c(console);
+        let bar = progress(console);
+        let found = report::run(&workloads, &contenders, effort, report::machine(), &mut |done, of, what| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+            bar.set_message(what.to_owned());
+            !stop.load(Ordering::Relaxed)
+        });
         bar.finish_and_clear();
-        for file in files {
-            writeln!(console.out, "{}", file.display())?;
+        if found.partial {
+            console.error("stopped: the report holds what was finished");
         }
-        Ok(Status::Done)
+        match report::write(&found, &self.output) {
+            Ok(files) => {
+                for file in files {
+                    writeln!(console.out, "{}", file.display())?;
+                }
+                Ok(if found.partial { Status::Wrong } else { Status::Done })
+            }
+            Err(error) => {
+                Console::message(&cant_write(&self.output, &error));
+                Ok(Status::Wrong)
+            }
+        }
     }
 }
 
-fn progress(workloads: usize, console: &Console) -> ProgressBar {
+/// Becomes true at the first Ctrl-C.
+fn stopped_by_ctrl_c(console: &Console) -> Arc<AtomicBool> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let heard = Arc::clone(&stop);
+    if let Err(error) = ctrlc::set_handler(move || heard.store(true, Ordering::Relaxed)) {
+        console.error(&format!("Ctrl-C will lose what is finished: {error}"));
+    }
+    stop
+}
+
+fn progress(console: &Console) -> ProgressBar {
     if !console.is_watched() {
         return ProgressBar::hidden();
     }
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} workloads, {eta} left  {msg}");
-    let bar = ProgressBar::with_draw_target(Some(workloads as u64), ProgressDrawTarget::stderr());
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len}, {eta} left  {msg}");
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
     style.map_or(bar.clone(), |style| bar.with_style(style))
 }

@@ -6,6 +6,7 @@ mod bad_input;
 mod check;
 mod jsonl;
 mod render;
+mod report;
 mod streams;
 
 use std::path::Path;
