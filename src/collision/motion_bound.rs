@@ -24,6 +24,9 @@ pub(crate) const NAME: &str = "arc";
 /// products), is too small by less than this part of itself.
 const ROUNDED_UP: f64 = 1.0 + 12.0 * f64::EPSILON;
 
+/// Where terms underflow, each is off by less than one of the smallest steps of a double, and their sum by less than four.
+const UNDERFLOW: f64 = f64::from_bits(4);
+
 /// Vertices whose distances differ by less than this part are all told as extreme points: a root of two squares
 /// carries half as much.
 const SAME_RADIUS: f64 = 1.0 - 4.0 * f64::EPSILON;
@@ -46,8 +49,17 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     if let Some(b) = query.b {
         sum += arc(Side::B, b, linear, tracer);
     }
-    let bound = if sum > 0.0 { (sum * ROUNDED_UP).next_up() } else { 0.0 };
+    let bound = if is_at_rest(query, relative) { 0.0 } else { sum * ROUNDED_UP + UNDERFLOW };
     Answer::MotionBound(MotionBound { bound })
+}
+
+/// Whether no point moves: no (relative) velocity, and what turns is a point at its own origin.
+fn is_at_rest(query: &Query, relative: DVec2) -> bool {
+    let still = |body: &Body| {
+        let point = body.shape.radius == 0.0 && body.shape.vertices.iter().all(|v| *v == DVec2::ZERO);
+        body.spin.0 == 0.0 || point
+    };
+    relative == DVec2::ZERO && still(query.a) && query.b.is_none_or(still)
 }
 
 /// θ r of one body.
@@ -56,9 +68,10 @@ fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let far = |v: &DVec2| super::difference::length(*v);
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
     let radius = reach + body.shape.radius;
-    let theta = body.spin.0.abs().to_radians();
-    let arc = theta * radius;
+    // Degrees first: a tiny angle in radians would lose its digits to underflow.
+    let arc = (body.spin.0.abs() * radius).to_radians();
     tracer.record(|| {
+        let theta = body.spin.0.abs().to_radians();
         let pose = body.pose_at(0.0);
         let vertices = body.shape.vertices.iter().enumerate().filter(|(_, v)| far(v) >= reach * SAME_RADIUS);
         let vertices = vertices.map(|(index, &v)| SupportVertex { index, point: pose.point(v) }).collect();
@@ -109,6 +122,18 @@ mod tests {
         let mut a = polygon(&[[0., 0.]], 0.0);
         a.spin = Degrees(360.0);
         assert_eq!(ask(&a, None, &mut NoTrace), 0.0);
+    }
+
+    #[test]
+    fn a_bound_that_underflows_is_still_above_zero() {
+        let mut a = polygon(&[[1e-200, 0.]], 0.0);
+        a.spin = Degrees(1e-200);
+        let bound = ask(&a, None, &mut NoTrace);
+        assert!(bound > 0.0 && bound < 1e-320, "{bound:e}");
+        let mut b = polygon(&[[1e290, 0.]], 0.0);
+        b.spin = Degrees(5e-324);
+        // 4.94065645841246544e-324 π/180 1e290 to 20 digits.
+        assert!(ask(&b, None, &mut NoTrace) >= 8.623_072_240_921_98e-36);
     }
 
     #[test]
