@@ -163,6 +163,19 @@ impl Shape {
     }
 }
 
+/// A box whose corners are turned back by an angle and rounded, and turned by it again in the scene: its sides are within an ulp
+/// or so of the axes, but not on them.
+pub(super) fn turned_back(random: &mut Random, half: [f64; 2], position: [f64; 2]) -> Draft {
+    let angle = random.between(-180.0, 180.0);
+    let turn = Rotation::of_degrees(Real::from(angle));
+    let [x, y] = half;
+    let corners = [[-x, -y], [x, -y], [x, y], [-x, y]].map(|corner| {
+        let local = Point::of(corner).turned_back(turn);
+        [local.x.to_f64(), local.y.to_f64()]
+    });
+    Draft::still(Shape::Polygon(corners.to_vec(), 0.0), position, angle)
+}
+
 /// A vector of a length in a random direction.
 pub(super) fn direction(random: &mut Random, length: f64) -> [f64; 2] {
     let turn = Rotation::of_degrees(Real::from(random.between(0.0, 360.0)));

@@ -1,6 +1,6 @@
 //! Cases of bodies in motion: a row a category.
 
-use super::draft::{Draft, Shape, direction, sign};
+use super::draft::{Draft, Shape, direction, sign, turned_back};
 use super::separation::{moved_to, near_each_other, without_spin_of_aabb};
 use super::{Category, extremes, lattice, scene};
 use crate::float::Real;
@@ -258,6 +258,10 @@ fn parallel_slide(random: &mut Random) -> Json {
     let start = world(random.between(-2.0, 2.0), 6.0);
     let velocity = world(random.between(-2.0, 2.0), -random.between(3.0, 6.0));
     let a = Draft::still(Shape::Box(half, 0.0), start, angle).moving(velocity, 0.0);
-    let b = Draft::still(Shape::Box([half[1], half[0]], 0.0), [0.0, 0.0], angle);
-    scene(random, IMPACT, [a, b], &[])
+    let mut b = Draft::still(Shape::Box([half[1], half[0]], 0.0), [0.0, 0.0], angle);
+    if angle == 0.0 && random.once_in(2) {
+        b = turned_back(random, half, [0.0, 0.0]);
+    }
+    let kind = if random.once_in(3) { SWEEP } else { IMPACT };
+    scene(random, kind, [a, b], &[])
 }

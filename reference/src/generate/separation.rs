@@ -1,6 +1,6 @@
 //! Cases at one moment: a row a category.
 
-use super::draft::{Draft, Shape, direction, nudged, sign};
+use super::draft::{Draft, Shape, direction, nudged, sign, turned_back};
 use super::{Category, lattice, scene, stillness};
 use crate::check::Setting;
 use crate::float::Real;
@@ -100,8 +100,10 @@ fn near_parallel(random: &mut Random) -> Json {
     if tilt == 0.0 && random.once_in(2) {
         b.position = [half[0] + half[1] + random.one_of(&[0.5, 0.0, -0.25]), random.between(-1.0, 1.0)];
     }
-    let quarter = random.one_of(&[0.0, 90.0, 180.0]);
-    b.angle += quarter;
+    b.angle += random.one_of(&[0.0, 90.0, 180.0]);
+    if tilt == 0.0 && random.once_in(3) {
+        b = turned_back(random, half, b.position);
+    }
     ask(random, [a, b])
 }
 

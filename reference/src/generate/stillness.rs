@@ -1,6 +1,6 @@
 //! The other questions without a search in time: overlap, bounds, motion bound.
 
-use super::draft::{Draft, Shape, direction, sign};
+use super::draft::{Draft, Shape, direction, sign, turned_back};
 use super::{lattice, scene, separation};
 use crate::json::Json;
 use crate::random::Random;
@@ -35,7 +35,12 @@ pub(super) fn bounds(random: &mut Random) -> Json {
         // Nearly along the axes two corners reach nearly as far: which of them does must not be guessed.
         let nearly = random.one_of(&[0.0, 90.0, 180.0]) + sign(random) * random.magnitude(-15.0, -4.0);
         let angle = if random.once_in(3) { nearly } else { random.between(-1e4, 1e4) };
-        let draft = Draft::still(shape, direction(random, away), angle);
+        let mut draft = Draft::still(shape, direction(random, away), angle);
+        if random.once_in(4) {
+            let half = [random.between(0.5, 1.5), random.between(0.5, 1.5)];
+            let near = [random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
+            draft = turned_back(random, half, near);
+        }
         let draft = draft.moving(direction(random, 1.0), random.between(-360.0, 360.0));
         separation::without_spin_of_aabb(draft)
     };

@@ -1,0 +1,127 @@
+//! Every rounding term of the second stage against 320 bits: each operation on balls keeps the exact result, and needs
+//! what it allows for. A whole query hides a deleted term behind the others; here nothing does.
+
+use tracefig::geometry::{Ball, COS_SIN_ERROR, Dd, Degrees, Turn};
+use tracefig_reference::float::Real;
+use tracefig_reference::placement::Rotation;
+use tracefig_reference::random::Random;
+
+/// Operands of each operation.
+const CASES: usize = 5_000;
+
+fn exact(x: Dd) -> Real {
+    Real::from(x.hi) + Real::from(x.lo)
+}
+
+/// A double-double of any last bits, about 1 and now and then far from it.
+fn operand(random: &mut Random) -> Dd {
+    let hi = random.between(-2.0, 2.0) * random.one_of(&[1.0, 1.0, 1e-9, 1e6]);
+    Dd::sum(hi, hi * f64::EPSILON * random.between(-0.4, 0.4))
+}
+
+/// The largest |exact − value| / radius of an operation on exact balls: above 1 it is wrong, near 0 it is wide.
+fn used(random: &mut Random, operate: impl Fn(Ball, Ball) -> (Ball, Real)) -> f64 {
+    let mut most = 0.0_f64;
+    for _ in 0..CASES {
+        let (x, y) = (operand(random), operand(random));
+        let (ball, truth) = operate(Ball::exact(x), Ball::exact(y));
+        let error = (truth - exact(ball.value)).abs();
+        if !error.is_zero() {
+            most = most.max(error.over(Real::from(ball.radius)).to_f64());
+            assert!(ball.radius > 0.0, "{x:?} and {y:?} are rounded without an allowance");
+        }
+    }
+    most
+}
+
+fn assert_used(name: &str, most: f64) {
+    println!("{name}: {most:.3} of the radius is used");
+    assert!(most <= 1.0, "{name}: off by {most} radii");
+    assert!(most > 0.02, "{name}: the radius is {:.0} times too large", most.recip());
+}
+
+#[test]
+fn operations_on_balls_keep_the_exact_result() {
+    let mut random = Random::new(1);
+    let of = |x: Ball| exact(x.value);
+    assert_used("x + y", used(&mut random, |x, y| (x + y, of(x) + of(y))));
+    assert_used("x − y", used(&mut random, |x, y| (x - y, of(x) - of(y))));
+    assert_used("x · y", used(&mut random, |x, y| (x * y, of(x) * of(y))));
+    assert_used("x / y", used(&mut random, |x, y| (x.over(y), of(x).over(of(y)))));
+    assert_used(
+        "x · double",
+        used(&mut random, |x, y| (x.scale(y.value.hi), of(x) * Real::from(y.value.hi))),
+    );
+    assert_used("√x", used(&mut random, |x, _| (x.abs().sqrt(), of(x).abs().sqrt())));
+}
+
+/// Whether a ball of the result holds the result at each end of the operands.
+fn holds_ends(
+    random: &mut Random,
+    operate: impl Fn(Ball, Ball) -> Ball,
+    truth: impl Fn(Real, Real) -> Real,
+) -> bool {
+    (0..CASES).all(|_| {
+        let mut ball = || {
+            let value = operand(random);
+            Ball::within(value, value.hi.abs() * random.magnitude(-30.0, -2.0))
+        };
+        let (x, y) = (ball(), ball());
+        let result = operate(x, y);
+        [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)].into_iter().all(|(p, q)| {
+            let end = |x: Ball, sign: f64| exact(x.value) + Real::from(sign) * Real::from(x.radius);
+            (truth(end(x, p), end(y, q)) - exact(result.value)).abs() <= Real::from(result.radius)
+        })
+    })
+}
+
+#[test]
+fn the_radii_of_operands_are_carried_on() {
+    let mut random = Random::new(2);
+    assert!(holds_ends(&mut random, |x, y| x + y, |x, y| x + y), "x + y");
+    assert!(holds_ends(&mut random, |x, y| x - y, |x, y| x - y), "x − y");
+    assert!(holds_ends(&mut random, |x, y| x * y, |x, y| x * y), "x · y");
+    assert!(holds_ends(&mut random, Ball::over, Real::over), "x / y");
+    assert!(holds_ends(&mut random, |x, _| x.scale(0.7), |x, _| x * Real::from(0.7)), "x · 0.7");
+    assert!(holds_ends(&mut random, |x, _| x.abs().sqrt(), |x, _| x.abs().sqrt()), "√x");
+}
+
+#[test]
+fn enclosures_of_balls_hold_them_and_are_a_few_ulp_wide() {
+    let mut random = Random::new(3);
+    for _ in 0..CASES {
+        let value = operand(&mut random);
+        let ball = Ball::within(value, value.hi.abs() * random.magnitude(-34.0, -14.0));
+        let bounds = ball.enclosure();
+        let (lo, hi) =
+            (exact(ball.value) - Real::from(ball.radius), exact(ball.value) + Real::from(ball.radius));
+        assert!(Real::from(bounds.lo) <= lo && hi <= Real::from(bounds.hi), "{ball:?}: {bounds:?}");
+        let ulp = value.hi.abs().next_up() - value.hi.abs();
+        assert!(bounds.hi - bounds.lo <= 2.0 * ball.radius + 6.0 * ulp, "{ball:?}: {bounds:?}");
+    }
+}
+
+#[test]
+fn cosines_and_sines_are_within_their_errors() {
+    let mut random = Random::new(4);
+    let mut most = 0.0_f64;
+    for _ in 0..CASES {
+        let angle = random.between(-1.0, 1.0) * random.one_of(&[1e-9, 45.0, 360.0, 1e5, 1e12]);
+        let (spin, t) = (random.between(-720.0, 720.0), random.unit());
+        let turn = Turn::at(Degrees(angle), Degrees(spin), t);
+        let truth = Rotation::of_degrees(Real::from(angle) + Real::from(spin) * Real::from(t));
+        let (cos, sin) = turn.cos_sin_fine();
+        for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
+            let error = (truth - exact(ball.value)).abs();
+            let part = if error.is_zero() { 0.0 } else { error.over(Real::from(ball.radius)).to_f64() };
+            assert!(part <= 1.0, "{angle} + {spin} · {t}: {part} radii off");
+            most = most.max(part);
+        }
+        let plain = turn.cos_sin();
+        for (value, truth) in [(plain.cos, truth.cos), (plain.sin, truth.sin)] {
+            let error = (Real::from(value) - truth).abs();
+            assert!(error <= Real::from(COS_SIN_ERROR), "{angle} + {spin} · {t}: off by {error}");
+        }
+    }
+    assert!(most > 0.02, "the radius is {:.0} times too large", most.recip());
+}
