@@ -93,7 +93,7 @@ fn asking(scene: &Json, kind: &str, algorithm: &str) -> Option<String> {
 #[test]
 fn every_algorithm_keeps_within_its_bounds() {
     let mut tally = Tally::default();
-    for (family, count) in [(Family::Separation, 400), (Family::Impact, 105)] {
+    for (family, count) in [(Family::Separation, 300), (Family::Impact, 42)] {
         for i in 0..count {
             let scene = family.case(setting("TRACEFIG_SEED", 1), i);
             let kind = scene.get("query").and_then(|query| query.text_at("kind")).expect("a kind");
