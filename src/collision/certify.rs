@@ -14,9 +14,10 @@
 use super::fine::{Fine, Vec2, Way, cross, dot, reversed, rounded};
 use super::gaps::{Facing, every_gap};
 use super::pair::Pair;
+use super::place::{self, Carrier, Proved};
 use super::walk::{self, Closest};
-use super::{Separation, place};
-use crate::geometry::{Ball, Side};
+use super::{Separation, quick};
+use crate::geometry::{Ball, DVec2, Side};
 
 /// A feature of B ⊖ A that an algorithm holds to be nearest the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,11 +50,34 @@ pub(crate) enum Contact {
 
 /// The certified separation of a pair; of directions that tie, the hinted one is taken.
 pub(crate) fn certify(pair: &Pair, hint: Option<Hint>) -> Separation {
+    if let Some(proved) = quick::proved(pair) {
+        return place::answer(pair, &proved);
+    }
+    settle(pair, hint)
+}
+
+/// [`certify`], where the quick proof is not enough.
+#[cold]
+fn settle(pair: &Pair, hint: Option<Hint>) -> Separation {
     let fine = Fine::new(pair);
     let found = hint.and_then(|hint| confirm(pair, &fine, hint)).unwrap_or_else(|| search(pair, &fine, hint));
     let separation = found.core - Ball::exact(pair.radius);
-    let zero = separation.sign() != Some(0) && separation.sign().is_none() && is_zero(pair, &fine, &found);
-    place::answer(pair, &found, if zero { Ball::ZERO } else { separation })
+    let zero = separation.sign().is_none() && is_zero(pair, &fine, &found);
+    place::answer(pair, &proved(pair, &found, if zero { Ball::ZERO } else { separation }))
+}
+
+/// What was found, rounded to doubles; `separation` is the scaled ball of s.
+fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
+    let unscale = 1.0 / pair.scale;
+    let bounds = separation.enclosure_scaled(unscale);
+    let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);
+    let carrier = match found.contact {
+        Contact::Corners(corners, _) => Carrier::Corners(corners),
+        Contact::Edge(Way { facing, partner: Some(partner), .. }) => Carrier::Faces(facing, partner),
+        Contact::Edge(Way { facing, partner: None, .. }) => Carrier::Edge(facing),
+    };
+    let normal = normal_of(&found.contact);
+    Proved { carrier, normal, core: found.core.value.hi, separation: value, bounds, ties: found.ties }
 }
 
 /// A hint that can be proved to be the nearest feature of bodies that are apart.
@@ -197,7 +221,7 @@ fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
 }
 
 /// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
-pub(crate) fn normal_of(contact: &Contact) -> Option<crate::geometry::DVec2> {
+fn normal_of(contact: &Contact) -> Option<DVec2> {
     match contact {
         Contact::Edge(way) => Some(rounded(&way.normal)),
         Contact::Corners(_, p) => {

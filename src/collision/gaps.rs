@@ -8,7 +8,7 @@
 //! 1983). Each pass works in the frame of the body whose sides it visits, and asks the other body in its own.
 
 use super::pair::Pair;
-use crate::geometry::{CosSin, DVec2, Hull, Side};
+use crate::geometry::{DVec2, Hull, Side};
 
 /// An edge of B ⊖ A: a side of one core and the corner of the other that faces it; counted along the cores.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub(crate) struct Facing {
 /// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
 #[inline]
 pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {
-    let CosSin { cos, sin, .. } = pair.cos_sin;
+    let (cos, sin) = (pair.b_turn[0].hi, pair.b_turn[1].hi);
     let c = pair.center / pair.scale;
     pass(pair.hull(Side::A), pair.hull(Side::B), c, (cos, sin), |edge, corner, gap| {
         visit(Facing { source: Side::A, edge, corner }, gap);

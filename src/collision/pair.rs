@@ -15,7 +15,7 @@
 //! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
 //! serve the first stage, [`super::fine::Fine`] is the second.
 
-use crate::geometry::{Ball, Body, CosSin, DVec2, Dd, Hull, Pose, Shape, Side, Turn, taming_power};
+use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, Turn, combined, taming_power};
 
 /// Two bodies at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -36,12 +36,18 @@ pub struct Pair<'s> {
     pub(crate) turn: Turn,
     /// p_B − p_A in the world, scaled.
     pub(crate) apart: [Ball; 2],
-    /// Cosine and sine of `frame`.
-    pub(crate) frame_cos_sin: CosSin,
-    /// Cosine and sine of `turn`.
-    pub(crate) cos_sin: CosSin,
+    /// Cosine and sine of `frame`, with their tails.
+    pub(crate) frame_turn: [Dd; 2],
+    /// Cosine and sine of `turn`, with their tails.
+    pub(crate) b_turn: [Dd; 2],
+    /// c, with its tail.
+    pub(crate) fine_center: [Dd; 2],
     /// c in doubles.
     pub(crate) center: DVec2,
+    /// Bound on the error of `fine_center` and of a corner turned by `b_turn`, as vectors, together.
+    pub(crate) placing_error: f64,
+    /// Bound on the error of each of `b_turn`.
+    pub(crate) turn_error: f64,
     /// r_A + r_B, exactly, scaled.
     pub(crate) radius: Dd,
     /// |c| + both reaches: no coordinate difference of the pair is larger. Rounded up; scaled.
@@ -87,16 +93,19 @@ impl<'s> Pair<'s> {
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
             apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
         ];
-        let (frame_cos_sin, cos_sin) = (frame.cos_sin(), turn.cos_sin());
-        let (x, y) = (apart[0].value.hi, apart[1].value.hi);
-        let center = DVec2::new(
-            frame_cos_sin.cos * x + frame_cos_sin.sin * y,
-            frame_cos_sin.cos * y - frame_cos_sin.sin * x,
-        );
+        let (frame_turn, frame_error) = frame.cos_sin_tailed();
+        let (b_turn, turn_error) = turn.cos_sin_tailed();
+        let fine_center = turned_back(frame_turn, [apart[0].value, apart[1].value], frame_error);
+        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
         let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
         // The larger of the 1-norm of `apart` and twice its rounding.
-        let magnitude = (x.abs() + y.abs() + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
+        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
+        let placing_error = 2.0 * (frame_error * (x + y) + turn_error * reaches)
+            + ROUNDED_ERROR * magnitude
+            + (apart[0].radius + apart[1].radius);
         Self {
             a,
             b,
@@ -106,9 +115,12 @@ impl<'s> Pair<'s> {
             frame,
             turn,
             apart,
-            frame_cos_sin,
-            cos_sin,
+            frame_turn,
+            b_turn,
+            fine_center,
             center,
+            placing_error,
+            turn_error,
             radius,
             magnitude,
         }
@@ -141,46 +153,80 @@ impl<'s> Pair<'s> {
         if self.is_tame() { GAP_ERROR * f64::EPSILON * self.magnitude } else { f64::INFINITY }
     }
 
+    /// The same pair with cosines and sines to twice the precision of a double.
+    ///
+    /// Worth its cost where the pair is asked more than once, or where it is near touching.
+    #[must_use]
+    pub fn refined(mut self) -> Self {
+        let fine = |turn: &Turn| {
+            let (cos, sin) = turn.cos_sin_fine();
+            ([cos.value, sin.value], cos.radius.max(sin.radius))
+        };
+        let (frame_turn, frame_error) = fine(&self.frame);
+        let (b_turn, turn_error) = fine(&self.turn);
+        let apart = self.apart.map(|x| x.value);
+        let distance = apart[0].hi.abs() + apart[1].hi.abs();
+        self.fine_center = turned_back(frame_turn, apart, frame_error);
+        (self.frame_turn, self.b_turn, self.turn_error) = (frame_turn, b_turn, turn_error);
+        self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
+            + ROUNDED_ERROR * self.magnitude
+            + (self.apart[0].radius + self.apart[1].radius);
+        self
+    }
+
     /// A vector of A's frame, in the world.
+    #[inline]
     pub(crate) fn to_world(&self, v: DVec2) -> DVec2 {
-        turned(self.frame_cos_sin, v)
+        turned(self.frame_turn, v)
     }
 
     /// A point of B's frame in A's frame, scaled.
     pub(crate) fn from_b(&self, q: DVec2) -> DVec2 {
-        self.center + turned(self.cos_sin, q * self.scale)
+        self.center + turned(self.b_turn, q * self.scale)
     }
 
     /// A point of A's frame, scaled, in B's frame, unscaled.
     pub(crate) fn to_b(&self, p: DVec2) -> DVec2 {
-        let CosSin { cos, sin, .. } = self.cos_sin;
+        let (cos, sin) = (self.b_turn[0].hi, self.b_turn[1].hi);
         let v = p - self.center;
         DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) / self.scale
     }
 
     /// Where a body is, in the world.
+    #[inline]
     pub(crate) fn pose(&self, side: Side) -> Pose {
+        let [fc, fs] = self.frame_turn;
         match side {
             Side::A => {
-                let CosSin { cos, sin, .. } = self.frame_cos_sin;
-                Pose { position: self.a.position + self.a.velocity * self.time, cos, sin }
+                let position = self.a.position + self.a.velocity * self.time;
+                Pose { position, cos: fc.hi, sin: fs.hi }
             }
             Side::B => {
                 let position = self.b.position + self.b.velocity * self.time;
-                let (f, t) = (self.frame_cos_sin, self.cos_sin);
-                if f.error == 0.0 || t.error == 0.0 {
-                    let (cos, sin) = (f.cos * t.cos - f.sin * t.sin, f.sin * t.cos + f.cos * t.sin);
-                    return Pose { position, cos, sin };
-                }
-                self.b.pose_at(self.time)
+                let [c, s] = self.b_turn;
+                Pose { position, cos: fc.hi * c.hi - fs.hi * s.hi, sin: fs.hi * c.hi + fc.hi * s.hi }
             }
         }
     }
 }
 
+/// Rounding of a corner placed by [`turned_back`] and [`combined`], as a multiple of the magnitude: two products of
+/// vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each; rounded up.
+const ROUNDED_ERROR: f64 = 32.0 * f64::EPSILON * f64::EPSILON;
+
+/// A vector in double-doubles, turned back; without rounding where the turn is a quarter.
+#[inline]
+fn turned_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2], error: f64) -> [Dd; 2] {
+    if error == 0.0 && sin == Dd::ZERO && cos == Dd::ONE {
+        return [x, y];
+    }
+    [combined(cos, x, sin, y), combined(cos, y, -sin, x)]
+}
+
 /// A vector, turned.
-fn turned(CosSin { cos, sin, .. }: CosSin, v: DVec2) -> DVec2 {
-    DVec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
+#[inline]
+pub(crate) fn turned([cos, sin]: [Dd; 2], v: DVec2) -> DVec2 {
+    DVec2::new(cos.hi * v.x - sin.hi * v.y, sin.hi * v.x + cos.hi * v.y)
 }
 
 /// Angle of A's frame in the world, and of B in it.

@@ -10,48 +10,56 @@
 //! follows along the normal.
 
 use super::Separation;
-use super::certify::{Contact, Found, normal_of};
 use super::gaps::Facing;
 use super::pair::Pair;
-use crate::geometry::{Ball, DVec2, Enclosure, Feature, Side, perp};
+use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
+
+/// What carries a separation: the nearest feature of B ⊖ A, counted along the cores.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Carrier {
+    /// A side and a corner.
+    Edge(Facing),
+    /// A side, and the other body's side that is parallel to it.
+    Faces(Facing, usize),
+    /// Corner i of A and corner j of B.
+    Corners([usize; 2]),
+}
+
+/// A separation that is proved, in A's frame and scaled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Proved {
+    /// What carries it.
+    pub(crate) carrier: Carrier,
+    /// Unit vector from A to B; None where points coincide.
+    pub(crate) normal: Option<DVec2>,
+    /// Signed distance of the cores.
+    pub(crate) core: f64,
+    /// Signed separation, not scaled.
+    pub(crate) separation: f64,
+    /// Its bounds, not scaled.
+    pub(crate) bounds: Enclosure,
+    /// Directions that tie.
+    pub(crate) ties: u32,
+}
 
 /// Witness points of the cores in the world, scaled (so that they round once), and the features that carry them.
 type Witnesses = ([DVec2; 2], [Feature; 2]);
 
-/// The answer; `separation` is the scaled ball of s.
-pub(crate) fn answer(pair: &Pair, found: &Found, separation: Ball) -> Separation {
-    let unscale = 1.0 / pair.scale;
-    let bounds = separation.enclosure_scaled(unscale);
-    let value = (separation.value.to_f64() * unscale).clamp(bounds.lo, bounds.hi);
-    let local = normal_of(&found.contact);
+/// The answer.
+#[inline]
+pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
+    let Proved { carrier, normal: local, core, separation, bounds, ties } = *proved;
     // Points that coincide: every direction is as good; the world's x axis is taken.
     let normal = local.map_or(DVec2::X, |n| pair.to_world(n));
-    let (cores, features) = match &found.contact {
-        Contact::Corners([i, j], _) => corners(pair, *i, *j),
-        Contact::Edge(way) => {
-            let core = found.core.value.hi;
-            let n = local.unwrap_or(DVec2::X);
-            match way.partner {
-                Some(partner) => faces(pair, way.facing, partner, n, core),
-                None => edge_and_corner(pair, way.facing, n, core),
-            }
-        }
+    let n = local.unwrap_or(DVec2::X);
+    let (cores, features) = match carrier {
+        Carrier::Corners([i, j]) => corners(pair, i, j),
+        Carrier::Edge(facing) => edge_and_corner(pair, facing, n, core),
+        Carrier::Faces(facing, partner) => faces(pair, facing, partner, n, core),
     };
     let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
-    let points = [(cores[0] + normal * r_a) * unscale, (cores[1] - normal * r_b) * unscale];
-    Separation {
-        separation: value,
-        bounds: widened(bounds, value),
-        normal,
-        ties: found.ties,
-        points,
-        features,
-    }
-}
-
-/// Bounds that hold their value, which NaN could break.
-fn widened(bounds: Enclosure, value: f64) -> Enclosure {
-    Enclosure { lo: bounds.lo.min(value), hi: bounds.hi.max(value) }
+    let points = [(cores[0] + normal * r_a) / pair.scale, (cores[1] - normal * r_b) / pair.scale];
+    Separation { separation, bounds, normal, ties, points, features }
 }
 
 /// Two corners.

@@ -58,6 +58,10 @@ pub struct CosSin {
 /// below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
 pub const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 
+/// Bound on the error of [`Turn::cos_sin_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
+/// roundings of ε/2 on its way, and the table's lower half comes with it.
+pub const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
+
 /// Bound on the error of the double-double cosine and sine, 8 ε²: entries of the table ε²/8 each; the correction is
 /// below 0.01 with 12 operations of 5ε² each and, for its tail beyond ρ⁴ (below 10⁻⁹ of it), roundings of doubles
 /// (2·10⁻¹⁵ of 10⁻¹⁵); the last sum 5ε².
@@ -71,7 +75,7 @@ impl Turn {
     #[must_use]
     pub fn at(angle: Degrees, spin: Degrees, t: f64) -> Self {
         if spin.0 == 0.0 || t == 0.0 {
-            return Self::sum(&[angle.0]);
+            return Self::of_two(angle.0, 0.0);
         }
         let (p, e, lost) = turned(spin, t);
         let mut turn = Self::sum(&[angle.0, p, e]);
@@ -83,13 +87,33 @@ impl Turn {
     #[must_use]
     pub fn between(from: (Degrees, Degrees), to: (Degrees, Degrees), t: f64) -> Self {
         if t == 0.0 || (from.1.0 == 0.0 && to.1.0 == 0.0) {
-            return Self::sum(&[to.0.0, -from.0.0]);
+            return Self::of_two(to.0.0, -from.0.0);
         }
         let (p, e, lost_p) = turned(to.1, t);
         let (q, f, lost_q) = turned(from.1, t);
         let mut turn = Self::sum(&[to.0.0, -from.0.0, p, -q, e, -f]);
         turn.error += lost_p + lost_q;
         turn
+    }
+
+    /// a + b, exactly; without an expansion where neither is above a turn.
+    #[inline]
+    fn of_two(a: f64, b: f64) -> Self {
+        if a.abs().max(b.abs()) > 360.0 {
+            return Self::sum(&[a, b]);
+        }
+        let (s, e) = two_sum(a, b);
+        // Both differences are exact: of doubles within a factor of two of each other, or with 0 taken off.
+        let quarters = nearest_integer(s * (1.0 / 90.0));
+        let rest = s - 90.0 * quarters;
+        let whole = nearest_integer(rest);
+        let rest = Dd::sum(rest - whole, e);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "|quarters| ≤ 8 and |whole| ≤ 45 after the reduction"
+        )]
+        let (quarters, whole) = ((quarters as i32 & 3).unsigned_abs() as u8, whole as i8);
+        Self { quarters, whole, rest, error: 0.0 }
     }
 
     /// The exact sum of at most six angles, in degrees.
@@ -99,11 +123,11 @@ impl Turn {
         for &term in terms.iter().take(6) {
             sum.grow(if term.abs() < 360.0 { term } else { term % 360.0 });
         }
-        let quarters = (sum.approximate() / 90.0).round();
+        let quarters = nearest_integer(sum.approximate() / 90.0);
         if quarters != 0.0 {
             sum.grow(-90.0 * quarters);
         }
-        let whole = sum.approximate().round();
+        let whole = nearest_integer(sum.approximate());
         if whole != 0.0 {
             sum.grow(-whole);
         }
@@ -125,16 +149,29 @@ impl Turn {
     /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`].
     #[must_use]
     pub fn cos_sin(&self) -> CosSin {
+        let ([cos, sin], error) = self.cos_sin_tailed();
+        CosSin { cos: cos.hi, sin: sin.hi, error: if error == 0.0 { 0.0 } else { COS_SIN_ERROR } }
+    }
+
+    /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter turns, else
+    /// [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
+    #[inline]
+    #[must_use]
+    pub fn cos_sin_tailed(&self) -> ([Dd; 2], f64) {
+        if self.is_quarter() {
+            let (cos, sin) = quarter((Dd::ONE, Dd::ZERO), self.quarters);
+            return ([cos, sin], 0.0);
+        }
         let (s, c) = table(self.whole);
         let x = self.rest.hi * RADIANS_PER_DEGREE.hi
             + (self.rest.hi * RADIANS_PER_DEGREE.lo + self.rest.lo * RADIANS_PER_DEGREE.hi);
         let z = x * x;
-        let sin_x = x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 - z * (1.0 / 5040.0 - z / 362_880.0)));
-        let cos_x = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z / 40_320.0)));
-        let sin = s.hi + (s.lo + (c.hi * sin_x + s.hi * cos_x));
-        let cos = c.hi + (c.lo + (c.hi * cos_x - s.hi * sin_x));
+        let sin_x = x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 - z * (1.0 / 5040.0 - z * (1.0 / 362_880.0))));
+        let cos_x = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40_320.0))));
+        let sin = Dd::sum(s.hi, s.lo + (c.hi * sin_x + s.hi * cos_x));
+        let cos = Dd::sum(c.hi, c.lo + (c.hi * cos_x - s.hi * sin_x));
         let (cos, sin) = quarter((cos, sin), self.quarters);
-        CosSin { cos, sin, error: if self.is_quarter() { 0.0 } else { COS_SIN_ERROR } }
+        ([cos, sin], TAILED_ERROR)
     }
 
     /// Cosine and sine to twice the precision, with a proven radius; points where they are exact.
@@ -197,6 +234,15 @@ impl Expansion {
         }
         (top, error)
     }
+}
+
+/// The integer nearest to `x`, |x| < 2⁵¹: adding 1.5 · 2⁵² leaves no room for a fraction. (`round` is a slow call where
+/// the processor is not known to have the instruction.)
+#[inline]
+fn nearest_integer(x: f64) -> f64 {
+    /// 1.5 · 2⁵².
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    (x + SHIFT) - SHIFT
 }
 
 /// spin · t = p + e, and a bound on what is lost to underflow.

@@ -22,6 +22,26 @@ pub struct Hull {
     pub offsets: Vec<f64>,
     /// Not below the distance of any corner from the body's origin.
     pub reach: f64,
+    /// Rising [`diamond`] angles of the normals, from that of side `first` on.
+    angles: Vec<f64>,
+    /// The side whose normal has the least diamond angle.
+    first: usize,
+}
+
+/// Up to this many corners it is quicker to look at all than to search.
+const FEW: usize = 8;
+
+/// A measure of a direction's angle that rises with it from 0 to 4, without a root.
+#[inline]
+fn diamond(v: DVec2) -> f64 {
+    let share = v.y / (v.x.abs() + v.y.abs());
+    if v.x < 0.0 {
+        2.0 - share
+    } else if share < 0.0 {
+        4.0 + share
+    } else {
+        share
+    }
 }
 
 /// Bound on the error of each component of a double-double normal: 16 ε². The square of a side's length is off by
@@ -40,7 +60,12 @@ impl Hull {
             (0..count).map(|i| outward(corners[i], following(i))).unzip();
         let offsets = normals.iter().zip(&corners).map(|(normal, corner)| normal.dot(*corner)).collect();
         let reach = corners.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
-        Self { corners, sides, normals, tails, offsets, reach }
+        let angle = |i: &usize| diamond(normals[*i]);
+        let first = (0..count).min_by(|i, j| angle(i).total_cmp(&angle(j))).unwrap_or(0);
+        let mut angles: Vec<f64> = (0..count).map(|i| angle(&((first + i) % n))).collect();
+        // Nearly parallel sides may come out of order by rounding.
+        angles.sort_by(f64::total_cmp);
+        Self { corners, sides, normals, tails, offsets, reach, angles, first }
     }
 
     /// Corner after `i`, counter-clockwise.
@@ -55,6 +80,54 @@ impl Hull {
     #[must_use]
     pub fn previous(&self, i: usize) -> usize {
         if i == 0 { self.corners.len() - 1 } else { i - 1 }
+    }
+
+    /// The corner that is highest along `direction`, in the hull's frame, searched from corner `from` on (from anywhere,
+    /// if there is no such corner). A guess: rounding may leave it at a neighbour that is as high.
+    #[inline]
+    #[must_use]
+    pub fn highest(&self, direction: DVec2, from: usize) -> usize {
+        let count = self.corners.len();
+        if count <= FEW {
+            return self.highest_of_few(direction);
+        }
+        let mut k = if from < count { from } else { self.sector(direction) };
+        if direction.dot(self.sides[k]) > 0.0 || direction.dot(self.sides[self.previous(k)]) < 0.0 {
+            k = self.sector(direction);
+        }
+        for _ in 0..count {
+            if direction.dot(self.sides[k]) > 0.0 {
+                k = self.next(k);
+            } else if direction.dot(self.sides[self.previous(k)]) < 0.0 {
+                k = self.previous(k);
+            } else {
+                break;
+            }
+        }
+        k
+    }
+
+    /// The highest corner of a few, by looking at them all.
+    #[inline]
+    fn highest_of_few(&self, direction: DVec2) -> usize {
+        let (mut best, mut top) = (0, f64::NEG_INFINITY);
+        for (k, q) in self.corners.iter().enumerate() {
+            let height = direction.dot(*q);
+            if height > top {
+                (best, top) = (k, height);
+            }
+        }
+        best
+    }
+
+    /// The corner between the normals that have `direction` between them, by bisection: O(log n).
+    #[inline]
+    fn sector(&self, direction: DVec2) -> usize {
+        let angle = diamond(direction);
+        let k = self.angles.partition_point(|&a| a < angle);
+        // Normal k − 1 is before the direction and normal k behind it: they meet in corner k.
+        let first = self.first + k;
+        if first < self.corners.len() { first } else { first - self.corners.len() }
     }
 
     /// Outward unit normal of side `i`, to twice the precision; exact where the side is parallel to an axis.

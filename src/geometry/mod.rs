@@ -13,8 +13,8 @@ mod sines;
 
 pub use ball::Ball;
 pub use body::{Body, Pose, perp};
-pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, Turn};
-pub use double_double::{Dd, taming_power, two_product, two_sum};
+pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, TAILED_ERROR, Turn};
+pub use double_double::{COMBINED_ERROR, Dd, combined, taming_power, two_product, two_sum};
 pub use glam::DVec2;
 pub use hull::Hull;
 pub use shape::Shape;

@@ -250,12 +250,15 @@ fn runs_that_race_leave_whole_files() {
 #[test]
 fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tell_it() {
     let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n").unwrap();
+    std::fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n")
+        .unwrap();
     std::fs::write(folder.path().join("pale.toml"), "[colors]\nink = \"#EEEEEE\"\n").unwrap();
     let figure = concat!(env!("CARGO_MANIFEST_DIR"), "/figures/01-penetration.toml");
     let render = |theme: &str| {
         let mut command = assert_cmd::Command::cargo_bin("tracefig").unwrap();
-        command.current_dir(folder.path()).args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]);
+        command
+            .current_dir(folder.path())
+            .args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]);
         command.assert()
     };
     render("slides.toml,print").success();
