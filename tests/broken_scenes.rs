@@ -5,6 +5,8 @@
 use std::time::{Duration, Instant};
 
 use arbitrary::Unstructured;
+use tracefig::figure::{draw, plan};
+use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Ink, Source, open_text, read, solve, solve_jsonl_line};
 
 /// The scenes of the figures, as TOML.
@@ -103,6 +105,39 @@ fn a_broken_scene_gives_an_answer_or_problems_in_its_text() {
         Ok(())
     })
     .budget_ms(3_000);
+}
+
+#[test]
+fn a_broken_scene_is_drawn_or_told_what_is_wrong() {
+    let figures = figures();
+    arbtest::arbtest(|u| {
+        let figure = u.choose_index(figures.len())?;
+        let text = broken(u, &figures[figure])?;
+        let Ok(file) = open_text("s.toml", &text) else { return Ok(()) };
+        match plan(&file.scene) {
+            Ok(plan) => {
+                let drawing = draw(&plan, plan.theme, "fig").drawing;
+                let svg = (format("svg").unwrap(), Options::default());
+                let Writer::One(write) = svg.0.write else { panic!("an SVG is of one drawing") };
+                // A page without room, or numbers beyond any page, may be refused.
+                if let Ok(bytes) = write(&drawing, &svg.1) {
+                    let svg = String::from_utf8(bytes).unwrap();
+                    let parsed = roxmltree::Document::parse(&svg)
+                        .unwrap_or_else(|e| panic!("{e} in the SVG of {text}"));
+                    let elements = parsed.descendants().filter(roxmltree::Node::is_element);
+                    assert!(elements.clone().all(|e| e.tag_name().name() != "script"));
+                }
+            }
+            Err(problems) => {
+                assert!(!problems.is_empty());
+                for problem in problems {
+                    assert!(problem.span.end <= file.source.text.len(), "{problem:?}");
+                }
+            }
+        }
+        Ok(())
+    })
+    .budget_ms(6_000);
 }
 
 #[test]
