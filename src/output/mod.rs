@@ -8,6 +8,7 @@ mod check;
 mod curves;
 mod html;
 mod number;
+mod pdf;
 mod png;
 mod raster;
 mod svg;
@@ -40,7 +41,7 @@ pub enum Writer {
 }
 
 /// Every format.
-pub const FORMATS: [Format; 4] = [svg::FORMAT, png::FORMAT, html::FORMAT, apng::FORMAT];
+pub const FORMATS: [Format; 5] = [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT];
 
 /// The format of that name.
 ///

@@ -37,6 +37,8 @@ fn svg_and_png_show_the_same() {
     let drawing = everything();
     let svg = document(&drawing, Sheet::Inside);
     keep("sample.svg", svg.as_bytes());
+    let Writer::One(write) = pdf::FORMAT.write else { panic!("PDF takes one drawing") };
+    keep("sample.pdf", &write(&drawing, &Options::default()).unwrap());
     let Writer::One(write) = png::FORMAT.write else { panic!("PNG takes one drawing") };
     keep("sample.png", &write(&drawing, &Options::default()).unwrap());
     for scale in [1.0_f32, 2.0] {

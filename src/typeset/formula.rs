@@ -4,6 +4,9 @@
 //! 0.7 and its scripts of scripts 0.55 of the base; where that would be under [`SMALLEST`], the script box is
 //! enlarged about its own origin and what follows it moves to the right.
 
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+
 use latex_rust::{BoxContent, Dim, Error, FontError, MathBox, MathStyle, ParseError};
 
 use super::face::{Loaded, UNITS_PER_EM};
@@ -17,15 +20,32 @@ pub const SMALLEST: f64 = 9.0;
 pub const LONGEST: usize = 2000;
 
 /// Glyphs and rules of a formula and its advance width, in page pixels.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Formula {
     pub(super) glyphs: Vec<PlacedGlyph>,
     pub(super) rules: Vec<Rule>,
     pub(super) width: f64,
 }
 
+/// Formulas kept for the next time: the panels, themes and captions of figures say the same few again and again.
+const KEPT: usize = 1024;
+
 /// Sets the LaTeX between two dollar signs; `offset` is its first byte's place in the markup.
 pub(super) fn set(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetError> {
+    static FORMULAS: Mutex<BTreeMap<(String, u64), Formula>> = Mutex::new(BTreeMap::new());
+    let key = (latex.to_owned(), size.to_bits());
+    if let Some(known) = FORMULAS.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
+        return Ok(known.clone());
+    }
+    let formula = set_new(latex, offset, size)?;
+    let mut kept = FORMULAS.lock().unwrap_or_else(PoisonError::into_inner);
+    if kept.len() < KEPT {
+        kept.insert(key, formula.clone());
+    }
+    Ok(formula)
+}
+
+fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetError> {
     let fail = |at: usize, message: String| TypesetError { offset: offset + at, message };
     if latex.len() > LONGEST {
         return Err(fail(

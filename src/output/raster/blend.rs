@@ -83,16 +83,22 @@ pub(super) fn lay(pixels: &mut [[u8; 4]], width: usize, spans: &[Span], ink: Ink
             continue;
         }
         // Neighbours mostly have one colour, and then one mixture.
-        let mut last = [0; 4];
-        let mut mixture = [0; 4];
-        for pixel in covered {
-            if *pixel != last {
-                last = *pixel;
-                mixture = ink.over(last, span.level);
-            }
-            *pixel = mixture;
+        let mut rest = covered;
+        while let Some(&first) = rest.first() {
+            let count = run(rest, first);
+            let (same, other) = rest.split_at_mut(count);
+            same.fill(ink.over(first, span.level));
+            rest = other;
         }
     }
+}
+
+/// How many pixels from the first on have its colour.
+fn run(pixels: &[[u8; 4]], first: [u8; 4]) -> usize {
+    const STRIDE: usize = 8;
+    let strides = pixels.chunks_exact(STRIDE).take_while(|&stride| stride == [first; STRIDE]).count();
+    let at = strides * STRIDE;
+    at + pixels[at..].iter().take_while(|&&pixel| pixel == first).count()
 }
 
 /// Mixes pixels with those that were there before: `opacity` of 1 keeps them, 0 brings the old ones back.
