@@ -82,7 +82,7 @@ impl Page {
             self.groups.push(inside);
             let number = self.groups.len() - 1;
             self.opacity(group.opacity, "");
-            self.content.push_str(&format!("/X{number} Do\n"));
+            say(&mut self.content, format_args!("/X{number} Do\n"));
         } else {
             self.items(&group.items);
         }
@@ -150,7 +150,7 @@ impl Page {
             self.content.push(' ');
             self.number(text.origin.x + placed.x);
             self.number(text.origin.y + placed.y);
-            self.content.push_str(&format!("cm /{} Do Q\n", glyph_name(placed.glyph)));
+            say(&mut self.content, format_args!("cm /{} Do Q\n", glyph_name(placed.glyph)));
         }
         for rule in &text.line.rules {
             self.rect(place(rule, text.origin));
@@ -194,7 +194,7 @@ impl Page {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 1000")]
         let thousandths = (opacity.clamp(0.0, 1.0) * 1000.0).round() as u16;
         self.opacities.insert(thousandths);
-        self.content.push_str(&format!("/G{thousandths}{key} gs\n"));
+        say(&mut self.content, format_args!("/G{thousandths}{key} gs\n"));
     }
 
     fn contour(&mut self, contour: &Contour) {
@@ -239,21 +239,24 @@ impl Page {
             body.push_str("f\n");
             let [x0, y0, x1, y1] = glyph.outline().bounds;
             let form = objects.form(&format!("[{x0} {y0} {x1} {y1}]"), "", &body);
-            forms.push_str(&format!("/{} {form} 0 R ", glyph_name(glyph)));
+            say(&mut forms, format_args!("/{} {form} 0 R ", glyph_name(glyph)));
         }
         let everywhere = format!("[0 0 {} {}]", drawing.width.ceil(), drawing.height.ceil());
         let group = format!("/Group <</S /Transparency /I true>> /Resources {resources} 0 R ");
         for (number, body) in self.groups.iter().enumerate() {
             let form = objects.form(&everywhere, &group, body);
-            forms.push_str(&format!("/X{number} {form} 0 R "));
+            say(&mut forms, format_args!("/X{number} {form} 0 R "));
         }
         let mut states = String::new();
         for thousandths in &self.opacities {
             let mut value = String::new();
             push_factor(&mut value, f64::from(*thousandths) / 1000.0);
-            states.push_str(&format!(
-                "/G{thousandths} <</ca {value} /CA {value}>> /G{thousandths}f <</ca {value}>> /G{thousandths}s <</CA {value}>> "
-            ));
+            say(
+                &mut states,
+                format_args!(
+                    "/G{thousandths} <</ca {value} /CA {value}>> /G{thousandths}f <</ca {value}>> /G{thousandths}s <</CA {value}>> "
+                ),
+            );
         }
         let content = objects.stream("", &self.content);
         objects.set(catalog, &format!("<</Type /Catalog /Pages {pages} 0 R /Lang (en)>>"));
@@ -266,6 +269,11 @@ impl Page {
         let info = objects.info(&drawing.title, &drawing.desc);
         objects.finish(catalog, info)
     }
+}
+
+fn say(out: &mut String, what: std::fmt::Arguments) {
+    // Writing to a string can't fail.
+    let _ = std::fmt::Write::write_fmt(out, what);
 }
 
 fn place(rule: &Rule, origin: Point) -> Rect {
