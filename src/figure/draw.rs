@@ -8,7 +8,7 @@ use crate::typeset::Line;
 
 use super::alt;
 use super::labels::{Fault, Labelled, Placed, Sought, Wording, faults, place};
-use super::page::{CAPTION_STEP, Page, type_size};
+use super::page::{Page, type_size};
 use super::plan::{PanelPlan, Plan};
 use super::theme::Theme;
 
@@ -140,7 +140,7 @@ fn caption(plan: &Plan, theme: &Theme) -> Item {
     let mut at = plan.page.caption;
     for line in &plan.caption {
         group.items.push(text(line, at, theme));
-        at.y += CAPTION_STEP;
+        at.y += plan.page.step;
     }
     Item::Group(group)
 }

@@ -19,8 +19,10 @@ const BOTTOM: f64 = 20.0;
 const CAPTION: f64 = 64.0;
 /// From the panels to the first baseline of the caption.
 const CAPTION_DROP: f64 = 24.0;
-/// From one baseline of the caption to the next.
-pub(crate) const CAPTION_STEP: f64 = 20.0;
+/// From one baseline of the caption to the next, on the usual page.
+const CAPTION_STEP: f64 = 20.0;
+/// Type size of the caption, on the usual page.
+pub(crate) const CAPTION_SIZE: f64 = 14.0;
 /// The page that type sizes are made for.
 const USUAL: (f64, f64) = (960.0, 540.0);
 /// No base size is set smaller, page pixels.
@@ -39,6 +41,8 @@ pub(crate) struct Page {
     pub(crate) rules: Vec<(Point, Point)>,
     /// First baseline of the caption, left end.
     pub(crate) caption: Point,
+    /// From one baseline of the caption to the next.
+    pub(crate) step: f64,
     /// Width of a caption's line.
     pub(crate) measure: f64,
 }
@@ -48,9 +52,10 @@ impl Page {
     pub(crate) fn new(width: f64, height: f64, panels: usize, titled: bool, lines: usize) -> Self {
         let margin = margin(width, height);
         let k = margin / MARGIN;
+        let step = caption_step(width, height);
         let foot = match lines {
             0 => BOTTOM * k,
-            _ => k * (CAPTION - 2.0 * CAPTION_STEP) + CAPTION_STEP * count(lines.max(2)),
+            _ => k * (CAPTION - 2.0 * CAPTION_STEP) + step * count(lines.max(2)),
         };
         let body =
             Rect { x0: margin, y0: TOP * k, x1: width - margin, y1: (height - foot).max(TOP * k + 1.0) };
@@ -68,13 +73,13 @@ impl Page {
         }
         let rules = rules(&cells, columns, margin, titled);
         let caption = Point::new(margin, body.y1 + CAPTION_DROP * k.max(0.75));
-        Self { width, height, cells, rules, caption, measure: width - 2.0 * margin }
+        Self { width, height, cells, rules, caption, step, measure: width - 2.0 * margin }
     }
 
     /// The most lines of caption that a page takes.
-    pub(crate) fn caption_lines(height: f64) -> usize {
+    pub(crate) fn caption_lines(width: f64, height: f64) -> usize {
         let mut lines = 1;
-        while CAPTION_STEP * count(lines + 1) < CAPTION_SHARE * height {
+        while caption_step(width, height) * count(lines + 1) < CAPTION_SHARE * height {
             lines += 1;
         }
         lines.max(2)
@@ -93,8 +98,17 @@ pub(crate) fn margin(width: f64, height: f64) -> f64 {
 
 /// A type size on a page: smaller on small pages, never under 11 px.
 pub(crate) fn type_size(width: f64, height: f64, size: f64) -> f64 {
-    let k = (width / USUAL.0).min(height / USUAL.1).min(1.0);
-    (size * libm::sqrt(k)).max(SMALLEST_TYPE.min(size))
+    (size * unit(width, height)).max(SMALLEST_TYPE.min(size))
+}
+
+/// The width of a line that is one pixel wide on the usual page; thinner on small pages.
+pub(crate) fn unit(width: f64, height: f64) -> f64 {
+    libm::sqrt((width / USUAL.0).min(height / USUAL.1).min(1.0))
+}
+
+/// From one baseline of the caption to the next.
+fn caption_step(width: f64, height: f64) -> f64 {
+    CAPTION_STEP * type_size(width, height, CAPTION_SIZE) / CAPTION_SIZE
 }
 
 fn title(titled: bool) -> f64 {

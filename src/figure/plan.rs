@@ -15,7 +15,7 @@ use super::frame::Frame;
 use super::labels::{Wording, bad_markup, fill};
 use super::layer::{self, Layer, Shows};
 use super::options::Options;
-use super::page::{Page, type_size};
+use super::page::{CAPTION_SIZE, Page, type_size, unit};
 use super::runs::{Runs, is_static};
 use super::sketch::{Sketch, Sketched};
 use super::theme::{self, THEMES, Theme};
@@ -64,6 +64,26 @@ impl std::fmt::Debug for LayerPlan<'_> {
 /// # Errors
 ///
 /// Everything that is wrong with its panels, layers, options, labels, texts and theme, in the order of the scene.
+///
+/// ```
+/// use tracefig::{figure::{draw, plan}, scene::{Source, read}};
+/// let text = r#"
+/// [shapes.A]
+/// kind = "circle"
+/// radius = 1
+/// [query]
+/// kind = "bounds"
+/// of = ["A"]
+/// [[panels]]
+/// space = "world"
+/// layers = ["shapes", "bounds"]
+/// "#;
+/// let scene = read(&Source::new("circle.toml", text)).unwrap();
+/// let plan = plan(&scene).unwrap();
+/// let figure = draw(&plan, plan.theme, "circle");
+/// assert_eq!((figure.drawing.width, figure.drawing.height), (960.0, 540.0));
+/// assert!(figure.faults().is_empty());
+/// ```
 pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
     let runs = Runs::default();
     let mut problems = Vec::new();
@@ -79,7 +99,7 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
     let caption = caption(scene, &runs, &panels, &mut problems, &mut warnings);
     let titled = panels.iter().any(|p| p.title.is_some());
     let page = Page::new(scene.canvas.width, scene.canvas.height, scene.panels.len(), titled, caption.len());
-    if problems.is_empty() {
+    if panels.len() == scene.panels.len() {
         view::fit(scene, &runs, theme, &page, &mut panels);
         for panel in &panels {
             check_texts(scene, &runs, theme, panel, &mut problems);
@@ -224,9 +244,9 @@ fn caption(
     let context = Context { scene, space: &first.source.space, time: moment.time, step: moment.step, runs };
     let (width, height) = (scene.canvas.width, scene.canvas.height);
     let measure = Page::new(width, height, 1, false, 2).measure;
-    let style = Style::regular(type_size(width, height, 14.0));
+    let style = Style::regular(type_size(width, height, CAPTION_SIZE));
     let lines = set(text, &context, problems, |t| wrap(t, style, measure)).unwrap_or_default();
-    let most = Page::caption_lines(height);
+    let most = Page::caption_lines(width, height);
     if lines.len() > most {
         let message = format!(
             "the caption takes {} lines and the page has room for {most}: it is left out",
@@ -252,7 +272,7 @@ fn check_texts(scene: &Scene, runs: &Runs, theme: &Theme, panel: &PanelPlan, pro
     }
 }
 
-impl<'s> PanelPlan<'s> {
+impl PanelPlan<'_> {
     pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
         let Moment { time, step } = self.moment;
         Context { scene, space: &self.source.space, time, step, runs }
@@ -260,7 +280,8 @@ impl<'s> PanelPlan<'s> {
 
     /// Lets every layer draw.
     pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        let mut sketch = Sketch::new(self.frame, theme);
+        let canvas = &context.scene.canvas;
+        let mut sketch = Sketch::new(self.frame, theme, unit(canvas.width, canvas.height));
         for planned in &self.layers {
             sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
             (planned.layer.draw)(&mut sketch, context, &planned.options);
@@ -271,4 +292,95 @@ impl<'s> PanelPlan<'s> {
 
 fn other(code: &'static str, message: String, help: Option<String>, span: &Range<usize>) -> Problem {
     Problem::new(Fault::Other { code, message, help }, span.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Problem, Source, read};
+
+    const BODIES: &str = r#"
+        shapes.A = { kind = "circle", radius = 1, position = [-2, 0] }
+        shapes.B = { kind = "box", half_extents = [1, 1], position = [2, 0] }
+        query = { kind = "separation", of = ["A", "B"] }
+    "#;
+
+    /// What is wrong with a scene of a circle and a box, and the text that each problem points at.
+    fn problems(rest: &str) -> Vec<(Problem, String)> {
+        let text = format!("{BODIES}{rest}");
+        let scene = read(&Source::new("test", &text)).unwrap();
+        let found = super::plan(&scene).map(|_| ()).unwrap_err();
+        found.into_iter().map(|p| (p.clone(), text[p.span.clone()].to_owned())).collect()
+    }
+
+    fn one(rest: &str) -> (&'static str, String, String) {
+        let found = problems(rest);
+        assert_eq!(found.len(), 1, "{found:#?}");
+        let (problem, quoted) = found.into_iter().next().unwrap();
+        (problem.fault.code(), quoted, problem.fault.help().unwrap_or_default())
+    }
+
+    #[test]
+    fn an_unknown_layer_is_quoted_and_the_nearest_one_named() {
+        let (code, quoted, help) =
+            one(r#"panels = [{ space = "world", layers = ["shapes", "seperation"] }]"#);
+        assert_eq!((code, quoted.as_str()), ("unknown-word", "\"seperation\""));
+        assert!(help.contains("`separation`"), "{help}");
+    }
+
+    #[test]
+    fn an_unknown_option_is_quoted_and_the_nearest_one_named() {
+        let (code, quoted, help) =
+            one(r#"panels = [{ space = "world", layers = [{ layer = "shapes", centres = true }] }]"#);
+        assert_eq!((code, quoted.as_str()), ("unknown-key", "centres"));
+        assert!(help.contains("`centers`"), "{help}");
+    }
+
+    #[test]
+    fn an_option_of_another_type_says_what_was_expected() {
+        let found =
+            problems(r#"panels = [{ space = "world", layers = [{ layer = "shapes", centers = 3 }] }]"#);
+        assert_eq!(found[0].0.fault.to_string(), "`centers`: expected true or false, got 3");
+        assert_eq!(found[0].1, "3");
+    }
+
+    #[test]
+    fn a_layer_of_another_space_or_without_its_events_is_refused() {
+        let (code, quoted, _) = one(r#"panels = [{ space = "world", layers = ["difference"] }]"#);
+        assert_eq!((code, quoted.as_str()), ("unsuited-layer", "\"difference\""));
+        let (code, quoted, help) = one(r#"panels = [{ space = "world", layers = ["bounds"] }]"#);
+        assert_eq!((code, quoted.as_str()), ("unfed-layer", "\"bounds\""));
+        assert!(help.starts_with("it needs"), "{help}");
+    }
+
+    #[test]
+    fn a_label_that_no_layer_writes_is_refused() {
+        let (code, quoted, _) =
+            one("labels = { A1 = \"x\" }\npanels = [{ space = \"world\", layers = [\"shapes\"] }]");
+        assert_eq!((code, quoted.as_str()), ("unknown-key", "A1"));
+    }
+
+    #[test]
+    fn texts_that_cannot_be_set_are_quoted_wherever_they_stand() {
+        let rest = r#"
+            caption = '{=tiem}'
+            labels = { A = '$\frac{1}$' }
+            panels = [{ space = "world", layers = ["shapes"], title = '$x' }]
+        "#;
+        let codes: Vec<_> = problems(rest).iter().map(|(p, q)| (p.fault.code(), q.clone())).collect();
+        assert_eq!(
+            codes,
+            [
+                ("unknown-word", "'{=tiem}'".to_owned()),
+                ("bad-markup", r"'$\frac{1}$'".to_owned()),
+                ("bad-markup", "'$x'".to_owned()),
+            ]
+        );
+    }
+
+    #[test]
+    fn a_scene_without_panels_and_a_theme_that_does_not_exist_are_both_told() {
+        let found = problems("canvas.theme = \"drak\"");
+        let codes: Vec<_> = found.iter().map(|(p, _)| p.fault.code()).collect();
+        assert_eq!(codes, ["no-panels", "unknown-word"]);
+    }
 }

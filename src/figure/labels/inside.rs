@@ -215,7 +215,7 @@ mod tests {
     fn a_name_keeps_out_of_the_part_that_another_body_covers() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
         let (a, b) = (square(10.0, 10.0, 100.0), square(60.0, 10.0, 100.0));
-        let best = places(&a, &[b.clone()], (12.0, 12.0), &panel)
+        let best = places(&a, std::slice::from_ref(&b), (12.0, 12.0), &panel)
             .into_iter()
             .min_by(|p, q| p.reluctance.total_cmp(&q.reluctance))
             .unwrap();

@@ -72,7 +72,7 @@ impl Sketch<'_> {
             self.page_dot(tail + shaft * 0.5, DOT_RADIUS, pen);
             return;
         };
-        let head = head_length(pen.width, if both { 0.5 * length } else { length });
+        let head = self.head_length(pen, if both { 0.5 * length } else { length });
         let inset = u * (0.6 * head);
         let start = if both { tail + inset } else { tail };
         self.push_stroked(Contour::line(start, tip + -inset), pen);
@@ -97,10 +97,11 @@ impl Sketch<'_> {
         self.keep_off(Cover::Marker { at: center, radius });
         self.push_filled(Contour::Circle { center, radius }, paint);
     }
-}
 
-/// Length of a head on a shaft `width` wide and `length` long, page pixels.
-pub(super) fn head_length(width: f64, length: f64) -> f64 {
-    let usual = HEAD_LENGTH + HEAD_GROWTH * (width - Pen::vector(Role::Ink).width).max(0.0);
-    if length < SHORT { usual.min(0.5 * length) } else { usual.min(0.7 * length) }
+    /// Length of a head on a shaft of `length` page pixels.
+    pub(super) fn head_length(&self, pen: Pen, length: f64) -> f64 {
+        let usual = HEAD_LENGTH + HEAD_GROWTH * (pen.width - Pen::vector(Role::Ink).width).max(0.0);
+        let share = if length < SHORT { 0.5 } else { 0.7 };
+        (usual * self.unit).min(share * length)
+    }
 }

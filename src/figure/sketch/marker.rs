@@ -19,6 +19,7 @@ impl Sketch<'_> {
     /// A marker of `radius` page pixels at a point.
     pub fn marker(&mut self, at: DVec2, marker: Marker, role: Role, radius: f64) -> &mut Self {
         self.reach(&[at]);
+        let radius = radius * self.unit;
         let p = self.frame.page(at);
         self.keep_off(Cover::Marker { at: p, radius: marker.reach(radius) });
         let disc = |r: f64| Contour::Circle { center: p, radius: r };

@@ -85,6 +85,7 @@ pub struct Request {
 pub struct Sketch<'f> {
     frame: Frame,
     theme: &'f Theme,
+    unit: f64,
     layers: Vec<Group>,
     part: usize,
     weight: Weight,
@@ -105,10 +106,12 @@ pub(crate) struct Sketched {
 }
 
 impl<'f> Sketch<'f> {
-    pub(crate) fn new(frame: Frame, theme: &'f Theme) -> Self {
+    /// `unit` is the width on the page of what is one pixel wide on the usual page; at most 1.
+    pub(crate) fn new(frame: Frame, theme: &'f Theme, unit: f64) -> Self {
         Self {
             frame,
             theme,
+            unit,
             layers: Vec::new(),
             part: 0,
             weight: Weight::Normal,
@@ -216,7 +219,9 @@ impl<'f> Sketch<'f> {
     fn stroke_of(&self, pen: Pen) -> Stroke {
         let cap = if pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
         let paint = self.paint(pen.role).with_opacity(pen.opacity);
-        Stroke { paint, width: pen.width, dash: pen.dash.lengths(pen.width), cap }
+        let width = pen.width * self.unit;
+        let dash = pen.dash.lengths(pen.width).into_iter().map(|d| d * self.unit).collect();
+        Stroke { paint, width, dash, cap }
     }
 
     fn push(&mut self, item: Item) -> &mut Self {

@@ -5,7 +5,6 @@ use crate::geometry::DVec2;
 use super::super::outline::{Outline, on_circle};
 use super::super::pen::{Pen, Wash};
 use super::Sketch;
-use super::line::head_length;
 
 impl Sketch<'_> {
     /// A whole circle.
@@ -26,7 +25,7 @@ impl Sketch<'_> {
     /// Part of a circle with a filled head at its end.
     pub fn arc_arrow(&mut self, center: DVec2, radius: f64, start: f64, sweep: f64, pen: Pen) -> &mut Self {
         let page_radius = self.on_page(radius);
-        let head = head_length(pen.width, page_radius * sweep.abs());
+        let head = self.head_length(pen, page_radius * sweep.abs());
         let turn = |px: f64| (px / page_radius).min(sweep.abs()).copysign(sweep);
         self.arc(center, radius, start, sweep - turn(0.6 * head), pen);
         // The head is a chord of the arc: it looks from where its base lies towards the end.
@@ -48,7 +47,7 @@ impl Sketch<'_> {
     pub fn dot(&mut self, at: DVec2, radius_px: f64, pen: Pen) -> &mut Self {
         self.reach(&[at]);
         let center = self.frame.page(at);
-        self.page_dot(center, radius_px, pen);
+        self.page_dot(center, radius_px * self.unit, pen);
         self
     }
 }
