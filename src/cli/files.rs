@@ -121,7 +121,10 @@ impl Files {
         let (mut messages, mut times) = (String::new(), Times::start());
         match self.encoded(job, ink, &mut messages, &mut times) {
             Ok(files) => Drawn { files, messages, failed: false, times },
-            Err(error) => Drawn { files: Vec::new(), messages: messages + &error, failed: true, times },
+            Err(error) => {
+                times.lap("failed");
+                Drawn { files: Vec::new(), messages: messages + &error, failed: true, times }
+            }
         }
     }
 

@@ -34,6 +34,7 @@ const QUICK: Effort = Effort { batch: Duration::from_millis(1), batches: 3 };
 impl Runs for Report {
     /// Ctrl-C ends the measuring; what is finished is written.
     fn run(self, console: &mut Console) -> io::Result<Status> {
+        let stop = stopped_by_ctrl_c(console);
         let ours = report::contenders();
         let contenders: Vec<&dyn Contender> = ours.iter().map(AsRef::as_ref).collect();
         let workloads: Vec<_> =
@@ -43,7 +44,6 @@ impl Runs for Report {
             return Ok(Status::Wrong);
         }
         let effort = if self.quick { QUICK } else { Effort::default() };
-        let stop = stopped_by_ctrl_c(console);
         let bar = progress(console);
         let found = report::run(&workloads, &contenders, effort, report::machine(), &mut |done, of, what| {
             bar.set_length(of as u64);
