@@ -18,7 +18,7 @@
 use super::first_root::{Taylor, positive_until};
 use super::moving_pair::MovingPair;
 use super::nearest::Nearest;
-use crate::geometry::{Ball, DVec2, Side, perp};
+use crate::geometry::{Ball, DVec2, Hull, Side, perp};
 
 /// An axis fixed in the frame of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +29,8 @@ pub(super) struct Axis {
     pub(super) n: DVec2,
     /// h, in doubles.
     support: f64,
+    /// A vertex of O that is lowest along n, or nearly so: where to look first.
+    facing: usize,
     /// The owner's edge that it is square to, if any.
     pub(super) edge: Option<usize>,
 }
@@ -83,22 +85,18 @@ impl Axis {
     /// The axis through the closest features at `t`; None where they coincide.
     pub(super) fn through(pair: &MovingPair, near: Nearest, t: f64) -> Option<Self> {
         match near {
-            Nearest::Edge { owner, edge, .. } => {
+            Nearest::Edge { owner, edge, vertex } => {
                 let hull = pair.hull(owner);
                 let &n = hull.normals.get(edge)?;
-                Some(Self {
-                    owner,
-                    n,
-                    support: n.dot(*hull.corners.get(edge)?) * pair.unit,
-                    edge: Some(edge),
-                })
+                let support = n.dot(*hull.corners.get(edge)?) * pair.unit;
+                Some(Self { owner, n, support, facing: vertex, edge: Some(edge) })
             }
             Nearest::Vertices(a, b) => {
                 let owner = pair.calmer();
                 let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
                 let seen = pair.seen(owner, t, &pair.view(owner, t));
                 let apart = seen.point(pair.vertex(owner.other(), other)) - pair.vertex(owner, own);
-                Self::new(pair, owner, apart)
+                Some(Self { facing: other, ..Self::new(pair, owner, apart)? })
             }
         }
     }
@@ -130,26 +128,27 @@ impl Axis {
         let c = p.length_squared() - pair.radius.hi * pair.radius.hi;
         let discriminant = along * along - squared * c;
         let h = if discriminant > 0.0 { c / (discriminant.sqrt() - along) } else { -along / squared };
-        Self::new(pair, owner, p + w * h)
+        Some(Self { facing: other, ..Self::new(pair, owner, p + w * h)? })
     }
 
     /// An axis along `direction`, in the owner's frame.
     pub(super) fn new(pair: &MovingPair, owner: Side, direction: DVec2) -> Option<Self> {
-        let length = libm::hypot(direction.x, direction.y);
+        let length = direction.length_squared().sqrt();
         if !(length > 0.0 && length.is_finite()) {
             return None;
         }
         let n = direction / length;
         let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
-        Some(Self { owner, n, support, edge: None })
+        Some(Self { owner, n, support, facing: 0, edge: None })
     }
 
     /// Follows the gap from `start` until the axis is used up, or to the end of the motion.
     pub(super) fn sweep(&self, pair: &MovingPair, start: f64, precision: Precision) -> Swept {
         let mut t = start;
         let mut swept = Swept { until: start, at: start, gap: 0.0, slope: 0.0 };
+        let mut lowest = self.facing;
         for _ in 0..EVALUATIONS {
-            let gap = self.gap(pair, t, precision);
+            let gap = self.gap(pair, t, precision, &mut lowest);
             swept = Swept { until: t, at: t, gap: gap.least, slope: gap.slope };
             if t >= 1.0 || gap.least <= 0.0 {
                 break;
@@ -170,7 +169,7 @@ impl Axis {
     }
 
     /// The gap at `t`.
-    fn gap(&self, pair: &MovingPair, t: f64, precision: Precision) -> Gap {
+    fn gap(&self, pair: &MovingPair, t: f64, precision: Precision, lowest: &mut usize) -> Gap {
         let (owner, other) = (self.owner, self.owner.other());
         let n = self.n;
         let view = pair.view(owner, t);
@@ -185,8 +184,7 @@ impl Axis {
         let whatever =
             if common.spin != 0.0 && circle.value > 0.0 { positive_until(circle, 1.0 - t) } else { 0.0 };
         let mut gap = Gap { least: f64::INFINITY, slope: 0.0, ahead: 1.0 - t };
-        for q in pair.vertices(other) {
-            let along = m.dot(q);
+        let mut look = |q: DVec2, along: f64| {
             let mut taylor = common.taylor(common.value + along, common.spin * perp(q).dot(m), along);
             taylor.value -= pair.rounding;
             if let Some(fine) = &fine
@@ -202,6 +200,23 @@ impl Axis {
                 gap.ahead = 0.0;
             } else if !taylor.stays_positive(gap.ahead) {
                 gap.ahead = positive_until(taylor, gap.ahead);
+            }
+            gap.ahead
+        };
+        // Heights along the axis fall to one minimum around a convex core: what is too high to matter ends the look.
+        let hull = pair.hull(other);
+        let height = |k: usize| m.dot(pair.vertex(other, k));
+        *lowest = descend(hull, *lowest, height);
+        let ahead = look(pair.vertex(other, *lowest), height(*lowest));
+        let too_high = height(*lowest).max(common.fall(pair.reach[other as usize], ahead) - common.value)
+            + 2.0 * pair.rounding;
+        let mut left = hull.corners.len() - 1;
+        for step in [Hull::next as fn(&Hull, usize) -> usize, Hull::previous] {
+            let mut k = step(hull, *lowest);
+            while left > 0 && height(k) <= too_high {
+                look(pair.vertex(other, k), height(k));
+                k = step(hull, k);
+                left -= 1;
             }
         }
         gap.ahead = gap.ahead.max(whatever);
@@ -313,10 +328,36 @@ impl Common {
         }
     }
 
+    /// Bound on how far any vertex's gap falls within `h`.
+    fn fall(&self, reach: f64, h: f64) -> f64 {
+        let slope = self.slope - self.spin.abs() * reach - self.turning_rounding[0];
+        let curvature = self.curvature - self.spin * self.spin * reach - self.turning_rounding[1];
+        let third = self.third + self.third_of_turning;
+        let fall = (-slope).max(0.0) + h * (0.5 * (-curvature).max(0.0) + h * third / 6.0);
+        h * fall * (1.0 + DERIVATIVE_ROUNDING)
+    }
+
     /// The polynomial of n_w·D − h − ρ − `reach`, in which the other body's turning does not occur.
     fn circle(&self, reach: f64) -> Taylor {
         Taylor { value: self.value - reach, slope: self.slope, curvature: self.curvature, third: self.third }
     }
+}
+
+/// The core vertex with the least `height`, from one near it.
+fn descend(hull: &Hull, start: usize, height: impl Fn(usize) -> f64) -> usize {
+    let mut at = start;
+    let mut least = height(at);
+    for step in [Hull::next as fn(&Hull, usize) -> usize, Hull::previous] {
+        for _ in 1..hull.corners.len() {
+            let k = step(hull, at);
+            let lower = height(k);
+            if lower >= least {
+                break;
+            }
+            (at, least) = (k, lower);
+        }
+    }
+    at
 }
 
 /// At least |Δω|³, where Δω is a rounded difference of rates whose magnitudes sum to `rates`.

@@ -26,6 +26,9 @@ pub(crate) const NAME: &str = "swept-axis";
 /// A plain separation below this many roundings is looked at in balls.
 const CLOSE: f64 = 64.0;
 
+/// An axis that lasts for this part of the rest of the motion is not compared with another one.
+const GOOD_PROGRESS: f64 = 1.0 / 16.0;
+
 /// Width of the time bounds times the closing speed, in tolerances, that contact proved in doubles may leave.
 const ALLOWED_TOLERANCES: f64 = 4.0;
 
@@ -106,7 +109,7 @@ impl Search<'_> {
         tracer: &mut impl Tracer,
     ) -> Option<(Axis, Swept)> {
         let ahead = self.follow(Axis::ahead(&self.pair, near, t), t, precision);
-        if ahead.is_some_and(|(_, swept)| swept.until >= 1.0) {
+        if ahead.is_some_and(|(_, swept)| swept.until > t + GOOD_PROGRESS * (1.0 - t)) {
             return Self::told(ahead, t, tracer);
         }
         let through = self.follow(Axis::through(&self.pair, near, t), t, precision);
