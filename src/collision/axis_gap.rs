@@ -73,6 +73,10 @@ const FINE_BELOW: f64 = 32.0;
 /// An axis is used up, in plain doubles, when its gap is below this many roundings.
 const USED_UP: f64 = 16.0;
 
+/// In balls, it is used up below this part of a rounding, about 2 ε·S: the derivatives are rounded in doubles, so that
+/// what they could still prove are steps that move nothing by an ulp.
+const EXHAUSTED: f64 = 1.0 / 64.0;
+
 /// Relative rounding of the derivatives, of the sums of their magnitudes: ω loses 2ε in its conversion, Δω in its
 /// difference, and the products and turned vectors lose less than 8ε more.
 const DERIVATIVE_ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -147,10 +151,11 @@ impl Axis {
         let mut t = start;
         let mut swept = Swept { until: start, at: start, gap: 0.0, slope: 0.0 };
         let mut lowest = self.facing;
+        let exhausted = if precision == Precision::Fine { EXHAUSTED } else { 0.0 };
         for _ in 0..EVALUATIONS {
             let gap = self.gap(pair, t, precision, &mut lowest);
             swept = Swept { until: t, at: t, gap: gap.least, slope: gap.slope };
-            if t >= 1.0 || gap.least <= 0.0 {
+            if t >= 1.0 || gap.least <= exhausted * pair.rounding {
                 break;
             }
             // t + h rounds to nearest: the double before it is surely covered.

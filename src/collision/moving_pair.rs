@@ -31,8 +31,8 @@ pub(super) struct MovingPair<'q> {
     turning: [(Degrees, Degrees); 2],
     /// Cosine and sine of the angles at t = 0.
     start: [(f64, f64); 2],
-    /// Cosine and sine of B's angle as A sees it, where that does not change.
-    steady: Option<(f64, f64)>,
+    /// Whether both are turned alike at all times.
+    aligned: bool,
     /// Spin in radians per unit of time.
     pub(super) rate: [f64; 2],
     /// At least the distance of any core vertex from its body's origin.
@@ -85,13 +85,11 @@ impl<'q> MovingPair<'q> {
         let turning = [turning(a), turning(b)];
         let one_norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
         let sum = one_norm(&apart) + one_norm(&velocity) + 1.5 * (reach[0] + reach[1]) + radius.hi;
-        let steady =
-            (turning[0].1 == turning[1].1).then(|| cos_sin(Turn::between(turning[0], turning[1], 0.0)));
         Self {
             hulls: [&a.shape.hull, &b.shape.hull],
             unit,
-            start: turning.map(|(angle, _)| cos_sin(Turn::sum(&[angle.0]))),
-            steady,
+            start: turning.map(|(angle, _)| quick_turn::cos_sin(angle, Degrees(0.0), 0.0)),
+            aligned: turning[0] == turning[1],
             apart,
             velocity,
             turning,
@@ -150,8 +148,8 @@ impl<'q> MovingPair<'q> {
     #[inline]
     pub(super) fn view(&self, owner: Side, t: f64) -> View {
         let own = self.angle(owner, t);
-        let relative = if let Some((cos, sin)) = self.steady {
-            (cos, if owner == Side::A { sin } else { -sin })
+        let relative = if self.aligned {
+            (1.0, 0.0)
         } else {
             let other = self.angle(owner.other(), t);
             (other.0 * own.0 + other.1 * own.1, other.1 * own.0 - other.0 * own.1)
@@ -191,14 +189,6 @@ impl<'q> MovingPair<'q> {
         Seen { offset: [c * x + s * y, c * y - s * x], cos, sin }
     }
 
-    /// v = v_A − v_B in A's frame at t = 0, in balls.
-    pub(super) fn closing_fine(&self) -> [Ball; 2] {
-        let (angle, _) = self.turning[0];
-        let (c, s) = Turn::at(angle, Degrees(0.0), 0.0).cos_sin_fine();
-        let (x, y) = (Ball::exact(-self.velocity[0]), Ball::exact(-self.velocity[1]));
-        [c * x + s * y, c * y - s * x]
-    }
-
     /// Bound on the speed at which any point of the other core moves, seen from `owner`'s frame, at any time in
     /// [0, 1].
     pub(super) fn speed(&self, owner: Side) -> f64 {
@@ -230,11 +220,6 @@ impl Seen<f64> {
 }
 
 impl Seen<Ball> {
-    /// A vector of the other body, in the owner's frame.
-    pub(super) fn vector(&self, q: [Ball; 2]) -> [Ball; 2] {
-        [self.cos * q[0] - self.sin * q[1], self.sin * q[0] + self.cos * q[1]]
-    }
-
     /// A point of the other body, in the owner's frame.
     pub(super) fn point(&self, q: [Ball; 2]) -> [Ball; 2] {
         [
@@ -251,13 +236,6 @@ fn turning(body: &Body) -> (Degrees, Degrees) {
 
 /// The world's own frame.
 const UNTURNED: (Degrees, Degrees) = (Degrees(0.0), Degrees(0.0));
-
-/// In doubles, each within ε/2.
-#[inline]
-fn cos_sin(turn: Turn) -> (f64, f64) {
-    let c = turn.cos_sin();
-    (c.cos, c.sin)
-}
 
 /// A power of two that brings the largest length of a pair near 1; 1 where that is harmless as it is.
 fn unit_of(a: &Body, b: &Body) -> f64 {

@@ -1,27 +1,29 @@
 //! Linear sweep, directly: one ray against the edges of B ⊖ A that face it.
 //!
-//! Seen from A, B moves by −v, v = v_A − v_B; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. Let an edge
-//! of B ⊖ A run from P to Q, e = Q − P, with outward normal N = (e_y, −e_x), and ρ = r_A + r_B. Then
+//! Seen from A, B moves by −v, v = v_A − v_B; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. Along the
+//! normal n of an edge (from A to B) let g be the gap of the cores at t = 0, and ρ = r_A + r_B. Then
 //!
 //! ```text
-//! N·v < 0                          the edge faces the ray; the others are skipped
-//! cross(v, P) ≥ 0 ≥ cross(v, Q)    the ray's line passes between P and Q
-//! t = (N·P + ρ |N|) / (N·v)        where the ray meets the edge, moved out by ρ
-//! t = c / (b + √(ρ² |v|² − cross(v, P)²)),  b = v·P,  c = P·P − ρ²        where it meets the disc at P
+//! v·n > 0                                   the edge faces the ray; the others are skipped
+//! t = (g − ρ) / (v·n)                       where the ray meets the edge's line, moved out by ρ
+//! t = c / (v·p + √(ρ² |v|² − cross(v, p)²)),  c = |p|² − ρ²        where it meets the disc at a corner p
 //! ```
 //!
-//! cross(v, ·) falls along the edges that face the ray, so that exactly one edge or disc is met first. Doubles find it;
+//! A ray enters a convex polygon through the facing edge whose line it meets last. Where that is within the edge, it is the
+//! answer; beyond its end only the disc at that corner is left, and where ρ = 0 a ray that passes. Doubles find the edge;
 //! balls then decide every sign, so that a graze is a hit exactly if the signs say so, and enclose t.
 //!
-//! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous; the root without cancellation is
-//! Press et al., *Numerical Recipes*, 2007, section 5.6.
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous; the line that is met last is Cyrus and
+//! Beck, *Generalized two- and three-dimensional clipping*, 1978; the root without cancellation is Press et al.,
+//! *Numerical Recipes*, 2007, section 5.6.
 
-use super::contact;
-use super::difference::{self, Pairing, walk};
-use super::moving_pair::{MovingPair, Seen};
+use super::certify::{Hint, certify};
+use super::difference::{self, walk};
+use super::fine::{Fine, Vec2, Way, cross, dot, minus, reversed};
+use super::gaps::{Facing, pass};
 use super::pair::Pair;
-use super::relative::{Relative, Turn};
-use super::{Answer, Impact, Outcome, Query, Reason, Separation};
+use super::relative::Relative;
+use super::{Answer, Impact, Outcome, Query, Reason, Separation, swept_axis};
 use crate::geometry::{Ball, Body, DVec2, Enclosure, Feature, Side};
 use crate::trace::{Culling, Event, Tracer};
 
@@ -31,46 +33,46 @@ pub(crate) const NAME: &str = "ray-cast";
 /// Answers a linear sweep.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let (a, b) = (query.a, query.b.unwrap_or(query.a));
-    let pair = Relative::at(a, b, 0.0);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
-    difference::record(&pair, tracer);
-    let ray = Ray::new(&pair);
-    let outcome = cast(&ray, a, b);
+    let ray = Ray::new(a, b);
+    let entry = ray.entry();
+    let mut outcome = ray.outcome(&entry);
+    if let Outcome::Unresolved { .. } = outcome {
+        // Around a corner that no digits tell from the ray: axes and proofs of contact need not tell.
+        outcome = swept_axis::of_unturned(a, b).unwrap_or(outcome);
+    }
     if tracer.listens() {
-        ray.tell(&outcome, tracer);
+        ray.tell(&entry, &outcome, tracer);
     }
     tracer.record(|| Event::Finished { outcome: outcome.word() });
     Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 1 })
 }
 
-/// First contact of two bodies of which neither turns.
+/// First contact of two bodies of which neither turns, by the ray alone.
 pub(super) fn first_contact(a: &Body, b: &Body) -> Outcome {
-    cast(&Ray::new(&Relative::at(a, b, 0.0)), a, b)
+    let ray = Ray::new(a, b);
+    ray.outcome(&ray.entry())
 }
 
-/// First contact along a ray.
-fn cast(ray: &Ray, a: &Body, b: &Body) -> Outcome {
-    let start = Pair::at(a, b, 0.0).separation();
-    if start.bounds.hi <= 0.0 || start.separation <= 0.0 {
-        return Outcome::Overlapping { contact: start };
-    }
-    if ray.v == DVec2::ZERO {
-        return if start.bounds.lo > 0.0 { Outcome::Miss } else { contact::at_start(&start) };
-    }
-    let unsure = |free_until| Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
-    match ray.meets() {
-        Meeting::Misses => Outcome::Miss,
-        Meeting::Unsure => unsure(0.0),
-        Meeting::At(first, last) => match within_motion(first, last) {
-            Within::Before | Within::After => Outcome::Miss,
-            Within::During(time) => Outcome::Hit { time, contact: contact_at(a, b, time.lo) },
-            Within::Unsure(free_until) => unsure(free_until),
-        },
-    }
+/// What the ray meets first.
+#[derive(Clone, Copy, Debug)]
+enum Piece {
+    /// An edge of B ⊖ A, moved out by ρ.
+    Edge(Facing),
+    /// The disc at the corner made of A's and B's: [i, j].
+    Disc([usize; 2]),
 }
 
-fn contact_at(a: &Body, b: &Body, t: f64) -> Separation {
-    Pair::at(a, b, t).separation()
+/// Whether, where and when the ray's line enters B ⊖ A.
+#[derive(Clone, Copy, Debug)]
+enum Entry {
+    /// There is no ray.
+    Still,
+    /// Never.
+    Misses,
+    /// Here, not before the first moment and not after the second; they may be negative or above 1.
+    At(Piece, Moment, Moment),
+    /// The signs are not certain.
+    Unsure,
 }
 
 /// A quotient that says when, kept apart so that equality with a double can be decided.
@@ -80,346 +82,256 @@ struct Moment {
     denominator: Ball,
 }
 
-/// Whether and when the ray's line enters B ⊖ A.
-enum Meeting {
-    /// Never.
-    Misses,
-    /// Not before the first moment, and not after the second; they may be negative or above 1.
-    At(Moment, Moment),
-    /// The signs are not certain.
-    Unsure,
-}
-
-/// A moment against [0, 1].
-enum Within {
-    Before,
-    During(Enclosure),
-    After,
-    /// Around 0 or 1; free until the time given.
-    Unsure(f64),
-}
-
-/// Doubles around an entry in (0, 1]: the last surely before `first`, and the first surely not before `last`.
-fn within_motion(first: Moment, last: Moment) -> Within {
-    let (lo, hi) = (first.doubles().0, last.doubles().1);
-    if lo >= 1.0 {
-        Within::After
-    } else if hi <= 0.0 {
-        Within::Before
-    } else if hi <= 1.0 && lo >= 0.0 {
-        Within::During(Enclosure { lo, hi })
-    } else {
-        Within::Unsure(lo.max(0.0))
-    }
-}
-
-/// What the ray meets first, by the guess in doubles.
-#[derive(Clone, Copy, Debug)]
-enum Piece {
-    /// An edge, moved out by ρ, with its neighbours that face the ray too.
-    Edge { edge: Pairing, before: Option<Pairing>, after: Option<Pairing> },
-    /// The disc at the vertex made of A's and B's.
-    Disc(usize, usize),
-}
-
-/// The ray against B ⊖ A: doubles in A's frame, balls in the frame and units of `moving`.
-struct Ray<'p, 's> {
-    pair: &'p Relative<'s>,
-    moving: MovingPair<'s>,
+/// The ray against B ⊖ A, in A's frame and the units of `pair`.
+struct Ray<'s> {
+    /// Both bodies at t = 0.
+    pair: Pair<'s>,
     /// v.
-    v: DVec2,
-    /// v in balls.
-    v_fine: [Ball; 2],
-    /// B's frame to A's, in balls.
-    seen: Seen<Ball>,
+    v: Vec2,
 }
 
-impl<'p, 's> Ray<'p, 's> {
-    fn new(pair: &'p Relative<'s>) -> Self {
-        let moving = MovingPair::new(pair.a, pair.b);
-        let v_fine = moving.closing_fine();
-        let v = pair.local_vector(pair.a.velocity - pair.b.velocity);
-        let seen = moving.seen_fine(Side::A, 0.0);
-        Self { pair, moving, v, v_fine, seen }
+impl<'s> Ray<'s> {
+    fn new(a: &'s Body, b: &'s Body) -> Self {
+        let pair = Pair::at(a, b, 0.0);
+        let v = pair.closing_fine();
+        Self { pair, v }
     }
 
-    /// Walks the edges that face the ray, from the left of the ray to its right: those of both bodies merged by
-    /// direction. Ends early when `visit` says so; returns the vertex of B ⊖ A where it ended.
-    fn walk_facing(&self, mut visit: impl FnMut(Pairing) -> bool) -> (usize, usize) {
-        let pair = self.pair;
-        let (mut a, mut b) = (self.extreme(Side::A, -1.0), self.extreme(Side::B, 1.0));
-        for _ in 0..pair.edges(Side::A) + pair.edges(Side::B) {
-            let faces = |side: Side, k: usize| {
-                pair.edges(side) > 0 && self.v.perp_dot(pair.difference_edge(side, k)) < 0.0
-            };
-            let from_b = match (faces(Side::A, a), faces(Side::B, b)) {
-                (false, false) => break,
-                (false, true) => true,
-                (true, false) => false,
-                (true, true) => matches!(pair.turn_of(Side::A, a, b), Turn::Right | Turn::Along),
-            };
-            let pairing = if from_b {
-                Pairing { source: Side::B, edge: b, vertex: a }
-            } else {
-                Pairing { source: Side::A, edge: a, vertex: b }
-            };
-            if !visit(pairing) {
-                break;
-            }
-            if from_b { b = pair.next(Side::B, b) } else { a = pair.next(Side::A, a) }
-        }
-        (a, b)
+    /// v in doubles.
+    fn direction(&self) -> DVec2 {
+        DVec2::new(self.v[0].value.hi, self.v[1].value.hi)
     }
 
-    /// The core vertex with the greatest `sign` · cross(v, x): of several the one that B ⊖ A turns to last.
-    fn extreme(&self, side: Side, sign: f64) -> usize {
-        let mut best = (0, f64::NEG_INFINITY, f64::NEG_INFINITY);
-        for k in 0..self.pair.count(side) {
-            let x = self.pair.vertex(side, k);
-            let (across, along) = (sign * self.v.perp_dot(x), -sign * self.v.dot(x));
-            if across > best.1 || (across == best.1 && along > best.2) {
-                best = (k, across, along);
+    /// The facing edge whose line the ray meets last, in doubles.
+    fn last_line(&self) -> Option<Facing> {
+        let Pair { center, cos_sin, .. } = self.pair;
+        let (v, radius) = (self.direction(), self.pair.radius.hi);
+        let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
+        let scale = self.pair.scale;
+        let mut last: Option<(Facing, f64)> = None;
+        let mut visit = |facing: Facing, gap: f64, closing: f64| {
+            // Compared as fractions with positive denominators would overflow sooner than as quotients.
+            let time = (gap * scale - radius) / closing;
+            if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
+                last = Some((facing, time));
             }
-        }
-        best.0
-    }
-
-    /// Finds, in doubles, the edge or disc that the ray's line enters by.
-    fn piece(&self) -> Piece {
-        let radius = self.pair.radius();
-        let (mut before, mut found, mut after) = (None, None, None);
-        let mut corner = None;
-        let end = self.walk_facing(|p| {
-            if found.is_some() {
-                after = Some(p);
-                return false;
-            }
-            let [from, to] = p.ends(self.pair);
-            let e = to - from;
-            let shift = -radius * self.v.dot(e) / difference::length(e);
-            if self.v.perp_dot(from) + shift < 0.0 {
-                corner = Some(self.start(p));
-                return false;
-            }
-            if self.v.perp_dot(to) + shift <= 0.0 {
-                found = Some(p);
-            } else {
-                before = Some(p);
-            }
-            true
+        };
+        let c = center / scale;
+        let (cos, sin) = (cos_sin.cos, cos_sin.sin);
+        pass(a, b, c, (cos, sin), |edge, corner, gap| {
+            visit(Facing { source: Side::A, edge, corner }, gap, a.normals[edge].dot(v));
         });
-        match (corner, found) {
-            (Some((i, j)), _) => Piece::Disc(i, j),
-            (None, Some(edge)) => Piece::Edge { edge, before, after },
-            (None, None) => Piece::Disc(end.0, end.1),
+        let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
+        let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
+        pass(b, a, back, (cos, -sin), |edge, corner, gap| {
+            visit(Facing { source: Side::B, edge, corner }, gap, b.normals[edge].dot(seen));
+        });
+        last.map(|(facing, _)| facing)
+    }
+
+    /// Whether, where and when the ray's line enters B ⊖ A, certainly.
+    fn entry(&self) -> Entry {
+        if dot(&self.v, &self.v).sign() == Some(0) {
+            return Entry::Still;
+        }
+        let fine = Fine::new(&self.pair);
+        let Some(facing) = self.last_line() else {
+            return self.disc(&fine, [0, 0]);
+        };
+        let way = fine.measure(facing);
+        let moment = self.line(&fine, &way);
+        if !moment.denominator.is_positive() {
+            return Entry::Unsure;
+        }
+        match self.place(&fine, &way, moment.value()) {
+            Place::Over => Entry::At(Piece::Edge(way.facing), moment, moment),
+            Place::Beyond(corner) => self.disc(&fine, corner),
+            Place::Unsure(corner) => match self.disc(&fine, corner) {
+                // The edge's line bounds the time from below, the disc from above.
+                Entry::At(piece, _, last) => Entry::At(piece, moment, last),
+                other => other,
+            },
         }
     }
 
-    /// The vertex of B ⊖ A where an edge starts.
-    fn start(&self, p: Pairing) -> (usize, usize) {
-        match p.source {
-            Side::A => (p.edge, p.vertex),
-            Side::B => (p.vertex, p.edge),
+    /// When the ray meets the line of an edge, moved out by ρ; both sides of the quotient times the edge's length, which
+    /// keeps them exact where the corners are.
+    fn line(&self, fine: &Fine, way: &Way) -> Moment {
+        let Facing { source, edge, corner } = way.facing;
+        let e = fine.side(source, edge);
+        let (n, from) = match source {
+            Side::A => ([e[1], -e[0]], fine.between(edge, corner)),
+            Side::B => ([-e[1], e[0]], fine.between(corner, edge)),
+        };
+        let mut gap = dot(&n, &from);
+        if self.pair.radius.hi > 0.0 {
+            gap = gap - Ball::exact(self.pair.radius) * dot(&e, &e).sqrt();
+        }
+        if way.partner.is_some() {
+            let down = if source == Side::A { n } else { reversed(&n) };
+            gap = gap.widen(fine.drop_below(source.other(), corner, &down));
+        }
+        Moment { numerator: gap, denominator: dot(&n, &self.v) }
+    }
+
+    /// Where the other body is along an edge at time `t`: its corner, or its side that is parallel to the edge.
+    fn place(&self, fine: &Fine, way: &Way, t: Ball) -> Place {
+        let Facing { source, edge, corner } = way.facing;
+        let other = self.pair.hull(source.other());
+        let ends = way.partner.map_or([corner; 2], |side| [side, other.next(side)]);
+        let e = fine.side(source, edge);
+        let along = |k: usize| match source {
+            Side::A => dot(&minus(&fine.between(edge, k), &scaled(&self.v, t)), &e),
+            Side::B => dot(&minus(&scaled(&self.v, t), &fine.between(k, edge)), &e),
+        };
+        let (p, q) = (along(ends[0]), along(ends[1]));
+        let ((low, first), (high, last)) =
+            if (p - q).value.hi <= 0.0 { ((p, ends[0]), (q, ends[1])) } else { ((q, ends[1]), (p, ends[0])) };
+        let corner = |end: usize, k: usize| if source == Side::A { [end, k] } else { [k, end] };
+        let (start, end) = (corner(edge, last), corner(self.pair.hull(source).next(edge), first));
+        match (high.sign(), (low - dot(&e, &e)).sign()) {
+            (Some(-1), _) => Place::Beyond(start),
+            (_, Some(1)) => Place::Beyond(end),
+            (Some(_), Some(_)) => Place::Over,
+            (None, _) => Place::Unsure(start),
+            (_, None) => Place::Unsure(end),
         }
     }
 
-    /// Whether and when the ray's line enters B ⊖ A, certainly.
-    fn meets(&self) -> Meeting {
-        match self.piece() {
-            Piece::Disc(i, j) => self.meets_disc(i, j),
-            Piece::Edge { edge, before, after } => self.meets_edge(edge, before, after),
-        }
-    }
-
-    /// Where the ray meets an edge.
-    fn meets_edge(&self, edge: Pairing, before: Option<Pairing>, after: Option<Pairing>) -> Meeting {
-        let line = self.line(edge);
-        let (left, right) = (line.start.sign(), line.end.sign());
-        match (left, right) {
-            (Some(0 | 1), Some(0 | -1)) => Meeting::At(line.moment, line.moment),
-            // Around a corner: of the two edges that meet there, the later one is entered.
-            (None, Some(-1)) => self.around(&line, before),
-            (Some(1), None) => self.around(&line, after),
-            _ => Meeting::Unsure,
-        }
-    }
-
-    /// The ray passes so close to the corner between two edges that either may be met.
-    fn around(&self, line: &Line, neighbor: Option<Pairing>) -> Meeting {
-        let Some(other) = neighbor.map(|p| self.line(p)) else {
-            return Meeting::Unsure;
-        };
-        let (s, t) = (line.moment.value(), other.moment.value());
-        let greater = if (s.value - t.value).hi >= 0.0 { s.value } else { t.value };
-        let greater = Ball::within(greater, s.radius.max(t.radius));
-        let moment = Moment { numerator: greater, denominator: Ball::ONE };
-        Meeting::At(moment, moment)
-    }
-
-    /// An edge of B ⊖ A in balls.
-    fn line(&self, p: Pairing) -> Line {
-        let e = self.edge_fine(p);
-        let outward = [e[1], -e[0]];
-        // The vertex that supports the edge, of neighbours that doubles can't tell apart.
-        let other = p.source.other();
-        let vertex = match other {
-            Side::A => self.climb(other, p.vertex, [-outward[0], -outward[1]]),
-            Side::B => self.climb(other, p.vertex, outward),
-        };
-        let next = self.pair.next(p.source, p.edge);
-        let (own_from, own_to, vertex) =
-            (self.point(p.source, p.edge), self.point(p.source, next), self.point(other, vertex));
-        let between = |own: [Ball; 2]| match p.source {
-            Side::A => [vertex[0] - own[0], vertex[1] - own[1]],
-            Side::B => [own[0] - vertex[0], own[1] - vertex[1]],
-        };
-        let (from, to) = (between(own_from), between(own_to));
-        let radius = Ball::exact(self.moving.radius);
-        let length = dot(e, e).sqrt();
-        let shift = (radius * dot(self.v_fine, e)).over(length);
-        let (start, end) = (cross(self.v_fine, from), cross(self.v_fine, to));
-        let sharp = self.moving.radius.hi == 0.0;
-        let (start, end) = if sharp { (start, end) } else { (start - shift, end - shift) };
-        let moment = Moment {
-            numerator: -(dot(outward, from) + radius * length),
-            denominator: -dot(outward, self.v_fine),
-        };
-        Line { start, end, moment }
-    }
-
-    /// Where the ray meets the disc at a vertex.
-    fn meets_disc(&self, i: usize, j: usize) -> Meeting {
-        let (a, b) = (self.point(Side::A, i), self.point(Side::B, j));
-        let p = [b[0] - a[0], b[1] - a[1]];
-        let v = self.v_fine;
-        let (across, along, speed_squared) = (cross(v, p), dot(v, p), dot(v, v));
-        let radius = Ball::exact(self.moving.radius);
-        if self.moving.radius.hi == 0.0 {
+    /// Where the ray meets the disc at a corner of B ⊖ A.
+    fn disc(&self, fine: &Fine, corner: [usize; 2]) -> Entry {
+        let (p, v) = (fine.between(corner[0], corner[1]), self.v);
+        let (across, along, speed_squared) = (cross(&v, &p), dot(&v, &p), dot(&v, &v));
+        let piece = Piece::Disc(corner);
+        let radius = Ball::exact(self.pair.radius);
+        if self.pair.radius.hi == 0.0 {
             return match across.sign() {
                 Some(0) => {
                     let moment = Moment { numerator: along, denominator: speed_squared };
-                    Meeting::At(moment, moment)
+                    Entry::At(piece, moment, moment)
                 }
-                Some(sign) => self.passes(sign),
-                None => Meeting::Unsure,
+                Some(side) => self.passes(fine, corner, side),
+                None => Entry::Unsure,
             };
         }
         let discriminant = radius * radius * speed_squared - across * across;
         match discriminant.sign() {
             Some(0 | 1) => {
-                let c = dot(p, p) - radius * radius;
-                let root = discriminant.sqrt();
-                let last = Moment { numerator: c, denominator: along + root };
-                // The tangent at the point of contact bounds the time from below, whatever else there is.
-                let t = last.value().value.hi;
-                let n = DVec2::new(p[0].value.hi - t * v[0].value.hi, p[1].value.hi - t * v[1].value.hi);
-                let first = self.tangent(i, j, n).unwrap_or(last);
-                if discriminant.sign() == Some(0) {
-                    Meeting::At(last, last)
+                let c = dot(&p, &p) - radius * radius;
+                let last = Moment { numerator: c, denominator: along + discriminant.sqrt() };
+                let first = if discriminant.sign() == Some(0) {
+                    last
                 } else {
-                    Meeting::At(first, last)
-                }
+                    self.tangent(fine, corner, last).unwrap_or(last)
+                };
+                Entry::At(piece, first, last)
             }
-            Some(_) => self.passes(across.sign().unwrap_or(0)),
-            None => Meeting::Unsure,
+            Some(_) => self.passes(fine, corner, across.sign().unwrap_or(0)),
+            None => Entry::Unsure,
         }
     }
 
-    /// The time before which the axis along `n` (A to B) separates.
-    fn tangent(&self, i: usize, j: usize, n: DVec2) -> Option<Moment> {
+    /// When the ray meets the tangent of B ⊖ A along the normal of a disc's entry: not later than B ⊖ A itself.
+    fn tangent(&self, fine: &Fine, [i, j]: [usize; 2], entry: Moment) -> Option<Moment> {
+        let (p, v, t) = (fine.between(i, j), self.direction(), entry.value().value.hi);
+        let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
         let n = n / difference::length(n);
         if !n.is_finite() {
             return None;
         }
         let n = [Ball::new(n.x), Ball::new(n.y)];
-        let (i, j) = (self.climb(Side::A, i, n), self.climb(Side::B, j, [-n[0], -n[1]]));
-        let (a, b) = (self.point(Side::A, i), self.point(Side::B, j));
-        let gap = dot(n, b) - dot(n, a) - Ball::exact(self.moving.radius) * dot(n, n).sqrt();
-        let closing = dot(n, self.v_fine);
-        closing.is_positive().then_some(Moment { numerator: gap, denominator: closing })
+        let drop = fine.drop_below(Side::B, j, &n) + fine.drop_below(Side::A, i, &reversed(&n));
+        let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
+        let closing = dot(&n, &self.v);
+        closing.is_positive().then(|| Moment { numerator: gap.widen(drop), denominator: closing })
     }
 
-    /// Whether the line certainly passes B ⊖ A, which lies on the side of the given sign.
-    fn passes(&self, side: i8) -> Meeting {
-        let v = self.v_fine;
-        let left = [-v[1], v[0]];
-        let right = [v[1], -v[0]];
-        // B ⊖ A is left of the line: its rightmost point decides, made of B's rightmost and A's leftmost.
-        let (toward, away, sign) = if side > 0 { (right, left, -1.0) } else { (left, right, 1.0) };
-        let i = self.climb(Side::A, self.extreme(Side::A, -sign), away);
-        let j = self.climb(Side::B, self.extreme(Side::B, sign), toward);
-        let (a, b) = (self.point(Side::A, i), self.point(Side::B, j));
-        let reach = dot(toward, b) - dot(toward, a) + Ball::exact(self.moving.radius) * dot(v, v).sqrt();
-        if reach.is_negative() { Meeting::Misses } else { Meeting::Unsure }
+    /// Whether the line certainly passes B ⊖ A, of which the corner near it is on the given side (1: left).
+    fn passes(&self, fine: &Fine, [i, j]: [usize; 2], side: i8) -> Entry {
+        let left = [-self.v[1], self.v[0]];
+        let away = if side > 0 { left } else { reversed(&left) };
+        let drop = fine.drop_below(Side::B, j, &away) + fine.drop_below(Side::A, i, &reversed(&away));
+        let reach = Ball::exact(self.pair.radius) * dot(&self.v, &self.v).sqrt();
+        let clear = dot(&away, &fine.between(i, j)) - reach - Ball::new(drop);
+        if clear.is_positive() { Entry::Misses } else { Entry::Unsure }
     }
 
-    /// The core vertex farthest along a direction, climbing from one that is nearly so.
-    fn climb(&self, side: Side, start: usize, direction: [Ball; 2]) -> usize {
-        let mut at = start;
-        for _ in 0..self.pair.count(side) {
-            let reach = dot(direction, self.point(side, at));
-            let higher = [self.pair.next(side, at), self.pair.previous(side, at)]
-                .into_iter()
-                .find(|&k| (dot(direction, self.point(side, k)) - reach).is_positive());
-            match higher {
-                Some(k) => at = k,
-                None => break,
+    /// The answer that an entry gives.
+    fn outcome(&self, entry: &Entry) -> Outcome {
+        let unsure = |free_until| Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
+        match *entry {
+            Entry::Misses => Outcome::Miss,
+            Entry::Still => self.at_start(Outcome::Miss),
+            Entry::Unsure => self.at_start(unsure(0.0)),
+            Entry::At(piece, first, last) => {
+                let (lo, hi) = (first.doubles().0, last.doubles().1);
+                if lo >= 1.0 {
+                    Outcome::Miss
+                } else if lo < 0.0 {
+                    // The line enters at or before t = 0: the bodies overlap, or have passed each other.
+                    self.at_start(if hi < 0.0 { Outcome::Miss } else { unsure(0.0) })
+                } else if hi <= 1.0 {
+                    Outcome::Hit { time: Enclosure { lo, hi }, contact: self.contact(piece, lo) }
+                } else {
+                    unsure(lo)
+                }
             }
         }
-        at
     }
 
-    /// A core vertex in A's frame.
-    fn point(&self, side: Side, k: usize) -> [Ball; 2] {
-        let q = self.moving.vertex(side, k);
-        let q = [Ball::new(q.x), Ball::new(q.y)];
-        match side {
-            Side::A => q,
-            Side::B => self.seen.point(q),
+    /// Overlap at t = 0, or else what is given.
+    fn at_start(&self, apart: Outcome) -> Outcome {
+        let start = certify(&self.pair, None);
+        if start.bounds.hi <= 0.0 {
+            Outcome::Overlapping { contact: start }
+        } else if start.bounds.lo > 0.0 {
+            apart
+        } else {
+            Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
         }
     }
 
-    /// An edge as it runs in B ⊖ A.
-    fn edge_fine(&self, p: Pairing) -> [Ball; 2] {
-        let (from, to) = (
-            self.moving.vertex(p.source, p.edge),
-            self.moving.vertex(p.source, self.pair.next(p.source, p.edge)),
-        );
-        let e = [Ball::difference(to.x, from.x), Ball::difference(to.y, from.y)];
-        match p.source {
-            Side::A => [-e[0], -e[1]],
-            Side::B => self.seen.vector(e),
+    /// The pair at `lo`, just before it touches.
+    fn contact(&self, piece: Piece, lo: f64) -> Separation {
+        let pair = self.pair.moved_to(lo);
+        match piece {
+            Piece::Edge(facing) => certify(&pair, Some(Hint::Edge(facing))),
+            Piece::Disc(corners) => certify(&pair, Some(Hint::Corners(corners))),
         }
     }
 
     /// Records what became of each edge.
-    fn tell(&self, outcome: &Outcome, tracer: &mut impl Tracer) {
-        let met = matches!(outcome, Outcome::Hit { .. }).then(|| self.piece());
-        let radius = self.pair.radius();
-        walk(self.pair, |p| {
-            let [from, to] = p.ends(self.pair);
-            let out = p.outward(self.pair) * radius;
-            let facing = self.v.perp_dot(to - from) < 0.0;
-            let hit = matches!(met, Some(Piece::Edge { edge, .. }) if edge == p);
+    fn tell(&self, entry: &Entry, outcome: &Outcome, tracer: &mut impl Tracer) {
+        let pair = Relative::at(self.pair.a, self.pair.b, 0.0);
+        tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+        difference::record(&pair, tracer);
+        let v = pair.local_vector(self.pair.a.velocity - self.pair.b.velocity);
+        let met = match (entry, outcome) {
+            (Entry::At(piece, ..), Outcome::Hit { .. }) => Some(*piece),
+            _ => None,
+        };
+        let radius = pair.radius();
+        walk(&pair, |p| {
+            let [from, to] = p.ends(&pair);
+            let outward = p.outward(&pair);
+            let facing = v.perp_dot(to - from) < 0.0;
+            let hit = matches!(met, Some(Piece::Edge(f)) if (f.source, f.edge) == (p.source, p.edge));
             let culling = match (facing, hit) {
                 (false, _) => Culling::BackFacing,
                 (true, true) => Culling::Hit,
                 (true, false) => Culling::Missed,
             };
-            let outward = p.outward(self.pair);
-            let time = facing.then(|| (outward.dot(from) + radius) / outward.dot(self.v));
             tracer.record(|| Event::RayClipped {
-                source: (p.source, Feature::Edge(self.pair.file_edge(p.source, p.edge))),
-                from: self.pair.world_vector(from + out),
-                to: self.pair.world_vector(to + out),
+                source: (p.source, Feature::Edge(pair.file_edge(p.source, p.edge))),
+                from: pair.world_vector(from + outward * radius),
+                to: pair.world_vector(to + outward * radius),
                 outcome: culling,
-                time,
+                time: facing.then(|| (outward.dot(from) + radius) / outward.dot(v)),
             });
         });
-        if let (Some(Piece::Disc(i, j)), Outcome::Hit { time, .. }) = (met, outcome) {
-            let center = self.pair.vertex(Side::B, j) - self.pair.vertex(Side::A, i);
-            let center = self.pair.world_vector(center);
-            let source = (Side::B, Feature::Vertex(self.pair.file_vertex(Side::B, j)));
+        if let (Some(Piece::Disc([i, j])), Outcome::Hit { time, .. }) = (met, outcome) {
+            let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
+            let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
             let time = Some(time.lo);
             tracer.record(|| Event::RayClipped {
                 source,
@@ -432,14 +344,14 @@ impl<'p, 's> Ray<'p, 's> {
     }
 }
 
-/// An edge of B ⊖ A, moved out by ρ, against the ray's line.
-struct Line {
-    /// cross(v, start).
-    start: Ball,
-    /// cross(v, end).
-    end: Ball,
-    /// When the ray meets it.
-    moment: Moment,
+/// Where the other body's corner is along an edge when the ray meets the edge's line.
+enum Place {
+    /// Over the edge.
+    Over,
+    /// Beyond the end that makes this corner of B ⊖ A.
+    Beyond([usize; 2]),
+    /// At that corner, as far as 106 bits tell.
+    Unsure([usize; 2]),
 }
 
 impl Moment {
@@ -460,10 +372,7 @@ impl Moment {
     }
 }
 
-fn dot(a: [Ball; 2], b: [Ball; 2]) -> Ball {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-fn cross(a: [Ball; 2], b: [Ball; 2]) -> Ball {
-    a[0] * b[1] - a[1] * b[0]
+/// x · y.
+fn scaled(x: &Vec2, y: Ball) -> Vec2 {
+    [x[0] * y, x[1] * y]
 }

@@ -16,9 +16,9 @@ use super::axis_gap::{Axis, Precision, Swept};
 use super::contact::{self, Before, touches_plainly};
 use super::moving_pair::MovingPair;
 use super::nearest::{Nearest, certified, nearest};
-use super::{Answer, Impact, Outcome, Query, Reason, ray_cast};
+use super::{Answer, Impact, Outcome, Query, QueryKind, Reason, ray_cast};
 use crate::geometry::{Body, Enclosure};
-use crate::trace::{Event, Tracer};
+use crate::trace::{Event, NoTrace, Tracer};
 
 /// Its word in a scene file.
 pub(crate) const NAME: &str = "swept-axis";
@@ -38,6 +38,9 @@ const ENOUGH: f64 = 1.0 / 32.0;
 /// Trials of a time of proved contact, each four times as far beyond the last free moment as the one before.
 const CONTACT_TRIALS: usize = 24;
 
+/// Step cap of [`of_unturned`]: without turning, each axis halves what is left of a graze.
+const UNTURNED_ITERATIONS: usize = 200;
+
 /// Halvings of an interval that holds the first contact.
 const BISECTIONS: usize = 60;
 
@@ -48,6 +51,15 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let outcome = search.run(tracer);
     tracer.record(|| Event::Finished { outcome: outcome.word() });
     Answer::Impact(Impact { outcome, tolerance: query.tolerance, iterations: search.queries })
+}
+
+/// First contact of two bodies of which neither turns, where axes and proofs of contact decide it.
+pub(super) fn of_unturned(a: &Body, b: &Body) -> Option<Outcome> {
+    let (kind, tolerance) = (QueryKind::TimeOfImpact, 0.0);
+    let query = Query { kind, a, b: Some(b), time: 0.0, tolerance, max_iterations: UNTURNED_ITERATIONS };
+    let mut search = Search { query: &query, a, b, pair: MovingPair::new(a, b), queries: 0 };
+    let outcome = search.run(&mut NoTrace);
+    (!matches!(outcome, Outcome::Unresolved { .. })).then_some(outcome)
 }
 
 /// A search for the first contact.
