@@ -126,21 +126,6 @@ impl<'s> Pair<'s> {
         }
     }
 
-    /// The same two bodies at time `t`, where neither turns.
-    pub(crate) fn moved_to(&self, t: f64) -> Self {
-        let (a, b) = (self.a, self.b);
-        let apart = [
-            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
-            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
-        ];
-        let (x, y) = (apart[0].value.hi, apart[1].value.hi);
-        let CosSin { cos, sin, .. } = self.frame_cos_sin;
-        let center = DVec2::new(cos * x + sin * y, cos * y - sin * x);
-        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
-        let magnitude = (x.abs() + y.abs() + reaches) * (1.0 + 8.0 * f64::EPSILON);
-        Self { time: t, apart, center, magnitude, ..*self }
-    }
-
     /// v_A − v_B in A's frame, scaled.
     pub(crate) fn closing_fine(&self) -> [Ball; 2] {
         let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);

@@ -104,7 +104,7 @@ impl<'s> Ray<'s> {
 
     /// The facing edge whose line the ray meets last, in doubles.
     fn last_line(&self) -> Option<Facing> {
-        let Pair { center, cos_sin, .. } = self.pair;
+        let Pair { center, b_turn, .. } = self.pair;
         let (v, radius) = (self.direction(), self.pair.radius.hi);
         let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
         let scale = self.pair.scale;
@@ -117,7 +117,7 @@ impl<'s> Ray<'s> {
             }
         };
         let c = center / scale;
-        let (cos, sin) = (cos_sin.cos, cos_sin.sin);
+        let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
         pass(a, b, c, (cos, sin), |edge, corner, gap| {
             visit(Facing { source: Side::A, edge, corner }, gap, a.normals[edge].dot(v));
         });
@@ -293,7 +293,7 @@ impl<'s> Ray<'s> {
 
     /// The pair at `lo`, just before it touches.
     fn contact(&self, piece: Piece, lo: f64) -> Separation {
-        let pair = self.pair.moved_to(lo);
+        let pair = Pair::at(self.pair.a, self.pair.b, lo);
         match piece {
             Piece::Edge(facing) => certify(&pair, Some(Hint::Edge(facing))),
             Piece::Disc(corners) => certify(&pair, Some(Hint::Corners(corners))),
