@@ -155,3 +155,20 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         f.says(r"$B \ominus A$") && f.says("$O$"),
     ];
 }
+
+#[test]
+fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
+    let f = figure("gjk-steps");
+    let view = [-1.5, -1.5, 12.5, 10.5];
+    let panels = [0, 1, 2].map(|i| look(&f, i, 3, true, view));
+    shows![
+        // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the origin.
+        panels[0].marker(Now, (11.5, 4.5)),
+        panels[0].arrow(Translation, (0.0, 0.0), (11.5, 4.5)),
+        panels[0].text_near("$w$", (2.5, 5.0), 40.0),
+        panels[1].arrow(Translation, (0.0, 0.0), (2.5, 5.0)),
+        panels[1].text_near("$w$", (5.5, 1.0), 40.0),
+        panels[2].line(Now, (2.5, 5.0), (5.5, 1.0)).is_some(),
+        panels[2].arrow(Translation, (0.0, 0.0), (4.0, 3.0)),
+    ];
+}

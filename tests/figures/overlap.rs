@@ -229,3 +229,31 @@ fn frames_discrete_shows_apart_then_overlapping() {
 fn thick(path: &tracefig::drawing::Path) -> bool {
     path.stroke.as_ref().is_some_and(|s| s.width >= 2.75)
 }
+
+#[test]
+fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
+    let f = figure("separating-axes");
+    let view = [-7.6, -4.6, 5.4, 7.4];
+    let one = look(&f, 0, 2, true, view);
+    shows![
+        one.polygon(A, &[(-4.5, -3.0), (-0.5, -3.0), (-0.5, 0.0), (-4.5, 0.0)]).is_some(),
+        one.polygon(B, &[(-2.5, 2.75), (4.5, -2.5), (4.0, 3.0)]).is_some(),
+        one.horizontal(A, -4.5, -0.5),
+        one.horizontal(B, -2.5, 4.5),
+        one.horizontal(Translation, -2.5, -0.5),
+        f.says("gap $= -2$"),
+        f.says("gap $= 1$"),
+        f.says("$n$"),
+    ];
+    // Along (3, 4)/5 A ends at −0.3, at its corner (−0.5, 0), and B begins at 0.7, on the edge 3x + 4y = 3.5.
+    let two = look(&f, 1, 2, true, view);
+    let length = |p: (f64, f64), q: (f64, f64)| super::seen::distance(two.panel.page(p), two.panel.page(q));
+    let along = (two.panel.page((0.6, 0.8)), two.panel.page((0.0, 0.0)));
+    let bars: Vec<f64> = two.lengths(Translation, along);
+    assert!(bars.iter().any(|&b| (b - length((0.0, 0.0), (0.6, 0.8))).abs() < 0.25), "a gap of 1: {bars:?}");
+    let shadow = two.lengths(A, along);
+    assert!(
+        shadow.iter().any(|&b| (b - 4.8 * two.panel.scale).abs() < 0.25),
+        "from −5.1 to −0.3: {shadow:?}"
+    );
+}

@@ -331,3 +331,15 @@ impl Look<'_> {
         })
     }
 }
+
+impl Look<'_> {
+    /// Lengths on the page of the role's straight lines along a direction, given by two page points.
+    pub(crate) fn lengths(&self, role: Role, (p, q): (Point, Point)) -> Vec<f64> {
+        let (ux, uy) = ((p.x - q.x) / distance(p, q), (p.y - q.y) / distance(p, q));
+        let own = self.paths().filter(|path| stroke_role(path) == Some(role));
+        own.flat_map(edges)
+            .filter(|&(a, b)| ((b.x - a.x) * uy - (b.y - a.y) * ux).abs() < NEAR)
+            .map(|(a, b)| distance(a, b))
+            .collect()
+    }
+}
