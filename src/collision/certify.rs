@@ -44,7 +44,7 @@ pub(crate) struct Found {
 pub(crate) enum Contact {
     /// An edge.
     Edge(Way),
-    /// A corner: [i, j], and w_j − v_i.
+    /// A corner: [i, j], and `w_j − v_i`.
     Corners([usize; 2], Vec2),
 }
 
@@ -58,7 +58,7 @@ pub(crate) fn certify(pair: &Pair, hint: Option<Hint>) -> Separation {
 
 /// [`certify`], where the quick proof is not enough.
 #[cold]
-fn settle(pair: &Pair, hint: Option<Hint>) -> Separation {
+pub(crate) fn settle(pair: &Pair, hint: Option<Hint>) -> Separation {
     let fine = Fine::new(pair);
     let found = hint.and_then(|hint| confirm(pair, &fine, hint)).unwrap_or_else(|| search(pair, &fine, hint));
     let separation = found.core - Ball::exact(pair.radius);
@@ -120,7 +120,7 @@ fn apart(fine: &Fine, closest: Closest) -> Option<Found> {
     }
 }
 
-/// Corner i of A against corner j of B: |w_j − v_i|, less what the supports along it may lie nearer.
+/// Corner i of A against corner j of B: |`w_j − v_i`|, less what the supports along it may lie nearer.
 fn corner(fine: &Fine, [i, j]: [usize; 2]) -> Option<Found> {
     let p = fine.between(i, j);
     let length = dot(&p, &p).sqrt();

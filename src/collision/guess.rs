@@ -1,7 +1,7 @@
 //! A guess, in plain doubles, of the feature of B ⊖ A nearest the origin: what the quick proof starts from.
 //!
 //! The distance algorithm of Gilbert, Johnson and Keerthi (1988) in its smallest form: a simplex of one or two corners
-//! w_j − v_i, the closest point of it, the supporting corner beyond. It ends on indices that repeat, never on a
+//! `w_j − v_i`, the closest point of it, the supporting corner beyond. It ends on indices that repeat, never on a
 //! tolerance, and on a triangle that holds the origin. Nothing that it says is trusted: [`super::quick`] proves it or
 //! asks for more.
 

@@ -5,7 +5,7 @@
 //! the pair is far from the world's origin:
 //!
 //! ```text
-//! w_j = c + R(β − α) q_j        c = R(−α) (p_B − p_A)        v_i = the file's corner i of A
+//! `w_j` = c + R(β − α) `q_j`        c = R(−α) (`p_B − p_A`)        `v_i` = the file's corner i of A
 //! ```
 //!
 //! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to be
@@ -34,7 +34,7 @@ pub struct Pair<'s> {
     pub(crate) frame: Turn,
     /// Angle of B in A's frame.
     pub(crate) turn: Turn,
-    /// p_B − p_A in the world, scaled.
+    /// `p_B − p_A` in the world, scaled.
     pub(crate) apart: [Ball; 2],
     /// Cosine and sine of `frame`, with their tails.
     pub(crate) frame_turn: [Dd; 2],
@@ -48,7 +48,7 @@ pub struct Pair<'s> {
     pub(crate) placing_error: f64,
     /// Bound on the error of each of `b_turn`.
     pub(crate) turn_error: f64,
-    /// r_A + r_B, exactly, scaled.
+    /// `r_A + r_B`, exactly, scaled.
     pub(crate) radius: Dd,
     /// |c| + both reaches: no coordinate difference of the pair is larger. Rounded up; scaled.
     pub(crate) magnitude: f64,
@@ -188,17 +188,17 @@ impl<'s> Pair<'s> {
 
     /// A vector of A's frame, in the world.
     #[inline]
-    pub(crate) fn to_world(&self, v: DVec2) -> DVec2 {
+    pub(crate) fn world_vector(&self, v: DVec2) -> DVec2 {
         turned(self.frame_turn, v)
     }
 
     /// A point of B's frame in A's frame, scaled.
-    pub(crate) fn from_b(&self, q: DVec2) -> DVec2 {
+    pub(crate) fn place_b(&self, q: DVec2) -> DVec2 {
         self.center + turned(self.b_turn, q * self.scale)
     }
 
     /// A point of A's frame, scaled, in B's frame, unscaled.
-    pub(crate) fn to_b(&self, p: DVec2) -> DVec2 {
+    pub(crate) fn local_to_b(&self, p: DVec2) -> DVec2 {
         let (cos, sin) = (self.b_turn[0].hi, self.b_turn[1].hi);
         let v = p - self.center;
         DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) / self.scale
@@ -260,13 +260,13 @@ fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
     if (far(a) + far(b)).is_finite() { scale } else { 1.0 }
 }
 
-/// About |p_B − p_A| at time t.
+/// About |`p_B − p_A`| at time t.
 fn rough_distance(a: &Body, b: &Body, t: f64) -> f64 {
     let d = (b.position - a.position) + (b.velocity - a.velocity) * t;
     d.x.abs() + d.y.abs()
 }
 
-/// A coordinate of p_B − p_A at time t, exactly where a double-double holds it, times `scale`.
+/// A coordinate of `p_B − p_A` at time t, exactly where a double-double holds it, times `scale`.
 fn apart(from: f64, to: f64, [v_from, v_to]: [f64; 2], t: f64, scale: f64) -> Ball {
     let start = scaled(Dd::difference(to, from), scale);
     let speed = Dd::difference(v_to, v_from);

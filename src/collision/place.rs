@@ -3,7 +3,7 @@
 //! With n the unit normal from A to B, s the separation, and c the points on the cores:
 //!
 //! ```text
-//! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
+//! p_A = c_A + r_A n        p_B = c_B − r_B n        `p_B − p_A` = s n
 //! ```
 //!
 //! A corner is placed by its own body's pose, so that it is as near to the exact one as doubles come. The other witness
@@ -50,7 +50,7 @@ type Witnesses = ([DVec2; 2], [Feature; 2]);
 pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
     let Proved { carrier, normal: local, core, separation, bounds, ties } = *proved;
     // Points that coincide: every direction is as good; the world's x axis is taken.
-    let normal = local.map_or(DVec2::X, |n| pair.to_world(n));
+    let normal = local.map_or(DVec2::X, |n| pair.world_vector(n));
     let n = local.unwrap_or(DVec2::X);
     let (cores, features) = match carrier {
         Carrier::Corners([i, j]) => corners(pair, i, j),
@@ -70,18 +70,18 @@ fn corners(pair: &Pair, i: usize, j: usize) -> Witnesses {
 
 /// A side of one body and a corner of the other, `core` apart along `n`; scaled.
 fn edge_and_corner(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesses {
-    let world = pair.to_world(n) * core;
+    let world = pair.world_vector(n) * core;
     let Facing { source, edge, corner } = facing;
     match source {
         Side::A => {
             let point = world_corner(pair, Side::B, corner);
-            let local = (pair.from_b(pair.hull(Side::B).corners[corner]) - n * core) / pair.scale;
+            let local = (pair.place_b(pair.hull(Side::B).corners[corner]) - n * core) / pair.scale;
             let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(corner)];
             ([point - world, point], features)
         }
         Side::B => {
             let point = world_corner(pair, Side::A, corner);
-            let local = pair.to_b(pair.hull(Side::A).corners[corner] * pair.scale + n * core);
+            let local = pair.local_to_b(pair.hull(Side::A).corners[corner] * pair.scale + n * core);
             let features = [pair.a.shape.vertex_feature(corner), pair.b.shape.edge_feature(edge, local)];
             ([point, point + world], features)
         }
@@ -99,16 +99,16 @@ fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Wi
     // Places along the face, measured from A's corner so that nothing cancels twice.
     let start = a.corners[k] * pair.scale;
     let end = (a.corners[a.next(k)] * pair.scale - start).dot(along);
-    let place = |j: usize| (pair.from_b(b.corners[j]) - start).dot(along);
+    let place = |j: usize| (pair.place_b(b.corners[j]) - start).dot(along);
     let (p, q) = (place(l), place(b.next(l)));
     let (from, to) = (p.min(q).max(end.min(0.0)), p.max(q).min(end.max(0.0)));
     let middle = start + along * (0.5 * (from + to));
     let point = world_point(pair, Side::A, middle);
     let features = [
         pair.a.shape.edge_feature(k, middle / pair.scale),
-        pair.b.shape.edge_feature(l, pair.to_b(middle + n * core)),
+        pair.b.shape.edge_feature(l, pair.local_to_b(middle + n * core)),
     ];
-    ([point, point + pair.to_world(n) * core], features)
+    ([point, point + pair.world_vector(n) * core], features)
 }
 
 /// A core's corner in the world.

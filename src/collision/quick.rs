@@ -153,7 +153,7 @@ fn spans(pair: &Pair, Facing { source, edge, corner }: Facing) -> bool {
     let hull = pair.hull(source);
     let point = match source {
         Side::A => corner_b(pair, corner),
-        Side::B => pair.to_b(pair.hull(Side::A).corners[corner]),
+        Side::B => pair.local_to_b(pair.hull(Side::A).corners[corner]),
     };
     let (along, n) = (hull.sides[edge], hull.normals[edge]);
     let error = pair.gap_error();

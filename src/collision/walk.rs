@@ -2,7 +2,7 @@
 //!
 //! Along the part of a convex boundary that the origin sees, the distance falls to one minimum and rises again. From an
 //! edge that the origin sees, step to the neighbour as long as the foot of the origin lies beyond the edge's end. The
-//! boundary is never built: after the corner w_j − v_i comes either B's side j or A's side i reversed, whichever
+//! boundary is never built: after the corner `w_j − v_i` comes either B's side j or A's side i reversed, whichever
 //! turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational Geometry*, 2008, §13.3). The first stage
 //! starts the walk where it found the minimum, so that it mostly ends where it begins.
 
@@ -21,7 +21,7 @@ pub(crate) enum Closest {
         /// Bound on how far the foot of the origin is past the edge's end.
         beyond: f64,
     },
-    /// At the corner w_j − v_i: [i, j].
+    /// At the corner `w_j − v_i`: [i, j].
     Corner([usize; 2]),
 }
 
@@ -94,7 +94,7 @@ fn edge(step: &Step, slope: Ball) -> Closest {
     Closest::Edge { facing: step.facing, beyond }
 }
 
-/// The edge of B ⊖ A after (or before) the corner w_j − v_i; None where it is a point.
+/// The edge of B ⊖ A after (or before) the corner `w_j − v_i`; None where it is a point.
 fn step(pair: &Pair, fine: &Fine, [i, j]: [usize; 2], way: Way) -> Option<Step> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let (k, l) = match way {

@@ -205,7 +205,8 @@ fn above(centre: f64, by: f64, factor: f64) -> f64 {
         return centre;
     }
     let next = centre.next_up();
-    if by * factor < next - centre {
+    // Both sides are exact: a division by a power of two that leads away from the denormals.
+    if by <= (next - centre) / factor {
         return next;
     }
     (centre + (by * (1.0 + 4.0 * f64::EPSILON) * factor).next_up()).next_up()
@@ -283,7 +284,7 @@ mod tests {
         let half = Ball::new(0.5).enclosure();
         assert_eq!((half.lo, half.hi), (0.5, 0.5));
         let wide = Ball::new(0.5).widen(0.25).enclosure();
-        assert!(wide.lo <= 0.25 && wide.hi >= 0.75 && wide.hi < 0.7500001);
+        assert!(wide.lo <= 0.25 && wide.hi >= 0.75 && wide.hi < 0.750_000_1);
     }
 
     #[test]

@@ -220,7 +220,7 @@ impl Dd {
 /// let whole = combined(third, Dd::new(2.0), third, Dd::ONE);
 /// assert!((whole - Dd::ONE).to_f64().abs() < 1e-31);
 /// ```
-#[inline(always)]
+#[inline]
 #[must_use]
 pub fn combined(a: Dd, x: Dd, b: Dd, y: Dd) -> Dd {
     let (p, e) = two_product(a.hi, x.hi);

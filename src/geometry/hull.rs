@@ -180,7 +180,7 @@ mod tests {
     fn normals_are_unit_at_every_size() {
         for scale in [1e-320, 1e-200, 1.0, 1e200] {
             let hull = Hull::new(
-                vec![DVec2::ZERO, DVec2::new(3.0, 0.0), DVec2::new(0.0, 4.0)]
+                [DVec2::ZERO, DVec2::new(3.0, 0.0), DVec2::new(0.0, 4.0)]
                     .iter()
                     .map(|v| *v * scale)
                     .collect(),

@@ -4,6 +4,12 @@
 //! |entry − sine| ≤ ε²/8; 0°, 30° and 90° are exact. The test beside [`super::degrees`] rebuilds the whole table from
 //! the series at 1° by the addition theorem.
 
+#![expect(
+    clippy::unreadable_literal,
+    clippy::approx_constant,
+    reason = "a table of digits that nobody reads one by one"
+)]
+
 use super::Dd;
 
 /// π/180: radians in a degree, nearest double-double.
