@@ -17,7 +17,7 @@ use super::words::missing;
 pub const SMALLEST: f64 = 9.0;
 
 /// Bytes of LaTeX in one formula; what is longer is an error. A formula on a figure has under 100.
-pub const LONGEST: usize = 2000;
+pub const LONGEST: usize = 500;
 
 /// Glyphs and rules of a formula and its advance width, in page pixels.
 #[derive(Clone, Debug, Default)]

@@ -17,6 +17,8 @@ pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
 pub use formula::{LONGEST as LONGEST_FORMULA, SMALLEST as SMALLEST_SCRIPT};
 pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight};
 
+pub use paragraph::LONGEST as LONGEST_MARKUP;
+
 use paragraph::Newlines;
 
 /// Sets `markup` on one line.

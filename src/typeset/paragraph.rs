@@ -10,6 +10,9 @@ use super::{formula, words};
 /// Height of the letter x in the word face, in ems; a line's ascent is never less.
 const X_HEIGHT: f64 = 0.486;
 
+/// Bytes of one markup; what is longer is an error. A page holds a few thousand letters.
+pub const LONGEST: usize = 10_000;
+
 /// What a newline in the markup means.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Newlines {
@@ -26,6 +29,10 @@ pub(super) fn lines(
     width: f64,
     newlines: Newlines,
 ) -> Result<Vec<Line>, TypesetError> {
+    if markup.len() > LONGEST {
+        let message = format!("a text of {} bytes; the longest allowed has {LONGEST}", markup.len());
+        return Err(TypesetError { offset: markup.floor_char_boundary(LONGEST), message });
+    }
     let mut setter = Setter { style, newlines, width, space: words::space(style), ..Setter::new() };
     for piece in pieces(markup)? {
         match piece {
@@ -158,6 +165,75 @@ mod tests {
         assert!(lines.iter().all(|line| line.width <= 200.0));
         let glyphs: Vec<_> = lines.iter().flat_map(|line| &line.glyphs).map(|g| g.glyph).collect();
         assert_eq!(glyphs, whole.glyphs.iter().map(|g| g.glyph).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn a_text_longer_than_a_page_is_refused() {
+        let error = typeset(&"é ".repeat(LONGEST), Style::regular(14.0)).unwrap_err();
+        assert!(error.offset <= LONGEST && error.message.contains("10000"), "{error:?}");
+    }
+
+    #[test]
+    fn any_text_is_set_or_refused_at_a_place_inside_it() {
+        const PARTS: [&str; 40] = [
+            "$",
+            "\\",
+            "{",
+            "}",
+            "^",
+            "_",
+            "'",
+            "&",
+            "%",
+            "#",
+            "~",
+            " ",
+            "\n",
+            "x",
+            "A",
+            "1",
+            "-",
+            "é",
+            "ж",
+            "☃",
+            "𝐀",
+            "\u{301}",
+            "\\frac",
+            "\\hat",
+            "\\left",
+            "\\right",
+            "(",
+            ")",
+            "\\|",
+            "\\min",
+            "\\sqrt",
+            "\\text",
+            "\\begin{matrix}",
+            "\\end{matrix}",
+            "\\over",
+            "\\def",
+            "\\color{red}",
+            "\\vec",
+            "\\ ",
+            "\\$",
+        ];
+        arbtest::arbtest(|u| {
+            let count = u.int_in_range(0..=24)?;
+            let mut text = String::new();
+            for _ in 0..count {
+                text.push_str(u.choose(&PARTS)?);
+            }
+            let text = if u.arbitrary()? { format!("${text}$") } else { text };
+            match wrap(&text, Style::regular(12.0), 100.0) {
+                Ok(lines) => {
+                    assert!(lines.iter().all(|l| l.width.is_finite() && l.height().is_finite()), "{text}")
+                }
+                Err(error) => {
+                    assert!(error.offset <= text.len() && text.is_char_boundary(error.offset), "{text}")
+                }
+            }
+            Ok(())
+        });
     }
 
     #[test]

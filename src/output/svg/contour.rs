@@ -66,7 +66,7 @@ fn arc(out: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
 
 /// Appends the path data of a glyph in thousandths of an em, relative and in whole numbers: the faces have no others.
 pub(super) fn outline(out: &mut String, outline: &Outline) {
-    let mut pen = Pen { out, at: [0.0; 2], begin: [0.0; 2], last: ' ' };
+    let mut pen = Pen { out, at: [0.0; 2], begin: [0.0; 2], last: ' ', control: None };
     for segment in &outline.segments {
         match *segment {
             OutlineSegment::Move(p) => {
@@ -74,7 +74,7 @@ pub(super) fn outline(out: &mut String, outline: &Outline) {
                 pen.begin = p;
             }
             OutlineSegment::Line(p) => pen.line(p),
-            OutlineSegment::Quad(c, p) => pen.command('q', &[c, p]),
+            OutlineSegment::Quad(c, p) => pen.quad(c, p),
             OutlineSegment::Cubic(c, d, p) => pen.command('c', &[c, d, p]),
             OutlineSegment::Close => {
                 pen.out.push('z');
@@ -91,6 +91,8 @@ struct Pen<'o> {
     begin: [f32; 2],
     /// The last letter; the same one again needs no letter.
     last: char,
+    /// The control point of the last piece, if it was a quadratic curve.
+    control: Option<[f32; 2]>,
 }
 
 impl Pen<'_> {
@@ -104,6 +106,17 @@ impl Pen<'_> {
         self.letter(letter);
         push_coordinate(self.out, f64::from(value));
         self.at = p;
+    }
+
+    /// Where the control point is the last one's mirror image about the point between, as between two corners of a `TrueType`
+    /// outline that are both off the curve, it need not be said.
+    fn quad(&mut self, c: [f32; 2], p: [f32; 2]) {
+        let [x, y] = self.at;
+        match self.control {
+            Some([cx, cy]) if c == [2.0 * x - cx, 2.0 * y - cy] => self.command('t', &[p]),
+            _ => self.command('q', &[c, p]),
+        }
+        self.control = Some(c);
     }
 
     fn command(&mut self, letter: char, points: &[[f32; 2]]) {
@@ -121,5 +134,6 @@ impl Pen<'_> {
             self.out.push(letter);
         }
         self.last = letter;
+        self.control = None;
     }
 }

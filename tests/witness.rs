@@ -1,0 +1,93 @@
+//! The SVG of every figure shows what its PNG shows: resvg, which shares no code with our rasterizer, draws
+//! the one and we the other. And a renderer that ignores style sheets sees the same picture.
+
+use std::path::PathBuf;
+
+use tracefig::drawing::Drawing;
+use tracefig::figure::theme::find;
+use tracefig::figure::{draw, plan};
+use tracefig::output::{Options, Writer, format, rasterize};
+
+/// Mean difference of the channels, in levels of 255, over the whole page. Both draw edges with some sixteen levels, by
+/// areas here and by samples there; with a page's few per cent of edge pixels that comes to tenths of a level, or to
+/// two thirds where hatching makes edges everywhere.
+const MEAN: f64 = 1.0;
+
+/// Share of the channels that may differ by more than [`FAR`] levels: single pixels where several edges meet.
+const SHARE: f64 = 2e-4;
+
+/// A difference that samples instead of areas do not explain at one edge: a quarter of the contrast.
+const FAR: u8 = 64;
+
+/// Page pixels to image pixels: the page's own size is the hardest, as every edge counts most there.
+const SCALE: f32 = 1.0;
+
+fn scenes() -> Vec<PathBuf> {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut scenes: Vec<PathBuf> =
+        entries.filter(|path| path.extension().is_some_and(|e| e == "toml")).collect();
+    scenes.sort();
+    scenes
+}
+
+fn svg(drawing: &Drawing) -> String {
+    let Writer::One(write) = format("svg").unwrap().write else { panic!("an SVG has one drawing") };
+    String::from_utf8(write(drawing, &Options::default()).unwrap()).unwrap()
+}
+
+fn seen(svg: &str) -> Vec<u8> {
+    let tree = resvg::usvg::Tree::from_str(svg, &resvg::usvg::Options::default()).unwrap();
+    let size = tree.size().to_int_size();
+    let mut pixmap = resvg::tiny_skia::Pixmap::new(size.width(), size.height()).unwrap();
+    resvg::render(&tree, resvg::tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixmap.as_mut());
+    pixmap.take()
+}
+
+/// The document without its style sheet.
+fn without_sheet(svg: &str) -> String {
+    let (start, end) = (svg.find("<style>").unwrap(), svg.find("</style>").unwrap());
+    format!("{}{}", &svg[..start], &svg[end + "</style>".len()..])
+}
+
+/// A renderer that ignores style sheets sees the same picture.
+fn compare_sheet(name: &str, drawing: &Drawing, faults: &mut Vec<String>) {
+    let svg = svg(drawing);
+    if seen(&without_sheet(&svg)) != seen(&svg) {
+        faults.push(format!("{name}: the style sheet changes the picture"));
+    }
+}
+
+fn compare(name: &str, drawing: &Drawing, faults: &mut Vec<String>) {
+    let svg = svg(drawing);
+    let theirs = seen(&svg);
+    let ours = rasterize(drawing, f64::from(SCALE)).unwrap().rgba;
+    assert_eq!(ours.len(), theirs.len(), "{name}");
+    let differences = || ours.iter().zip(&theirs).map(|(a, b)| a.abs_diff(*b));
+    let count = f64::from(u32::try_from(ours.len()).unwrap());
+    let mean = differences().map(f64::from).sum::<f64>() / count;
+    let far = differences().filter(|&d| d > FAR).map(|_| 1.0).sum::<f64>() / count;
+    println!("{name}: mean {mean:.3}, far {far:.1e}, {} bytes", svg.len());
+    if mean > MEAN || far > SHARE {
+        faults.push(format!("{name}: mean {mean}, share of far {far}"));
+    }
+}
+
+#[test]
+fn svg_and_png_of_every_figure_show_the_same() {
+    let mut faults = Vec::new();
+    for path in scenes() {
+        let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let file =
+            tracefig::scene::open(&path).unwrap_or_else(|refused| panic!("{stem}: {:?}", refused.problems));
+        let plan = plan(&file.scene).unwrap();
+        // Dark differs from light in colours alone; auto has the longest style sheet.
+        for (theme, check) in
+            [("light", compare as fn(&_, &_, &mut _)), ("print", compare), ("auto", compare_sheet)]
+        {
+            let figure = draw(&plan, find(theme).unwrap(), &stem);
+            check(&format!("{stem} {theme}"), &figure.drawing, &mut faults);
+        }
+    }
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
