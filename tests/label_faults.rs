@@ -2,13 +2,17 @@
 //!
 //! A fault is an overlap with a label, a marker, an arrowhead or a foreign stroke, a dropped label, a label over its
 //! panel's edge, or a leader line over 40 px. `TRACEFIG_SCENES=10000 cargo test --test label_faults -- --nocapture`
-//! runs as many scenes as one likes and prints what went wrong.
+//! runs as many scenes as one likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves their
+//! pictures there, to be looked at.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::path::Path;
 
+use tracefig::drawing::Drawing;
 use tracefig::figure::layer::{LAYERS, Shows};
 use tracefig::figure::{Fault, draw, plan};
+use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Scene, Source, read};
 
 /// Scenes of a usual run; few enough for a debug build.
@@ -128,6 +132,13 @@ fn fed(mut scene: Scene) -> Option<Scene> {
     (shown && plan(&scene).is_ok()).then_some(scene)
 }
 
+fn leave_picture(seed: u64, drawing: &Drawing) {
+    let Some(folder) = std::env::var_os("TRACEFIG_PICTURES") else { return };
+    let Some(Writer::One(write)) = format("png").map(|f| f.write) else { return };
+    let bytes = write(drawing, &Options { scale: 1.0, ..Options::default() }).unwrap();
+    std::fs::write(Path::new(&folder).join(format!("{seed}.png")), bytes).unwrap();
+}
+
 fn word(fault: &Fault) -> String {
     let text = fault.to_string();
     let key = fault.label().0;
@@ -145,6 +156,7 @@ fn labels_on_random_scenes_have_next_to_no_faults() {
         let Some(scene) = fed(scene) else { continue };
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "random");
+        leave_picture(seed, &figure.drawing);
         figures += 1.0;
         labels += figure.panels.iter().map(|p| p.placed.len()).sum::<usize>();
         for fault in figure.faults() {

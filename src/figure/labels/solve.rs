@@ -14,6 +14,8 @@ const GAIN: f64 = 1e-6;
 /// Labels that still overlap another one by this many page pixels in both directions are left out, the weaker first.
 const CLASH: f64 = 1.0;
 
+/// Two labels of one key and text name the same thing if what they belong to is so near, page pixels.
+const SAME_THING: f64 = 12.0;
 /// A label that costs more than this where it stands is offered places about its places.
 const TROUBLE: f64 = 8.0;
 /// Of its cheapest places, so many.
@@ -37,6 +39,7 @@ pub(crate) fn place(
     obstacles: &[Obstacle],
     earlier: &[(Rect, Placed)],
 ) -> Labelled {
+    let sought = &without_repeats(sought, frame);
     let surroundings = Surroundings { frame, obstacles, earlier };
     let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame)).collect();
     let priced = |(s, at): (&Sought, &Point), c: Candidate| {
@@ -63,6 +66,22 @@ pub(crate) fn place(
     }
     problem.improve();
     problem.finish(sought, frame, obstacles)
+}
+
+/// Two layers may name the same thing: it is named once.
+fn without_repeats(sought: &[Sought], frame: &Frame) -> Vec<Sought> {
+    let same = |a: &Sought, b: &Sought| {
+        let text = |s: &Sought| s.lines.iter().map(|l| l.markup.clone()).collect::<Vec<_>>();
+        let apart = home(&a.anchor, frame) - home(&b.anchor, frame);
+        a.key == b.key && text(a) == text(b) && apart.length() < SAME_THING
+    };
+    let mut kept: Vec<Sought> = Vec::new();
+    for one in sought {
+        if !kept.iter().any(|other| same(one, other)) {
+            kept.push(one.clone());
+        }
+    }
+    kept
 }
 
 impl Problem {
