@@ -173,3 +173,76 @@ fn labels_on_random_scenes_have_next_to_no_faults() {
     assert!(figures > 0.8 * scenes as f64, "only {figures} of {scenes} scenes show anything");
     assert!(found / figures < LIMIT, "{:.3} faults a figure", found / figures);
 }
+
+/// The committed figures, by name.
+fn committed() -> Vec<(String, Scene)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "toml"));
+    paths.sort();
+    let name = |p: &Path| p.file_stem().unwrap().to_string_lossy().into_owned();
+    paths.iter().map(|p| (name(p), tracefig::open(p).unwrap().scene)).collect()
+}
+
+#[test]
+fn labels_on_the_committed_figures_have_no_fault_at_all() {
+    let mut found = Vec::new();
+    for (name, scene) in committed() {
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, &name);
+        found.extend(figure.faults().iter().map(|fault| format!("{name}: {fault}")));
+        assert!(figure.panels.iter().any(|p| !p.placed.is_empty()), "{name} has no labels");
+    }
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn a_pinned_label_stands_where_the_scene_says_and_a_hidden_one_nowhere() {
+    let text = |labels: &str| {
+        format!(
+            "shapes.A = {{ kind = 'circle', radius = 1 }}\nquery = {{ kind = 'bounds', of = ['A'] }}\n{labels}\n\
+             panels = [{{ space = 'world', layers = ['shapes', 'origin'] }}]"
+        )
+    };
+    let places = |labels: &str| {
+        let scene = read(&Source::new("pins", &text(labels))).unwrap();
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "pins");
+        let panel = &figure.panels[0];
+        let origin = panel.frame.page(tracefig::geometry::DVec2::ZERO);
+        let found = panel.placed.iter().find(|p| p.key == "O").map(|p| p.bounds.center() - origin);
+        (found, panel.placed.len())
+    };
+    let (pinned, _) = places("labels = { O = { at = [50, -30] } }");
+    let pinned = pinned.unwrap();
+    assert!((pinned.dx - 50.0).abs() < 1e-9 && (pinned.dy + 30.0).abs() < 1e-9, "{pinned:?}");
+    for (word, sx, sy) in [("W", -1.0, 0.0), ("SE", 1.0, 1.0), ("N", 0.0, -1.0)] {
+        let (found, _) = places(&format!("labels = {{ O = {{ at = '{word}' }} }}"));
+        let found = found.unwrap();
+        let sign = |x: f64| if x.abs() < 0.5 { 0.0 } else { x.signum() };
+        assert_eq!((sign(found.dx), sign(found.dy)), (sx, sy), "{word}: {found:?}");
+    }
+    assert_eq!(places("labels = { O = { hide = true } }"), (None, 1));
+}
+
+#[test]
+fn the_panels_of_a_series_keep_the_places_of_their_labels() {
+    let (_, scene) = committed().into_iter().find(|(name, _)| name == "frames-continuous").unwrap();
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "series");
+    let place = |panel: usize| {
+        let panel = &figure.panels[panel];
+        let b = panel.placed.iter().find(|p| p.key == "B").unwrap();
+        (b.bounds.x0 - panel.frame.panel.x0, b.bounds.y0 - panel.frame.panel.y0)
+    };
+    let (first, second) = (place(0), place(1));
+    assert!((first.0 - second.0).abs() + (first.1 - second.1).abs() < 1e-6, "{first:?} {second:?}");
+}
+
+#[test]
+fn the_same_scene_gives_the_same_drawing() {
+    for (name, scene) in committed() {
+        let (one, two) = (plan(&scene).unwrap(), plan(&scene).unwrap());
+        assert_eq!(draw(&one, one.theme, &name).drawing, draw(&two, two.theme, &name).drawing, "{name}");
+    }
+}
