@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn squares_settle_a_gap_of_two_hundred_ulp_and_leave_one_of_ten() {
-        assert_eq!(overlap(2.0 + 400.0 * f64::EPSILON).1, true);
+        assert!(overlap(2.0 + 400.0 * f64::EPSILON).1);
         let (found, early) = overlap(2.0 + 20.0 * f64::EPSILON);
         assert_eq!((found.overlap, early), (Some(false), false));
     }
