@@ -9,7 +9,7 @@
 
 use std::cmp::Ordering;
 
-use super::Query;
+use super::{Pair, Query};
 use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn as Angle};
 use crate::trace::{Moment, SupportVertex};
 
@@ -41,6 +41,8 @@ pub(crate) struct Relative<'s> {
     turn: Pose,
     /// The angle of that, exactly.
     angle: Angle,
+    /// The same pair as the proof of an answer sees it.
+    pub(crate) certified: Pair<'s>,
 }
 
 /// How an edge lies to another one's direction.
@@ -65,12 +67,17 @@ impl<'s> Relative<'s> {
     /// The pair at time `t` in [0, 1].
     pub(crate) fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
         let at = Moment { time: t, angle_a: a.angle_at(t), angle_b: b.angle_at(t) };
-        let frame = a.pose_at(t);
-        let angle = Angle::between((a.angle, a.spin), (b.angle, b.spin), t);
-        let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
-        let position = Pose { position: DVec2::ZERO, ..frame }.inverse_point(apart);
-        let turn = angle.cos_sin();
-        Self { a, b, at, frame, turn: Pose { position, cos: turn.cos, sin: turn.sin }, angle }
+        let certified = Pair::at(a, b, t);
+        let (frame, angle) = (certified.pose(Side::A), certified.turn);
+        let [cos, sin] = certified.b_turn.map(|x| x.hi);
+        // Unscaled, which the pair is only where the scene is tame.
+        let position = if certified.is_tame() {
+            certified.center
+        } else {
+            let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
+            Pose { position: DVec2::ZERO, ..frame }.inverse_point(apart)
+        };
+        Self { a, b, at, frame, turn: Pose { position, cos, sin }, angle, certified }
     }
 
     /// One of the bodies.

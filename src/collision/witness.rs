@@ -8,7 +8,6 @@
 use super::certify::{Hint, certify};
 use super::difference::{Pairing, Projection, Span, length};
 use super::gaps::Facing;
-use super::pair::Pair;
 use super::relative::{Relative, Turn};
 use super::{Answer, Overlap, QueryKind, Separation};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
@@ -144,7 +143,7 @@ pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
         [CoreFeature::Vertex(corner), CoreFeature::Edge(edge)] => facing(Side::B, edge, corner),
         [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => Hint::Corners([a, b]),
     };
-    certify(&Pair::at(pair.a, pair.b, pair.at.time), Some(hint))
+    certify(&pair.certified, Some(hint))
 }
 
 /// The verdict that a separation allows; touching counts as overlap.
