@@ -11,7 +11,7 @@ use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
-use tracefig::scene::{ERRORS, Field, Holds, TABLES, shape_rows};
+use tracefig::scene::{ERRORS, Field, Holds, TABLES, schema, shape_rows};
 
 use super::console::Console;
 use super::inputs::inputs;
@@ -45,9 +45,13 @@ static TOPICS: &[Topic] = &[
     Topic { name: "figures", group: "", title: "Scenes in figures/", rows: figures },
 ];
 
+/// Not a table of lines but a JSON Schema, for editors; printed only when asked for.
+const SCHEMA: &str = "schema";
+
 /// Every word that names topics.
 fn words() -> Vec<&'static str> {
     let mut words: Vec<_> = TOPICS.iter().flat_map(|t| [t.name, t.group]).filter(|w| !w.is_empty()).collect();
+    words.push(SCHEMA);
     words.sort_unstable();
     words.dedup();
     words
@@ -56,13 +60,17 @@ fn words() -> Vec<&'static str> {
 /// Options of `list`.
 #[derive(Args)]
 pub(crate) struct List {
-    /// What to list; none: everything
+    /// What to list; none: everything but the schema
     #[arg(value_parser = PossibleValuesParser::new(words()))]
     topic: Option<String>,
 }
 
 impl Runs for List {
     fn run(self, console: &mut Console) -> io::Result<Status> {
+        if self.topic.as_deref() == Some(SCHEMA) {
+            writeln!(console.out, "{:#}", schema())?;
+            return Ok(Status::Done);
+        }
         let is_wanted =
             |t: &&Topic| self.topic.as_deref().is_none_or(|word| word == t.name || word == t.group);
         let wanted: Vec<_> = TOPICS.iter().filter(is_wanted).collect();

@@ -16,6 +16,7 @@ mod panels;
 mod problem;
 mod question;
 mod read;
+mod schema;
 mod source;
 mod stream;
 mod toml;
@@ -29,6 +30,7 @@ pub use message::{Ink, Severity, message};
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
 pub use problem::{Fault, Problem};
 pub use read::read;
+pub use schema::schema;
 pub use source::{Place, Source, Syntax};
 pub use stream::{Reply, refuse_jsonl_line, solve, solve_jsonl_line};
 

@@ -128,3 +128,12 @@ fn completions_and_the_man_page_know_every_command() {
     }
     assert!(run(tracefig(folder.path()).args(["man", "solve"])).out.contains("jsonl"));
 }
+
+#[test]
+fn the_schema_is_json_and_is_printed_only_when_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let ran = run(tracefig(folder.path()).args(["list", "schema"]));
+    let schema: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(schema["properties"]["query"]["required"], serde_json::json!(["kind", "of"]));
+    assert!(!run(tracefig(folder.path()).arg("list")).out.contains("$schema"));
+}

@@ -1,0 +1,113 @@
+//! The tables of fields as a JSON Schema, so that editors complete and check scenes as they are typed.
+
+use serde_json::{Map, Value, json};
+
+use crate::geometry::shape::KINDS;
+
+use super::fields::{CANVAS, Field, Holds, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows};
+
+/// JSON Schema (draft 2020-12) of a scene. Layers' own options are left open.
+///
+/// ```
+/// let schema = tracefig::scene::schema();
+/// assert_eq!(schema["required"], serde_json::json!(["shapes", "query"]));
+/// assert_eq!(schema["properties"]["canvas"]["properties"]["width"]["type"], "number");
+/// ```
+#[must_use]
+pub fn schema() -> Value {
+    let mut schema = table(ROOT.fields);
+    schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
+    schema.insert("title".to_owned(), json!("tracefig scene"));
+    Value::Object(schema)
+}
+
+fn table(fields: &[Field]) -> Map<String, Value> {
+    let properties: Map<String, Value> =
+        fields.iter().map(|field| (field.name.to_owned(), described(field))).collect();
+    let required: Vec<_> = fields.iter().filter(|f| f.required).map(|f| f.name).collect();
+    let mut object = Map::new();
+    object.insert("type".to_owned(), json!("object"));
+    object.insert("properties".to_owned(), Value::Object(properties));
+    object.insert("required".to_owned(), json!(required));
+    object.insert("additionalProperties".to_owned(), json!(false));
+    object
+}
+
+fn of(rows: &TableRows) -> Value {
+    Value::Object(table(rows.fields))
+}
+
+fn described(field: &Field) -> Value {
+    let mut value = holds(field);
+    if let Value::Object(object) = &mut value {
+        object.insert("description".to_owned(), json!(field.about));
+    }
+    value
+}
+
+fn numbers(count: usize) -> Value {
+    json!({ "type": "array", "items": { "type": "number" }, "minItems": count, "maxItems": count })
+}
+
+fn holds(field: &Field) -> Value {
+    match field.holds {
+        Holds::Text => json!({ "type": "string" }),
+        Holds::Word { known, .. } => json!({ "enum": known() }),
+        Holds::Number { min, max } => json!({ "type": "number", "minimum": min, "maximum": max }),
+        Holds::Count { min, max } => json!({ "type": "integer", "minimum": min, "maximum": max }),
+        Holds::Switch => json!({ "type": "boolean" }),
+        Holds::Pair => numbers(2),
+        Holds::Rectangle => numbers(4),
+        Holds::Points => json!({ "type": "array", "items": numbers(2) }),
+        Holds::Names => {
+            json!({ "type": "array", "items": { "type": "string" }, "minItems": 1, "maxItems": 2 })
+        }
+        Holds::Moment => json!({ "anyOf": [
+            { "type": "number", "minimum": 0, "maximum": 1 },
+            { "enum": ["start", "hit", "end"] },
+        ] }),
+        Holds::LabelPlace => {
+            json!({ "anyOf": [{ "enum": ["E", "NE", "N", "NW", "W", "SW", "S", "SE"] }, numbers(2)] })
+        }
+        Holds::Layers => json!({ "type": "array", "items": { "anyOf": [
+            { "type": "string" },
+            { "type": "object", "properties": { "layer": { "type": "string" } }, "required": ["layer"] },
+        ] } }),
+        Holds::Tables("shapes") => json!({ "type": "object", "additionalProperties": { "oneOf": shapes() } }),
+        Holds::Tables(_) => {
+            json!({ "type": "object", "additionalProperties": { "anyOf": [{ "type": "string" }, of(&LABEL)] } })
+        }
+        Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
+        Holds::Table if field.name == "query" => of(&QUERY),
+        Holds::Table => of(&CANVAS),
+        Holds::Anything => json!({}),
+    }
+}
+
+/// One schema a kind, told apart by `kind`.
+fn shapes() -> Vec<Value> {
+    KINDS
+        .iter()
+        .map(|kind| {
+            let mut shape = Value::Object(table(&shape_rows(kind)));
+            shape["properties"]["kind"] = json!({ "const": kind.name, "description": kind.about });
+            shape
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_of_every_table_is_in_the_schema() {
+        let text = schema().to_string();
+        for field in super::super::fields::TABLES.iter().flat_map(|t| t.fields) {
+            assert!(text.contains(&format!("\"{}\":", field.name)), "{}", field.name);
+        }
+        for kind in KINDS {
+            assert!(text.contains(&format!("\"const\":\"{}\"", kind.name)), "{}", kind.name);
+        }
+    }
+}
