@@ -4,9 +4,12 @@
 //! one operation is wrong by less than 2^(1 − 64 N) of its result; with N = 5 that is 2⁻³¹⁹. Nothing here overflows or
 //! underflows: the exponent has 64 bits. No heap, so that a hundred thousand cases take seconds.
 
+mod decimal;
+mod operators;
+#[cfg(test)]
+mod tests;
+
 use std::cmp::Ordering;
-use std::fmt;
-use std::ops::{Add, Mul, Neg, Sub};
 use std::sync::OnceLock;
 
 /// A float of 64·N bits.
@@ -198,36 +201,6 @@ impl<const N: usize> Float<N> {
         if self.sign < 0 { -magnitude } else { magnitude }
     }
 
-    /// A decimal number as in `-1.25e-3`; None for anything else.
-    #[must_use]
-    pub fn from_decimal(text: &str) -> Option<Self> {
-        let (number, exponent) = match text.split_once(['e', 'E']) {
-            Some((number, exponent)) => (number, exponent.parse::<i32>().ok()?),
-            None => (text, 0),
-        };
-        let (negative, digits) = match number.strip_prefix('-') {
-            Some(rest) => (true, rest),
-            None => (false, number),
-        };
-        let mut value = Self::ZERO;
-        let mut places = exponent;
-        let mut after_point = false;
-        for c in digits.chars() {
-            if c == '.' && !after_point {
-                after_point = true;
-                continue;
-            }
-            value = value * Self::from(10.0) + Self::from(f64::from(c.to_digit(10)?));
-            places -= i32::from(after_point);
-        }
-        let mut ten = Self::one();
-        for _ in 0..places.unsigned_abs() {
-            ten = ten * Self::from(10.0);
-        }
-        let value = if places < 0 { value.over(ten) } else { value * ten };
-        Some(if negative { -value } else { value })
-    }
-
     /// π, by Machin's formula 16 atan(1/5) − 4 atan(1/239).
     fn machin() -> Self {
         let atan = |q: u64| {
@@ -377,143 +350,3 @@ impl<const N: usize> From<f64> for Float<N> {
         Self { sign: if x < 0.0 { -1 } else { 1 }, exp: 64 - i64::from(zeros) + k, m }
     }
 }
-
-impl<const N: usize> Neg for Float<N> {
-    type Output = Self;
-    fn neg(mut self) -> Self {
-        self.sign = -self.sign;
-        self
-    }
-}
-
-impl<const N: usize> Add for Float<N> {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        if self.sign == 0 {
-            return other;
-        }
-        if other.sign == 0 {
-            return self;
-        }
-        let order = self.magnitude_cmp(&other);
-        let (large, small) = if order == Ordering::Less { (other, self) } else { (self, other) };
-        if large.sign == small.sign {
-            large.magnitude_sum(&small)
-        } else if order == Ordering::Equal {
-            Self::ZERO
-        } else {
-            large.magnitude_difference(&small)
-        }
-    }
-}
-
-impl<const N: usize> Sub for Float<N> {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<const N: usize> Mul for Float<N> {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        if self.sign == 0 || other.sign == 0 {
-            return Self::ZERO;
-        }
-        // Column sums from the lowest, in three limbs; `lowest` ends as the limb below the result.
-        let mut m = [0; N];
-        let mut guard = 0;
-        let (mut acc, mut over): (u128, u64) = (0, 0);
-        for column in 0..2 * N {
-            for i in column.saturating_sub(N - 1)..=column.min(N - 1) {
-                let (sum, carry) =
-                    acc.overflowing_add(u128::from(self.m[i]) * u128::from(other.m[column - i]));
-                acc = sum;
-                over += u64::from(carry);
-            }
-            if column + 1 == N {
-                guard = low(acc);
-            } else if column >= N {
-                m[column - N] = low(acc);
-            }
-            acc = (acc >> 64) | (u128::from(over) << 64);
-            over = 0;
-        }
-        Self::normalized(self.sign * other.sign, self.exp + other.exp, m, guard)
-    }
-}
-
-impl<const N: usize> PartialOrd for Float<N> {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl<const N: usize> Ord for Float<N> {
-    fn cmp(&self, other: &Self) -> Ordering {
-        self.sign.cmp(&other.sign).then_with(|| match self.sign {
-            0 => Ordering::Equal,
-            1 => self.magnitude_cmp(other),
-            _ => other.magnitude_cmp(self),
-        })
-    }
-}
-
-impl<const N: usize> fmt::Debug for Float<N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, f)
-    }
-}
-
-impl<const N: usize> Float<N> {
-    /// The number as a decimal with so many significant digits, cut, not rounded.
-    #[must_use]
-    pub fn to_decimal(self, digits: usize) -> String {
-        let Some((all, exponent)) = decimal::digits(self, digits) else { return "0".to_owned() };
-        format!("{}{}.{}e{exponent}", if self.sign < 0 { "-" } else { "" }, &all[..1], &all[1..])
-    }
-}
-
-impl<const N: usize> fmt::Display for Float<N> {
-    /// 25 significant digits.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.to_decimal(25))
-    }
-}
-
-mod decimal {
-    use super::Float;
-
-    /// So many digits and the power of ten of the first; None for 0.
-    pub(super) fn digits<const N: usize>(x: Float<N>, count: usize) -> Option<(String, i64)> {
-        if x.is_zero() {
-            return None;
-        }
-        let (ten, one) = (Float::<N>::from(10.0), Float::<N>::one());
-        let (mut rest, mut exponent) = (x.abs(), 0);
-        let tenth = ten.recip();
-        while rest >= ten {
-            rest = rest * tenth;
-            exponent += 1;
-        }
-        while rest < one {
-            rest = rest * ten;
-            exponent -= 1;
-        }
-        let mut digits = String::new();
-        for _ in 0..count {
-            let whole = rest.floor();
-            digits.push(char::from_digit(super::digit(whole.to_f64()), 10).unwrap_or('9'));
-            rest = (rest - whole) * ten;
-        }
-        Some((digits, exponent))
-    }
-}
-
-/// A whole number from 0 to 9.
-fn digit(x: f64) -> u32 {
-    (0..10).find(|k| f64::from(*k) > x - 0.5).unwrap_or(9)
-}
-
-#[cfg(test)]
-mod tests;
