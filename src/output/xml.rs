@@ -1,6 +1,6 @@
 //! XML elements with everything escaped that must be.
 //!
-//! Text from a scene can't leave its place: `& < > " '` become references and a character that XML 1.0 forbids
+//! Text from a scene can't leave its place: `& < >`, and in attributes `" '`, become references, and a character that XML 1.0 forbids
 //! becomes U+FFFD.
 
 /// A document being written.
@@ -43,7 +43,7 @@ impl Xml {
 
     /// An attribute with any text.
     pub(super) fn attribute(&mut self, name: &str, value: &str) {
-        self.attribute_by(name, |out| escape(out, value));
+        self.attribute_by(name, |out| escape_attribute(out, value));
     }
 
     /// An attribute whose value `write` appends; it must need no escaping.
@@ -82,10 +82,20 @@ impl Xml {
     }
 }
 
-/// Appends `text`, escaped for attributes and for content.
+/// Appends `text`, escaped for content: quotes stay, of which metadata has many.
 pub(super) fn escape(out: &mut String, text: &str) {
+    escape_but(out, text, |character| matches!(character, '"' | '\''));
+}
+
+/// Appends `text`, escaped for an attribute in quotes.
+fn escape_attribute(out: &mut String, text: &str) {
+    escape_but(out, text, |_| false);
+}
+
+fn escape_but(out: &mut String, text: &str, stays: impl Fn(char) -> bool) {
     for character in text.chars() {
         match character {
+            _ if stays(character) => out.push(character),
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),

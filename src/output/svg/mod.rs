@@ -247,7 +247,7 @@ impl Document {
             (Property::Fill, fill.and_then(|paint| paint.role)),
             (Property::Stroke, stroke.and_then(|stroke| stroke.paint.role)),
         ];
-        style::class_attribute(&mut self.xml, &self.prefix, roles);
+        style::class_attribute(&mut self.xml, &self.prefix, &roles);
         if let Some(paint) = fill {
             style::paint(&mut self.xml, Property::Fill, paint);
         }

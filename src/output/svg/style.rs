@@ -16,6 +16,8 @@ use crate::typeset::Glyph;
 pub(super) enum Property {
     Fill,
     Stroke,
+    /// Both in one colour.
+    Halo,
 }
 
 impl Property {
@@ -23,6 +25,7 @@ impl Property {
         match self {
             Self::Fill => "fill",
             Self::Stroke => "stroke",
+            Self::Halo => "halo",
         }
     }
 }
@@ -56,8 +59,7 @@ impl Used {
                 Item::Text(text) => {
                     self.paint(Property::Fill, Some(&text.paint));
                     let halo = text.halo.as_ref().map(|h| &h.paint);
-                    self.paint(Property::Fill, halo);
-                    self.paint(Property::Stroke, halo);
+                    self.paint(Property::Halo, halo);
                     let inked = text.line.glyphs.iter().map(|g| g.glyph);
                     self.glyphs.extend(inked.filter(|g| !g.outline().segments.is_empty()));
                 }
@@ -98,12 +100,20 @@ impl Document {
         sheet.push('.');
         class(sheet, &self.prefix, role, property);
         sheet.push('{');
-        sheet.push_str(property.name());
-        sheet.push_str(":var(--tracefig-");
-        sheet.push_str(role.name());
-        sheet.push(',');
-        hex(sheet, color);
-        sheet.push_str(")}");
+        let names: &[&str] = match property {
+            Property::Halo => &["fill", "stroke"],
+            _ => &[property.name()],
+        };
+        for (i, name) in names.iter().enumerate() {
+            sheet.push_str(if i > 0 { ";" } else { "" });
+            sheet.push_str(name);
+            sheet.push_str(":var(--tracefig-");
+            sheet.push_str(role.name());
+            sheet.push(',');
+            hex(sheet, color);
+            sheet.push(')');
+        }
+        sheet.push('}');
     }
 }
 
@@ -115,14 +125,14 @@ fn class(out: &mut String, prefix: &str, role: Role, property: Property) {
     out.push_str(role.name());
 }
 
-/// The class attribute of an element whose fill and stroke play these roles.
-pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: [(Property, Option<Role>); 2]) {
+/// The class attribute of an element whose properties play these roles.
+pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: &[(Property, Option<Role>)]) {
     if roles.iter().all(|(_, role)| role.is_none()) {
         return;
     }
     xml.attribute_by("class", |out| {
         let start = out.len();
-        for (property, role) in roles {
+        for &(property, role) in roles {
             let Some(role) = role else { continue };
             if out.len() > start {
                 out.push(' ');
@@ -134,13 +144,16 @@ pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: [(Property, Op
 
 /// A colour attribute, and the opacity where it is not 1.
 pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
-    xml.attribute_by(property.name(), |out| hex(out, paint.color));
-    if paint.opacity < 1.0 {
-        let name = match property {
-            Property::Fill => "fill-opacity",
-            Property::Stroke => "stroke-opacity",
-        };
-        xml.number(name, paint.opacity);
+    let names: &[(&str, &str)] = match property {
+        Property::Fill => &[("fill", "fill-opacity")],
+        Property::Stroke => &[("stroke", "stroke-opacity")],
+        Property::Halo => &[("fill", "fill-opacity"), ("stroke", "stroke-opacity")],
+    };
+    for &(name, opacity) in names {
+        xml.attribute_by(name, |out| hex(out, paint.color));
+        if paint.opacity < 1.0 {
+            xml.number(opacity, paint.opacity);
+        }
     }
 }
 

@@ -41,10 +41,8 @@ impl Document {
         };
         let id = self.new_id("text");
         self.xml.start("g");
-        let roles = [(Property::Fill, halo.paint.role), (Property::Stroke, halo.paint.role)];
-        style::class_attribute(&mut self.xml, &self.prefix, roles);
-        style::paint(&mut self.xml, Property::Fill, &halo.paint);
-        style::paint(&mut self.xml, Property::Stroke, &halo.paint);
+        style::class_attribute(&mut self.xml, &self.prefix, &[(Property::Halo, halo.paint.role)]);
+        style::paint(&mut self.xml, Property::Halo, &halo.paint);
         self.xml.start("g");
         self.xml.attribute("id", &id);
         self.line(&text.line, text.origin, Some(halo));
@@ -60,8 +58,7 @@ impl Document {
     }
 
     fn fill(&mut self, text: &Text) {
-        let roles = [(Property::Fill, text.paint.role), (Property::Stroke, None)];
-        style::class_attribute(&mut self.xml, &self.prefix, roles);
+        style::class_attribute(&mut self.xml, &self.prefix, &[(Property::Fill, text.paint.role)]);
         style::paint(&mut self.xml, Property::Fill, &text.paint);
     }
 
