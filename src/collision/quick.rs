@@ -3,7 +3,7 @@
 //! A guess is right if the other body's supporting corner is the one that it names and if the foot of the origin lies
 //! inside the feature. Both are signs of dot products; here they must be clear of a bound on all rounding. Then the gap
 //! along the side's normal (or the distance of two corners) is the separation of the cores, and only its last digits are
-//! left to compute:
+//! left to compute (a side of the other body may be parallel, if that is exact):
 //!
 //!     gap = n · (c + R q_j − v_i)          error ≤ |error of c and R q_j| + |error of n| |c + R q_j − v_i| + 64 ε² M
 //!
@@ -49,33 +49,64 @@ pub(crate) fn proved(pair: &Pair) -> Option<Proved> {
 #[derive(Clone, Copy)]
 enum Feature {
     Edge(Facing),
+    /// The other body's side is exactly parallel.
+    Faces(Facing, usize),
     Corners([usize; 2]),
 }
 
-/// The largest gap of all, if it is clearly negative and clearly the largest.
+/// How the corner of an edge of B ⊖ A supports it.
+#[derive(Clone, Copy)]
+enum Support {
+    /// Clearly alone.
+    Corner,
+    /// With the whole of this side.
+    Face(usize),
+    /// Rounding hides it.
+    Unclear,
+}
+
+/// The largest gap of all, if it is clearly negative and clearly the largest but for a parallel side's.
 fn deepest(pair: &Pair) -> Option<Feature> {
     let error = pair.gap_error();
-    let (mut top, mut second, mut best) = (f64::NEG_INFINITY, f64::NEG_INFINITY, None);
+    let [mut top, mut second, mut third] = [f64::NEG_INFINITY; 3];
+    let (mut best, mut next) = (None, None);
     every_gap(pair, |facing, gap| {
         if gap > top {
-            (second, top, best) = (top, gap, Some(facing));
+            (third, second, top) = (second, top, gap);
+            (next, best) = (best, Some(facing));
         } else if gap > second {
-            second = gap;
+            (third, second) = (second, gap);
+            next = Some(facing);
+        } else if gap > third {
+            third = gap;
         }
     });
     let facing = best?;
-    let clear = top < -error && second < top - 2.0 * error && is_supported(pair, facing);
-    clear.then_some(Feature::Edge(facing))
+    let floor = top - 2.0 * error;
+    if top >= -error || third >= floor {
+        return None;
+    }
+    match support(pair, facing) {
+        Support::Corner if second < floor => Some(Feature::Edge(facing)),
+        Support::Face(partner) => {
+            let same = next.is_some_and(|next| next.source != facing.source && next.edge == partner);
+            (second < floor || same).then_some(Feature::Faces(facing, partner))
+        }
+        _ => None,
+    }
 }
 
 /// The guessed feature, if it is clearly the closest.
 #[inline]
 fn apart(pair: &Pair, hint: Hint) -> Option<Feature> {
     match hint {
-        Hint::Edge(facing) => {
-            let clear = is_supported(pair, facing) && spans(pair, facing);
-            clear.then_some(Feature::Edge(facing))
-        }
+        Hint::Edge(facing) => match support(pair, facing) {
+            Support::Corner => spans(pair, facing, None).then_some(Feature::Edge(facing)),
+            Support::Face(partner) => {
+                spans(pair, facing, Some(partner)).then_some(Feature::Faces(facing, partner))
+            }
+            Support::Unclear => None,
+        },
         Hint::Corners([i, j]) => {
             let d = corner_b(pair, j) - pair.hull(Side::A).corners[i];
             let clear = is_lowest(pair, Side::B, j, d) && is_lowest(pair, Side::A, i, -d);
@@ -127,14 +158,14 @@ fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
     ahead.dot(down) > slack * size(ahead) && behind.dot(down) < -slack * size(behind)
 }
 
-/// Whether the corner of an edge of B ⊖ A clearly supports it.
+/// How the corner of an edge of B ⊖ A supports it.
 #[inline]
-fn is_supported(pair: &Pair, facing: Facing) -> bool {
+fn support(pair: &Pair, facing: Facing) -> Support {
     let other = facing.source.other();
     let n = normal(pair, facing);
     let hull = pair.hull(other);
     if hull.sides.is_empty() {
-        return true;
+        return Support::Corner;
     }
     let down = match other {
         Side::A => -n,
@@ -143,23 +174,49 @@ fn is_supported(pair: &Pair, facing: Facing) -> bool {
             DVec2::new(cos.hi * n.x + sin.hi * n.y, cos.hi * n.y - sin.hi * n.x)
         }
     };
-    let (ahead, behind) = (hull.sides[facing.corner], hull.sides[hull.previous(facing.corner)]);
-    ahead.dot(down) > 2.0 * DOT_ERROR * size(ahead) && behind.dot(down) < -2.0 * DOT_ERROR * size(behind)
+    let back = hull.previous(facing.corner);
+    let (ahead, behind) = (hull.sides[facing.corner], hull.sides[back]);
+    let (rise, fall) = (ahead.dot(down), behind.dot(down));
+    let (rises, falls) = (rise > 2.0 * DOT_ERROR * size(ahead), fall < -2.0 * DOT_ERROR * size(behind));
+    // With a direction along an axis, and no turn or quarter turns only, the dot product is a coordinate's difference:
+    // its 0 is exact.
+    let exact = pair.turn_error == 0.0 && (down.x == 0.0 || down.y == 0.0);
+    if rises && falls {
+        Support::Corner
+    } else if exact && rise == 0.0 && falls {
+        Support::Face(facing.corner)
+    } else if exact && fall == 0.0 && rises {
+        Support::Face(back)
+    } else {
+        Support::Unclear
+    }
 }
 
-/// Whether the foot of the facing corner is clearly inside the side, and the corner clearly outside its line.
+/// Whether the corner (or with `partner` the parallel side) that faces a side is clearly outside its line, with its foot
+/// (or a part of its span) clearly inside the side.
 #[inline]
-fn spans(pair: &Pair, Facing { source, edge, corner }: Facing) -> bool {
-    let hull = pair.hull(source);
-    let point = match source {
-        Side::A => corner_b(pair, corner),
-        Side::B => pair.local_to_b(pair.hull(Side::A).corners[corner]),
+fn spans(pair: &Pair, Facing { source, edge, corner }: Facing, partner: Option<usize>) -> bool {
+    let (hull, other) = (pair.hull(source), pair.hull(source.other()));
+    let seen = |k: usize| match source {
+        Side::A => corner_b(pair, k),
+        Side::B => pair.local_to_b(pair.hull(Side::A).corners[k]),
     };
     let (along, n) = (hull.sides[edge], hull.normals[edge]);
+    let (start, end) = (hull.corners[edge], hull.corners[hull.next(edge)]);
     let error = pair.gap_error();
-    let (from, to) = (point - hull.corners[edge], point - hull.corners[hull.next(edge)]);
     let slack = error * size(along);
-    from.dot(along) > slack && to.dot(along) < -slack && n.dot(from) > error
+    let point = seen(corner);
+    if n.dot(point - start) <= error {
+        return false;
+    }
+    // How far inside each end of the side the point is, in units of the side's length.
+    let inside = |point: DVec2| ((point - start).dot(along), (end - point).dot(along));
+    let (mut from, mut to) = inside(point);
+    if let Some(k) = partner {
+        let (f, t) = inside(seen(if k == corner { other.next(k) } else { k }));
+        (from, to) = (from.max(f), to.max(t));
+    }
+    from > slack && to > slack
 }
 
 /// The feature's distance to twice the precision, if that is tight enough.
@@ -167,8 +224,11 @@ fn spans(pair: &Pair, Facing { source, edge, corner }: Facing) -> bool {
 fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
     let [i, j] = match feature {
         Feature::Corners(corners) => corners,
-        Feature::Edge(Facing { source: Side::A, edge, corner }) => [edge, corner],
-        Feature::Edge(Facing { source: Side::B, edge, corner }) => [corner, edge],
+        Feature::Edge(Facing { source, edge, corner })
+        | Feature::Faces(Facing { source, edge, corner }, _) => match source {
+            Side::A => [edge, corner],
+            Side::B => [corner, edge],
+        },
     };
     let (v, q) = (pair.hull(Side::A).corners[i], pair.hull(Side::B).corners[j]);
     let [cos, sin] = pair.b_turn;
@@ -181,6 +241,10 @@ fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
         Feature::Edge(facing) => {
             let (n, gap) = along_normal(pair, facing, d);
             (gap, n, Carrier::Edge(facing))
+        }
+        Feature::Faces(facing, partner) => {
+            let (n, gap) = along_normal(pair, facing, d);
+            (gap, n, Carrier::Faces(facing, partner))
         }
         Feature::Corners(corners) => {
             let length = combined(d[0], d[0], d[1], d[1]).sqrt();

@@ -190,7 +190,7 @@ mod tests {
                     let hull =
                         crate::geometry::Hull::new(body.shape.core.iter().map(|&k| vertices[k]).collect());
                     let radius = body.shape.radius * factor;
-                    let shape = Shape { vertices, hull, radius, ..body.shape };
+                    let shape = Shape { vertices, radius, hull, ..body.shape };
                     Body { shape, position: body.position * factor, ..body }
                 });
                 let (one, two) = (found(&pair), found(&scaled));
