@@ -11,7 +11,7 @@
 //! Rigid Body Systems*, 1996, section 2.3.2; Coumans, *Continuous Collision Detection and Physics*, 2005). So nothing touches before
 //! t + s / bound, and a bound that is not positive means that the bodies never meet.
 //!
-//! The sign is what the article's readers argued about: its `ray` is v_B − v_A, while its normal points from A to B, so that
+//! The sign is what the article's readers argued about: its `ray` is `v_B` − `v_A`, while its normal points from A to B, so that
 //! its `rayN` is minus the closing speed and a step could lead backward in time. Neither `fabs` nor a flipped test is
 //! the cure, but the closing velocity itself.
 
@@ -48,9 +48,9 @@ struct Advancement<'q> {
     a: &'q Body,
     b: &'q Body,
     flavor: Flavor,
-    /// Closing velocity v_A − v_B.
+    /// Closing velocity `v_A` − `v_B`.
     v: DVec2,
-    /// r_A |ω_A| + r_B |ω_B|, rounded up.
+    /// `r_A` |`ω_A`| + `r_B` |`ω_B`|, rounded up.
     arms: f64,
     /// In force, world units.
     tolerance: f64,

@@ -1,8 +1,8 @@
 //! The gap of a moving pair along an axis that turns with one of the bodies, and how long it stays open.
 //!
-//! Let R own the axis n (a unit vector in R's frame), O be the other body. With D = c_O − c_R, V = v_O − v_R,
-//! Δω = ω_O − ω_R, h = max n·q over R's core, n_w = n in the world, x_j = O's vertex j turned into R's frame, and
-//! perp(a) = (−a_y, a_x):
+//! Let R own the axis n (a unit vector in R's frame), O be the other body. With D = `c_O` − `c_R`, V = `v_O` − `v_R`,
+//! Δω = `ω_O` − `ω_R`, h = max n·q over R's core, `n_w` = n in the world, `x_j` = O's vertex j turned into R's frame, and
+//! perp(a) = (−`a_y`, `a_x`):
 //!
 //! ```text
 //! f_j   = n_w·D + n·x_j − h − ρ                       ρ = r_A + r_B
@@ -11,9 +11,9 @@
 //! |f_j'''| ≤ |ω_R|³ |D| + 3 ω_R² |V| + |Δω|³ |q_j|
 //! ```
 //!
-//! since n_w' = ω_R perp(n_w), x_j' = Δω perp(x_j) and perp(perp(a)) = −a. The least f_j is the gap along n, and a gap along
-//! any axis is a lower bound of the separation: while every f_j is positive, nothing touches. However O turns,
-//! n·x_j ≥ −(its reach), which gives one more lower bound, of any number of turns.
+//! since `n_w`' = `ω_R` perp(`n_w`), `x_j`' = Δω perp(`x_j`) and perp(perp(a)) = −a. The least `f_j` is the gap along n, and a gap along
+//! any axis is a lower bound of the separation: while every `f_j` is positive, nothing touches. However O turns,
+//! n·`x_j` ≥ −(its reach), which gives one more lower bound, of any number of turns.
 
 use super::first_root::{Taylor, positive_until};
 use super::moving_pair::MovingPair;
@@ -59,7 +59,7 @@ pub(super) struct Swept {
 
 /// The gap at a moment, with everything that its future depends on.
 struct Gap {
-    /// Least f_j, less rounding.
+    /// Least `f_j`, less rounding.
     least: f64,
     /// Slope of the least.
     slope: f64,
@@ -110,6 +110,24 @@ impl Axis {
         let owner = pair.calmer();
         let n = if owner == Side::A { normal } else { -normal };
         Self::new(pair, owner, pair.view(owner, t).turned(n))
+    }
+
+    /// Where neither body turns: the axis across their relative velocity, the only one that separates a graze all along.
+    /// Its direction is exact where the velocities are; its length, in [½, 1), keeps it so.
+    pub(super) fn across(pair: &MovingPair, normal: DVec2) -> Option<Self> {
+        let owner = if pair.faces_the_world(Side::B) { Side::B } else { Side::A };
+        let (_, v) = pair.offset(owner, 0.0);
+        let (_, exponent) = libm::frexp(v.x.abs().max(v.y.abs()) * 2.0);
+        let across = perp(v) * libm::ldexp(1.0, -exponent);
+        let toward = if owner == Side::A { normal } else { -normal };
+        let n = pair.view(owner, 0.0).turned(if across.dot(toward) < 0.0 { -across } else { across });
+        let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
+        n.is_finite().then_some(Self { owner, n, support, facing: 0, edge: None })
+    }
+
+    /// Whether the axis separates at `t`.
+    pub(super) fn separates(&self, pair: &MovingPair, t: f64) -> bool {
+        self.gap(pair, t, Precision::Fine, &mut 0).least > 0.0
     }
 
     /// For two vertices: the axis through them when they will touch, or be closest, if they go on as they move at `t`.
@@ -267,7 +285,7 @@ impl Axis {
 struct FineGap {
     /// n in O's frame.
     m: [Ball; 2],
-    /// n_w·D − h − ρ.
+    /// `n_w·D − h − ρ`.
     rest: Ball,
 }
 
@@ -280,13 +298,13 @@ impl FineGap {
 
 /// What all vertices share in the derivatives at a moment.
 struct Common {
-    /// n_w·D − h − ρ.
+    /// `n_w·D − h − ρ`.
     value: f64,
-    /// ω_R perp(n_w)·D + n_w·V, less its rounding.
+    /// `ω_R perp(n_w)·D + n_w·V`, less its rounding.
     slope: f64,
-    /// −ω_R² n_w·D + 2 ω_R perp(n_w)·V, less its rounding.
+    /// `−ω_R² n_w·D + 2 ω_R perp(n_w)·V`, less its rounding.
     curvature: f64,
-    /// |ω_R|³ |D| + 3 ω_R² |V|, over the rest of the motion.
+    /// |`ω_R`|³ |D| + 3 ω_R² |V|, over the rest of the motion.
     third: f64,
     /// Δω.
     spin: f64,
@@ -342,7 +360,7 @@ impl Common {
         h * fall * (1.0 + DERIVATIVE_ROUNDING)
     }
 
-    /// The polynomial of n_w·D − h − ρ − `reach`, in which the other body's turning does not occur.
+    /// `The polynomial of n_w·D − h − ρ − reach`, in which the other body's turning does not occur.
     fn circle(&self, reach: f64) -> Taylor {
         Taylor { value: self.value - reach, slope: self.slope, curvature: self.curvature, third: self.third }
     }

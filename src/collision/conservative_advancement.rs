@@ -7,7 +7,7 @@
 //! t ← t + s / (v·n + r_A |ω_A| + r_B |ω_B|)
 //! ```
 //!
-//! v = v_A − v_B closes along n (from A to B); r |ω| bounds how fast turning can bring any point of a body closer, since its
+//! v = `v_A` − `v_B` closes along n (from A to B); r |ω| bounds how fast turning can bring any point of a body closer, since its
 //! farthest point travels along an arc of length L = θ r. Each step leaves a constant part of the distance, and near a
 //! graze the steps shrink with the root of the gap: hence the step cap, which is an `unresolved` and never a hit.
 //! [`super::swept_axis`] has no such trouble; this one is drawn, and measured.

@@ -107,7 +107,7 @@ mod tests {
         let mut state = 0x9E37_79B9_7F4A_7C15_u64;
         let mut next = || {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1_u64 << 53) as f64
+            f64::from(u32::try_from(state >> 32).expect("32 bits")) / 4_294_967_296.0
         };
         for _ in 0..2000 {
             let f = Taylor {

@@ -1,6 +1,6 @@
 //! Two bodies in relative motion, seen from the frame of one of them.
 //!
-//! Let R be the body whose frame is looked from (the *owner*) and O the other. With D(t) = c_O − c_R, V = v_O − v_R,
+//! Let R be the body whose frame is looked from (the *owner*) and O the other. With D(t) = `c_O` − `c_R`, V = `v_O` − `v_R`,
 //! and θ the angles, core vertex q of O is seen at
 //!
 //! ```text
@@ -22,9 +22,9 @@ pub(super) struct MovingPair<'q> {
     hulls: [&'q Hull; 2],
     /// Power of two by which all lengths here are multiplied.
     pub(super) unit: f64,
-    /// p_B − p_A, exactly.
+    /// `p_B` − `p_A`, exactly.
     apart: [Dd; 2],
-    /// v_B − v_A, exactly.
+    /// `v_B` − `v_A`, exactly.
     velocity: [Dd; 2],
     /// Angle at t = 0 and spin; none for a body whose core is its own origin, which
     /// looks the same from all sides: its frame is the world's.
@@ -37,7 +37,7 @@ pub(super) struct MovingPair<'q> {
     pub(super) rate: [f64; 2],
     /// At least the distance of any core vertex from its body's origin.
     pub(super) reach: [f64; 2],
-    /// r_A + r_B, exactly.
+    /// `r_A` + `r_B`, exactly.
     pub(super) radius: Dd,
     /// Bound on the error of any coordinate or dot product with a unit vector that is computed here in doubles.
     pub(super) rounding: f64,
@@ -48,9 +48,9 @@ pub(super) struct MovingPair<'q> {
 pub(super) struct Seen<N> {
     /// D in R's frame.
     pub(super) offset: [N; 2],
-    /// cos(θ_O − θ_R).
+    /// cos(`θ_O` − `θ_R`).
     pub(super) cos: N,
-    /// sin(θ_O − θ_R).
+    /// sin(`θ_O` − `θ_R`).
     pub(super) sin: N,
 }
 
@@ -63,7 +63,7 @@ pub(super) struct View {
     pub(super) relative: (f64, f64),
 }
 
-/// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (reach_A + reach_B) + ρ.
+/// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (`reach_A` + `reach_B`) + ρ.
 ///
 /// Cosine and sine are within 3 ε ([`super::quick_turn`]), so that a turn is within 4.3 ε as an operator, and a
 /// difference of two turns within 10 ε. D loses 2 ε of |D₀| + |V| on its way to doubles; a turned vector 1.5 ε more, a dot
@@ -124,6 +124,11 @@ impl<'q> MovingPair<'q> {
         self.turning.iter().all(|(_, spin)| spin.0 == 0.0)
     }
 
+    /// Whether a body's frame is turned like the world's.
+    pub(super) fn faces_the_world(&self, side: Side) -> bool {
+        self.turning[side as usize] == UNTURNED
+    }
+
     /// The body that turns less: A where they turn alike.
     pub(super) fn calmer(&self) -> Side {
         if self.rate[0].abs() <= self.rate[1].abs() { Side::A } else { Side::B }
@@ -167,7 +172,7 @@ impl<'q> MovingPair<'q> {
 
     /// How fast `owner` sees vertex q of the other core move, in doubles.
     ///
-    /// x' = Rot(−θ_R) V − ω_R perp(x) + ω_O perp(Rot(θ_O − θ_R) q)
+    /// x' = Rot(−`θ_R`) V − `ω_R` perp(x) + `ω_O` perp(Rot(`θ_O` − `θ_R`) q)
     pub(super) fn velocity_of(&self, owner: Side, q: DVec2, (view, seen): (&View, &Seen<f64>)) -> DVec2 {
         let (_, v) = self.offset(owner, 0.0);
         let turned = DVec2::new(seen.cos * q.x - seen.sin * q.y, seen.sin * q.x + seen.cos * q.y);

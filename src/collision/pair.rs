@@ -126,7 +126,7 @@ impl<'s> Pair<'s> {
         }
     }
 
-    /// v_A − v_B in A's frame, scaled.
+    /// `v_A − v_B` in A's frame, scaled.
     pub(crate) fn closing_fine(&self) -> [Ball; 2] {
         let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);
         let (x, y) =

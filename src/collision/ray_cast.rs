@@ -1,7 +1,7 @@
 //! Linear sweep, directly: one ray against the edges of B ⊖ A that face it.
 //!
-//! Seen from A, B moves by −v, v = v_A − v_B; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. Along the
-//! normal n of an edge (from A to B) let g be the gap of the cores at t = 0, and ρ = r_A + r_B. Then
+//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. Along the
+//! normal n of an edge (from A to B) let g be the gap of the cores at t = 0, and ρ = `r_A` + `r_B`. Then
 //!
 //! ```text
 //! v·n > 0                                   the edge faces the ray; the others are skipped

@@ -20,9 +20,10 @@ impl Dice {
 
     /// A polygon of 1 to 6 corners on an ellipse, some with a radius.
     fn body(&mut self) -> Body {
-        let corners = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0][(self.roll() * 6.0) as usize];
+        let count = 1 + u32::try_from((self.0 >> 40) % 6).expect("below 6");
+        let corners = f64::from(count);
         let (x, y) = (self.between(0.3, 2.0), self.between(0.3, 2.0));
-        let vertices: Vec<[f64; 2]> = (0..corners as u32)
+        let vertices: Vec<[f64; 2]> = (0..count)
             .map(|k| (f64::from(k) + 0.7 * self.roll()) * std::f64::consts::TAU / corners)
             .map(|angle| [x * libm::cos(angle), y * libm::sin(angle)])
             .collect();

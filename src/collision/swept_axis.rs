@@ -72,6 +72,14 @@ struct Search<'q> {
     queries: usize,
 }
 
+/// How closing in on a contact ended.
+enum Closed {
+    /// By the end of the search.
+    By(Outcome),
+    /// Not: the bodies part again at this time.
+    Not(f64),
+}
+
 impl Search<'_> {
     fn run(&mut self, tracer: &mut impl Tracer) -> Outcome {
         tracer.record(|| Event::Started {
@@ -104,8 +112,8 @@ impl Search<'_> {
                     return hit;
                 }
                 t = match self.close_in(near, t, tracer) {
-                    Ok(next) => next,
-                    Err(outcome) => return outcome,
+                    Closed::Not(next) => next,
+                    Closed::By(outcome) => return outcome,
                 };
                 near = self.nearest(t).0;
             }
@@ -162,9 +170,8 @@ impl Search<'_> {
         Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: certified(self.a, self.b, lo, near) })
     }
 
-    /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact. Ok with
-    /// a later time if the bodies are seen to part again.
-    fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Result<f64, Outcome> {
+    /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact.
+    fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Closed {
         let (mut t, mut near) = (from, near);
         let still = Swept { until: from, at: from, gap: 0.0, slope: 0.0 };
         loop {
@@ -178,21 +185,21 @@ impl Search<'_> {
                 }
             }
             if swept.until >= 1.0 {
-                return Err(Outcome::Miss);
+                return Closed::By(Outcome::Miss);
             }
             let stuck = swept.until <= t;
             t = t.max(swept.until);
             let trials = if stuck { CONTACT_TRIALS } else { 1 };
             if let Some(hit) = self.prove_contact(t, near, (swept.gap, -swept.slope), trials) {
-                return Err(hit);
+                return Closed::By(hit);
             }
             if stuck {
-                return Err(self.undecided(t, near));
+                return Closed::By(self.undecided(t, near, tracer));
             }
             let gap;
             (near, gap) = self.nearest(t);
             if gap > CLOSE * self.pair.rounding {
-                return Ok(t);
+                return Closed::Not(t);
             }
         }
     }
@@ -219,7 +226,7 @@ impl Search<'_> {
         for trial in 0..trials {
             let hi = (lo + width).min(1.0);
             if before.touches_by(hi) {
-                let hi = if trial == 0 { hi } else { self.narrow(&before, lo, hi) };
+                let hi = if trial == 0 { hi } else { Self::narrow(&before, lo, hi) };
                 let contact = certified(self.a, self.b, lo, near);
                 return Some(Outcome::Hit { time: Enclosure { lo, hi }, contact });
             }
@@ -232,7 +239,7 @@ impl Search<'_> {
     }
 
     /// A graze: decided exactly where neither body turns.
-    fn undecided(&self, free_until: f64, near: Nearest) -> Outcome {
+    fn undecided(&self, free_until: f64, near: Nearest, tracer: &mut impl Tracer) -> Outcome {
         let unresolved = Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
         if !self.pair.is_linear() {
             return unresolved;
@@ -243,12 +250,21 @@ impl Search<'_> {
                 Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }
             }
             Outcome::Unresolved { .. } => unresolved,
+            Outcome::Miss => {
+                let normal = certified(self.a, self.b, free_until, near).normal;
+                // Without turning, a gap along a fixed axis is linear in time: positive between if it is at both ends.
+                let axis = Axis::across(&self.pair, normal)
+                    .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(&self.pair, t)));
+                let until = Swept { until: 1.0, at: 1.0, gap: 0.0, slope: 0.0 };
+                Self::told(axis.map(|axis| (axis, until)), free_until, tracer);
+                Outcome::Miss
+            }
             decided => decided,
         }
     }
 
     /// Brings the moment of proved contact closer to `lo` while it can be proved there too.
-    fn narrow(&self, before: &Before, lo: f64, hi: f64) -> f64 {
+    fn narrow(before: &Before, lo: f64, hi: f64) -> f64 {
         let (mut bad, mut good) = (lo, hi);
         for _ in 0..BISECTIONS {
             let middle = bad + 0.5 * (good - bad);

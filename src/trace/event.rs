@@ -254,7 +254,8 @@ pub enum Event {
         /// The body in whose frame the axis is fixed. The frame of a body whose core is its own origin does not turn: it is
         /// the world's.
         owner: Side,
-        /// Unit axis but for rounding, in that body's frame, from the owner to the other.
+        /// Axis in that body's frame, from the owner to the other. Of length 1 but for rounding; at least ½ where only an
+        /// exact direction will do.
         normal: DVec2,
     },
     /// The farthest a point of a body can move was bounded: L = θ r.
