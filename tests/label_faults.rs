@@ -5,6 +5,9 @@
 //! runs as many scenes as one likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves their
 //! pictures there, to be looked at.
 
+#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+#![expect(clippy::cast_precision_loss, reason = "counts of scenes and corners")]
+
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::Path;
@@ -20,7 +23,7 @@ const SCENES: u64 = 100;
 /// Faults a figure on average, at most.
 const LIMIT: f64 = 0.05;
 
-/// SplitMix64 (Steele, Lea, Flood 2014).
+/// `SplitMix64` (Steele, Lea, Flood 2014).
 struct Random(u64);
 
 impl Random {
@@ -85,7 +88,7 @@ fn layers(r: &mut Random, configuration: bool) -> String {
         .collect();
     let mut chosen: Vec<&str> =
         if configuration { vec!["axes", "difference", "origin"] } else { vec!["shapes"] };
-    for _ in 0..1 + r.below(4) {
+    for _ in 0..=r.below(4) {
         let layer = r.of(&all);
         if !chosen.contains(&layer) {
             chosen.push(layer);

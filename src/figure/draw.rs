@@ -36,7 +36,19 @@ impl Figure {
     }
 }
 
-/// Draws a plan in a theme. `id` is the prefix of every id in an SVG.
+/// Draws a plan in a theme. `id` is the prefix of every id in an SVG; metadata and hash are left to who writes files.
+///
+/// ```
+/// use tracefig::{figure::{draw, plan, theme}, geometry::DVec2, scene::{Source, read}};
+/// let text = r#"{"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]},
+///     "panels": [{"space": "world", "view": [-2, -1, 2, 1], "layers": ["shapes"]}]}"#;
+/// let scene = read(&Source::new("circle.json", text)).unwrap();
+/// let plan = plan(&scene).unwrap();
+/// let figure = draw(&plan, theme::find("dark").unwrap(), "circle");
+/// let panel = &figure.panels[0];
+/// assert_eq!(panel.frame.page(DVec2::ZERO), panel.frame.panel.center());
+/// assert_eq!(panel.placed[0].key, "A");
+/// ```
 #[must_use]
 pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));

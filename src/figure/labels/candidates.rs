@@ -54,7 +54,7 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame) -> Vec<Candidate> {
     if let Some(pin) = sought.pin {
         return pinned(pin, &sought.anchor, size, frame);
     }
-    match &sought.anchor {
+    let found = match &sought.anchor {
         Anchor::Point { at, clear, toward } => {
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
             around(frame.page(*at), *clear, toward, size)
@@ -76,7 +76,15 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame) -> Vec<Candidate> {
             inside::places(&page(area), &avoid.iter().map(page).collect::<Vec<_>>(), size, &frame.panel)
         }
         Anchor::Corner(corner) => corners(*corner, size, &frame.panel),
-    }
+    };
+    if found.is_empty() { around(frame.panel.center(), 0.0, None, size) } else { found }
+}
+
+/// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label.
+pub(super) fn is_in_view(anchor: &Anchor, frame: &Frame) -> bool {
+    let points: Vec<Point> = anchor.points().iter().map(|&p| frame.page(p)).collect();
+    let covered = points.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union);
+    covered.is_none_or(|r| r.intersection(frame.panel.grown(GAP)).is_some())
 }
 
 /// Where what a label belongs to lies on the page: the same for the same thing in another panel of a series.
@@ -297,6 +305,17 @@ mod tests {
         let far: Vec<_> = around(at, 4.5, None, (30.0, 12.0)).into_iter().filter_map(|c| c.leader).collect();
         assert!(!far.is_empty());
         assert!(far.iter().all(|(p, q)| (*q - *p).length() <= 40.0));
+    }
+
+    #[test]
+    fn what_the_view_cuts_off_is_not_in_view() {
+        use crate::geometry::DVec2;
+        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
+        let frame = Frame::fit(None, DVec2::ZERO, DVec2::new(10.0, 10.0), panel);
+        assert!(is_in_view(&Anchor::point(DVec2::new(9.0, 1.0)), &frame));
+        assert!(!is_in_view(&Anchor::point(DVec2::new(12.0, 1.0)), &frame));
+        assert!(is_in_view(&Anchor::tip(DVec2::ONE, DVec2::new(30.0, 1.0)), &frame), "its tail is");
+        assert!(is_in_view(&Anchor::Corner(Corner::Top), &frame));
     }
 
     #[test]

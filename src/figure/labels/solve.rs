@@ -2,7 +2,7 @@
 
 use super::super::frame::Frame;
 use super::super::sketch::Obstacle;
-use super::candidates::{Candidate, candidates, home, nudged};
+use super::candidates::{Candidate, candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
 use crate::drawing::{Point, Rect};
@@ -39,7 +39,7 @@ pub(crate) fn place(
     obstacles: &[Obstacle],
     earlier: &[(Rect, Placed)],
 ) -> Labelled {
-    let sought = &without_repeats(sought, frame);
+    let sought = &worth_naming(sought, frame);
     let surroundings = Surroundings { frame, obstacles, earlier };
     let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame)).collect();
     let priced = |(s, at): (&Sought, &Point), c: Candidate| {
@@ -68,8 +68,8 @@ pub(crate) fn place(
     problem.finish(sought, frame, obstacles)
 }
 
-/// Two layers may name the same thing: it is named once.
-fn without_repeats(sought: &[Sought], frame: &Frame) -> Vec<Sought> {
+/// Two layers may name the same thing: it is named once. What the view cuts off is not named.
+fn worth_naming(sought: &[Sought], frame: &Frame) -> Vec<Sought> {
     let same = |a: &Sought, b: &Sought| {
         let text = |s: &Sought| s.lines.iter().map(|l| l.markup.clone()).collect::<Vec<_>>();
         let apart = home(&a.anchor, frame) - home(&b.anchor, frame);
@@ -77,7 +77,7 @@ fn without_repeats(sought: &[Sought], frame: &Frame) -> Vec<Sought> {
     };
     let mut kept: Vec<Sought> = Vec::new();
     for one in sought {
-        if !kept.iter().any(|other| same(one, other)) {
+        if is_in_view(&one.anchor, frame) && !kept.iter().any(|other| same(one, other)) {
             kept.push(one.clone());
         }
     }
