@@ -3,6 +3,13 @@
 //! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the cases. A
 //! failure prints the scene, which `tracefig solve` reads as it stands.
 
+#![expect(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "tests fail by panics and print their tables"
+)]
+
 use tracefig::geometry::Side;
 use tracefig::trace::{Event, Trace};
 use tracefig_reference::check::{Record, Report, check, check_certificate};

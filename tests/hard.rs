@@ -1,5 +1,7 @@
 //! The cases that broke others, each with its published answer.
 
+#![expect(clippy::expect_used, reason = "tests fail by panics")]
+
 use tracefig_reference::check::check;
 use tracefig_reference::float::Real;
 use tracefig_reference::json::Json;

@@ -1,6 +1,8 @@
 //! Every rounding term of the second stage against 320 bits: each operation on balls keeps the exact result, and needs
 //! what it allows for. A whole query hides a deleted term behind the others; here nothing does.
 
+#![expect(clippy::print_stdout, reason = "a test prints what it measured")]
+
 use tracefig::geometry::{Ball, COS_SIN_ERROR, Dd, Degrees, Turn};
 use tracefig_reference::float::Real;
 use tracefig_reference::placement::Rotation;
