@@ -1,6 +1,8 @@
 //! The SVG of every figure shows what its PNG shows: resvg, which shares no code with our rasterizer, draws
 //! the one and we the other. And a renderer that ignores style sheets sees the same picture.
 
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic wherever it is")]
+
 use std::path::PathBuf;
 
 use tracefig::drawing::Drawing;
@@ -31,9 +33,13 @@ fn scenes() -> Vec<PathBuf> {
     scenes
 }
 
+fn written(drawing: &Drawing, name: &str) -> Vec<u8> {
+    let Writer::One(write) = format(name).unwrap().write else { panic!("{name} takes one drawing") };
+    write(drawing, &Options::default()).unwrap()
+}
+
 fn svg(drawing: &Drawing) -> String {
-    let Writer::One(write) = format("svg").unwrap().write else { panic!("an SVG has one drawing") };
-    String::from_utf8(write(drawing, &Options::default()).unwrap()).unwrap()
+    String::from_utf8(written(drawing, "svg")).unwrap()
 }
 
 fn seen(svg: &str) -> Vec<u8> {
@@ -67,7 +73,6 @@ fn compare(name: &str, drawing: &Drawing, faults: &mut Vec<String>) {
     let count = f64::from(u32::try_from(ours.len()).unwrap());
     let mean = differences().map(f64::from).sum::<f64>() / count;
     let far = differences().filter(|&d| d > FAR).map(|_| 1.0).sum::<f64>() / count;
-    println!("{name}: mean {mean:.3}, far {far:.1e}, {} bytes", svg.len());
     if mean > MEAN || far > SHARE {
         faults.push(format!("{name}: mean {mean}, share of far {far}"));
     }
@@ -90,4 +95,23 @@ fn svg_and_png_of_every_figure_show_the_same() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn a_figure_of_the_article_is_small() {
+    for path in scenes() {
+        let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
+        if !stem.starts_with('0') {
+            continue;
+        }
+        let file =
+            tracefig::scene::open(&path).unwrap_or_else(|refused| panic!("{stem}: {:?}", refused.problems));
+        let plan = plan(&file.scene).unwrap();
+        let drawing = draw(&plan, find("light").unwrap(), &stem).drawing;
+        let png = written(&drawing, "png").len();
+        assert!(png < 100_000, "{stem}: {png} bytes at 1920 × 1080");
+        // Its metadata come on top, 8 kB at most.
+        let svg = written(&drawing, "svg").len();
+        assert!(svg < 44_000, "{stem}: {svg} bytes");
+    }
 }

@@ -226,10 +226,10 @@ mod tests {
             let text = if u.arbitrary()? { format!("${text}$") } else { text };
             match wrap(&text, Style::regular(12.0), 100.0) {
                 Ok(lines) => {
-                    assert!(lines.iter().all(|l| l.width.is_finite() && l.height().is_finite()), "{text}")
+                    assert!(lines.iter().all(|l| l.width.is_finite() && l.height().is_finite()), "{text}");
                 }
                 Err(error) => {
-                    assert!(error.offset <= text.len() && text.is_char_boundary(error.offset), "{text}")
+                    assert!(error.offset <= text.len() && text.is_char_boundary(error.offset), "{text}");
                 }
             }
             Ok(())
