@@ -98,11 +98,12 @@ pub(crate) fn corners(path: &Path) -> Vec<Point> {
     for segment in segments {
         match *segment {
             Segment::Move(p) | Segment::Line(p) | Segment::Quad(_, p) | Segment::Cubic(_, _, p) => {
-                points.push(p)
+                points.push(p);
             }
             Segment::Arc { center, radius, start, sweep } => {
                 for a in [start, start + sweep] {
-                    points.push(Point::new(center.x + radius * a.cos(), center.y + radius * a.sin()));
+                    points
+                        .push(Point::new(center.x + radius * libm::cos(a), center.y + radius * libm::sin(a)));
                 }
             }
             Segment::Close => {}
@@ -226,7 +227,7 @@ impl Look<'_> {
             stroke_role(path) == Some(role)
                 && segments.iter().any(|s| {
                     let Segment::Arc { center: c, radius, start, sweep } = *s else { return false };
-                    let at = |a: f64| Point::new(c.x + radius * a.cos(), c.y + radius * a.sin());
+                    let at = |a: f64| Point::new(c.x + radius * libm::cos(a), c.y + radius * libm::sin(a));
                     // A marker and an arrow head take the place of the arc's last pixels.
                     let ends = [(at(start), at(start + sweep)), (at(start + sweep), at(start))];
                     near(c, center) && ends.iter().any(|&(a, b)| near(a, p) && distance(b, q) < 14.0)
@@ -252,7 +253,7 @@ impl Look<'_> {
 }
 
 pub(crate) fn distance(p: Point, q: Point) -> f64 {
-    ((p.x - q.x).powi(2) + (p.y - q.y).powi(2)).sqrt()
+    libm::hypot(p.x - q.x, p.y - q.y)
 }
 
 fn on_segment(x: Point, p: Point, q: Point) -> bool {
