@@ -5,7 +5,9 @@
 //! along the side's normal (or the distance of two corners) is the separation of the cores, and only its last digits are
 //! left to compute (a side of the other body may be parallel, if that is exact):
 //!
-//!     gap = n · (c + R q_j − v_i)          error ≤ |error of c and R q_j| + |error of n| |c + R q_j − v_i| + 64 ε² M
+//! ```text
+//! gap = n · (c + R q_j − v_i)          error ≤ |error of c and R q_j| + |error of n| |c + R q_j − v_i| + 64 ε² M
+//! ```
 //!
 //! Where any condition is not clear, or the error is more than [`TIGHT`] of the separation, there is no quick proof.
 
