@@ -101,6 +101,10 @@ impl Pairing {
     }
 
     /// Projects the origin onto the edge.
+    ///
+    /// Not inlined: whether the compiler did so hung on how many callers there are, traced ones included, and cost the
+    /// untraced ones 2 %.
+    #[inline(never)]
     pub(crate) fn project(self, pair: &Relative) -> Projection {
         let [from, to] = self.ends(pair);
         let outward = self.outward(pair);

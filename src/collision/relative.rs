@@ -218,6 +218,9 @@ impl<'s> Relative<'s> {
 
     /// The vertices of the other core that the edge k of `side` meets in B ⊖ A: the first and, where one of its edges
     /// runs the same way there, the second end of that edge.
+    ///
+    /// Not inlined, as [`super::difference::Pairing::project`].
+    #[inline(never)]
     pub(crate) fn supports_of_edge(&self, side: Side, k: usize) -> (usize, Option<usize>) {
         let other = side.other();
         let mut at = self.support(other, -self.outward(side, k));
