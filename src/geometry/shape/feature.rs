@@ -1,0 +1,68 @@
+//! Features of a shape in the file's numbering, from corners and sides of its core.
+//!
+//! The core runs counter-clockwise without collinear corners; the file may run clockwise and have more corners. An answer
+//! names what the file has: the vertex, or the edge that holds the witness point.
+
+use glam::DVec2;
+
+use super::Shape;
+use crate::geometry::Feature;
+
+impl Shape {
+    /// The feature in the file's numbering for corner `k` of the core.
+    #[must_use]
+    pub fn vertex_feature(&self, k: usize) -> Feature {
+        Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
+    }
+
+    /// The file's edge that holds `point` (body frame), which lies on side `k` of the core.
+    ///
+    /// Where collinear corners were dropped, the side is made of several edges of the file: the one whose ends have the
+    /// point between them is taken, the first in the file's order on a tie.
+    #[must_use]
+    pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
+        let (count, corners) = (self.vertices.len(), self.core.len());
+        if corners < 2 {
+            return self.vertex_feature(0);
+        }
+        if count == 2 {
+            return Feature::Edge(0);
+        }
+        let (mut from, mut to) = (self.core[k % corners], self.core[(k + 1) % corners]);
+        if (from + 1) % count != to {
+            // Clockwise in the file, or corners dropped between the two.
+            let clockwise = !self.is_counter_clockwise();
+            if clockwise {
+                (from, to) = (to, from);
+            }
+            return self.nearest_edge(from, to, point);
+        }
+        Feature::Edge(from)
+    }
+
+    /// Whether the core runs in the file's order.
+    fn is_counter_clockwise(&self) -> bool {
+        // The indices of the core rise (with one wrap) or fall (with one wrap).
+        let falls = self.core.windows(2).filter(|pair| pair[1] < pair[0]).count();
+        falls <= 1 || self.core.len() < 3
+    }
+
+    /// Of the file's edges from vertex `from` on to vertex `to`, the one that comes nearest to holding `point`.
+    fn nearest_edge(&self, from: usize, to: usize, point: DVec2) -> Feature {
+        let count = self.vertices.len();
+        let (mut best, mut least) = (from, f64::INFINITY);
+        let mut i = from;
+        while i != to {
+            let next = (i + 1) % count;
+            let (p, q) = (self.vertices[i], self.vertices[next]);
+            // How far the point is outside the edge's bounding box; 0 inside.
+            let outside = (p.min(q) - point).max(point - p.max(q)).max(DVec2::ZERO);
+            let miss = outside.x.max(outside.y);
+            if p != q && miss < least {
+                (best, least) = (i, miss);
+            }
+            i = next;
+        }
+        Feature::Edge(best)
+    }
+}
