@@ -304,7 +304,7 @@ struct Common {
     slope: f64,
     /// `−ω_R² n_w·D + 2 ω_R perp(n_w)·V`, less its rounding.
     curvature: f64,
-    /// |`ω_R`|³ |D| + 3 ω_R² |V|, over the rest of the motion.
+    /// `|ω_R|³ |D| + 3 ω_R² |V|`, over the rest of the motion.
     third: f64,
     /// Δω.
     spin: f64,

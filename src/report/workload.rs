@@ -225,23 +225,23 @@ fn body(difficulty: Difficulty, corners: usize, random: &mut Rand64) -> Option<B
 /// A strictly convex polygon with its corners on an ellipse of half-axes 1 and `height`.
 fn polygon(corners: usize, height: f64, random: &mut Rand64) -> Option<Shape> {
     #[expect(clippy::cast_precision_loss, reason = "at most 1,024 corners")]
-    let vertices = (0..corners)
+    let vertices: Vec<DVec2> = (0..corners)
         .map(|i| {
             let jitter = between(random, -0.4, 0.4);
             let at = direction((i as f64 + jitter) / corners as f64 * core::f64::consts::TAU);
             DVec2::new(at.x, at.y * height)
         })
         .collect();
-    build_polygon(vertices)
+    build_polygon(&vertices)
 }
 
 /// A polygon by its row in the table of kinds; None where the row refuses it.
-fn build_polygon(vertices: Vec<DVec2>) -> Option<Shape> {
+fn build_polygon(vertices: &[DVec2]) -> Option<Shape> {
     let kind = KINDS.iter().find(|kind| kind.name == "polygon")?;
     let values: Vec<Option<FieldValue>> = kind
         .fields
         .iter()
-        .map(|field| (field.name == "vertices").then(|| FieldValue::Points(vertices.clone())))
+        .map(|field| (field.name == "vertices").then(|| FieldValue::Points(vertices.to_vec())))
         .collect();
     (kind.build)(&values).ok()
 }

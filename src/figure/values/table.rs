@@ -139,7 +139,7 @@ fn normal(context: &Context) -> Option<DVec2> {
     Some(run.separation()?.normal)
 }
 
-/// The article's first step t = d / (v·n + r_A|ω_A| + r_B|ω_B|), whichever algorithm answered; for a motion bound
+/// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion bound
 /// the bound itself.
 fn bound(context: &Context) -> Option<Quantity> {
     let run = context.run();
