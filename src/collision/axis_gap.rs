@@ -360,7 +360,7 @@ impl Common {
         h * fall * (1.0 + DERIVATIVE_ROUNDING)
     }
 
-    /// `The polynomial of n_w·D − h − ρ − reach`, in which the other body's turning does not occur.
+    /// The polynomial of `n_w·D − h − ρ − reach`, in which the other body's turning does not occur.
     fn circle(&self, reach: f64) -> Taylor {
         Taylor { value: self.value - reach, slope: self.slope, curvature: self.curvature, third: self.third }
     }

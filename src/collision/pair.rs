@@ -46,6 +46,8 @@ pub struct Pair<'s> {
     pub(crate) center: DVec2,
     /// Bound on the error of `fine_center` and of a corner turned by `b_turn`, as vectors, together.
     pub(crate) placing_error: f64,
+    /// Bound on the error of each of `frame_turn`.
+    frame_error: f64,
     /// Bound on the error of each of `b_turn`.
     pub(crate) turn_error: f64,
     /// `r_A + r_B`, exactly, scaled.
@@ -120,10 +122,29 @@ impl<'s> Pair<'s> {
             fine_center,
             center,
             placing_error,
+            frame_error,
             turn_error,
             radius,
             magnitude,
         }
+    }
+
+    /// The same two bodies at time `t`, where neither turns.
+    pub(crate) fn unturned_at(&self, t: f64) -> Self {
+        let (a, b) = (self.a, self.b);
+        let apart = [
+            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
+            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
+        ];
+        let fine_center = turned_back(self.frame_turn, [apart[0].value, apart[1].value], self.frame_error);
+        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
+        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
+        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
+        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        let placing_error = 2.0 * (self.frame_error * (x + y) + self.turn_error * reaches)
+            + ROUNDED_ERROR * magnitude
+            + (apart[0].radius + apart[1].radius);
+        Self { time: t, apart, fine_center, center, magnitude, placing_error, ..*self }
     }
 
     /// `v_A − v_B` in A's frame, scaled.

@@ -293,7 +293,7 @@ impl<'s> Ray<'s> {
 
     /// The pair at `lo`, just before it touches.
     fn contact(&self, piece: Piece, lo: f64) -> Separation {
-        let pair = Pair::at(self.pair.a, self.pair.b, lo);
+        let pair = self.pair.unturned_at(lo);
         match piece {
             Piece::Edge(facing) => certify(&pair, Some(Hint::Edge(facing))),
             Piece::Disc(corners) => certify(&pair, Some(Hint::Corners(corners))),
