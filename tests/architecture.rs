@@ -4,6 +4,8 @@
 //! inside macro calls, `super::` chains from nested modules. A room re-exports only what is its own, so that no arrow
 //! can go round through a neighbour, and nothing but `cli` speaks to the library's root.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,5 +1,7 @@
 //! The committed figures are what the built binary draws, byte for byte; a figure changed by hand is found and shown.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
