@@ -78,6 +78,7 @@ impl Runs for Render {
             None => jobs,
         };
         let bar = progress(jobs.len(), console);
+        let alone = bar.is_hidden();
         let ink = console.ink();
         let (mut status, mut times) = (Status::Done, Times::start());
         let work = |job: &Job| {
@@ -98,7 +99,9 @@ impl Runs for Render {
                     console.out.flush()?;
                     Console::message(&written.messages);
                 }
-                console.out.write_all(&written.results)
+                console.out.write_all(&written.results)?;
+                // While the bar is away, lest the two write over each other.
+                if alone { Ok(()) } else { console.out.flush() }
             })?;
             bar.inc(1);
             Ok(())
