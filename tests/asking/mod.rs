@@ -15,6 +15,6 @@ pub(crate) fn query<'s>(kind: QueryKind, a: &'s Body, b: &'s Body) -> Query<'s> 
 }
 
 /// The algorithms that take a query.
-pub(crate) fn takers<'s>(query: &Query<'s>) -> Vec<&'static Algorithm> {
+pub(crate) fn takers(query: &Query) -> Vec<&'static Algorithm> {
     ALGORITHMS.iter().filter(|x| x.kinds.contains(&query.kind) && (x.shapes)(query).is_ok()).collect()
 }

@@ -5,7 +5,7 @@ use super::asking::of_kind;
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Shape};
 
-/// SplitMix64 (Steele, Lea, Flood 2014).
+/// `SplitMix64` (Steele, Lea, Flood 2014).
 struct Random(u64);
 
 impl Random {
