@@ -1,0 +1,205 @@
+// Every committed SVG in Chromium; `.ci/browser` installs what this imports, and runs it.
+//
+// Alone, a figure must look as our own PNG of it does, hold nothing that runs, and load nothing. In a page with all the
+// others it must keep every byte of its picture, so no id and no class reaches from one to another. The auto theme and
+// the custom properties are held against PNGs that we draw in the colours in question.
+
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { basename, dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const figures = join(root, "figures");
+const work = join(root, "target/browser");
+const require = createRequire(join(work, "here.js"));
+const { chromium } = require("playwright-core");
+const { PNG } = require("pngjs");
+
+// Limits. Measured with Chromium 156 and 19 figures: the mean is 0.119 to 0.196, 0.206 in dark (all along edges: we count
+// sixteen levels of coverage, Chromium more), and at most 4 pixels differ strongly.
+//
+// Mean difference over all pixels and channels, in levels of 255: two fills in dark at 0.20 for 0.14 made it 2.5.
+const MEAN_LIMIT = 0.25;
+// Levels by which a channel differs strongly. What is lost but a thin grey line differs by more; at half of it, hundreds
+// of pixels along edges and letters do.
+const STRONG = 64;
+// How far, in image pixels, a strong difference may find its colour in the other picture. Chromium measures arcs short: on
+// a dotted circle of radius 45 its dots run ahead by 0.55 page pixels in a round, where ours are within 0.09 of the truth.
+const REACH = 2;
+// Pixels that may differ strongly: twice what was seen. A caption without its full stop has 10, a lost marker 115.
+const STRONG_LIMIT = 8;
+
+// The scene whose colours are tried, and a colour for its shape A that no theme has.
+const TRIED = "01-penetration";
+const OTHER_A = "#6b3d00";
+
+const failures = [];
+const fail = (about, message) => failures.push(`${about}: ${message}`);
+const read = (file) => PNG.sync.read(readFileSync(file));
+
+// Largest difference of a channel, of pixel `i` of `a` and pixel `j` of `b`.
+function between(a, i, b, j) {
+    let most = 0;
+    for (let channel = 0; channel < 3; channel++) {
+        most = Math.max(most, Math.abs(a.data[4 * i + channel] - b.data[4 * j + channel]));
+    }
+    return most;
+}
+
+// Whether pixel `i` of `a` differs strongly from all pixels within reach of it in `b`: what `b` lacks does.
+function missing(a, i, b) {
+    for (let y = -REACH; y <= REACH; y++) {
+        for (let x = -REACH; x <= REACH; x++) {
+            const j = i + y * b.width + x;
+            if (j >= 0 && j < b.width * b.height && between(a, i, b, j) <= STRONG) return false;
+        }
+    }
+    return true;
+}
+
+// The mean difference, the pixels that differ strongly, and a picture that is black where both agree.
+function compare(actual, expected) {
+    const { width, height } = expected;
+    if (actual.width !== width || actual.height !== height) {
+        throw new Error(`expected ${width} × ${height} pixels, got ${actual.width} × ${actual.height}`);
+    }
+    const difference = new PNG({ width, height });
+    let sum = 0;
+    let strong = 0;
+    for (let i = 0; i < width * height; i++) {
+        for (let channel = 4 * i; channel < 4 * i + 3; channel++) {
+            difference.data[channel] = Math.abs(actual.data[channel] - expected.data[channel]);
+            sum += difference.data[channel];
+        }
+        difference.data[4 * i + 3] = 255;
+        const differs = between(actual, i, expected, i) > STRONG;
+        strong += differs && (missing(actual, i, expected) || missing(expected, i, actual)) ? 1 : 0;
+    }
+    return { mean: sum / (3 * width * height), strong, difference };
+}
+
+// A row of the table; both pictures and their difference are kept where it fails.
+function judge(about, screenshot, expected) {
+    const actual = PNG.sync.read(screenshot);
+    const { mean, strong, difference } = compare(actual, expected);
+    const failed = mean > MEAN_LIMIT || strong > STRONG_LIMIT;
+    const numbers = `${mean.toFixed(3).padStart(8)} ${String(strong).padStart(8)}`;
+    console.log(`${about.padEnd(32)} ${numbers}${failed ? "  FAILED" : ""}`);
+    if (failed) {
+        for (const [kind, image] of Object.entries({ expected, actual, difference })) {
+            writeFileSync(join(work, "failed", `${about.replaceAll(" ", "-")}.${kind}.png`), PNG.sync.write(image));
+        }
+        fail(about, `mean difference ${mean.toFixed(3)}, ${strong} strong pixels`);
+    }
+}
+
+// In the page: what could run or load, ids that stand twice, and references to none.
+function faultsOfDocument() {
+    const faults = [];
+    const ids = new Set();
+    const refer = (id) => document.getElementById(id) || faults.push(`no element has the id "${id}"`);
+    for (const element of document.querySelectorAll("*")) {
+        if (["script", "foreignObject", "image", "iframe"].includes(element.localName)) faults.push(`a ${element.localName}`);
+        if (element.localName === "style" && /url\(|@import/.test(element.textContent)) faults.push("a style sheet that loads");
+        if (element.id && ids.has(element.id)) faults.push(`the id "${element.id}" stands twice`);
+        ids.add(element.id);
+        for (const { localName, value } of element.attributes) {
+            if (localName.startsWith("on")) faults.push(`an attribute ${localName}`);
+            const targets = localName === "href" || localName === "src" ? [value] : [];
+            targets.push(...Array.from(value.matchAll(/url\(([^)]*)\)/g), (found) => found[1]));
+            for (const target of targets) {
+                if (target.startsWith("#")) refer(target.slice(1));
+                else faults.push(`a reference to ${target}`);
+            }
+            if (localName === "aria-labelledby") value.split(" ").forEach(refer);
+        }
+    }
+    return faults;
+}
+
+// The scene that is tried, drawn by us; the path of its file.
+function render(theme, format) {
+    const into = join(work, "tried", basename(theme, ".toml"));
+    const scene = join(figures, `${TRIED}.toml`);
+    const args = ["render", scene, "--theme", theme, "--format", format, "-o", into];
+    execFileSync(join(root, "target/debug/tracefig"), args, { stdio: ["ignore", "ignore", "inherit"] });
+    return join(into, `${TRIED}.${format}`);
+}
+
+function themeFile(name, text) {
+    const file = join(work, "tried", `${name}.toml`);
+    writeFileSync(file, text);
+    return file;
+}
+
+for (const folder of ["failed", "tried"]) {
+    rmSync(join(work, folder), { recursive: true, force: true });
+    mkdirSync(join(work, folder), { recursive: true });
+}
+const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM,
+    args: [
+        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+        "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    ],
+});
+const page = await browser.newPage({ viewport: { width: 960, height: 540 }, deviceScaleFactor: 2 });
+let opened = "";
+page.on("request", (request) => request.url() === opened || fail(basename(opened), `asks for ${request.url()}`));
+page.on("console", (message) => fail(basename(opened), message.text()));
+
+async function open(file) {
+    opened = pathToFileURL(file).href;
+    await page.goto(opened);
+    for (const fault of await page.evaluate(faultsOfDocument)) fail(basename(file), fault);
+}
+
+// Opens an HTML page with figures inlined, all in the same place.
+async function inline(files, sheet = "") {
+    const html = join(work, "tried/inlined.html");
+    const place = "body{margin:0}svg{position:absolute;top:0;left:0}";
+    const pictures = files.map((file) => readFileSync(file, "utf8")).join("");
+    writeFileSync(html, `<!doctype html><html lang="en"><meta charset="utf-8"><style>${place}${sheet}</style>${pictures}`);
+    await open(html);
+}
+
+console.log(`${"figure".padEnd(32)} ${"mean".padStart(8)} ${"strong".padStart(8)}`);
+const files = readdirSync(figures).filter((file) => file.endsWith(".svg")).sort().map((file) => join(figures, file));
+const alone = [];
+for (const file of files) {
+    await open(file);
+    alone.push(await page.screenshot());
+    judge(basename(file, ".svg"), alone.at(-1), read(file.replace(/svg$/, "png")));
+}
+
+await inline(files);
+for (const [k, file] of files.entries()) {
+    await page.evaluate((shown) => {
+        document.querySelectorAll("svg").forEach((svg, k) => (svg.style.visibility = k === shown ? "visible" : "hidden"));
+    }, k);
+    const together = await page.screenshot();
+    if (!together.equals(alone[k])) {
+        judge(`${basename(file, ".svg")} in a page`, together, PNG.sync.read(alone[k]));
+        fail(basename(file), "other figures in its page change it");
+    }
+}
+
+// Auto keeps the fill opacity of light, so dark is asked for with that.
+const auto = render("auto", "svg");
+const dark = themeFile("dark-as-auto", 'based_on = "dark"\nfill_opacity = 0.14\n');
+for (const [colorScheme, theme] of [["light", "light"], ["dark", dark]]) {
+    await page.emulateMedia({ colorScheme });
+    await open(auto);
+    judge(`${TRIED} auto, ${colorScheme}`, await page.screenshot(), read(render(theme, "png")));
+}
+await page.emulateMedia({ colorScheme: "light" });
+
+const other = render(themeFile("other-a", `[colors]\na = "${OTHER_A}"\n`), "png");
+await inline([join(figures, `${TRIED}.svg`)], `:root{--tracefig-a:${OTHER_A}}`);
+judge(`${TRIED} --tracefig-a`, await page.screenshot(), read(other));
+
+await browser.close();
+for (const failure of failures) console.error(`FAILED ${failure}`);
+process.exitCode = failures.length > 0 ? 1 : 0;
