@@ -69,3 +69,17 @@ fn the_two_commands_are_those_that_ci_runs() {
         "CI runs the README's test command"
     );
 }
+
+#[test]
+fn the_line_piped_to_solve_is_answered() {
+    let line = README.lines().find(|line| line.ends_with("| tracefig solve --jsonl")).unwrap();
+    let scene = line.trim_start_matches("echo '").split("' | ").next().unwrap();
+    let run = Command::cargo_bin("tracefig")
+        .unwrap()
+        .args(["solve", "--jsonl"])
+        .write_stdin(scene)
+        .output()
+        .unwrap();
+    let answer = String::from_utf8(run.stdout).unwrap();
+    assert!(answer.contains("\"separation\":1.0") || answer.contains("\"separation\": 1.0"), "{answer}");
+}
