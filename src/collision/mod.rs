@@ -24,6 +24,7 @@ mod nearest;
 mod pair;
 mod place;
 mod quick;
+mod quick_ray;
 mod quick_turn;
 mod ray_cast;
 mod ray_clipping;

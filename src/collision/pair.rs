@@ -159,6 +159,17 @@ impl<'s> Pair<'s> {
         [cos * x + sin * y, cos * y - sin * x]
     }
 
+    /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the bound on its
+    /// error as a vector; None where its products might leave the range of doubles, or it is 0.
+    #[inline]
+    pub(crate) fn closing_tailed(&self) -> Option<([Dd; 2], f64)> {
+        let (of_a, of_b) = (self.a.velocity, self.b.velocity);
+        let v = [Dd::difference(of_a.x, of_b.x), Dd::difference(of_a.y, of_b.y)];
+        let size = v[0].hi.abs() + v[1].hi.abs();
+        let error = 2.0 * self.frame_error * size + ROUNDED_ERROR * size;
+        TAME.contains(&size).then(|| (turned_back(self.frame_turn, v, self.frame_error), error))
+    }
+
     /// A body's prepared core.
     #[inline]
     pub(crate) fn hull(&self, side: Side) -> &'s Hull {
@@ -178,6 +189,12 @@ impl<'s> Pair<'s> {
     #[inline]
     pub(crate) fn is_tame(&self) -> bool {
         self.tame
+    }
+
+    /// Whether cosines and sines are without error.
+    #[inline]
+    pub(crate) fn is_exactly_turned(&self) -> bool {
+        self.frame_error == 0.0 && self.turn_error == 0.0
     }
 
     /// Bound on the error of a gap of the first stage.
@@ -200,7 +217,8 @@ impl<'s> Pair<'s> {
         let apart = self.apart.map(|x| x.value);
         let distance = apart[0].hi.abs() + apart[1].hi.abs();
         self.fine_center = turned_back(frame_turn, apart, frame_error);
-        (self.frame_turn, self.b_turn, self.turn_error) = (frame_turn, b_turn, turn_error);
+        (self.frame_turn, self.b_turn) = (frame_turn, b_turn);
+        (self.frame_error, self.turn_error) = (frame_error, turn_error);
         self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
             + ROUNDED_ERROR * self.magnitude
             + (self.apart[0].radius + self.apart[1].radius);

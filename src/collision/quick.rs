@@ -28,7 +28,7 @@ const DOT_ERROR: f64 = 8.0 * f64::EPSILON;
 
 /// Rounding of the last dot product and sum, as a multiple of the magnitude M: the normal is within 16 ε² √2, the
 /// product 6 ε² √2, two sums.
-const LAST_ERROR: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
+pub(super) const LAST_ERROR: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
 
 /// A separation that can be proved with little work.
 #[inline]
@@ -58,7 +58,7 @@ enum Feature {
 
 /// How the corner of an edge of B ⊖ A supports it.
 #[derive(Clone, Copy)]
-enum Support {
+pub(super) enum Support {
     /// Clearly alone.
     Corner,
     /// With the whole of this side.
@@ -142,7 +142,7 @@ fn size(v: DVec2) -> f64 {
 /// Whether corner k of a body is clearly the lowest along `down` (A's frame); `down` may be off by [`Pair::gap_error`]
 /// where it is a difference of corners.
 #[inline]
-fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
+pub(super) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
     let hull = pair.hull(side);
     if hull.sides.is_empty() {
         return true;
@@ -162,7 +162,7 @@ fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
 
 /// How the corner of an edge of B ⊖ A supports it.
 #[inline]
-fn support(pair: &Pair, facing: Facing) -> Support {
+pub(super) fn support(pair: &Pair, facing: Facing) -> Support {
     let other = facing.source.other();
     let n = normal(pair, facing);
     let hull = pair.hull(other);
@@ -232,13 +232,7 @@ fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
             Side::B => [corner, edge],
         },
     };
-    let (v, q) = (pair.hull(Side::A).corners[i], pair.hull(Side::B).corners[j]);
-    let [cos, sin] = pair.b_turn;
-    let (qx, qy) = (Dd::new(q.x), Dd::new(q.y));
-    let d = [
-        (combined(cos, qx, -sin, qy) + pair.fine_center[0]).add_f64(-v.x),
-        (combined(sin, qx, cos, qy) + pair.fine_center[1]).add_f64(-v.y),
-    ];
+    let d = between(pair, [i, j]);
     let (core, normal, carrier) = match feature {
         Feature::Edge(facing) => {
             let (n, gap) = along_normal(pair, facing, d);
@@ -276,9 +270,21 @@ fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
     Some(Proved { carrier, normal: Some(normal), core: core.hi, separation: value, bounds, ties: 1 })
 }
 
+/// Corner j of B less corner i of A, within the pair's placing error.
+#[inline]
+pub(super) fn between(pair: &Pair, [i, j]: [usize; 2]) -> [Dd; 2] {
+    let (v, q) = (pair.hull(Side::A).corners[i], pair.hull(Side::B).corners[j]);
+    let [cos, sin] = pair.b_turn;
+    let (qx, qy) = (Dd::new(q.x), Dd::new(q.y));
+    [
+        (combined(cos, qx, -sin, qy) + pair.fine_center[0]).add_f64(-v.x),
+        (combined(sin, qx, cos, qy) + pair.fine_center[1]).add_f64(-v.y),
+    ]
+}
+
 /// A side's normal from A to B and the gap along it.
 #[inline]
-fn along_normal(pair: &Pair, facing: Facing, d: [Dd; 2]) -> (DVec2, Dd) {
+pub(super) fn along_normal(pair: &Pair, facing: Facing, d: [Dd; 2]) -> (DVec2, Dd) {
     let hull = pair.hull(facing.source);
     let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];

@@ -10,18 +10,20 @@
 //! ```
 //!
 //! A ray enters a convex polygon through the facing edge whose line it meets last. Where that is within the edge, it is the
-//! answer; beyond its end only the disc at that corner is left, and where ρ = 0 a ray that passes. Doubles find the edge;
-//! balls then decide every sign, so that a graze is a hit exactly if the signs say so, and enclose t.
+//! answer; beyond its end only the disc at that corner is left, and where ρ = 0 a ray that passes. Doubles find the edge
+//! and mostly prove it ([`super::quick_ray`]); else balls decide every sign, so that a graze is a hit exactly if the signs
+//! say so, and enclose t.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous; the line that is met last is Cyrus and
 //! Beck, *Generalized two- and three-dimensional clipping*, 1978; the root without cancellation is Press et al.,
 //! *Numerical Recipes*, 2007, section 5.6.
 
-use super::certify::{Hint, certify};
+use super::certify::{Hint, certify, settle};
 use super::difference::{self, walk};
 use super::fine::{Fine, Vec2, Way, cross, dot, minus, reversed};
-use super::gaps::{Facing, pass};
+use super::gaps::Facing;
 use super::pair::Pair;
+use super::quick_ray::{self, Met, last_line};
 use super::relative::Relative;
 use super::{Answer, Impact, Outcome, Query, Reason, Separation, swept_axis};
 use crate::geometry::{Ball, Body, DVec2, Enclosure, Feature, Side};
@@ -33,15 +35,15 @@ pub(crate) const NAME: &str = "ray-cast";
 /// Answers a linear sweep.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let (a, b) = (query.a, query.b.unwrap_or(query.a));
-    let ray = Ray::new(a, b);
-    let entry = ray.entry();
-    let mut outcome = ray.outcome(&entry);
+    let mut sweep = Sweep { pair: Pair::at(a, b, 0.0) };
+    let entry = sweep.entry();
+    let mut outcome = sweep.outcome(&entry);
     if let Outcome::Unresolved { .. } = outcome {
         // Around a corner that no digits tell from the ray: axes and proofs of contact need not tell.
         outcome = swept_axis::of_unturned(a, b).unwrap_or(outcome);
     }
     if tracer.listens() {
-        ray.tell(&entry, &outcome, tracer);
+        sweep.tell(&entry, &outcome, tracer);
     }
     tracer.record(|| Event::Finished { outcome: outcome.word() });
     Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 1 })
@@ -49,13 +51,14 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// First contact of two bodies of which neither turns, by the ray alone.
 pub(super) fn first_contact(a: &Body, b: &Body) -> Outcome {
-    let ray = Ray::new(a, b);
-    ray.outcome(&ray.entry())
+    let mut sweep = Sweep { pair: Pair::at(a, b, 0.0) };
+    let entry = sweep.entry();
+    sweep.outcome(&entry)
 }
 
 /// What the ray meets first.
 #[derive(Clone, Copy, Debug)]
-enum Piece {
+pub(super) enum Piece {
     /// An edge of B ⊖ A, moved out by ρ.
     Edge(Facing),
     /// The disc at the corner made of A's and B's: [i, j].
@@ -71,6 +74,8 @@ enum Entry {
     Misses,
     /// Here, not before the first moment and not after the second; they may be negative or above 1.
     At(Piece, Moment, Moment),
+    /// Here, between these doubles; they may be negative or above 1.
+    Between(Piece, Enclosure),
     /// The signs are not certain.
     Unsure,
 }
@@ -82,19 +87,23 @@ struct Moment {
     denominator: Ball,
 }
 
-/// The ray against B ⊖ A, in A's frame and the units of `pair`.
-struct Ray<'s> {
-    /// Both bodies at t = 0.
+/// Two bodies of which neither turns.
+struct Sweep<'s> {
+    /// Both at t = 0.
     pair: Pair<'s>,
+}
+
+/// The ray against B ⊖ A in balls, in A's frame and the units of `pair`.
+struct Ray<'p, 's> {
+    /// Both bodies at t = 0.
+    pair: &'p Pair<'s>,
     /// v.
     v: Vec2,
 }
 
-impl<'s> Ray<'s> {
-    fn new(a: &'s Body, b: &'s Body) -> Self {
-        let pair = Pair::at(a, b, 0.0);
-        let v = pair.closing_fine();
-        Self { pair, v }
+impl<'p, 's> Ray<'p, 's> {
+    fn new(pair: &'p Pair<'s>) -> Self {
+        Self { pair, v: pair.closing_fine() }
     }
 
     /// v in doubles.
@@ -102,40 +111,13 @@ impl<'s> Ray<'s> {
         DVec2::new(self.v[0].value.hi, self.v[1].value.hi)
     }
 
-    /// The facing edge whose line the ray meets last, in doubles.
-    fn last_line(&self) -> Option<Facing> {
-        let Pair { center, b_turn, .. } = self.pair;
-        let (v, radius) = (self.direction(), self.pair.radius.hi);
-        let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
-        let scale = self.pair.scale;
-        let mut last: Option<(Facing, f64)> = None;
-        let mut visit = |facing: Facing, gap: f64, closing: f64| {
-            // Compared as fractions with positive denominators would overflow sooner than as quotients.
-            let time = (gap * scale - radius) / closing;
-            if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
-                last = Some((facing, time));
-            }
-        };
-        let c = center / scale;
-        let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
-        pass(a, b, c, (cos, sin), |edge, corner, gap| {
-            visit(Facing { source: Side::A, edge, corner }, gap, a.normals[edge].dot(v));
-        });
-        let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
-        let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
-        pass(b, a, back, (cos, -sin), |edge, corner, gap| {
-            visit(Facing { source: Side::B, edge, corner }, gap, b.normals[edge].dot(seen));
-        });
-        last.map(|(facing, _)| facing)
-    }
-
     /// Whether, where and when the ray's line enters B ⊖ A, certainly.
     fn entry(&self) -> Entry {
         if dot(&self.v, &self.v).sign() == Some(0) {
             return Entry::Still;
         }
-        let fine = Fine::new(&self.pair);
-        let Some(facing) = self.last_line() else {
+        let fine = Fine::new(self.pair);
+        let Some(facing) = last_line(self.pair, self.direction()) else {
             return self.disc(&fine, [0, 0]);
         };
         let way = fine.measure(facing);
@@ -255,27 +237,40 @@ impl<'s> Ray<'s> {
         let clear = dot(&away, &fine.between(i, j)) - reach - Ball::new(drop);
         if clear.is_positive() { Entry::Misses } else { Entry::Unsure }
     }
+}
+
+impl Sweep<'_> {
+    /// Whether, where and when the ray's line enters B ⊖ A: by doubles where they tell, else by balls.
+    fn entry(&mut self) -> Entry {
+        match quick_ray::met(&mut self.pair) {
+            Some(Met::Nothing) => Entry::Misses,
+            Some(Met::At(piece, time)) => Entry::Between(piece, time),
+            None => Ray::new(&self.pair).entry(),
+        }
+    }
 
     /// The answer that an entry gives.
     fn outcome(&self, entry: &Entry) -> Outcome {
-        let unsure = |free_until| Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
         match *entry {
             Entry::Misses => Outcome::Miss,
             Entry::Still => self.at_start(Outcome::Miss),
             Entry::Unsure => self.at_start(unsure(0.0)),
-            Entry::At(piece, first, last) => {
-                let (lo, hi) = (first.doubles().0, last.doubles().1);
-                if lo >= 1.0 {
-                    Outcome::Miss
-                } else if lo < 0.0 {
-                    // The line enters at or before t = 0: the bodies overlap, or have passed each other.
-                    self.at_start(if hi < 0.0 { Outcome::Miss } else { unsure(0.0) })
-                } else if hi <= 1.0 {
-                    Outcome::Hit { time: Enclosure { lo, hi }, contact: self.contact(piece, lo) }
-                } else {
-                    unsure(lo)
-                }
-            }
+            Entry::At(piece, first, last) => self.between(piece, first.doubles().0, last.doubles().1),
+            Entry::Between(piece, Enclosure { lo, hi }) => self.between(piece, lo, hi),
+        }
+    }
+
+    /// The answer where the ray's line enters through `piece` between two moments.
+    fn between(&self, piece: Piece, lo: f64, hi: f64) -> Outcome {
+        if lo >= 1.0 {
+            Outcome::Miss
+        } else if lo < 0.0 {
+            // The line enters at or before t = 0: the bodies overlap, or have passed each other.
+            self.at_start(if hi < 0.0 { Outcome::Miss } else { unsure(0.0) })
+        } else if hi <= 1.0 {
+            Outcome::Hit { time: Enclosure { lo, hi }, contact: self.contact(piece, lo) }
+        } else {
+            unsure(lo)
         }
     }
 
@@ -291,12 +286,12 @@ impl<'s> Ray<'s> {
         }
     }
 
-    /// The pair at `lo`, just before it touches.
+    /// The pair at `lo`, just before it touches: so near that the quick proof would hardly ever be tight enough.
     fn contact(&self, piece: Piece, lo: f64) -> Separation {
         let pair = self.pair.unturned_at(lo);
         match piece {
-            Piece::Edge(facing) => certify(&pair, Some(Hint::Edge(facing))),
-            Piece::Disc(corners) => certify(&pair, Some(Hint::Corners(corners))),
+            Piece::Edge(facing) => settle(&pair, Some(Hint::Edge(facing))),
+            Piece::Disc(corners) => settle(&pair, Some(Hint::Corners(corners))),
         }
     }
 
@@ -307,7 +302,7 @@ impl<'s> Ray<'s> {
         difference::record(&pair, tracer);
         let v = pair.local_vector(self.pair.a.velocity - self.pair.b.velocity);
         let met = match (entry, outcome) {
-            (Entry::At(piece, ..), Outcome::Hit { .. }) => Some(*piece),
+            (Entry::At(piece, ..) | Entry::Between(piece, _), Outcome::Hit { .. }) => Some(*piece),
             _ => None,
         };
         let radius = pair.radius();
@@ -372,7 +367,14 @@ impl Moment {
     }
 }
 
+fn unsure(free_until: f64) -> Outcome {
+    Outcome::Unresolved { reason: Reason::WithinRounding, free_until }
+}
+
 /// x · y.
 fn scaled(x: &Vec2, y: Ball) -> Vec2 {
     [x[0] * y, x[1] * y]
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,7 +6,7 @@ use super::{Impact, Outcome};
 use crate::geometry::Body;
 
 /// Numbers in [0, 1), the same on every run.
-pub(super) struct Dice(u64);
+pub(super) struct Dice(pub(super) u64);
 
 impl Dice {
     pub(super) fn roll(&mut self) -> f64 {
@@ -33,7 +33,7 @@ impl Dice {
         placed(polygon(&vertices, radius), x, y, angle)
     }
 
-    fn flying(&mut self, most: f64) -> Body {
+    pub(super) fn flying(&mut self, most: f64) -> Body {
         let body = self.body();
         let velocity = [self.between(-8.0, 8.0), self.between(-8.0, 8.0)];
         let spin = if self.roll() < 0.3 { 0.0 } else { self.between(-most, most) };
