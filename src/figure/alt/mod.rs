@@ -56,8 +56,13 @@ fn value(v: f64) -> String {
     number(v, v)
 }
 
+/// A coordinate this much smaller than the other one is rounding, far below what three digits or an eye tell.
+const NOTHING_BESIDE: f64 = 1e-12;
+
 fn point(p: DVec2) -> String {
-    format!("({}, {})", value(p.x), value(p.y))
+    let least = NOTHING_BESIDE * p.abs().max_element();
+    let [x, y] = [p.x, p.y].map(|c| value(if c.abs() < least { 0.0 } else { c }));
+    format!("({x}, {y})")
 }
 
 fn capitalized(text: &str) -> String {
@@ -200,4 +205,15 @@ fn panels(scene: &Scene) -> String {
         let _ = write!(text, "{which} shows {space}{when}: {}. ", layers.join(", "));
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_coordinate_that_is_rounding_reads_as_zero() {
+        assert_eq!(point(DVec2::new(1.5, -1.12e-16)), "(1.5, 0)");
+        assert_eq!(point(DVec2::new(1.5e-13, -1.12e-16)), "(1.5 × 10^−13, −1.12 × 10^−16)");
+    }
 }
