@@ -110,8 +110,8 @@ fn a_figure_of_the_article_is_small() {
         let drawing = draw(&plan, find("light").unwrap(), &stem).drawing;
         let png = written(&drawing, "png").len();
         assert!(png < 100_000, "{stem}: {png} bytes at 1920 × 1080");
-        // Its metadata come on top, 8 kB at most.
-        let svg = written(&drawing, "svg").len();
-        assert!(svg < 44_000, "{stem}: {svg} bytes");
+        // As committed, metadata and all.
+        let svg = path.with_extension("svg").metadata().unwrap().len();
+        assert!(svg <= 40_000, "{stem}: {svg} bytes");
     }
 }
