@@ -11,10 +11,10 @@ use tracefig::drift::{Change, PixelDrift, Rendered, State, compare, elements_in,
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::in_order::in_order;
-use super::jobs::{Job, Planned, Target};
+use super::jobs::{Job, Planned, Target, folders_of};
 use super::orphans::orphans;
 use super::render::cant_write;
-use super::whole_file::write_whole;
+use super::whole_file::{clear_leftovers, write_whole};
 use super::{Runs, Status};
 
 /// Options of `check`.
@@ -64,6 +64,10 @@ impl Runs for Check {
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         let ink = console.ink();
+        clear_leftovers(&self.output);
+        if self.accept {
+            folders_of(&jobs).into_iter().for_each(clear_leftovers);
+        }
         let mut findings = Vec::new();
         in_order(
             &jobs,

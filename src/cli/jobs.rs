@@ -1,6 +1,6 @@
 //! Which files a scene becomes: `STEM[.THEME].EXT`, beside it or in a folder.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use tracefig::output::Format;
@@ -98,6 +98,17 @@ fn target(input: &Input, folder: Option<&Path>, theme: Option<&str>, extension: 
     };
     let theme = theme.map_or(String::new(), |t| format!(".{t}"));
     Target::File(folder.unwrap_or(beside).join(format!("{stem}{theme}.{extension}")))
+}
+
+/// The folders that files go to.
+pub(crate) fn folders_of(jobs: &[Job]) -> BTreeSet<&Path> {
+    let files = jobs.iter().flat_map(|job| &job.files);
+    files
+        .filter_map(|file| match &file.target {
+            Target::File(path) => path.parent(),
+            Target::Stdout => None,
+        })
+        .collect()
 }
 
 /// Two inputs with one output name.

@@ -9,9 +9,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::in_order::in_order;
-use super::jobs::{Job, Target};
+use super::jobs::{Job, Target, folders_of};
 use super::times::Times;
-use super::whole_file::write_whole;
+use super::whole_file::{clear_leftovers, write_whole};
 use super::{Runs, Status};
 
 /// Options of `render`.
@@ -77,6 +77,7 @@ impl Runs for Render {
             Some(partition) => partition.of_jobs(jobs),
             None => jobs,
         };
+        folders_of(&jobs).into_iter().for_each(clear_leftovers);
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
         let ink = console.ink();

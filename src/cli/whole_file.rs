@@ -1,8 +1,18 @@
 //! Files that appear whole or not at all: written beside their place under another name, synced, then renamed.
+//!
+//! The other name is `.tracefig-….part`. A run that is killed can't take it away again, so the next run does. How does it
+//! know a dead run's part from one that is being written? A run holds a lock on its part, and the system lets go of a
+//! lock when its holder ends, however it ends. No clock and no process number is asked, both of which deceive
+//! between machines and containers that share a folder.
 
-use std::fs::File;
+use std::fs::{File, TryLockError};
 use std::io::{self, Write};
 use std::path::Path;
+
+use tempfile::NamedTempFile;
+
+const PREFIX: &str = ".tracefig-";
+const SUFFIX: &str = ".part";
 
 /// Writes a file. Whatever goes wrong, its place holds all of the new bytes or what it held before.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -10,15 +20,7 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".tracefig-").suffix(".part");
-    #[cfg(unix)]
-    let builder = {
-        use std::os::unix::fs::PermissionsExt;
-        // As `File::create`: the umask takes away what others may not do.
-        builder.permissions(std::fs::Permissions::from_mode(0o666))
-    };
-    let mut file = builder.tempfile_in(folder)?;
+    let mut file = part_in(folder)?;
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|e| e.error)?;
@@ -29,9 +31,69 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
+/// Takes away the parts that dead runs left in a folder. What can't be read, locked or removed stays: a leftover harms
+/// no one.
+pub(crate) fn clear_leftovers(folder: &Path) {
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    for entry in folder.read_dir().into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        // Of a link the lock would be on something else.
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if !(is_file && name.starts_with(PREFIX) && name.ends_with(SUFFIX)) {
+            continue;
+        }
+        // Locks of NFS want a file that is open for writing.
+        let Ok(part) = File::options().write(true).open(entry.path()) else { continue };
+        if part.try_lock().is_ok() {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// A new empty part, locked.
+fn part_in(folder: &Path) -> io::Result<NamedTempFile> {
+    loop {
+        let part = named_part_in(folder)?;
+        if is_ours(&part) {
+            return Ok(part);
+        }
+    }
+}
+
+/// Locks a part. Between its making and its locking, another run may have taken it for a leftover: that one has the
+/// lock, or has removed the name already. Once we hold the lock of a part with a name, nobody removes it. Where files
+/// can't be locked, nobody clears either.
+fn is_ours(part: &NamedTempFile) -> bool {
+    match part.as_file().try_lock() {
+        Ok(()) => part.path().exists(),
+        Err(TryLockError::WouldBlock) => false,
+        Err(TryLockError::Error(_)) => true,
+    }
+}
+
+fn named_part_in(folder: &Path) -> io::Result<NamedTempFile> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(PREFIX).suffix(SUFFIX);
+    #[cfg(unix)]
+    let builder = {
+        use std::os::unix::fs::PermissionsExt;
+        // As `File::create`: the umask takes away what others may not do.
+        builder.permissions(std::fs::Permissions::from_mode(0o666))
+    };
+    builder.tempfile_in(folder)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<_> =
+            folder.read_dir().unwrap().map(|e| e.unwrap().file_name().into_string().unwrap()).collect();
+        names.sort();
+        names
+    }
 
     #[test]
     fn what_cannot_be_put_in_place_leaves_nothing_behind() {
@@ -39,8 +101,7 @@ mod tests {
         let place = folder.path().join("figure.svg");
         std::fs::create_dir(&place).unwrap();
         assert!(write_whole(&place, b"<svg/>").is_err());
-        let names: Vec<_> = folder.path().read_dir().unwrap().map(|e| e.unwrap().file_name()).collect();
-        assert_eq!(names, ["figure.svg"]);
+        assert_eq!(names(folder.path()), ["figure.svg"]);
     }
 
     #[test]
@@ -50,5 +111,50 @@ mod tests {
         write_whole(&place, b"first, and longer").unwrap();
         write_whole(&place, b"second").unwrap();
         assert_eq!(std::fs::read(&place).unwrap(), b"second");
+    }
+
+    #[test]
+    fn only_parts_of_dead_runs_are_cleared() {
+        let folder = tempfile::tempdir().unwrap();
+        let mine = part_in(folder.path()).unwrap();
+        for name in [".tracefig-dead.part", ".tracefig-notes", "figure.svg.part", "figure.svg"] {
+            std::fs::write(folder.path().join(name), "x").unwrap();
+        }
+        std::fs::create_dir(folder.path().join(".tracefig-folder.part")).unwrap();
+        clear_leftovers(folder.path());
+        let mine = mine.path().file_name().unwrap().to_str().unwrap().to_owned();
+        let mut left =
+            vec![".tracefig-folder.part", ".tracefig-notes", &mine, "figure.svg", "figure.svg.part"];
+        left.sort_unstable();
+        assert_eq!(names(folder.path()), left);
+    }
+
+    #[test]
+    fn a_part_that_another_run_took_for_a_leftover_is_made_anew() {
+        let folder = tempfile::tempdir().unwrap();
+        let (held, gone) = (named_part_in(folder.path()).unwrap(), named_part_in(folder.path()).unwrap());
+        let other = File::options().write(true).open(held.path()).unwrap();
+        other.lock().unwrap();
+        assert!(!is_ours(&held));
+        std::fs::remove_file(gone.path()).unwrap();
+        assert!(!is_ours(&gone));
+    }
+
+    #[test]
+    fn clearing_takes_no_file_from_those_who_write() {
+        let folder = tempfile::tempdir().unwrap();
+        std::thread::scope(|scope| {
+            let writers: Vec<_> = (0..3)
+                .map(|i| {
+                    let place = folder.path().join(format!("{i}.svg"));
+                    scope.spawn(move || (0..200).all(|_| write_whole(&place, b"<svg/>").is_ok()))
+                })
+                .collect();
+            while writers.iter().any(|w| !w.is_finished()) {
+                clear_leftovers(folder.path());
+            }
+            assert!(writers.into_iter().all(|w| w.join().unwrap()));
+        });
+        assert_eq!(names(folder.path()), ["0.svg", "1.svg", "2.svg"]);
     }
 }

@@ -8,6 +8,8 @@ mod jsonl;
 mod render;
 mod report;
 mod streams;
+#[cfg(unix)]
+mod whole_files;
 
 use std::path::Path;
 

@@ -200,57 +200,6 @@ fn timings_name_the_stages() {
     assert_eq!(stages, ["read", "plan", "draw", "svg", "write", "all"], "{}", ran.err);
 }
 
-/// Kills a run after ever longer times: what is there is whole.
-#[cfg(unix)]
-#[test]
-fn a_killed_run_leaves_whole_files() {
-    use std::process::{Command, Stdio};
-    use std::time::Duration;
-    let folder = folder_with("s0.toml", &drawn());
-    for i in 1..6 {
-        std::fs::write(folder.path().join(format!("s{i}.toml")), drawn()).unwrap();
-    }
-    let whole = run(tracefig(folder.path()).args(["render", ".", "--format", "svg", "-o", "whole"]));
-    assert_eq!(whole.code, Some(0), "{}", whole.err);
-    for round in 0..40 {
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
-            .args(["render", ".", "--format", "svg", "-o", "out"])
-            .current_dir(folder.path())
-            .stdout(Stdio::null())
-            .spawn()
-            .unwrap();
-        std::thread::sleep(Duration::from_micros(700 * round));
-        child.kill().unwrap();
-        child.wait().unwrap();
-        let out = folder.path().join("out");
-        let Ok(entries) = out.read_dir() else { continue };
-        for path in entries.map(|e| e.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "svg")) {
-            let expected =
-                std::fs::read(folder.path().join("whole").join(path.file_name().unwrap())).unwrap();
-            assert_eq!(std::fs::read(&path).unwrap(), expected, "{}", path.display());
-        }
-        std::fs::remove_dir_all(&out).unwrap();
-    }
-}
-
-#[test]
-fn runs_that_race_leave_whole_files() {
-    let folder = folder_with("s.toml", &drawn());
-    let mut children: Vec<_> = (0..4)
-        .map(|_| {
-            std::process::Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
-                .args(["render", "s.toml", "--format", "svg"])
-                .current_dir(folder.path())
-                .stdout(std::process::Stdio::null())
-                .spawn()
-                .unwrap()
-        })
-        .collect();
-    assert!(children.iter_mut().all(|child| child.wait().unwrap().success()));
-    assert_eq!(names(folder.path()), set(&["s.svg", "s.toml"]));
-    assert_eq!(run(tracefig(folder.path()).args(["check", "s.toml", "--format", "svg"])).code, Some(0));
-}
-
 #[test]
 fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tell_it() {
     let folder = tempfile::tempdir().unwrap();
