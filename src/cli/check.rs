@@ -28,7 +28,7 @@ pub(crate) struct Check {
     /// Write what changed, is stale or is missing
     #[arg(long)]
     accept: bool,
-    /// Channel levels (of 255) by which a pixel may differ
+    /// Channel levels (of 255) by which a pixel may differ; SVGs are drawn to be compared
     #[arg(long, value_name = "LEVELS", default_value_t = 0)]
     tolerance: u8,
     /// Print the findings as JSON
@@ -175,20 +175,22 @@ impl Check {
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => return checked.fail(&name, &format!("error: can't read {name}: {error}\n")),
         };
-        let state =
-            compare(on_disk.as_deref(), Rendered { extension: file.format.name, bytes: &encoded.bytes });
+        let scale = self.files.scale();
+        let rendered = Rendered { extension: file.format.name, bytes: &encoded.bytes, scale };
+        let state = compare(on_disk.as_deref(), rendered);
         let mut finding =
             Finding { file: name.clone(), state: state.word(), details: Vec::new(), picture: None };
         match &state {
-            State::Identical | State::Missing => {}
-            State::Changed(Change::Pixels(drift)) if drift.is_within(self.tolerance) => {
+            State::Identical => {}
+            State::Missing => finding.details.push("there is no such file yet".to_owned()),
+            State::Changed(change) if change.is_within(self.tolerance) => {
                 finding.state = "identical";
             }
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
                 finding.details = self.details(change, &old, encoded);
-                if let Some(image) = triptych(&old, &encoded.bytes) {
-                    let path = self.output.join(path.file_name().unwrap_or_default());
+                if let Some(image) = triptych(&old, &encoded.bytes, scale) {
+                    let path = self.output.join(picture_name(path));
                     let written =
                         std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, &image));
                     if let Err(error) = written {
@@ -212,7 +214,7 @@ impl Check {
     fn details(&self, change: &Change, old: &[u8], encoded: &Encoded) -> Vec<String> {
         let mut lines = what_moved(old, &encoded.bytes);
         lines.push(change.to_string());
-        if let Change::Pixels(drift) = change {
+        if let Some(drift) = change.pixels() {
             lines.push(drift.under_tolerances());
             let names = self.elements(drift, encoded);
             if !names.is_empty() {
@@ -228,4 +230,13 @@ impl Check {
         let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / self.files.scale());
         elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
     }
+}
+
+/// The name of the picture that shows how a file differs: a PNG's own, and after an SVG's name `.png`.
+fn picture_name(path: &Path) -> PathBuf {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    if path.extension().is_some_and(|e| e != "png") {
+        name.push(".png");
+    }
+    name.into()
 }

@@ -159,7 +159,6 @@ impl Files {
         times.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let plan = plan(&file.scene).map_err(refuse)?;
-        let facts = facts(&file.scene);
         times.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
@@ -176,6 +175,8 @@ impl Files {
                 // Labels stand at the same places in every theme.
                 warn(&file, &warnings, ink, messages);
             }
+            // Drawing a plan says which events are shown.
+            let facts = facts(&plan);
             let mut all_bytes = Vec::new();
             for planned in same_theme {
                 let hash = self.hash(&file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));

@@ -62,14 +62,25 @@ pub struct Drawing {
     pub desc: String,
     /// The page's colour, opaque.
     pub background: Paint,
-    /// The other colours of an "auto" theme, for readers whose system is dark; empty for a fixed theme.
-    pub dark: Vec<(Role, Color)>,
+    /// Opacity of the fills of areas; a page that sets other colours may set another one too.
+    pub fill_opacity: f64,
+    /// The other side of an "auto" theme; none for a fixed theme.
+    pub dark: Option<Dark>,
     /// JSON that says what is shown: format version, hash, answer, numbers of the trace. May be empty.
     pub metadata: String,
     /// Hash of the scene and its options, as text. May be empty.
     pub hash: String,
     /// Everything drawn, in painting order.
     pub items: Vec<Item>,
+}
+
+/// How a drawing looks for readers whose system is dark.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dark {
+    /// The colours by role.
+    pub colors: Vec<(Role, Color)>,
+    /// What [`Drawing::fill_opacity`] becomes.
+    pub fill_opacity: f64,
 }
 
 /// One entry of the display list.

@@ -1,78 +1,208 @@
-//! What moved, in words: the answer and the trace of two stamps, number by number.
+//! What moved, in words: the answer and the shown events of two stamps, number by number.
 
-use serde_json::Value;
+use std::fmt::Write;
+
+use serde_json::{Map, Value};
+
+use super::shown::{Told, events};
 
 /// Lines at most; the rest is counted.
-const MAX_LINES: usize = 8;
+const MAX_LINES: usize = 12;
+
+/// What an event tells of, where its name does not say it well.
+const NOUNS: [(&str, &str); 12] = [
+    ("advanced", "step"),
+    ("axis-swept", "swept axis"),
+    ("axis-tested", "axis"),
+    ("candidate-improved", "best candidate"),
+    ("circles-compared", "circles"),
+    ("clamped", "clamped point"),
+    ("difference-edge-found", "difference edge"),
+    ("extents-compared", "extents"),
+    ("motion-bounded", "motion bound"),
+    ("penetration-measured", "penetration"),
+    ("ray-clipped", "ray"),
+    ("support-found", "support vertex"),
+];
 
 /// Differences of the answer and of the events, the answer first: `separation: 1.42 → 1.37`.
 ///
 /// ```
 /// use serde_json::json;
-/// let old = json!({"answer": {"separation": 1.42}, "trace": [{"event": "support-found", "vertices": [{"index": 2}]}]});
-/// let new = json!({"answer": {"separation": 1.37}, "trace": [{"event": "support-found", "vertices": [{"index": 0}]}]});
+/// let support = |index| json!([["support-found", ["body", "vertices"], ["B", [{"index": index}]]]]);
+/// let old = json!({"answer": {"separation": 1.42}, "trace": support(2)});
+/// let new = json!({"answer": {"separation": 1.37}, "trace": support(0)});
 /// let words = tracefig::drift::moved(&old, &new);
-/// assert_eq!(words, ["separation: 1.42 → 1.37", "event 1, support found: vertices 0 index: 2 → 0"]);
+/// assert_eq!(words, ["separation: 1.42 → 1.37", "support vertex of B: 2 → 0"]);
 /// ```
 #[must_use]
 pub fn moved(old: &Value, new: &Value) -> Vec<String> {
     let mut lines = Vec::new();
-    differences("algorithm", &old["algorithm"], &new["algorithm"], &mut lines);
-    differences("", &old["answer"], &new["answer"], &mut lines);
-    if let (Some(a), Some(b)) = (old["trace"].as_array(), new["trace"].as_array()) {
-        for (i, (a, b)) in a.iter().zip(b).enumerate() {
-            let name = b["event"].as_str().unwrap_or_default().replace('-', " ");
-            let from = lines.len();
-            differences("", a, b, &mut lines);
-            for line in &mut lines[from..] {
-                *line = format!("event {}, {name}: {line}", i + 1);
-            }
+    for key in ["algorithm", "answer"] {
+        let path = if key == "answer" { "" } else { key };
+        let mut found = Vec::new();
+        differences(path, &old[key], &new[key], &mut found);
+        lines.extend(found.iter().map(|d| format!("{}: {} → {}", d.path, d.old, d.new)));
+    }
+    // Traces of two formats can't be held against each other.
+    let key = "tracefig_figure";
+    if old[key] == new[key] && old["trace"].is_array() && new["trace"].is_array() {
+        of_events(&subjects(&old["trace"]), &subjects(&new["trace"]), &mut lines);
+    }
+    for (key, words) in [("events", "events in all"), ("shown", "events shown")] {
+        if old[key] != new[key] && !old[key].is_null() && !new[key].is_null() {
+            lines.push(format!("{words}: {} → {}", old[key], new[key]));
         }
     }
-    differences("events", &old["events"], &new["events"], &mut lines);
-    let more = lines.len().saturating_sub(MAX_LINES);
+    limited(lines, MAX_LINES)
+}
+
+/// The first lines, and how many more there are.
+pub(super) fn limited(mut lines: Vec<String>, most: usize) -> Vec<String> {
+    let more = lines.len().saturating_sub(most);
     if more > 0 {
-        lines.truncate(MAX_LINES);
+        lines.truncate(most);
         lines.push(format!("and {more} more differences"));
     }
     lines
 }
 
-fn differences(path: &str, old: &Value, new: &Value, lines: &mut Vec<String>) {
-    let inner = |key: &str| {
-        if path.is_empty() { key.replace('_', " ") } else { format!("{path} {}", key.replace('_', " ")) }
+/// An event with what it tells of, in words that no other event of the same trace has.
+struct Subject {
+    words: String,
+    fields: Map<String, Value>,
+}
+
+fn subjects(trace: &Value) -> Vec<Subject> {
+    let (mut when, mut all) = (String::new(), Vec::<Subject>::new());
+    for told in events(trace) {
+        if told.event == "started" {
+            let time = told.fields.get("at").and_then(|at| at["time"].as_f64()).unwrap_or(0.0);
+            when = if time == 0.0 { String::new() } else { format!(" at t = {}", number(time)) };
+        }
+        let plain = subject(&told) + &when;
+        let mut words = plain.clone();
+        let mut count = 1;
+        while all.iter().any(|s| s.words == words) {
+            count += 1;
+            words = format!("{plain} ({count})");
+        }
+        all.push(Subject { words, fields: told.fields });
+    }
+    all
+}
+
+/// "difference edge 3 of B", "support vertex of A", "step 2".
+fn subject(told: &Told) -> String {
+    let noun = NOUNS.iter().find(|(event, _)| *event == told.event);
+    let mut words = noun.map_or_else(|| told.event.replace('-', " "), |(_, noun)| (*noun).to_owned());
+    let (field, text) = (|key| told.fields.get(key), |value: &Value| value.as_str().map(str::to_owned));
+    if told.event == "started" {
+        return format!("start of {}", field("algorithm").and_then(text).unwrap_or_default());
+    }
+    // Writing to a text can't fail.
+    if let Some(number) = field("step").and_then(Value::as_u64) {
+        let _ = write!(words, " {}", number + 1);
+    }
+    if let Some(edge) = field("edge") {
+        let _ = write!(words, " {edge}");
+    }
+    if let Some([body, feature]) = field("source").and_then(|s| s.as_array()).map(Vec::as_slice) {
+        let _ = write!(words, " of {} of {}", shown(feature), shown(body));
+    }
+    if let Some(body) = ["body", "of", "source"].into_iter().find_map(|key| field(key).and_then(text)) {
+        let _ = write!(words, " of {body}");
+    }
+    words
+}
+
+fn of_events(old: &[Subject], new: &[Subject], lines: &mut Vec<String>) {
+    let find = |all: &[Subject], words: &str| all.iter().position(|s| s.words == words);
+    for event in new {
+        let Some(before) = find(old, &event.words).map(|i| &old[i]) else {
+            lines.push(format!("{}: new", event.words));
+            continue;
+        };
+        let mut found = Vec::new();
+        let fields = |s: &Subject| Value::Object(s.fields.clone());
+        differences("", &fields(before), &fields(event), &mut found);
+        if !found.is_empty() {
+            let each =
+                found.iter().map(|d| format!("{} {} → {}", d.path, d.old, d.new).trim_start().to_owned());
+            lines.push(format!("{}: {}", event.words, each.collect::<Vec<_>>().join("; ")));
+        }
+    }
+    for event in old.iter().filter(|s| find(new, &s.words).is_none()) {
+        lines.push(format!("{}: gone", event.words));
+    }
+}
+
+/// A value that is another one now.
+struct Difference {
+    path: String,
+    old: String,
+    new: String,
+}
+
+fn differences(path: &str, old: &Value, new: &Value, found: &mut Vec<Difference>) {
+    let inner = |key: &str| match (path, key) {
+        ("", "vertices") => String::new(),
+        (_, "index") => path.to_owned(),
+        ("", _) => key.replace('_', " "),
+        _ => format!("{path} {}", key.replace('_', " ")),
     };
     match (old, new) {
-        (Value::Object(a), Value::Object(b)) => {
+        (Value::Object(a), Value::Object(b)) if a.len() != 1 || b.len() != 1 || a.keys().eq(b.keys()) => {
             for (key, value) in b {
-                differences(&inner(key), a.get(key).unwrap_or(&Value::Null), value, lines);
+                differences(&inner(key), a.get(key).unwrap_or(&Value::Null), value, found);
             }
             for (key, value) in a.iter().filter(|(key, _)| !b.contains_key(*key)) {
-                differences(&inner(key), value, &Value::Null, lines);
+                differences(&inner(key), value, &Value::Null, found);
             }
         }
-        (Value::Array(a), Value::Array(b)) if a.len() == b.len() && !is_short(a) => {
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() && !is_point(a) => {
             for (i, (a, b)) in a.iter().zip(b).enumerate() {
-                differences(&inner(&i.to_string()), a, b, lines);
+                let path = if new.as_array().is_some_and(|n| n.len() == 1) {
+                    path.to_owned()
+                } else {
+                    inner(&(i + 1).to_string())
+                };
+                differences(&path, a, b, found);
             }
         }
-        (old, new) if old != new => lines.push(format!("{path}: {} → {}", words(old), words(new))),
+        (old, new) if old != new => {
+            let (mut a, mut b) = (shown(old), shown(new));
+            if a == b {
+                (a, b) = (old.to_string(), new.to_string());
+            }
+            found.push(Difference { path: path.to_owned(), old: a, new: b });
+        }
         _ => {}
     }
 }
 
 /// A point, an interval: said as a whole.
-fn is_short(items: &[Value]) -> bool {
+fn is_point(items: &[Value]) -> bool {
     items.len() <= 4 && items.iter().all(Value::is_number)
 }
 
-fn words(value: &Value) -> String {
+/// A value as a reader would write it; numbers in six digits.
+fn shown(value: &Value) -> String {
     match value {
         Value::Null => "none".to_owned(),
         Value::String(s) => s.clone(),
-        Value::Array(items) => format!("({})", items.iter().map(words).collect::<Vec<_>>().join(", ")),
+        Value::Number(n) if n.is_f64() => n.as_f64().map_or_else(|| n.to_string(), number),
+        Value::Array(items) => format!("({})", items.iter().map(shown).collect::<Vec<_>>().join(", ")),
+        Value::Object(fields) => {
+            fields.iter().map(|(key, value)| format!("{key} {}", shown(value))).collect::<Vec<_>>().join(", ")
+        }
         other => other.to_string(),
     }
+}
+
+fn number(v: f64) -> String {
+    let short: f64 = format!("{v:.5e}").parse().unwrap_or(v);
+    serde_json::json!(short).to_string()
 }
 
 #[cfg(test)]
@@ -82,7 +212,7 @@ mod tests {
 
     #[test]
     fn the_same_says_nothing() {
-        let facts = json!({"answer": {"a": [1, 2]}, "trace": [], "events": 3});
+        let facts = json!({"answer": {"a": [1, 2]}, "trace": [["e", ["x"], [1]]], "events": 3, "shown": 1});
         assert!(moved(&facts, &facts).is_empty());
     }
 
@@ -95,9 +225,48 @@ mod tests {
     }
 
     #[test]
+    fn another_feature_is_said_as_one_thing() {
+        let facts = |b: Value| json!({"answer": {"features": {"A": {"edge": 1}, "B": b}}});
+        let said = moved(&facts(json!({"edge": 2})), &facts(json!({"vertex": 3})));
+        assert_eq!(said, ["features B: edge 2 → vertex 3"]);
+    }
+
+    #[test]
+    fn an_edge_is_found_again_though_another_was_added_before_it() {
+        let head = ["source", "edge", "distance"];
+        let old = json!({"trace": [["difference-edge-found", head, ["A", 0, 1.5], ["B", 3, 2.0]]]});
+        let new =
+            json!({"trace": [["difference-edge-found", head, ["A", 1, 9], ["A", 0, 1.5], ["B", 3, 2.25]]]});
+        let want = ["difference edge 1 of A: new", "difference edge 3 of B: distance 2.0 → 2.25"];
+        assert_eq!(moved(&old, &new), want);
+        assert_eq!(moved(&new, &old)[1], "difference edge 1 of A: gone");
+    }
+
+    #[test]
+    fn the_same_event_at_another_moment_is_another_one() {
+        let trace = |d: f64| {
+            json!({"trace": [["advanced", ["step", "separation"], [0, 1]],
+                ["started", ["algorithm", "at"], ["minkowski", {"time": 0.25}]],
+                ["difference-rounded", ["radius"], [d]]]})
+        };
+        assert_eq!(moved(&trace(1.0), &trace(2.0)), ["difference rounded at t = 0.25: radius 1.0 → 2.0"]);
+    }
+
+    #[test]
+    fn a_last_digit_is_said_whole() {
+        let answer = |s: f64| json!({"answer": {"separation": s}});
+        let said = moved(&answer(0.1), &answer(0.100_000_000_000_000_02));
+        assert_eq!(said, ["separation: 0.1 → 0.10000000000000002"]);
+    }
+
+    #[test]
     fn many_differences_are_counted() {
-        let trace = |x: i32| (0..40).map(|i| json!({"event": "e", "x": i * x})).collect::<Vec<_>>();
-        let words = moved(&json!({"trace": trace(1)}), &json!({"trace": trace(2)}));
-        assert_eq!((words.len(), words[8].as_str()), (9, "and 31 more differences"));
+        let trace = |x: i32| {
+            let rows = (0..40).map(|i| json!([i, i * x]));
+            let table: Vec<Value> = [json!("e"), json!(["step", "x"])].into_iter().chain(rows).collect();
+            json!({"trace": [table]})
+        };
+        let words = moved(&trace(1), &trace(2));
+        assert_eq!((words.len(), words[12].as_str()), (13, "and 27 more differences"));
     }
 }

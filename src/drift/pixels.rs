@@ -3,6 +3,9 @@
 use std::fmt;
 use std::io::Cursor;
 
+use super::picture;
+use crate::output::{Pixels, rasterize};
+
 /// An image in memory: rows of red, green, blue, alpha.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Image {
@@ -70,8 +73,17 @@ const FADED: u32 = 60;
 /// The colour of a pixel that differs; no theme has it.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
+/// The picture of a PNG, or of an SVG of ours at so many pixels a page pixel; None where the bytes are neither.
+pub(super) fn image(bytes: &[u8], scale: f64) -> Option<Image> {
+    if bytes.starts_with(b"\x89PNG") {
+        return decode(bytes);
+    }
+    let Pixels { width, height, rgba } = rasterize(&picture::read(bytes)?.drawing, scale).ok()?;
+    Some(Image { width, height, rgba })
+}
+
 /// None where the bytes are no PNG.
-pub(super) fn decode(bytes: &[u8]) -> Option<Image> {
+fn decode(bytes: &[u8]) -> Option<Image> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
     let mut reader = decoder.read_info().ok()?;
@@ -128,10 +140,12 @@ pub(super) fn drift(old: &Image, new: &Image) -> Option<PixelDrift> {
 }
 
 /// A PNG of expected · difference · actual beside one another; in the middle the new image faded, with every pixel
-/// that differs marked. None where one of them is no PNG.
+/// that differs marked. None where one of them is neither a PNG nor an SVG of ours, which is drawn at `scale`, or where no
+/// pixel differs.
 #[must_use]
-pub fn triptych(expected: &[u8], actual: &[u8]) -> Option<Vec<u8>> {
-    let (old, new) = (decode(expected)?, decode(actual)?);
+pub fn triptych(expected: &[u8], actual: &[u8], scale: f64) -> Option<Vec<u8>> {
+    let (old, new) = (image(expected, scale)?, image(actual, scale)?);
+    drift(&old, &new)?;
     let (width, height) = (old.width.max(new.width), old.height.max(new.height));
     let total = width.checked_mul(3)?.checked_add(2 * GAP)?;
     let mut rgba = Vec::with_capacity(4 * total as usize * height as usize);
@@ -196,7 +210,7 @@ mod tests {
 
     #[test]
     fn the_picture_marks_what_differs_and_nothing_else() {
-        let image = decode(&triptych(&plain(9, 5, None), &plain(9, 5, Some((7, 2)))).unwrap()).unwrap();
+        let image = decode(&triptych(&plain(9, 5, None), &plain(9, 5, Some((7, 2))), 1.0).unwrap()).unwrap();
         assert_eq!((image.width, image.height), (3 * 9 + 2 * GAP, 5));
         let marked = |&(x, y): &(u32, u32)| image.at(x, y) == Some(MARK);
         let all = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));

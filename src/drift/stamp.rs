@@ -1,31 +1,29 @@
-//! What a figure's file says of itself: the hash of its scene and options, the answer, the numbers of the trace.
+//! What a figure's file says of itself: the hash of its scene and options, the answer, the events that it shows.
 //!
 //! An SVG carries it in `<metadata>`, a PNG carries the hash as text. Written when a figure is drawn and read when it is
 //! compared, it tells a figure whose scene has changed since (*stale*) from one that tracefig draws otherwise now
 //! (*changed*), and what moved in words.
 
-use std::fmt::Write;
 use std::io::Cursor;
 
 use serde_json::{Value, json};
 
-use crate::scene::{Scene, answer_json};
-use crate::trace::{Trace, json_lines};
+use super::shown::tables;
+use crate::figure::Plan;
+use crate::scene::answer_json;
+use crate::trace::Event;
 
 /// The tracefig that drew a figure.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Version of the metadata's format.
-pub const STAMP_FORMAT: u32 = 1;
+pub const STAMP_FORMAT: u32 = 2;
 
-/// The metadata of a figure has at most so many bytes, as it stands in an SVG.
+/// The metadata of a figure has at most so many bytes.
 const MAX_BYTES: usize = 8_000;
 
-/// Bytes of them that are kept for what stands around the events.
+/// Bytes of them that are kept for version, hash and counts.
 const AROUND: usize = 200;
-
-/// Events of a trace that are looked at for the metadata; no more fit than these.
-const MAX_EVENTS: usize = 120;
 
 /// What a file says of itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,44 +61,29 @@ pub fn text_chunk(hash: &str) -> String {
     format!("{hash} {VERSION}")
 }
 
-/// What is the same for every file of a scene: the question, the answer, the first events of its trace.
+/// What is the same for every file of a scene that has been drawn: the question, the answer, how many events the trace has
+/// and how many of them the figure shows, and those.
 #[must_use]
-pub fn facts(scene: &Scene) -> String {
-    let query = &scene.query;
-    let mut trace = Trace::default();
-    let answer = (query.algorithm.traced)(&scene.query_of_bodies(), &mut trace);
-    let total = trace.events.len();
-    trace.events.truncate(MAX_EVENTS);
-    let mut facts = format!(
-        "\"algorithm\":{},\"answer\":{},\"events\":{total},\"trace\":[",
+pub fn facts(plan: &Plan<'_>) -> String {
+    let (query, own) = (&plan.scene.query, plan.own_run());
+    let runs = plan.all_runs();
+    let shown: Vec<&Event> = runs.iter().flat_map(|run| run.shown()).collect();
+    let head = format!(
+        "\"algorithm\":{},\"answer\":{},\"events\":{},\"shown\":{}",
         json!(query.algorithm.name),
-        answer_json(query.kind, &answer)
+        answer_json(query.kind, &own.answer),
+        own.trace.events.len(),
+        shown.len()
     );
-    // The first line is a header; a trace without a form in JSON, which none is, is left out.
-    let lines = json_lines(&trace).unwrap_or_default();
-    let mut bytes = escaped_length(&facts) + AROUND;
-    for (i, event) in lines.lines().skip(1).enumerate() {
-        bytes += escaped_length(event) + 1;
-        if bytes > MAX_BYTES {
-            break;
-        }
-        let comma = if i == 0 { "" } else { "," };
-        let _ = write!(facts, "{comma}{event}");
-    }
-    facts.push(']');
-    facts
-}
-
-/// Bytes of a text in an SVG, where a quotation mark is `&quot;`.
-fn escaped_length(text: &str) -> usize {
-    text.len() + ("&quot;".len() - 1) * text.matches('"').count()
+    let (trace, _) = tables(&shown, MAX_BYTES.saturating_sub(AROUND + head.len()));
+    format!("{head},\"trace\":{trace}")
 }
 
 /// The metadata of one file.
 ///
 /// ```
 /// let text = tracefig::drift::metadata("00ff", "\"answer\":null");
-/// assert!(text.starts_with(r#"{"tracefig_figure":1,"version":""#));
+/// assert!(text.starts_with(r#"{"tracefig_figure":2,"version":""#));
 /// assert!(text.ends_with(r#"","hash":"00ff","answer":null}"#));
 /// ```
 #[must_use]
@@ -152,22 +135,57 @@ fn unescape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
-    const SCENE: &str = "[shapes.A]\nkind = 'circle'\nradius = 1\n[shapes.B]\nkind = 'circle'\nradius = 1\nposition = [3, 0]\n[query]\nkind = 'separation'\nof = ['A', 'B']\n";
+    const SCENE: &str = r#"
+        [shapes.A]
+        kind = "circle"
+        radius = 1
+        [shapes.B]
+        kind = "circle"
+        radius = 1
+        position = [3, 0]
+        [query]
+        kind = "separation"
+        of = ["A", "B"]
+        algorithm = "minkowski"
+        [[panels]]
+        space = "configuration"
+        layers = ["difference"]
+    "#;
+
+    fn facts_of(scene: &str) -> String {
+        let scene = open_text("s.toml", scene).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let _ = draw(&plan, plan.theme, "s");
+        facts(&plan)
+    }
 
     #[test]
     fn what_is_written_is_read_again() {
-        let scene = open_text("s.toml", SCENE).unwrap().scene;
-        let text = metadata("00ff", &facts(&scene));
-        assert!(escaped_length(&text) <= MAX_BYTES, "{}", text.len());
+        let text = metadata("00ff", &facts_of(SCENE));
         let svg =
             format!("<svg><metadata>{}</metadata></svg>", text.replace('&', "&amp;").replace('<', "&lt;"));
         let stamp = Stamp::read(svg.as_bytes()).unwrap();
         assert!(stamp.is_of("00ff") && !stamp.is_of("00fe"));
         let facts = stamp.facts.unwrap();
         assert_eq!(facts["answer"]["separation"], 1.0);
-        assert_eq!(facts["trace"][0]["event"], "started");
+        assert_eq!(facts["trace"][0][0], "started");
+    }
+
+    #[test]
+    fn the_trace_holds_what_the_layers_drew_and_nothing_else() {
+        let trace = |scene: &str| {
+            let facts: Value = serde_json::from_str(&format!("{{{}}}", facts_of(scene))).unwrap();
+            let tables = facts["trace"].as_array().unwrap().iter();
+            (facts["shown"].clone(), tables.map(|t| t[0].as_str().unwrap().to_owned()).collect::<Vec<_>>())
+        };
+        assert_eq!(trace(SCENE), (json!(2), vec!["started".into(), "difference-rounded".into()]));
+        let without = SCENE.replace("\"difference\"", "\"origin\"");
+        assert_eq!(trace(&without), (json!(0), vec![]));
+        let closest = SCENE.replace("\"difference\"", "\"closest\"");
+        assert_eq!(trace(&closest).1, ["started", "candidate-improved"]);
     }
 
     #[test]
@@ -186,14 +204,14 @@ mod tests {
                 format!("[{x}, {}]", 0.01 * x * x)
             })
             .collect();
-        let polygon = format!("kind = 'polygon'\nvertices = [{}]\nposition = [0, -300]", corners.join(", "));
-        let scene = SCENE
-            .replacen("kind = 'circle'\nradius = 1", &polygon, 1)
-            .replace("of =", "algorithm = 'minkowski'\nof =");
-        let scene = open_text("s.toml", &scene).unwrap().scene;
-        let text = metadata("00ff", &facts(&scene));
-        let bytes = escaped_length(&text);
-        assert!(bytes <= MAX_BYTES && bytes > MAX_BYTES / 2, "{bytes}");
-        assert!(serde_json::from_str::<Value>(&text).is_ok());
+        let polygon =
+            format!("kind = \"polygon\"\nvertices = [{}]\nposition = [0, -300]", corners.join(", "));
+        let text = metadata(
+            "00ff",
+            &facts_of(&SCENE.replacen("kind = \"circle\"\n        radius = 1", &polygon, 1)),
+        );
+        assert!(text.len() <= MAX_BYTES && text.len() > MAX_BYTES / 2, "{}", text.len());
+        let facts: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(facts["shown"], 402, "the edges, the radius, and the start");
     }
 }

@@ -149,7 +149,7 @@ impl Context<'_> {
     #[must_use]
     pub fn steps(&self) -> Vec<f64> {
         let time = |e: &Event| if let Event::Advanced { at, .. } = e { Some(at.time) } else { None };
-        self.run().events().filter_map(time).collect()
+        self.run().told(time).collect()
     }
 }
 

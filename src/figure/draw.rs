@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::drawing::{Contour, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke, Text};
+use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke, Text};
 use crate::scene::{Fault as SceneFault, Problem};
 use crate::typeset::Line;
 
@@ -10,7 +10,8 @@ use super::alt;
 use super::labels::{Fault, Labelled, Placed, Sought, Wording, faults, place};
 use super::page::{Page, type_size};
 use super::plan::{PanelPlan, Plan};
-use super::theme::Theme;
+use super::runs::Run;
+use super::theme::{Side, Theme};
 
 /// How far a label's halo reaches, page pixels.
 const HALO: f64 = 2.5;
@@ -61,7 +62,10 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         panels.push(labelled);
     }
     items.push(caption(plan, theme));
-    let dark = theme.dark.map_or_else(Vec::new, |colors| Role::ALL.into_iter().zip(colors).collect());
+    let dark = theme.dark.map(|Side { colors, fill_opacity }| Dark {
+        colors: Role::ALL.into_iter().zip(colors).collect(),
+        fill_opacity,
+    });
     let mut warnings = plan.warnings.clone();
     warnings.extend(panels.iter().flat_map(faults).map(|fault| warning(&fault)));
     let drawing = Drawing {
@@ -69,8 +73,9 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         height: plan.page.height,
         id: id.to_owned(),
         title: alt::short(plan.scene, &run),
-        desc: alt::long(plan.scene, &run),
+        desc: description(plan, &run),
         background: theme.paint(Role::Background),
+        fill_opacity: theme.fill_opacity,
         dark,
         metadata: String::new(),
         hash: String::new(),
@@ -112,6 +117,15 @@ fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[(Rect, Placed
     (group, labelled)
 }
 
+/// The long alternative text; with the caption where the page has no room for it.
+fn description(plan: &Plan, run: &Run) -> String {
+    let long = alt::long(plan.scene, run);
+    match &plan.caption_words {
+        Some(words) if plan.caption.is_empty() => format!("{long} {words}"),
+        _ => long,
+    }
+}
+
 /// A layer names a part before it knows whether it will draw anything in it.
 fn without_empty_parts(mut layer: Group) -> Group {
     layer.items.retain(|item| !matches!(item, Item::Group(part) if part.items.is_empty()));
@@ -149,6 +163,7 @@ fn title(line: &Line, panel: &Labelled, theme: &Theme) -> Item {
 
 fn caption(plan: &Plan, theme: &Theme) -> Item {
     let mut group = Group::new("caption");
+    group.label.clone_from(&plan.caption_words);
     let mut at = plan.page.caption;
     for line in &plan.caption {
         group.items.push(text(line, at, theme));

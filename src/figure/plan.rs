@@ -4,6 +4,7 @@
 //! plan cannot fail.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
@@ -16,7 +17,7 @@ use super::labels::{Wording, bad_markup, fill};
 use super::layer::{self, Layer, Shows};
 use super::options::Options;
 use super::page::{CAPTION_SIZE, Page, type_size, unit};
-use super::runs::{Runs, is_static};
+use super::runs::{Run, Runs, is_static};
 use super::sketch::{Sketch, Sketched};
 use super::theme::{self, THEMES, Theme};
 use super::view;
@@ -31,6 +32,8 @@ pub struct Plan<'s> {
     pub(crate) runs: Runs,
     pub(crate) panels: Vec<PanelPlan<'s>>,
     pub(crate) caption: Vec<Line>,
+    /// The caption in words, its values filled in.
+    pub(crate) caption_words: Option<String>,
     pub(crate) page: Page,
     /// What should be better, with its place in the scene.
     pub(crate) warnings: Vec<Problem>,
@@ -51,6 +54,20 @@ pub(crate) struct LayerPlan<'s> {
     pub(crate) layer: &'static Layer,
     pub(crate) options: Options,
     pub(crate) span: &'s Range<usize>,
+}
+
+impl Plan<'_> {
+    /// The scene's own run, at the query's moment.
+    #[must_use]
+    pub fn own_run(&self) -> Arc<Run> {
+        self.runs.own(self.scene, self.scene.query.time)
+    }
+
+    /// All runs that the figure needed so far, in the order in which they were asked for.
+    #[must_use]
+    pub fn all_runs(&self) -> Vec<Arc<Run>> {
+        self.runs.all()
+    }
 }
 
 impl std::fmt::Debug for LayerPlan<'_> {
@@ -106,7 +123,8 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
         }
     }
     if problems.is_empty() {
-        return Ok(Plan { scene, theme, runs, panels, caption, page, warnings });
+        let caption_words = caption_words(scene, &runs, &panels);
+        return Ok(Plan { scene, theme, runs, panels, caption, caption_words, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();
@@ -240,8 +258,7 @@ fn caption(
     warnings: &mut Vec<Problem>,
 ) -> Vec<Line> {
     let (Some(text), Some(first)) = (&scene.caption, panels.first()) else { return Vec::new() };
-    let moment = first.moment;
-    let context = Context { scene, space: &first.source.space, time: moment.time, step: moment.step, runs };
+    let context = first.context(scene, runs);
     let (width, height) = (scene.canvas.width, scene.canvas.height);
     let measure = Page::new(width, height, 1, false, 2).measure;
     let style = Style::regular(type_size(width, height, CAPTION_SIZE));
@@ -258,6 +275,11 @@ fn caption(
         return Vec::new();
     }
     lines
+}
+
+fn caption_words(scene: &Scene, runs: &Runs, panels: &[PanelPlan]) -> Option<String> {
+    let (text, context) = (scene.caption.as_ref()?, panels.first()?.context(scene, runs));
+    Some(super::alt::plain(&fill(&text.value, &context, &text.span).ok()?))
 }
 
 /// Sets every label once, so that a text that can't be set is said before anything is drawn.

@@ -3,6 +3,7 @@
 //! The same query is asked at another moment by running it there; a layer that draws a distance in a scene about
 //! motion asks for the separation at that moment.
 
+use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation};
@@ -10,7 +11,7 @@ use crate::scene::Scene;
 use crate::trace::{Event, Trace};
 
 /// An answer, and how it was found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Run {
     /// What was asked.
     pub kind: QueryKind,
@@ -20,6 +21,8 @@ pub struct Run {
     pub answer: Answer,
     /// How.
     pub trace: Trace,
+    /// Which of its events the figure shows.
+    shown: Mutex<BTreeSet<usize>>,
 }
 
 impl Run {
@@ -40,6 +43,48 @@ impl Run {
     /// Its events.
     pub fn events(&self) -> impl Iterator<Item = &Event> {
         self.trace.events.iter()
+    }
+
+    /// What the figure shows of its events: all for which `pick` finds something count as shown from here on.
+    pub fn told<'r, T>(
+        &'r self,
+        mut pick: impl FnMut(&'r Event) -> Option<T> + 'r,
+    ) -> impl Iterator<Item = T> + 'r {
+        self.trace.events.iter().enumerate().filter_map(move |(i, event)| {
+            let picked = pick(event)?;
+            self.mark(i);
+            Some(picked)
+        })
+    }
+
+    /// The first thing that `pick` finds in its events; that event counts as shown from here on.
+    pub fn find_told<'r, T>(&'r self, mut pick: impl FnMut(&'r Event) -> Option<T>) -> Option<T> {
+        let (i, found) = self.events().enumerate().find_map(|(i, event)| Some((i, pick(event)?)))?;
+        self.mark(i);
+        Some(found)
+    }
+
+    fn mark(&self, index: usize) {
+        self.shown.lock().unwrap_or_else(PoisonError::into_inner).insert(index);
+    }
+
+    /// Whether it tells of such an event, which then counts as shown.
+    pub fn tells(&self, is_so: impl Fn(&Event) -> bool) -> bool {
+        self.find_told(|event| is_so(event).then_some(())).is_some()
+    }
+
+    /// The events that were shown, in order, after the one that says which algorithm began at which moment; none where
+    /// nothing was.
+    #[must_use]
+    pub fn shown(&self) -> Vec<&Event> {
+        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        let event = |&i: &usize| self.trace.events.get(i);
+        let began = |event: &&Event| matches!(event, Event::Started { .. });
+        let mut events: Vec<&Event> = shown.iter().filter_map(event).filter(|e| !began(e)).collect();
+        if !events.is_empty() {
+            events.splice(0..0, self.trace.events.first().filter(began));
+        }
+        events
     }
 }
 
@@ -79,6 +124,12 @@ impl Runs {
             .find(|run| tells(run))
     }
 
+    /// All runs so far, in the order they were asked for.
+    pub(crate) fn all(&self) -> Vec<Arc<Run>> {
+        let done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
+        done.iter().map(|(_, run)| Arc::clone(run)).collect()
+    }
+
     fn run(&self, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
         let key = (query.kind, algorithm.name, query.time.to_bits());
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
@@ -87,7 +138,8 @@ impl Runs {
         }
         let mut trace = Trace::default();
         let answer = (algorithm.traced)(query, &mut trace);
-        let run = Arc::new(Run { kind: query.kind, time: query.time, answer, trace });
+        let shown = Mutex::default();
+        let run = Arc::new(Run { kind: query.kind, time: query.time, answer, trace, shown });
         done.push((key, Arc::clone(&run)));
         run
     }

@@ -20,6 +20,11 @@ pub(super) fn text(value: f64) -> String {
     out
 }
 
+/// Whether [`push`] writes the same for both.
+pub(super) fn written_alike(a: f64, b: f64) -> bool {
+    (100.0 * a).round() == (100.0 * b).round()
+}
+
 /// Appends a number of path data: a separator only where the number before would swallow it.
 pub(super) fn push_coordinate(out: &mut String, value: f64) {
     let at = out.len();

@@ -56,7 +56,8 @@ fn svg_and_png_show_the_same() {
 #[test]
 fn without_its_style_sheet_an_svg_has_the_same_pixels() {
     let mut drawing = everything();
-    drawing.dark = vec![(Role::A, crate::drawing::Color::hex(0xFF_6B_57))];
+    let colors = vec![(Role::A, crate::drawing::Color::hex(0xFF_6B_57))];
+    drawing.dark = Some(crate::drawing::Dark { colors, fill_opacity: 0.2 });
     let (with, without) = (document(&drawing, Sheet::Inside), document(&drawing, Sheet::Absent));
     assert_ne!(with, without);
     assert_eq!(witness(&with, 1.0), witness(&without, 1.0));

@@ -14,7 +14,10 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
     let ran = check(&[]);
     assert_eq!(
         (ran.code, ran.out.as_str()),
-        (Some(1), "missing   s.svg\nmissing   s.png\n0 identical, 0 changed, 2 missing\n")
+        (
+            Some(1),
+            "missing   s.svg\n          there is no such file yet\nmissing   s.png\n          there is no such file yet\n0 identical, 0 changed, 2 missing\n"
+        )
     );
     assert_eq!(names(folder.path()), set(&["drift", "s.toml"]));
     assert_eq!(check(&["--accept"]).code, Some(0));
@@ -136,4 +139,26 @@ fn a_scene_that_can_not_be_drawn_fails_the_check() {
         ran.err,
         ran.out
     );
+}
+
+#[test]
+fn an_svg_is_compared_by_what_it_shows() {
+    let folder = folder_with("s.toml", &drawn());
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));
+    let svg = ["--format", "svg"];
+    assert_eq!(run(&[&["render", "s.toml"][..], &svg].concat()).code, Some(0));
+    let path = folder.path().join("s.svg");
+    let text = fs::read_to_string(&path).unwrap();
+    let redder = text.replace("#a3161f", "#a6161f");
+    assert_ne!(text, redder);
+    fs::write(&path, redder).unwrap();
+    let check = |more: &[&str]| run(&[&["check", "s.toml", "-o", "drift"][..], &svg, more].concat());
+    let ran = check(&[]);
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.out.contains("colour of a #a6161f → #a3161f"), "{}", ran.out);
+    assert!(ran.out.contains(", 8: 0, 16: 0"), "{}", ran.out);
+    assert!(ran.out.contains("drift/s.svg.png: expected · difference · actual"), "{}", ran.out);
+    assert!(folder.path().join("drift/s.svg.png").exists());
+    assert_eq!(check(&["--tolerance", "2"]).code, Some(1));
+    assert_eq!(check(&["--tolerance", "8"]).code, Some(0));
 }

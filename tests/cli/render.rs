@@ -222,3 +222,19 @@ fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tel
     assert!(said.contains("ink and background: contrast"), "{said}");
     render("sepia").failure().code(2);
 }
+
+#[test]
+fn auto_in_the_dark_is_the_dark_theme() {
+    let folder = folder_with("s.toml", &drawn());
+    let rules = |theme: &str, media: &str| {
+        let render = ["render", "s.toml", "--format", "svg", "--theme", theme];
+        assert_eq!(run(tracefig(folder.path()).args(render)).code, Some(0));
+        let svg = std::fs::read_to_string(folder.path().join("s.svg")).unwrap();
+        let rest = svg.split_once(media).unwrap().1.to_owned();
+        rest.split_once("}}").unwrap().0.to_owned()
+    };
+    let dark = rules("dark", "@media all{");
+    assert!(dark.contains("fill-opacity:var(--tracefig-fill-opacity,.2)"), "{dark}");
+    assert_eq!(rules("auto", "@media (prefers-color-scheme:dark){"), dark);
+    assert_eq!(rules("auto", "@media all{"), rules("light", "@media all{"));
+}

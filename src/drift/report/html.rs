@@ -5,19 +5,25 @@ use std::fmt::Write;
 use super::{Finding, escape, tally};
 
 /// Follows the reader's light or dark system.
-const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:75rem;margin:2rem auto;padding:0 1rem;\
-color:#1b1f24;background:#fff}img{width:100%;border:1px solid #8888}code{font-size:.95em}\
+const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:120rem;margin:2rem auto;padding:0 1rem;\
+color:#1b1f24;background:#fff}p,ul,dl{max-width:75rem}code{font-size:.95em}\
+dl{display:grid;grid-template-columns:auto 1fr;gap:0 1rem}dt{font-weight:600}dd{margin:0}\
+figure{margin:1rem 0}img{display:block;width:100%}\
+figcaption{display:grid;grid-template-columns:repeat(3,1fr);text-align:center}\
 @media(prefers-color-scheme:dark){body{color:#e8eaed;background:#12161c}}";
 
 /// The page.
 #[must_use]
 pub fn html(findings: &[Finding]) -> String {
-    let counts: Vec<_> = tally(findings).into_iter().map(|(state, n)| format!("{n} {state}")).collect();
+    let counts: Vec<_> = tally(findings).into_iter().filter(|&(_, n)| n > 0).collect();
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>tracefig check</title>\
-         <style>{STYLE}</style></head>\n<body><h1>Figures</h1>\n<p>{}</p>\n",
-        counts.join(", ")
+         <style>{STYLE}</style></head>\n<body><h1>Are the figures what their scenes give today?</h1>\n<dl>\n"
     );
+    for (state, count) in counts {
+        let _ = writeln!(out, "<dt>{count} {state}</dt><dd>{}</dd>", meaning(state));
+    }
+    out.push_str("</dl>\n");
     for finding in findings.iter().filter(|f| f.is_bad()) {
         let name = escape(&finding.file);
         let _ = writeln!(out, "<section><h2><code>{name}</code>: {}</h2>\n<ul>", finding.state);
@@ -30,13 +36,25 @@ pub fn html(findings: &[Finding]) -> String {
             let _ = writeln!(
                 out,
                 "<figure><img src=\"data:image/png;base64,{data}\" alt=\"expected, difference and actual image of {name}\">\
-                 <figcaption>expected · difference · actual</figcaption></figure>"
+                 <figcaption><span>expected: on disk</span><span>difference: what changed is pink</span><span>actual: drawn now</span></figcaption></figure>"
             );
         }
         out.push_str("</section>\n");
     }
     out.push_str("</body></html>\n");
     out
+}
+
+/// What a state means, for a reader who meets it first here.
+fn meaning(state: &str) -> &'static str {
+    match state {
+        "identical" => "the file is, byte for byte, what its scene gives",
+        "changed" => "the scene is the one that the file was drawn from, but gives another file now",
+        "stale" => "the scene or the options have changed since the file was drawn",
+        "missing" => "there is a scene, but no file yet",
+        "orphan" => "there is a file of ours, but no scene that gives it",
+        _ => "the scene can't be drawn, or a file can't be read or written",
+    }
 }
 
 /// Base 64 of RFC 4648, with padding.

@@ -54,7 +54,7 @@ struct Step {
 fn step(context: &Context) -> Option<Step> {
     let wanted = context.step?.checked_sub(1)?;
     let v = relative(context);
-    context.run().events().find_map(|event| match *event {
+    context.run().find_told(|event| match *event {
         Event::Advanced { step, estimate, closest, normal, next, .. } if step == wanted => {
             Some(Step { estimate, closest, outward: -normal, next: next.map(|t| v * t) })
         }

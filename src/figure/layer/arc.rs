@@ -80,7 +80,7 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
     if !matches!(run.answer, Answer::MotionBound(_)) {
         return None;
     }
-    run.events().find_map(|event| match event {
+    run.find_told(|event| match event {
         Event::MotionBounded { body, radius, theta, arc, vertices, .. }
             if wanted.contains(body) && *theta > 0.0 =>
         {

@@ -85,7 +85,7 @@ impl Place {
 
 /// Centres, half-extents and D.
 fn compared(context: &Context) -> Option<([DVec2; 2], [DVec2; 2], DVec2)> {
-    context.run().events().find_map(|event| match *event {
+    context.run().find_told(|event| match *event {
         Event::ExtentsCompared { centers, half_extents, gap } => Some((centers, half_extents, gap)),
         _ => None,
     })

@@ -65,8 +65,7 @@ struct Found {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let run = context.run();
     let found: Vec<Found> = run
-        .events()
-        .filter_map(|event| match event {
+        .told(|event| match event {
             Event::BoundsFound { of, min, max, touching } => {
                 Some(Found { of: *of, min: *min, max: *max, touching: touching.clone() })
             }

@@ -46,7 +46,7 @@ struct Clamped {
 }
 
 fn clamped(context: &Context) -> Option<Clamped> {
-    context.run().events().find_map(|event| match *event {
+    context.run().find_told(|event| match *event {
         Event::Clamped { body, v, clamped, closest, d, .. } => Some(Clamped {
             side: body,
             pose: context.pose(body, context.time)?,

@@ -11,6 +11,7 @@ use super::super::label::{Anchor, Label, Rank, Size};
 use super::super::options::{OptionSpec, Options, Takes};
 use super::super::outline::Piece;
 use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
+use super::super::runs::tells_difference;
 use super::super::sketch::Sketch;
 use super::half_extents::ON_LINE;
 use super::{LabelKey, Layer, Shows, fade};
@@ -74,7 +75,12 @@ pub(super) const LAYER: Layer = Layer {
 
 /// B ⊖ A at a time, as the algorithm that tells of it found it.
 pub(super) fn difference(context: &Context, time: f64) -> Option<Difference> {
-    Difference::of(context.difference_at(time)?.events())
+    Difference::of(context.difference_at(time)?.told(tells_shape))
+}
+
+/// What tells of the difference, and where another search for it begins.
+fn tells_shape(event: &Event) -> Option<&Event> {
+    (tells_difference(event) || matches!(event, Event::Started { .. })).then_some(event)
 }
 
 fn when(context: &Context, options: &Options) -> Option<f64> {
@@ -179,7 +185,7 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
 /// The edges that the ray was not tested against.
 fn culled(context: &Context) -> Vec<(Side, Feature)> {
     let run = context.run();
-    let skipped = run.events().filter_map(|event| match event {
+    let skipped = run.told(|event| match event {
         Event::RayClipped { source, outcome: Culling::BackFacing, .. } => Some(*source),
         _ => None,
     });

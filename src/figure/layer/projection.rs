@@ -56,8 +56,7 @@ struct Tested {
 fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let run = context.run();
     let all: Vec<Tested> = run
-        .events()
-        .filter_map(|event| match *event {
+        .told(|event| match *event {
             Event::AxisTested { axis, interval_a, interval_b, gap, .. } => {
                 Some(Tested { n: axis, a: interval_a, b: interval_b, gap })
             }

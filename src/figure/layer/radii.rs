@@ -58,7 +58,7 @@ pub(super) const LAYER: Layer = Layer {
 /// Centres and radii as the algorithm compared them, and its answer.
 fn compared(context: &Context) -> Option<([DVec2; 2], [f64; 2], Separation)> {
     let run = context.separation_at(context.time)?;
-    let (centers, radii) = run.events().find_map(|event| match *event {
+    let (centers, radii) = run.find_told(|event| match *event {
         Event::CirclesCompared { centers, radii, .. } => Some((centers, radii)),
         _ => None,
     })?;

@@ -93,7 +93,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         points(sketch, options, &answer);
     }
     let [p, q] = answer.points;
-    let offset = options.number("offset").unwrap_or(0.0);
+    let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
     sketch.part("separation");
     match options.word("style", "arrow") {
         "dimension" => sketch.dimension(p, q, -offset, Ends::Ticks, Pen::dimension(role).width(1.5)),
@@ -145,9 +145,9 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 /// circle from a box distance, and the depth of polygons d.
 fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
     let (signed, depth) = (number(answer.separation), number(answer.separation.abs()));
-    if run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. })) {
+    if run.tells(|e| matches!(e, Event::PenetrationMeasured { .. })) {
         ("p", format!("$p = {signed}$"))
-    } else if run.events().any(|e| matches!(e, Event::Clamped { .. })) {
+    } else if run.tells(|e| matches!(e, Event::Clamped { .. })) {
         ("distance", format!("distance $= {signed}$"))
     } else {
         ("d", format!("$d = {depth}$"))

@@ -47,8 +47,7 @@ struct Step {
 fn shown(context: &Context, options: &Options) -> Option<Step> {
     let run = context.run();
     let all: Vec<(&Vec<DVec2>, Option<DVec2>)> = run
-        .events()
-        .filter_map(|event| match event {
+        .told(|event| match event {
             Event::SimplexUpdated { vertices, closest, .. } => Some((vertices, Some(*closest))),
             Event::PolytopeExpanded { vertices, .. } => Some((vertices, None)),
             _ => None,

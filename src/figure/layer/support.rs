@@ -39,7 +39,7 @@ fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
     let normal = run.separation()?.normal;
     let found = |count: usize, side: Side| {
         let toward = if side == Side::B { -normal } else { normal };
-        run.events().find_map(|event| match event {
+        run.find_told(|event| match event {
             Event::SupportFound { body, direction, vertices }
                 if *body == side
                     && vertices.len() == count

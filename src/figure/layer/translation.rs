@@ -34,7 +34,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(answer) = run.separation() else { return };
     let tip = pose.position - answer.normal * answer.separation;
     let role = options.role(Role::Now);
-    let of_circles = run.events().any(|e| matches!(e, Event::PenetrationMeasured { .. }));
+    let of_circles = run.tells(|e| matches!(e, Event::PenetrationMeasured { .. }));
     let text = if of_circles { "$P = N p$" } else { r"$d\,n$" };
     sketch.part("translation").arrow(pose.position, tip, Pen::highlighted(role));
     sketch.label(Label::new("P", text, Anchor::middle(pose.position, tip), role));

@@ -51,7 +51,7 @@ impl Sketch<'_> {
     }
 
     fn page_ticked(&mut self, a: Point, b: Point, u: Offset, pen: Pen) {
-        let half = u.left() * (0.5 * TICK.max(TICK_PER_WIDTH * pen.width));
+        let half = u.left() * (0.5 * self.fitted(TICK.max(TICK_PER_WIDTH * pen.width)));
         for (from, to) in [(a, b), (a + -half, a + half), (b + -half, b + half)] {
             self.push_stroked(Contour::line(from, to), pen);
             self.keep_off(Cover::Stroke { from, to, half: 0.5 * pen.width });
@@ -60,10 +60,9 @@ impl Sketch<'_> {
 
     /// A dashed line from a point to the end of its dimension, a little away from the one and beyond the other.
     fn extension(&mut self, from: Point, to: Point) {
-        let Some(u) = (to - from).unit().filter(|_| (to - from).length() > 2.0 * EXTENSION_GAP) else {
-            return;
-        };
-        let (a, b) = (from + u * EXTENSION_GAP, to + u * EXTENSION_GAP);
+        let gap = self.fitted(EXTENSION_GAP);
+        let Some(u) = (to - from).unit().filter(|_| (to - from).length() > 2.0 * gap) else { return };
+        let (a, b) = (from + u * gap, to + u * gap);
         let weight = self.weight;
         self.weight(Weight::Light);
         self.push_stroked(Contour::line(a, b), Pen::extension());

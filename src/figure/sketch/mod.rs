@@ -169,10 +169,16 @@ impl<'f> Sketch<'f> {
         (center - half, center + half)
     }
 
-    /// The length of `px` page pixels in the panel's space.
+    /// Page pixels of what is `px` on the usual page; fewer on a small one.
+    #[must_use]
+    pub fn fitted(&self, px: f64) -> f64 {
+        px * self.unit
+    }
+
+    /// The length in the panel's space of `px` pixels of the usual page.
     #[must_use]
     pub fn px(&self, px: f64) -> f64 {
-        px / self.frame.scale
+        self.fitted(px) / self.frame.scale
     }
 
     /// The length on the page, in pixels, of a length in the panel's space.

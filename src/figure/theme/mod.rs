@@ -31,8 +31,17 @@ pub struct Theme {
     pub pattern_opacity: f64,
     /// Patterns of the fills, by role.
     pub patterns: &'static [(Role, PatternKind)],
-    /// The colours for readers whose system is dark, where the theme follows it.
-    pub dark: Option<[Color; 9]>,
+    /// What readers whose system is dark see, where the theme follows it.
+    pub dark: Option<Side>,
+}
+
+/// The other side of a theme that follows the reader's system.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Side {
+    /// In the order of [`Role::ALL`].
+    pub colors: [Color; 9],
+    /// Opacity of the fill of areas.
+    pub fill_opacity: f64,
 }
 
 impl Theme {

@@ -126,17 +126,14 @@ mod tests {
     use super::*;
     use crate::drawing::Role;
     use crate::figure::theme::contrast::{blend, contrast};
-    use crate::figure::theme::{THEMES, Theme};
+    use crate::figure::theme::{Side, THEMES, Theme};
 
     /// Every theme, and the dark side of those that have one.
     fn palettes() -> Vec<(String, Theme)> {
         let mut all: Vec<_> = THEMES.iter().map(|t| (t.name.to_owned(), t.clone())).collect();
         for theme in THEMES {
-            if let Some(colors) = theme.dark {
-                all.push((
-                    format!("{}, dark", theme.name),
-                    Theme { colors, fill_opacity: 0.2, ..theme.clone() },
-                ));
+            if let Some(Side { colors, fill_opacity }) = theme.dark {
+                all.push((format!("{}, dark", theme.name), Theme { colors, fill_opacity, ..theme.clone() }));
             }
         }
         all

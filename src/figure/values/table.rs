@@ -38,7 +38,7 @@ macro_rules! told {
             name: $name,
             about: $about,
             of: |context| {
-                context.run().events().find_map(|event| match event {
+                context.run().find_told(|event| match event {
                     $pattern => Some(Quantity::exactly($value)),
                     _ => None,
                 })
@@ -190,7 +190,7 @@ fn count(n: usize) -> f64 {
 fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Option<Quantity> {
     let wanted = context.step?;
     let run = context.run();
-    let mut steps = run.events().filter_map(|event| match event {
+    let mut steps = run.told(|event| match event {
         Event::Advanced { at, separation, next, .. } => Some((at.time, *separation, *next)),
         _ => None,
     });
@@ -199,7 +199,7 @@ fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Op
 }
 
 fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
-    context.run().events().find_map(|event| match event {
+    context.run().find_told(|event| match event {
         Event::Clamped { d, .. } => Some(Quantity::exactly(pick(*d))),
         Event::ExtentsCompared { gap, .. } => Some(Quantity::exactly(pick(*gap))),
         _ => None,
@@ -207,7 +207,7 @@ fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
 }
 
 fn half_extents(context: &Context) -> Option<DVec2> {
-    context.run().events().find_map(|event| match event {
+    context.run().find_told(|event| match event {
         Event::Clamped { half_extents, .. } => Some(*half_extents),
         Event::BoundsFound { min, max, .. } => Some((*max - *min) / 2.0),
         _ => None,
@@ -215,7 +215,7 @@ fn half_extents(context: &Context) -> Option<DVec2> {
 }
 
 fn center(context: &Context) -> Option<DVec2> {
-    context.run().events().find_map(|event| match event {
+    context.run().find_told(|event| match event {
         Event::BoundsFound { min, max, .. } => Some((*min + *max) / 2.0),
         _ => None,
     })

@@ -7,7 +7,7 @@
 use std::f64::consts::{FRAC_PI_3, TAU};
 
 use super::super::curves::{at, end, touches};
-use super::super::number::{push_coordinate, text};
+use super::super::number::{push_coordinate, text, written_alike};
 use crate::drawing::{Point, Segment};
 use crate::typeset::{Outline, OutlineSegment};
 
@@ -16,33 +16,73 @@ const LONGEST_ARC: f64 = 2.0 * FRAC_PI_3;
 
 /// Appends the path data of a contour.
 pub(super) fn segments(out: &mut String, segments: &[Segment]) {
-    let mut current: Option<Point> = None;
+    let mut pen = PagePen { out, at: None, last: ' ' };
     for segment in segments {
         match *segment {
-            Segment::Move(p) => command(out, 'M', &[p]),
-            Segment::Line(p) => command(out, 'L', &[p]),
-            Segment::Quad(c, p) => command(out, 'Q', &[c, p]),
-            Segment::Cubic(c, d, p) => command(out, 'C', &[c, d, p]),
-            Segment::Close => out.push('Z'),
+            Segment::Move(p) => pen.begin(p),
+            Segment::Line(p) => pen.line(p),
+            Segment::Quad(c, p) => pen.command('Q', &[c, p]),
+            Segment::Cubic(c, d, p) => pen.command('C', &[c, d, p]),
+            Segment::Close => {
+                pen.out.push('Z');
+                pen.last = ' ';
+            }
             Segment::Arc { center, radius, start, sweep } => {
                 let from = at(center, radius, start);
-                match current {
-                    None => command(out, 'M', &[from]),
-                    Some(point) if !touches(point, from) => command(out, 'L', &[from]),
+                match pen.at {
+                    None => pen.begin(from),
+                    Some(point) if !touches(point, from) => pen.line(from),
                     Some(_) => {}
                 }
-                arc(out, center, radius, start, sweep);
+                arc(pen.out, center, radius, start, sweep);
+                pen.last = ' ';
             }
         }
-        current = end(segment).or(current);
+        pen.at = end(segment).or(pen.at);
     }
 }
 
-fn command(out: &mut String, letter: char, points: &[Point]) {
-    out.push(letter);
-    for p in points {
-        push_coordinate(out, p.x);
-        push_coordinate(out, p.y);
+/// Writes path data in page pixels: a letter only where it is another one, and one number for a level or upright line.
+struct PagePen<'o> {
+    out: &'o mut String,
+    at: Option<Point>,
+    /// The letter that the next numbers would be taken for.
+    last: char,
+}
+
+impl PagePen<'_> {
+    /// What follows a move without a letter is a line.
+    fn begin(&mut self, p: Point) {
+        self.command('M', &[p]);
+        self.last = 'L';
+    }
+
+    fn line(&mut self, p: Point) {
+        match self.at {
+            Some(from) if written_alike(from.y, p.y) => self.letter('H', p.x),
+            Some(from) if written_alike(from.x, p.x) => self.letter('V', p.y),
+            _ => self.command('L', &[p]),
+        }
+        self.at = Some(p);
+    }
+
+    fn letter(&mut self, letter: char, value: f64) {
+        if self.last != letter {
+            self.out.push(letter);
+        }
+        self.last = letter;
+        push_coordinate(self.out, value);
+    }
+
+    fn command(&mut self, letter: char, points: &[Point]) {
+        if self.last != letter {
+            self.out.push(letter);
+        }
+        self.last = letter;
+        for p in points {
+            push_coordinate(self.out, p.x);
+            push_coordinate(self.out, p.y);
+        }
     }
 }
 

@@ -45,11 +45,16 @@ pub(super) enum Sheet {
 pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
     let prefix = identifier(&drawing.id);
     let used = style::Used::by(drawing);
-    let mut document =
-        Document { xml: Xml::with_capacity(TYPICAL_SIZE), prefix, ids: BTreeSet::new(), clips: Vec::new() };
+    let mut document = Document {
+        xml: Xml::with_capacity(TYPICAL_SIZE),
+        prefix,
+        ids: BTreeSet::new(),
+        clips: Vec::new(),
+        fill_opacity: drawing.fill_opacity,
+    };
     document.open(drawing);
     if sheet == Sheet::Inside {
-        document.style(&used, &drawing.dark);
+        document.style(&used, drawing.dark.as_ref());
     }
     document.glyphs(&used.glyphs);
     document.xml.start("rect");
@@ -80,6 +85,8 @@ struct Document {
     ids: BTreeSet<String>,
     /// Clip rectangles that have an element; the place is the number in its id.
     clips: Vec<Rect>,
+    /// Opacity of the fills of areas.
+    fill_opacity: f64,
 }
 
 impl Document {
@@ -157,7 +164,17 @@ impl Document {
         if let Some(clip) = clip {
             self.xml.attribute("clip-path", &format!("url(#{clip})"));
         }
-        self.items(&group.items);
+        if let Some(first) = painted_alike(&group.items) {
+            self.paint(first.fill.as_ref(), first.stroke.as_ref());
+            for item in &group.items {
+                if let Item::Path(path) = item {
+                    self.shape(&path.contour);
+                    self.xml.end();
+                }
+            }
+        } else {
+            self.items(&group.items);
+        }
         self.xml.end();
     }
 
@@ -243,8 +260,9 @@ impl Document {
 
     /// The attributes of fill and stroke, and the classes by which the style sheet finds them.
     fn paint(&mut self, fill: Option<&Paint>, stroke: Option<&Stroke>) {
+        let of_fill = fill.map_or(Property::Fill, |paint| Property::of_fill(paint, self.fill_opacity));
         let roles = [
-            (Property::Fill, fill.and_then(|paint| paint.role)),
+            (of_fill, fill.and_then(|paint| paint.role)),
             (Property::Stroke, stroke.and_then(|stroke| stroke.paint.role)),
         ];
         style::class_attribute(&mut self.xml, &self.prefix, &roles);
@@ -255,4 +273,14 @@ impl Document {
             style::stroke(&mut self.xml, stroke);
         }
     }
+}
+
+/// The first of several paths that are all painted alike, so that their group can say how.
+fn painted_alike(items: &[Item]) -> Option<&Path> {
+    let [Item::Path(first), rest @ ..] = items else { return None };
+    let alike = |item: &Item| match item {
+        Item::Path(path) => path.pattern.is_none() && path.fill == first.fill && path.stroke == first.stroke,
+        _ => false,
+    };
+    (!rest.is_empty() && items.iter().all(alike)).then_some(first)
 }

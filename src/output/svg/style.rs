@@ -8,22 +8,30 @@ use std::collections::BTreeSet;
 use super::super::number;
 use super::super::xml::Xml;
 use super::Document;
-use crate::drawing::{Cap, Color, Drawing, Item, Paint, Role, Stroke};
+use crate::drawing::{Cap, Color, Dark, Drawing, Item, Paint, Role, Stroke};
 use crate::typeset::Glyph;
 
 /// A property that takes a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Property {
     Fill,
+    /// A fill as faint as the theme's areas, whose opacity a page may set too.
+    Area,
     Stroke,
-    /// Both in one colour.
+    /// Fill and stroke in one colour.
     Halo,
 }
 
 impl Property {
+    /// Which of the two a fill is.
+    pub(super) fn of_fill(paint: &Paint, fill_opacity: f64) -> Self {
+        if paint.opacity < 1.0 && paint.opacity == fill_opacity { Self::Area } else { Self::Fill }
+    }
+
     fn name(self) -> &'static str {
         match self {
             Self::Fill => "fill",
+            Self::Area => "area",
             Self::Stroke => "stroke",
             Self::Halo => "halo",
         }
@@ -37,11 +45,13 @@ pub(super) struct Used {
     pub(super) glyphs: BTreeSet<Glyph>,
     /// Properties by role; with the colour, as a theme has one a role.
     paints: BTreeSet<(Role, Property, [u8; 3])>,
+    /// Opacity of the fills of areas.
+    fill_opacity: f64,
 }
 
 impl Used {
     pub(super) fn by(drawing: &Drawing) -> Self {
-        let mut used = Self::default();
+        let mut used = Self { fill_opacity: drawing.fill_opacity, ..Self::default() };
         used.paint(Property::Fill, Some(&drawing.background));
         used.items(&drawing.items);
         used
@@ -52,7 +62,9 @@ impl Used {
             match item {
                 Item::Group(group) => self.items(&group.items),
                 Item::Path(path) => {
-                    self.paint(Property::Fill, path.fill.as_ref());
+                    if let Some(fill) = &path.fill {
+                        self.paint(Property::of_fill(fill, self.fill_opacity), Some(fill));
+                    }
                     self.paint(Property::Stroke, path.stroke.as_ref().map(|s| &s.paint));
                     self.paint(Property::Stroke, path.pattern.as_ref().map(|p| &p.paint));
                 }
@@ -76,17 +88,17 @@ impl Used {
 
 impl Document {
     /// The style sheet: one block for all, and one for readers whose system is dark where the drawing has such colours.
-    pub(super) fn style(&mut self, used: &Used, dark: &[(Role, Color)]) {
+    pub(super) fn style(&mut self, used: &Used, dark: Option<&Dark>) {
         let mut sheet = String::from("@media all{");
         for &(role, property, [r, g, b]) in &used.paints {
-            self.rule(&mut sheet, role, property, Color { r, g, b });
+            self.rule(&mut sheet, role, property, Color { r, g, b }, used.fill_opacity);
         }
         sheet.push('}');
-        if !dark.is_empty() {
+        if let Some(dark) = dark {
             sheet.push_str("@media (prefers-color-scheme:dark){");
             for &(role, property, _) in &used.paints {
-                if let Some(&(_, color)) = dark.iter().find(|(r, _)| *r == role) {
-                    self.rule(&mut sheet, role, property, color);
+                if let Some(&(_, color)) = dark.colors.iter().find(|(r, _)| *r == role) {
+                    self.rule(&mut sheet, role, property, color, dark.fill_opacity);
                 }
             }
             sheet.push('}');
@@ -96,12 +108,13 @@ impl Document {
         self.xml.end();
     }
 
-    fn rule(&self, sheet: &mut String, role: Role, property: Property, color: Color) {
+    fn rule(&self, sheet: &mut String, role: Role, property: Property, color: Color, fill_opacity: f64) {
         sheet.push('.');
         class(sheet, &self.prefix, role, property);
         sheet.push('{');
         let names: &[&str] = match property {
             Property::Halo => &["fill", "stroke"],
+            Property::Area => &["fill"],
             _ => &[property.name()],
         };
         for (i, name) in names.iter().enumerate() {
@@ -111,6 +124,11 @@ impl Document {
             sheet.push_str(role.name());
             sheet.push(',');
             hex(sheet, color);
+            sheet.push(')');
+        }
+        if property == Property::Area {
+            sheet.push_str(";fill-opacity:var(--tracefig-fill-opacity,");
+            number::push(sheet, fill_opacity);
             sheet.push(')');
         }
         sheet.push('}');
@@ -145,7 +163,7 @@ pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: &[(Property, O
 /// A colour attribute, and the opacity where it is not 1.
 pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
     let names: &[(&str, &str)] = match property {
-        Property::Fill => &[("fill", "fill-opacity")],
+        Property::Fill | Property::Area => &[("fill", "fill-opacity")],
         Property::Stroke => &[("stroke", "stroke-opacity")],
         Property::Halo => &[("fill", "fill-opacity"), ("stroke", "stroke-opacity")],
     };

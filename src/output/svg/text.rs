@@ -39,7 +39,7 @@ impl Document {
             self.xml.end();
             return;
         };
-        let id = self.new_id("text");
+        let id = self.new_id("t");
         self.xml.start("g");
         style::class_attribute(&mut self.xml, &self.prefix, &[(Property::Halo, halo.paint.role)]);
         style::paint(&mut self.xml, Property::Halo, &halo.paint);
@@ -77,7 +77,8 @@ impl Document {
                 out.push(')');
             });
             if let Some(halo) = halo {
-                self.xml.number("stroke-width", 2.0 * halo.width / factor);
+                // In units, as the places of the glyphs are.
+                self.xml.number("stroke-width", (2.0 * halo.width / factor).round());
             }
             for placed in run {
                 self.glyph(placed, factor);

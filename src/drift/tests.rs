@@ -1,0 +1,152 @@
+//! Figures drifted on purpose, of each kind, and what is said of them.
+
+use super::*;
+use crate::drawing::Drawing;
+use crate::figure::{draw, plan, theme};
+use crate::output::{Options, Writer, format, rasterize};
+use crate::scene::open_text;
+
+const SCENE: &str = r#"
+    title = "Two bodies"
+    caption = "How far $A$ is from $B$."
+    [shapes.A]
+    kind = "box"
+    half_extents = [1.0, 0.5]
+    angle_deg = 20
+    [shapes.B]
+    kind = "polygon"
+    vertices = [[2, 0], [4, -1], [4, 1]]
+    [query]
+    kind = "separation"
+    of = ["A", "B"]
+    algorithm = "minkowski"
+    [[panels]]
+    title = "World"
+    space = "world"
+    view = [-2, -2, 5, 2]
+    layers = ["shapes", "separation", "normal"]
+    [[panels]]
+    title = "Configuration"
+    space = "configuration"
+    view = [-2, -2, 6, 2]
+    layers = ["difference", "origin", "closest"]
+"#;
+
+fn drawn(scene: &str, theme_name: &str) -> (Drawing, Vec<u8>) {
+    let scene = open_text("s.toml", scene).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let mut drawing = draw(&plan, theme::find(theme_name).unwrap(), "s").drawing;
+    drawing.metadata = metadata("00", &facts(&plan));
+    let Writer::One(write) = format("svg").unwrap().write else { panic!("SVG takes one drawing") };
+    let bytes = write(&drawing, &Options::default()).unwrap();
+    (drawing, bytes)
+}
+
+fn svg(scene: &str) -> Vec<u8> {
+    drawn(scene, "light").1
+}
+
+/// What a changed scene makes `check` say of its SVG.
+fn said(changed: &str) -> Vec<String> {
+    what_moved(&svg(SCENE), &svg(changed))
+}
+
+fn says(lines: &[String], what: &str) {
+    assert!(lines.iter().any(|line| line.contains(what)), "{what}: {lines:#?}");
+}
+
+#[test]
+fn an_svg_of_every_theme_is_read_again_as_what_it_shows() {
+    for name in ["light", "dark", "print", "auto"] {
+        let (drawing, bytes) = drawn(SCENE, name);
+        let again = picture::read(&bytes).unwrap_or_else(|| panic!("{name} is read"));
+        let (ours, theirs) = (rasterize(&drawing, 2.0).unwrap(), rasterize(&again.drawing, 2.0).unwrap());
+        let different = ours.rgba.iter().zip(&theirs.rgba).map(|(a, b)| u64::from(a.abs_diff(*b)));
+        #[expect(clippy::cast_precision_loss, reason = "a sum over an image")]
+        let mean = different.sum::<u64>() as f64 / ours.rgba.len() as f64;
+        // Coordinates are rounded to hundredths, so pixels along edges differ by some levels.
+        assert!(mean < 0.1, "{name}: {mean}");
+    }
+}
+
+#[test]
+fn a_moved_vertex_is_said_in_numbers_and_as_seen() {
+    let lines = said(&SCENE.replace("[2, 0], [4, -1]", "[2.5, 0], [4, -1]"));
+    says(&lines, "separation: ");
+    says(&lines, "difference edge 2 of B: to (");
+    says(&lines, "body-B in panel-1: 1 of 3 points moved, by ");
+    assert!(lines.iter().all(|line| !line.contains("body-A")), "{lines:#?}");
+}
+
+#[test]
+fn a_moved_body_is_moved_as_a_whole() {
+    let lines = said(&SCENE.replace("[[2, 0], [4, -1], [4, 1]]", "[[2.5, 0], [4.5, -1], [4.5, 1]]"));
+    says(&lines, "body-B in panel-1: moved by (");
+}
+
+#[test]
+fn another_caption_and_title_are_quoted() {
+    let lines = said(&SCENE.replace("How far", "How near").replace("Two bodies", "Two shapes"));
+    says(&lines, "title: reads `Two shapes");
+    says(&lines, "caption: reads `How near A is from B.`, was `How far A is from B.`");
+    assert!(lines.iter().all(|line| !line.contains("body-")), "{lines:#?}");
+}
+
+#[test]
+fn another_theme_is_a_line_a_colour() {
+    let lines = what_moved(&svg(SCENE), &drawn(SCENE, "dark").1);
+    says(&lines, "page, label-A in panel-1, ");
+    says(&lines, "colour of background #ffffff → #12161c");
+    says(&lines, "colour of a #a3161f → #ff6b57");
+    says(&lines, "fill opacity 0.14 → 0.2");
+    says(&lines, "style sheet");
+}
+
+#[test]
+fn another_layer_is_new_and_gone() {
+    let more = SCENE
+        .replace("\"normal\"]", "\"normal\", \"velocity\"]")
+        .replace("half_extents", "velocity = [1, 0]\nhalf_extents");
+    says(&said(&more), "velocity");
+    let lines = what_moved(&svg(&more), &svg(SCENE));
+    assert!(lines.iter().any(|l| l.contains("velocity") && l.ends_with(": gone")), "{lines:#?}");
+}
+
+#[test]
+fn a_colour_changed_by_hand_has_its_levels() {
+    let new = svg(SCENE);
+    let old = String::from_utf8(new.clone()).unwrap().replace("=\"#a3161f\"", "=\"#a6161f\"");
+    let rendered = Rendered { extension: "svg", bytes: &new, scale: 1.0 };
+    let State::Changed(change) = compare(Some(old.as_bytes()), rendered) else { panic!("changed") };
+    let drift = change.pixels().unwrap();
+    assert_eq!((drift.worst, change.is_within(2), change.is_within(3)), (3, false, true));
+    says(&what_moved(old.as_bytes(), &new), "colour of a #a6161f → #a3161f");
+    assert!(triptych(old.as_bytes(), &new, 1.0).is_some());
+}
+
+#[test]
+fn what_no_eye_sees_is_within_a_tolerance_and_what_is_not_ours_within_none() {
+    let new = svg(SCENE);
+    let text = String::from_utf8(new.clone()).unwrap();
+    let change = |old: &str| {
+        let rendered = Rendered { extension: "svg", bytes: &new, scale: 1.0 };
+        match compare(Some(old.as_bytes()), rendered) {
+            State::Changed(change) => change,
+            other => panic!("{other:?}"),
+        }
+    };
+    let unseen = change(&text.replacen("\"trace\":[", "\"trace\": [", 1));
+    assert!(matches!(unseen, Change::Picture { pixels: None, .. }), "{unseen}");
+    assert!(!unseen.is_within(0) && unseen.is_within(1), "{unseen}");
+    assert!(!change(&text.replacen("Two bodies", "Two cats", 1)).is_within(255), "words are not pixels");
+    assert!(!change(&text.replacen("@media all", "@media print", 1)).is_within(255), "nor are rules");
+    assert!(triptych(text.replacen('[', " [", 1).as_bytes(), &new, 1.0).is_none());
+    for edited in [
+        text.replacen("<path", "<path style=\"display:none\"", 1),
+        text.replacen("<circle", "<ellipse", 1),
+        text.replacen("</svg>", "<script/></svg>", 1),
+    ] {
+        let edited = change(&edited);
+        assert!(matches!(edited, Change::Line(_)) && !edited.is_within(255), "{edited}");
+    }
+}
