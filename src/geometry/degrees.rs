@@ -15,6 +15,7 @@
 //! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989, has the
 //! idea of the table.)
 
+use super::series::{onto, series};
 use super::sines::{RADIANS_PER_DEGREE, SINES};
 use super::{Ball, Dd, two_product, two_sum};
 
@@ -62,10 +63,10 @@ pub const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 /// roundings of ε/2 on its way, and the table's lower half comes with it.
 pub const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
 
-/// Bound on the error of the double-double cosine and sine, 8 ε²: entries of the table ε²/8 each; the correction is
-/// below 0.01 with 12 operations of 5ε² each and, for its tail beyond ρ⁴ (below 10⁻⁹ of it), roundings of doubles
-/// (2·10⁻¹⁵ of 10⁻¹⁵); the last sum 5ε².
-const FINE_ERROR: f64 = 8.0 * f64::EPSILON * f64::EPSILON;
+/// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below 0.0088, is off
+/// by 5ε² of itself; the series and the products with them lose less than ε²/10 (see [`super::series`]); of the lower half of
+/// the sum, below 1.2ε, the two additions lose ε²/2 each at most.
+const FINE_ERROR: f64 = 2.0 * f64::EPSILON * f64::EPSILON;
 
 impl Turn {
     /// No turn.
@@ -181,17 +182,8 @@ impl Turn {
         if self.rest == Dd::ZERO && self.error == 0.0 {
             return quarter((entry(c), entry(s)), self.quarters);
         }
-        let x = self.rest * RADIANS_PER_DEGREE;
-        let z = x * x;
-        let zh = z.hi;
-        let sin_tail = -1.0 / 5040.0 + zh * (1.0 / 362_880.0 - zh / 39_916_800.0);
-        let sin_series = SIXTH + z * (HUNDRED_TWENTIETH + z.scale(sin_tail));
-        let sin_x = x + x * (z * sin_series);
-        let cos_tail = -1.0 / 720.0 + zh * (1.0 / 40_320.0 - zh / 3_628_800.0);
-        let cos_series = Dd::new(-0.5) + z * (TWENTY_FOURTH + z.scale(cos_tail));
-        let cos_x = z * cos_series;
-        let sin = s + (c * sin_x + s * cos_x);
-        let cos = c + (c * cos_x - s * sin_x);
+        let (sin_x, cos_x) = series(self.rest * RADIANS_PER_DEGREE);
+        let (sin, cos) = (onto(s, [(c, sin_x), (s, cos_x)]), onto(c, [(c, cos_x), (-s, sin_x)]));
         let radius = FINE_ERROR + self.error * 0.02;
         quarter((Ball::within(cos, radius), Ball::within(sin, radius)), self.quarters)
     }
@@ -260,13 +252,6 @@ fn turned(spin: Degrees, t: f64) -> (f64, f64, f64) {
     let (p, e) = two_product(spin.0, t);
     (p, e, if p.abs() < TINY && spin.0 != 0.0 && t != 0.0 { TINY } else { 0.0 })
 }
-
-/// −1/6.
-const SIXTH: Dd = Dd { hi: -1.0 / 6.0, lo: -9.251_858_538_542_97e-18 };
-/// 1/120.
-const HUNDRED_TWENTIETH: Dd = Dd { hi: 1.0 / 120.0, lo: 1.156_482_317_317_871_4e-19 };
-/// 1/24.
-const TWENTY_FOURTH: Dd = Dd { hi: 1.0 / 24.0, lo: 2.312_964_634_635_742_7e-18 };
 
 /// Sine and cosine of −45 to 45 whole degrees.
 fn table(whole: i8) -> (Dd, Dd) {

@@ -46,7 +46,7 @@ pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
 
 /// a + b = sum + error, exactly, where |a| ≥ |b| or a = 0 (Dekker).
 #[inline]
-fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     (sum, b - (sum - a))
 }

@@ -8,12 +8,14 @@ mod body;
 mod degrees;
 mod double_double;
 mod hull;
+mod series;
 pub mod shape;
 mod sines;
 
 pub use ball::Ball;
 pub use body::{Body, Pose, perp};
 pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, TAILED_ERROR, Turn};
+pub(crate) use double_double::fast_two_sum;
 pub use double_double::{COMBINED_ERROR, Dd, combined, taming_power, two_product, two_sum};
 pub use glam::DVec2;
 pub use hull::Hull;
