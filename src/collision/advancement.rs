@@ -155,7 +155,7 @@ impl Advancement<'_> {
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
         let pair = MovingPair::new(self.a, self.b);
         let features = nearest(&pair, t).0;
-        if Before::new(&pair, (self.a, self.b), t, features).touches_by(later) {
+        if Before::new(&pair, t, features).touches_by(later) {
             Outcome::Hit { time: Enclosure { lo: t, hi: later }, contact: *near }
         } else {
             Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t }

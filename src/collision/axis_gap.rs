@@ -28,9 +28,11 @@ pub(super) struct Axis {
     /// n, from R to O, of length 1 but for rounding.
     pub(super) n: DVec2,
     /// h, in doubles.
-    support: f64,
+    pub(super) support: f64,
+    /// A vertex of R that is highest along n, or near it.
+    pub(super) own: usize,
     /// A vertex of O that is lowest along n, or nearly so: where to look first.
-    facing: usize,
+    pub(super) facing: usize,
     /// The owner's edge that it is square to, if any.
     pub(super) edge: Option<usize>,
 }
@@ -93,7 +95,7 @@ impl Axis {
                 let hull = pair.hull(owner);
                 let &n = hull.normals.get(edge)?;
                 let support = n.dot(*hull.corners.get(edge)?) * pair.unit;
-                Some(Self { owner, n, support, facing: vertex, edge: Some(edge) })
+                Some(Self { owner, n, support, own: edge, facing: vertex, edge: Some(edge) })
             }
             Nearest::Vertices(a, b) => {
                 let owner = pair.calmer();
@@ -122,7 +124,7 @@ impl Axis {
         let toward = if owner == Side::A { normal } else { -normal };
         let n = pair.view(owner, 0.0).turned(if across.dot(toward) < 0.0 { -across } else { across });
         let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
-        n.is_finite().then_some(Self { owner, n, support, facing: 0, edge: None })
+        n.is_finite().then_some(Self { owner, n, support, own: 0, facing: 0, edge: None })
     }
 
     /// Whether the axis separates at `t`.
@@ -161,7 +163,7 @@ impl Axis {
         }
         let n = direction / length;
         let support = pair.vertices(owner).map(|q| n.dot(q)).fold(f64::NEG_INFINITY, f64::max);
-        Some(Self { owner, n, support, facing: 0, edge: None })
+        Some(Self { owner, n, support, own: 0, facing: 0, edge: None })
     }
 
     /// Follows the gap from `start` until the axis is used up, or to the end of the motion.

@@ -17,7 +17,7 @@ use super::axis_gap::Axis;
 use super::moving_pair::{MovingPair, Seen};
 use super::nearest::{Nearest, certified, nearest};
 use super::{Outcome, Reason, Separation};
-use crate::geometry::{Ball, Body, DVec2, Side, perp};
+use crate::geometry::{Ball, DVec2, Side, perp};
 
 /// What a separation at t = 0 that may be at most 0 says.
 pub(super) fn at_start(near: &Separation) -> Outcome {
@@ -31,8 +31,6 @@ pub(super) fn at_start(near: &Separation) -> Outcome {
 /// Two bodies that are apart at a moment.
 pub(super) struct Before<'p, 'q> {
     pair: &'p MovingPair<'q>,
-    a: &'q Body,
-    b: &'q Body,
     lo: f64,
     /// The closest features at `lo`: where there is no interior, those at `hi` are on the other side.
     near: Nearest,
@@ -40,13 +38,8 @@ pub(super) struct Before<'p, 'q> {
 
 impl<'p, 'q> Before<'p, 'q> {
     /// The pair at `lo`.
-    pub(super) fn new(
-        pair: &'p MovingPair<'q>,
-        (a, b): (&'q Body, &'q Body),
-        lo: f64,
-        near: Nearest,
-    ) -> Self {
-        Self { pair, a, b, lo, near }
+    pub(super) fn new(pair: &'p MovingPair<'q>, lo: f64, near: Nearest) -> Self {
+        Self { pair, lo, near }
     }
 
     /// Whether contact in (lo, hi] is proved.
@@ -75,7 +68,8 @@ impl<'p, 'q> Before<'p, 'q> {
 
     /// The third stage: the certified separation.
     fn depth(&self, hi: f64) -> bool {
-        certified(self.a, self.b, hi, self.near).bounds.hi <= 0.0
+        let [a, b] = self.pair.bodies;
+        certified(a, b, hi, self.near).bounds.hi <= 0.0
     }
 
     /// Whether core vertices i of A and j of B are at most ρ apart at `hi`.

@@ -7,8 +7,8 @@
 
 use super::certify::Hint;
 use super::gaps::Facing;
-use super::pair::{Pair, turned};
-use crate::geometry::{DVec2, Dd, Hull, Side};
+use super::pair::Pair;
+use crate::geometry::{DVec2, Hull, Side};
 
 /// What the bodies seem to be.
 #[derive(Clone, Copy, Debug)]
@@ -32,32 +32,48 @@ struct Corner {
 /// More steps than any pair of ordinary bodies takes; a search that takes more is given up.
 const STEPS: usize = 64;
 
-/// The pair in the form that the search asks.
-struct Asked<'p> {
-    a: &'p Hull,
-    b: &'p Hull,
-    center: DVec2,
-    turn: [Dd; 2],
+/// The pair in the form that the search asks: seen from A.
+pub(super) struct Asked<'p> {
+    /// A's core.
+    pub(super) a: &'p Hull,
+    /// B's core.
+    pub(super) b: &'p Hull,
+    /// B's origin.
+    pub(super) center: DVec2,
+    /// Cosine and sine of B's turn.
+    pub(super) turn: (f64, f64),
 }
 
 impl Asked<'_> {
     /// The corner of B ⊖ A lowest along `n`, searched from a corner on.
     #[inline]
     fn lowest(&self, n: DVec2, from: (usize, usize)) -> Corner {
-        let [cos, sin] = self.turn;
+        let (cos, sin) = self.turn;
         let i = self.a.highest(n, from.0);
-        let down = DVec2::new(-(cos.hi * n.x + sin.hi * n.y), sin.hi * n.x - cos.hi * n.y);
+        let down = DVec2::new(-(cos * n.x + sin * n.y), sin * n.x - cos * n.y);
         let j = self.b.highest(down, from.1);
-        Corner { p: self.center + turned(self.turn, self.b.corners[j]) - self.a.corners[i], i, j }
+        let q = self.b.corners[j];
+        let turned = DVec2::new(cos * q.x - sin * q.y, sin * q.x + cos * q.y);
+        Corner { p: self.center + turned - self.a.corners[i], i, j }
     }
 }
 
 /// The feature of B ⊖ A nearest the origin.
 #[inline]
 pub(crate) fn guess(pair: &Pair) -> Guess {
-    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let asked = Asked { a, b, center: pair.center, turn: pair.b_turn };
-    let mut x = asked.lowest(pair.center, (usize::MAX, usize::MAX));
+    let turn = (pair.b_turn[0].hi, pair.b_turn[1].hi);
+    let asked = Asked { a: pair.hull(Side::A), b: pair.hull(Side::B), center: pair.center, turn };
+    search(&asked, pair.center, ANYWHERE)
+}
+
+/// No corners to start from.
+pub(super) const ANYWHERE: (usize, usize) = (usize::MAX, usize::MAX);
+
+/// The same, looked for along a first direction and from corners of A and B on.
+#[inline]
+pub(super) fn search(asked: &Asked, toward: DVec2, from: (usize, usize)) -> Guess {
+    let (a, b) = (asked.a, asked.b);
+    let mut x = asked.lowest(toward, from);
     let mut steps = 0;
     'corner: loop {
         let mut y = asked.lowest(x.p, (x.i, x.j));

@@ -17,6 +17,9 @@ mod first_root;
 mod gaps;
 mod gjk;
 mod guess;
+mod impact_proof;
+#[cfg(test)]
+mod impact_properties;
 mod merge;
 mod minkowski;
 mod motion_bound;
@@ -25,7 +28,9 @@ mod nearest;
 mod pair;
 mod place;
 mod quick;
+mod quick_impact;
 mod quick_ray;
+mod quick_touch;
 mod quick_turn;
 mod ray_cast;
 mod ray_clipping;
@@ -39,11 +44,13 @@ mod storyboard_motion;
 #[cfg(test)]
 mod sweep_properties;
 mod swept_axis;
+mod turned_gap;
 mod walk;
 mod witness;
 
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 pub use difference::{Difference, DifferenceEdge, difference};
+pub use moving_pair::MovingPair;
 pub use pair::Pair;
 
 use crate::geometry::Body;

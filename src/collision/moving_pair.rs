@@ -14,12 +14,14 @@
 use super::quick_turn;
 use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Side, Turn, perp};
 
-/// Two bodies in relative motion. Lengths are multiplied by `unit`, a power of two, so that products neither overflow
-/// nor underflow.
+/// Two bodies in relative motion, ready to be asked for their first contact: cosines and sines at t = 0, spins in radians,
+/// differences of positions and velocities.
+///
+/// Lengths in it are multiplied by a power of two where products would overflow or underflow.
 #[derive(Clone, Debug)]
-pub(super) struct MovingPair<'q> {
-    /// The cores of A and B.
-    hulls: [&'q Hull; 2],
+pub struct MovingPair<'q> {
+    /// A and B.
+    pub(super) bodies: [&'q Body; 2],
     /// Power of two by which all lengths here are multiplied.
     pub(super) unit: f64,
     /// `p_B` − `p_A`, exactly.
@@ -30,7 +32,7 @@ pub(super) struct MovingPair<'q> {
     /// looks the same from all sides: its frame is the world's.
     turning: [(Degrees, Degrees); 2],
     /// Cosine and sine of the angles at t = 0.
-    start: [(f64, f64); 2],
+    pub(super) start: [(f64, f64); 2],
     /// Whether both are turned alike at all times.
     aligned: bool,
     /// Spin in radians per unit of time.
@@ -72,8 +74,23 @@ pub(super) struct View {
 const GAP_ROUNDING: f64 = 12.0 * f64::EPSILON;
 
 impl<'q> MovingPair<'q> {
-    /// The pair of a query.
-    pub(super) fn new(a: &'q Body, b: &'q Body) -> Self {
+    /// The pair with its motions ready.
+    ///
+    /// ```
+    /// use tracefig::collision::{MovingPair, Outcome};
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let bar = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::new(2.0, 0.5)))]).unwrap();
+    /// let at = |x, spin| Body {
+    ///     shape: bar.clone(), position: DVec2::new(x, 0.0), angle: Degrees(90.0), velocity: DVec2::ZERO, spin: Degrees(spin),
+    /// };
+    /// // The turning bar's far end meets the other bar's side.
+    /// let (a, b) = (at(0.0, 90.0), at(2.0, 0.0));
+    /// let impact = MovingPair::new(&a, &b).first_contact(1e-12, 100);
+    /// let Outcome::Hit { time, .. } = impact.outcome else { panic!() };
+    /// assert!(time.lo > 0.0 && time.hi < 1.0 && time.hi - time.lo < 1e-11);
+    /// ```
+    #[must_use]
+    pub fn new(a: &'q Body, b: &'q Body) -> Self {
         let unit = unit_of(a, b);
         let exact = |to: DVec2, from: DVec2| {
             [Dd::difference(to.x * unit, from.x * unit), Dd::difference(to.y * unit, from.y * unit)]
@@ -86,7 +103,7 @@ impl<'q> MovingPair<'q> {
         let one_norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
         let sum = one_norm(&apart) + one_norm(&velocity) + 1.5 * (reach[0] + reach[1]) + radius.hi;
         Self {
-            hulls: [&a.shape.hull, &b.shape.hull],
+            bodies: [a, b],
             unit,
             start: turning.map(|(angle, _)| quick_turn::cos_sin(angle, Degrees(0.0), 0.0)),
             aligned: turning[0] == turning[1],
@@ -103,7 +120,7 @@ impl<'q> MovingPair<'q> {
     /// A core, in file units.
     #[inline]
     pub(super) fn hull(&self, side: Side) -> &'q Hull {
-        self.hulls[side as usize]
+        &self.bodies[side as usize].shape.hull
     }
 
     /// Vertex k of a core in its body's frame.
@@ -144,7 +161,7 @@ impl<'q> MovingPair<'q> {
 
     /// Cosine and sine of a body's angle at `t`.
     #[inline]
-    fn angle(&self, side: Side, t: f64) -> (f64, f64) {
+    pub(super) fn angle(&self, side: Side, t: f64) -> (f64, f64) {
         let (angle, spin) = self.turning[side as usize];
         if spin.0 == 0.0 { self.start[side as usize] } else { quick_turn::cos_sin(angle, spin, t) }
     }
@@ -202,6 +219,17 @@ impl<'q> MovingPair<'q> {
         let (d, v) = (norm(&self.apart) + norm(&self.velocity), norm(&self.velocity));
         let speed = v + self.rate[r].abs() * (d + self.reach[o]) + self.rate[o].abs() * self.reach[o];
         speed * (1.0 + GAP_ROUNDING)
+    }
+
+    /// Bound on the second derivative of a gap of an axis of `owner`, at any time in [0, 1].
+    pub(super) fn acceleration(&self, owner: Side) -> f64 {
+        let (w, o) = (self.rate[owner as usize].abs(), self.rate[owner.other() as usize].abs());
+        let norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
+        let v = norm(&self.velocity);
+        let spin = w + o;
+        let sum =
+            w * w * (norm(&self.apart) + v) + 2.0 * w * v + spin * spin * self.reach[owner.other() as usize];
+        sum * (1.0 + GAP_ROUNDING)
     }
 }
 

@@ -6,6 +6,10 @@
 //! recorded as they are found. Close to contact the gap is evaluated in balls, and contact just after the last proved
 //! moment is proved by [`super::contact`].
 //!
+//! Mostly that is not needed: [`super::quick_impact`] finds the contact in doubles without proof, and proves it and all
+//! before it with a few axes afterwards. What follows is for what it leaves open: grazes, contacts of corners, many turns,
+//! tolerances below the rounding of doubles.
+//!
 //! The step is never longer than the truth, so the first contact is never missed, however many turns there are; it converges
 //! cubically at a crossing, where the article's conservative advancement gains a constant factor each time.
 //!
@@ -14,9 +18,12 @@
 
 use super::axis_gap::{Axis, Precision, Swept};
 use super::contact::{self, Before, touches_plainly};
+use super::impact_proof::Leg;
 use super::moving_pair::MovingPair;
 use super::nearest::{Nearest, certified, nearest};
-use super::{Answer, Impact, Outcome, Query, QueryKind, Reason, ray_cast};
+use super::quick_impact::{Found, QuickImpact};
+use super::quick_touch;
+use super::{Answer, Impact, Outcome, Query, Reason, Separation, ray_cast};
 use crate::geometry::{Body, Enclosure};
 use crate::trace::{Event, NoTrace, Tracer};
 
@@ -46,28 +53,46 @@ const BISECTIONS: usize = 60;
 
 /// Answers a time-of-impact query.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let b = query.b.unwrap_or(query.a);
-    let mut search = Search { query, a: query.a, b, pair: MovingPair::new(query.a, b), queries: 0 };
+    let pair = MovingPair::new(query.a, query.b.unwrap_or(query.a));
+    Answer::Impact(first_contact(&pair, query.tolerance, query.max_iterations, tracer))
+}
+
+impl MovingPair<'_> {
+    /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a time-of-impact query, with
+    /// a `tolerance` in world units and at most about `max_iterations` distance queries. See [`MovingPair::new`] for an
+    /// example.
+    #[must_use]
+    pub fn first_contact(&self, tolerance: f64, max_iterations: usize) -> Impact {
+        first_contact(self, tolerance, max_iterations, &mut NoTrace)
+    }
+}
+
+fn first_contact(
+    pair: &MovingPair,
+    tolerance: f64,
+    max_iterations: usize,
+    tracer: &mut impl Tracer,
+) -> Impact {
+    let mut search = Search::new(pair, tolerance, max_iterations);
     let outcome = search.run(tracer);
     tracer.record(|| Event::Finished { outcome: outcome.word() });
-    Answer::Impact(Impact { outcome, tolerance: query.tolerance, iterations: search.queries })
+    Impact { outcome, tolerance, iterations: search.queries }
 }
 
 /// First contact of two bodies of which neither turns, where axes and proofs of contact decide it.
 pub(super) fn of_unturned(a: &Body, b: &Body) -> Option<Outcome> {
-    let (kind, tolerance) = (QueryKind::TimeOfImpact, 0.0);
-    let query = Query { kind, a, b: Some(b), time: 0.0, tolerance, max_iterations: UNTURNED_ITERATIONS };
-    let mut search = Search { query: &query, a, b, pair: MovingPair::new(a, b), queries: 0 };
+    let pair = MovingPair::new(a, b);
+    let mut search = Search { pair: &pair, tolerance: 0.0, max_iterations: UNTURNED_ITERATIONS, queries: 0 };
     let outcome = search.run(&mut NoTrace);
     (!matches!(outcome, Outcome::Unresolved { .. })).then_some(outcome)
 }
 
 /// A search for the first contact.
-struct Search<'q> {
-    query: &'q Query<'q>,
-    a: &'q Body,
-    b: &'q Body,
-    pair: MovingPair<'q>,
+pub(super) struct Search<'p, 'q> {
+    pair: &'p MovingPair<'q>,
+    /// World units.
+    tolerance: f64,
+    max_iterations: usize,
     /// Distance queries made.
     queries: usize,
 }
@@ -80,15 +105,25 @@ enum Closed {
     Not(f64),
 }
 
-impl Search<'_> {
+impl<'p, 'q> Search<'p, 'q> {
+    /// A search with a tolerance in world units and a step cap.
+    pub(super) fn new(pair: &'p MovingPair<'q>, tolerance: f64, max_iterations: usize) -> Self {
+        Self { pair, tolerance, max_iterations, queries: 0 }
+    }
+
     fn run(&mut self, tracer: &mut impl Tracer) -> Outcome {
         tracer.record(|| Event::Started {
             algorithm: NAME,
-            at: super::advancement::moment(self.a, self.b, 0.0),
+            at: super::advancement::moment(self.pair.bodies[0], self.pair.bodies[1], 0.0),
         });
+        self.quickly(tracer).unwrap_or_else(|| self.step_by_step(tracer))
+    }
+
+    /// The answer by certified steps.
+    pub(super) fn step_by_step(&mut self, tracer: &mut impl Tracer) -> Outcome {
         let (mut near, gap) = self.nearest(0.0);
         if gap < CLOSE * self.pair.rounding {
-            let start = certified(self.a, self.b, 0.0, near);
+            let start = self.certified(0.0, near);
             if start.bounds.lo <= 0.0 {
                 return contact::at_start(&start);
             }
@@ -102,7 +137,7 @@ impl Search<'_> {
             }
             let stuck = until <= t;
             t = until;
-            if self.queries >= self.query.max_iterations {
+            if self.queries >= self.max_iterations {
                 return Outcome::Unresolved { reason: Reason::IterationLimit, free_until: t };
             }
             let gap;
@@ -120,6 +155,26 @@ impl Search<'_> {
         }
     }
 
+    /// The answer of the first stage, its proof recorded.
+    pub(super) fn quickly(&mut self, tracer: &mut impl Tracer) -> Option<Outcome> {
+        let mut quick = QuickImpact::new(self.pair, ALLOWED_TOLERANCES * self.tolerance, self.max_iterations);
+        let found = quick.run();
+        self.queries += quick.queries;
+        let (found, proof) = found?;
+        for &Leg { axis: Axis { owner, n: normal, .. }, from, to } in proof.legs() {
+            tracer.record(|| Event::AxisSwept { from, to, owner, normal });
+        }
+        Some(match found {
+            Found::Miss => Outcome::Miss,
+            Found::Hit(time, near) => {
+                let [a, b] = self.pair.bodies;
+                let contact = quick_touch::separation(a, b, time.lo, near)
+                    .unwrap_or_else(|| self.certified(time.lo, near));
+                Outcome::Hit { time, contact }
+            }
+        })
+    }
+
     /// Follows an axis of the given features from `t`, the one that lasts longer if there are two; records it.
     fn sweep(
         &self,
@@ -128,11 +183,11 @@ impl Search<'_> {
         precision: Precision,
         tracer: &mut impl Tracer,
     ) -> Option<(Axis, Swept)> {
-        let ahead = self.follow(Axis::ahead(&self.pair, near, t), t, precision);
+        let ahead = self.follow(Axis::ahead(self.pair, near, t), t, precision);
         if ahead.is_some_and(|(_, swept)| swept.until > t + GOOD_PROGRESS * (1.0 - t)) {
             return Self::told(ahead, t, tracer);
         }
-        let through = self.follow(Axis::through(&self.pair, near, t), t, precision);
+        let through = self.follow(Axis::through(self.pair, near, t), t, precision);
         let longest = match (ahead, through) {
             (Some(x), Some(y)) => Some(if x.1.until > y.1.until { x } else { y }),
             (x, y) => x.or(y),
@@ -141,7 +196,7 @@ impl Search<'_> {
     }
 
     fn follow(&self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<(Axis, Swept)> {
-        axis.map(|axis| (axis, axis.sweep(&self.pair, t, precision)))
+        axis.map(|axis| (axis, axis.sweep(self.pair, t, precision)))
     }
 
     /// What a followed axis proved from `t` on, recorded.
@@ -163,11 +218,11 @@ impl Search<'_> {
         // Three roundings past where the line through the last two derivatives says the gap is used up.
         let hi = (swept.at + (swept.gap + 4.0 * self.pair.rounding) / speed).min(1.0);
         let lo = swept.until;
-        let allowed = ALLOWED_TOLERANCES * self.query.tolerance * self.pair.unit;
-        if (hi - lo) * speed > allowed || !touches_plainly(&self.pair, axis, near, (lo, hi)) {
+        let allowed = ALLOWED_TOLERANCES * self.tolerance * self.pair.unit;
+        if (hi - lo) * speed > allowed || !touches_plainly(self.pair, axis, near, (lo, hi)) {
             return None;
         }
-        Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: certified(self.a, self.b, lo, near) })
+        Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: self.certified(lo, near) })
     }
 
     /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact.
@@ -177,9 +232,9 @@ impl Search<'_> {
         loop {
             let mut swept = self.sweep(near, t, Precision::Fine, tracer).map_or(still, |(_, swept)| swept);
             if swept.until <= t {
-                let proved = certified(self.a, self.b, t, near);
+                let proved = self.certified(t, near);
                 if proved.bounds.lo * self.pair.unit > self.pair.rounding {
-                    let axis = Axis::along(&self.pair, proved.normal, t);
+                    let axis = Axis::along(self.pair, proved.normal, t);
                     let followed = self.follow(axis, t, Precision::Fine);
                     swept = Self::told(followed, t, tracer).map_or(still, |(_, swept)| swept);
                 }
@@ -207,8 +262,14 @@ impl Search<'_> {
     /// The closest features at `t` and the plain separation, in scaled units.
     fn nearest(&mut self, t: f64) -> (Nearest, f64) {
         self.queries += 1;
-        let (features, distance) = nearest(&self.pair, t);
+        let (features, distance) = nearest(self.pair, t);
         (features, distance - self.pair.radius.hi)
+    }
+
+    /// The certified separation at `t`, looked for at the given features first.
+    fn certified(&self, t: f64, near: Nearest) -> Separation {
+        let [a, b] = self.pair.bodies;
+        certified(a, b, t, near)
     }
 
     /// Contact just after `lo`, the last moment proved free, where a gap closes at `speed`.
@@ -219,7 +280,7 @@ impl Search<'_> {
         (gap, speed): (f64, f64),
         trials: usize,
     ) -> Option<Outcome> {
-        let before = Before::new(&self.pair, (self.a, self.b), lo, near);
+        let before = Before::new(self.pair, lo, near);
         let ulp = lo.next_up() - lo;
         let enough = gap.max(0.0) + ENOUGH * self.pair.rounding;
         let mut width = if speed > 0.0 { (enough / speed).max(2.0 * ulp) } else { ulp };
@@ -227,7 +288,7 @@ impl Search<'_> {
             let hi = (lo + width).min(1.0);
             if before.touches_by(hi) {
                 let hi = if trial == 0 { hi } else { Self::narrow(&before, lo, hi) };
-                let contact = certified(self.a, self.b, lo, near);
+                let contact = self.certified(lo, near);
                 return Some(Outcome::Hit { time: Enclosure { lo, hi }, contact });
             }
             if hi >= 1.0 {
@@ -244,17 +305,17 @@ impl Search<'_> {
         if !self.pair.is_linear() {
             return unresolved;
         }
-        match ray_cast::first_contact(self.a, self.b) {
+        match ray_cast::first_contact(self.pair.bodies[0], self.pair.bodies[1]) {
             Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
-                let contact = certified(self.a, self.b, free_until, near);
+                let contact = self.certified(free_until, near);
                 Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }
             }
             Outcome::Unresolved { .. } => unresolved,
             Outcome::Miss => {
-                let normal = certified(self.a, self.b, free_until, near).normal;
+                let normal = self.certified(free_until, near).normal;
                 // Without turning, a gap along a fixed axis is linear in time: positive between if it is at both ends.
-                let axis = Axis::across(&self.pair, normal)
-                    .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(&self.pair, t)));
+                let axis = Axis::across(self.pair, normal)
+                    .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(self.pair, t)));
                 let until = Swept { until: 1.0, at: 1.0, gap: 0.0, slope: 0.0 };
                 Self::told(axis.map(|axis| (axis, until)), free_until, tracer);
                 Outcome::Miss

@@ -1,6 +1,6 @@
 //! Our own algorithms as contenders: every row of the table that answers a workload's question.
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Impact, Pair, QueryKind};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, MovingPair, Outcome as End, Pair, QueryKind};
 use crate::trace::NoTrace;
 
 use super::contender::{Contender, Outcome, Preparation, Prepared};
@@ -23,9 +23,26 @@ struct Ours {
 }
 
 impl Ours {
-    /// Whether it is the default of every pair: the one that can be asked of a pair that stands ready.
-    fn is_default(&self) -> bool {
-        ALGORITHMS.first().is_some_and(|first| first.name == self.algorithm.name)
+    /// Asks a pair that stands ready, where the library takes one for this question: places, cosines and sines are known,
+    /// and for turning bodies their spins in radians; features, times and contacts are not.
+    fn ask_of_ready<'c>(
+        &self,
+        case: &'c Case,
+        kind: QueryKind,
+        tolerance: f64,
+    ) -> Option<Box<dyn FnMut() -> Outcome + 'c>> {
+        match (kind, self.algorithm.name) {
+            (QueryKind::Separation, "closest-features") => {
+                let pair = Pair::at(&case.a, &case.b, 0.0).refined();
+                Some(Box::new(move || Outcome::Value(pair.separation().separation)))
+            }
+            (QueryKind::TimeOfImpact, "swept-axis") => {
+                let pair = MovingPair::new(&case.a, &case.b);
+                let limit = case.query(kind, tolerance).max_iterations;
+                Some(Box::new(move || first_contact(&pair.first_contact(tolerance, limit).outcome)))
+            }
+            _ => None,
+        }
     }
 }
 
@@ -33,14 +50,13 @@ impl Ours {
 fn outcome(answer: &Answer) -> Outcome {
     match answer {
         Answer::Separation(s) => Outcome::Value(s.separation),
-        Answer::Impact(impact) => first_contact(impact),
+        Answer::Impact(impact) => first_contact(&impact.outcome),
         _ => Outcome::Undecided,
     }
 }
 
-fn first_contact(impact: &Impact) -> Outcome {
-    use crate::collision::Outcome as End;
-    match impact.outcome {
+fn first_contact(end: &End) -> Outcome {
+    match end {
         End::Hit { time, .. } => Outcome::Value(time.lo),
         End::Miss => Outcome::Miss,
         End::Overlapping { .. } => Outcome::Value(0.0),
@@ -75,13 +91,11 @@ impl Contender for Ours {
         preparation: Preparation,
     ) -> Option<Prepared<'c>> {
         let query = case.query(kind, tolerance);
-        if preparation == Preparation::Prepared && kind == QueryKind::Separation && self.is_default() {
-            let pair = Pair::at(&case.a, &case.b, 0.0).refined();
-            let ask = Box::new(move || Outcome::Value(pair.separation().separation));
-            return Some(Prepared { ask, steps: None });
-        }
-        if preparation == Preparation::Prepared || (self.algorithm.shapes)(&query).is_err() {
+        if (self.algorithm.shapes)(&query).is_err() {
             return None;
+        }
+        if preparation == Preparation::Prepared {
+            return self.ask_of_ready(case, kind, tolerance).map(|ask| Prepared { ask, steps: None });
         }
         let ask = Box::new(move || outcome(&(self.algorithm.quiet)(&query, &mut NoTrace)));
         let steps = Box::new(move || match (self.algorithm.quiet)(&query, &mut NoTrace) {
