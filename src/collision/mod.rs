@@ -12,6 +12,7 @@ mod contact;
 mod difference;
 mod expansion;
 mod extents;
+mod facing_chain;
 mod fine;
 mod first_root;
 mod gaps;
@@ -41,6 +42,7 @@ mod separation;
 mod storyboard;
 #[cfg(test)]
 mod storyboard_motion;
+mod sweep;
 #[cfg(test)]
 mod sweep_properties;
 mod swept_axis;
@@ -52,6 +54,7 @@ pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, 
 pub use difference::{Difference, DifferenceEdge, difference};
 pub use moving_pair::MovingPair;
 pub use pair::Pair;
+pub use sweep::Sweep;
 
 use crate::geometry::Body;
 use crate::trace::{NoTrace, Trace};

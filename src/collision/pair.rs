@@ -15,7 +15,9 @@
 //! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
 //! serve the first stage, [`super::fine::Fine`] is the second.
 
-use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, Turn, combined, taming_power};
+use crate::geometry::{
+    Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, TAILED_ERROR, Turn, combined, taming_power,
+};
 
 /// Two bodies at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -147,6 +149,15 @@ impl<'s> Pair<'s> {
         Self { time: t, apart, fine_center, center, magnitude, placing_error, ..*self }
     }
 
+    /// The same two bodies at time `t`, where neither turns, as far as witness points are placed by it: in doubles.
+    #[inline]
+    pub(crate) fn placed_at(&self, t: f64) -> Self {
+        let v = self.a.velocity - self.b.velocity;
+        let [cos, sin] = self.frame_turn;
+        let seen = DVec2::new(cos.hi * v.x + sin.hi * v.y, cos.hi * v.y - sin.hi * v.x);
+        Self { time: t, center: self.center - seen * t, ..*self }
+    }
+
     /// `v_A − v_B` in A's frame, scaled.
     pub(crate) fn closing_fine(&self) -> [Ball; 2] {
         let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);
@@ -191,10 +202,10 @@ impl<'s> Pair<'s> {
         self.tame
     }
 
-    /// Whether cosines and sines are without error.
+    /// Whether cosines and sines are known to twice the precision of a double.
     #[inline]
-    pub(crate) fn is_exactly_turned(&self) -> bool {
-        self.frame_error == 0.0 && self.turn_error == 0.0
+    pub(crate) fn is_finely_turned(&self) -> bool {
+        self.frame_error.max(self.turn_error) < TAILED_ERROR
     }
 
     /// Bound on the error of a gap of the first stage.

@@ -3,143 +3,167 @@
 //! A ray enters a convex set once. So a feature that the ray meets from outside, at a point that is on the boundary of
 //! B ⊖ A grown by ρ, is the one that it enters through, and no other has to be looked at. On the boundary means:
 //!
-//! - for an edge: the other body's corner supports it, and the origin, moved to t v, is over the edge;
+//! - for an edge: the other body's corner supports it, and its ends are on either side of the ray's line;
 //! - for the disc at a corner p: both bodies' corners are the lowest along p − t v.
 //!
 //! These are signs of dot products, which must be clear of a bound on all rounding. A line passes B ⊖ A if the support
-//! square to it is clearly farther than ρ. The quotient t is then computed to about twice the precision, and is good
-//! if its error does not reach a double: its bounds are the two doubles next to it. Turned bodies take the finer cosines
-//! and sines for that, which the contact needs as well. Whatever is not clear (t that is a
-//! double, parallel sides, grazes) is left to the balls of [`super::ray_cast`].
+//! square to it is clearly farther than ρ. Then, with q a quotient in doubles, what is left over at q says both when and
+//! how near the bodies are just before:
+//!
+//! ```text
+//! g = n·p − ρ,   k = n·v,   q ≈ g / k,   r = g − q k        in double-doubles
+//! t = q + r / k                                              s(t₀) = r − (t₀ − q) k
+//! ```
+//!
+//! t is good if its error does not reach a double: its bounds are the two doubles next to it, and s at the first of them
+//! is the contact's. A turned pair takes the finer cosines and sines for that. Whatever is not clear (t that is a double,
+//! parallel sides, grazes) is left to the balls of [`super::ray_cast`].
 
-use super::gaps::{Facing, lowest, pass};
+use super::facing_chain::{Crossed, crossed};
+use super::gaps::Facing;
 use super::pair::{Pair, turned};
-use super::quick::{self, LAST_ERROR, Support};
+use super::place::{Carrier, Proved};
+use super::quick::{self, LAST_ERROR};
 use super::ray_cast::Piece;
-use crate::geometry::{Ball, DVec2, Dd, Enclosure, Side};
+use crate::geometry::{Ball, DVec2, Dd, Enclosure, Side, combined, two_product, two_sum};
 
 /// What is proved of the ray's line.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Met {
     /// It passes B ⊖ A.
     Nothing,
-    /// It enters here: between neighbouring doubles, or somewhere below 0 or above 1.
-    At(Piece, Enclosure),
+    /// It enters here, before 0 or after 1.
+    Outside(Piece, Enclosure),
+    /// It enters here, between neighbouring doubles; and the pair at the first of them.
+    At(Piece, Enclosure, Proved),
 }
 
-/// Error of a dot product of a side and a point at t v, as a multiple of ε, the side's 1-norm and M + t |v|₁: the point is
-/// within 5ε (its corners 4ε, the product and the difference), the side when turned 2ε of twice as much, products and sum
-/// 2.5ε, the side's square 12ε: 24ε, √2 for norms; rounded up. The error of t itself comes on top.
-const OVER_ERROR: f64 = 64.0 * f64::EPSILON;
+/// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
+/// sums 6ε, ρ |v| 4ε, a corner that rounding takes for the highest 6ε of the sides' lengths, 2 reaches at most, below it:
+/// 29ε; √2 for norms. Rounded up.
+const OFFSET_ERROR: f64 = 64.0 * f64::EPSILON;
 
-/// Error of a support square to the ray, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products
-/// and sums 6ε, ρ |v| 4ε; √2 for norms. Rounded up.
-const PASS_ERROR: f64 = 64.0 * f64::EPSILON;
+/// Rounding of g − q k, as a multiple of ε² and M + ρ, and of |q| |v|₁: a corner 17, its low half being below 3ε M with
+/// seven sums; its product with the normal 21, the normal itself 16√2, and turned 6√2 more; the low half is then below 6ε M
+/// and meets three sums, 9. Rounded up; k is as good.
+const REST_ERROR: f64 = 128.0 * f64::EPSILON * f64::EPSILON;
 
 /// Farthest that the ray may have run, in M, for [`super::quick::is_lowest`] to know the error of p − t v: p is within
 /// 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and t itself may add 4ε M: 17ε M, of the 32ε M of
 /// [`Pair::gap_error`].
 const FAR: f64 = 4.0;
 
-/// The ray in A's frame.
-struct Line<'p, 's> {
-    pair: &'p Pair<'s>,
+/// Where the ray goes, in A's frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Heading {
     /// v.
     v: [Dd; 2],
-    /// v in doubles.
-    direction: DVec2,
     /// |v|₁.
     speed: f64,
     /// Bound on the error of v, as a vector.
     error: f64,
+    /// Whether cosines and sines are as good as they get.
+    is_fine: bool,
 }
 
-/// What the ray's line meets first, if that can be proved with little work. A pair whose contact will be asked for is
-/// left refined.
-pub(super) fn met(pair: &mut Pair) -> Option<Met> {
-    if !pair.is_tame() {
-        return None;
-    }
-    let line = Line::new(pair)?;
-    let found = match last_line(pair, line.direction) {
-        Some(facing) => line.edge(facing),
-        None => line.disc([0, 0]),
-    }?;
-    let Found::At(piece, time, error) = found else { return Some(Met::Nothing) };
-    // Where nothing happens before t = 1, or all happened before 0, it does not matter when.
-    let (lo, hi) = ((time.hi - error).next_down().next_down(), (time.hi + error).next_up().next_up());
-    if lo >= 1.0 || hi < 0.0 {
-        return Some(Met::At(piece, Enclosure { lo, hi }));
-    }
-    if pair.is_exactly_turned() {
-        return Some(Met::At(piece, neighbours(time, error)?));
-    }
-    let refined = pair.refined();
-    let line = Line::new(&refined)?;
-    let (time, error) = match piece {
-        Piece::Edge(facing) => line.time(facing)?,
-        Piece::Disc(corners) => line.disc_time(corners)?,
-    };
-    let bounds = neighbours(time, error)?;
-    *pair = refined;
-    Some(Met::At(piece, bounds))
-}
-
-/// A feature that is proved, when, and the bound on the error of that.
-enum Found {
-    Nothing,
-    At(Piece, Dd, f64),
-}
-
-impl<'p, 's> Line<'p, 's> {
-    fn new(pair: &'p Pair<'s>) -> Option<Self> {
+impl Heading {
+    /// Of a pair at t = 0; None where the first stage can't be trusted with it, or nothing moves.
+    #[inline]
+    pub(super) fn of(pair: &Pair) -> Option<Self> {
         let (v, error) = pair.closing_tailed()?;
-        let direction = DVec2::new(v[0].hi, v[1].hi);
-        Some(Self { pair, v, direction, speed: direction.x.abs() + direction.y.abs(), error })
+        let (speed, is_fine) = (v[0].hi.abs() + v[1].hi.abs(), pair.is_finely_turned());
+        pair.is_tame().then_some(Self { v, speed, error, is_fine })
     }
 
-    /// When the ray meets the line of an edge, moved out by ρ, and the error; None where it hardly closes.
-    fn time(&self, facing: Facing) -> Option<(Dd, f64)> {
-        let (pair, source) = (self.pair, facing.source);
-        let d = quick::between(pair, corner_of(facing, facing.edge));
-        let gap = quick::along_normal(pair, facing, d).1 - pair.radius;
-        let closing = quick::along_normal(pair, facing, self.v).1;
+    /// v in doubles.
+    #[inline]
+    fn direction(&self) -> DVec2 {
+        DVec2::new(self.v[0].hi, self.v[1].hi)
+    }
+}
+
+/// What the ray's line meets first, if that can be proved with little work.
+#[inline]
+pub(super) fn met(pair: &Pair, heading: &Heading) -> Option<Met> {
+    let line = Line { pair, heading };
+    let piece = match crossed(pair, heading.direction()) {
+        Crossed::Nothing(past) => return (past > line.slack()).then_some(Met::Nothing),
+        Crossed::Edge(edge) if edge.is_supported && edge.inside > line.slack() => Piece::Edge(edge.facing),
+        Crossed::Edge(_) => return None,
+        Crossed::Disc(corners) => line.is_met(corners).then_some(Piece::Disc(corners))?,
+    };
+    let refined;
+    let line = if heading.is_fine {
+        line
+    } else {
+        let pair = pair.refined();
+        refined = (pair, Heading::of(&pair)?);
+        Line { pair: &refined.0, heading: &refined.1 }
+    };
+    match piece {
+        Piece::Edge(facing) => line.edge(facing),
+        Piece::Disc(corners) => line.disc(corners),
+    }
+}
+
+/// The ray in A's frame.
+#[derive(Clone, Copy)]
+struct Line<'p, 's> {
+    pair: &'p Pair<'s>,
+    heading: &'p Heading,
+}
+
+impl Line<'_, '_> {
+    /// Bound on the error of an offset from the line, in units of |v|.
+    #[inline]
+    fn slack(&self) -> f64 {
+        OFFSET_ERROR * (self.pair.magnitude + self.pair.radius.hi) * self.heading.speed
+    }
+
+    /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
+    #[inline]
+    fn edge(&self, facing: Facing) -> Option<Met> {
+        let (pair, Heading { v, speed, error, .. }) = (self.pair, *self.heading);
+        let d = corner(pair, facing);
+        let n = normal(pair, facing);
+        let mut gap = along(n, d);
+        if pair.radius.hi > 0.0 {
+            gap = gap - pair.radius;
+        }
+        let closing = along(n, v);
         // A side of B: its normal is turned as well.
-        let turning = if source == Side::B { 2.0 * pair.turn_error } else { 0.0 };
+        let turning = if facing.source == Side::B { 2.0 * pair.turn_error } else { 0.0 };
         let far = d[0].hi.abs() + d[1].hi.abs();
-        let gap_error = pair.placing_error + turning * far + LAST_ERROR * (pair.magnitude + pair.radius.hi);
-        let closing_error = self.error + (turning + LAST_ERROR) * self.speed;
-        let least = closing.hi * (1.0 - f64::EPSILON) - closing_error;
+        let gap_error = pair.placing_error + turning * far + REST_ERROR * (pair.magnitude + pair.radius.hi);
+        let closing_error = error + (turning + REST_ERROR) * speed;
+        let least = closing.hi * (1.0 - 4.0 * f64::EPSILON) - closing_error;
         if least <= 0.5 * closing.hi {
             return None;
         }
-        let time = gap.div(closing);
-        let t = time.hi.abs();
-        Some((time, (gap_error + t * closing_error) / least + Dd::ROUNDING * t))
-    }
-
-    /// The line of an edge, and what is behind its ends.
-    fn edge(&self, facing: Facing) -> Option<Found> {
-        let Support::Corner = quick::support(self.pair, facing) else { return None };
-        let (time, error) = self.time(facing)?;
-        let (pair, Facing { source, edge, .. }) = (self.pair, facing);
-        let hull = pair.hull(source);
-        let side = hull.sides[edge];
-        let along = if source == Side::A { side } else { -turned(pair.b_turn, side) };
-        let from = (self.apart(corner_of(facing, edge)) - self.direction * time.hi).dot(along);
-        let to = side.dot(side) - from;
-        let t = time.hi.abs();
-        let reach = pair.magnitude + pair.radius.hi + t * self.speed;
-        let slack = (OVER_ERROR * reach + error * self.speed) * (side.x.abs() + side.y.abs());
-        if from > slack && to > slack {
-            Some(Found::At(Piece::Edge(facing), time, error))
-        } else if from < -slack {
-            self.disc(corner_of(facing, edge))
-        } else if to < -slack {
-            self.disc(corner_of(facing, hull.next(edge)))
-        } else {
-            None
+        let q = gap.hi / closing.hi;
+        let (run, tail) = two_product(closing.hi, q);
+        // The first difference is exact: the two are within a few ulp of each other.
+        let rest = (gap.hi - run) + ((gap.lo - q * closing.lo) - tail);
+        let rest_error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
+        let step = rest / closing.hi;
+        let hi = q + step;
+        // Roundings of the step, and of k, which it is a quotient by.
+        let step_error = step.abs() * (closing_error / least + 8.0 * f64::EPSILON);
+        let time = Dd { hi, lo: step - (hi - q) };
+        let time = neighbours(time, rest_error / least + step_error)?;
+        if time.lo >= 1.0 || time.hi < 0.0 {
+            return Some(Met::Outside(Piece::Edge(facing), time));
         }
+        let separation = rest - (time.lo - q) * closing.hi;
+        let proved = Proved {
+            carrier: Carrier::Edge(facing),
+            normal: Some(DVec2::new(n[0].hi, n[1].hi)),
+            core: separation + pair.radius.hi,
+            separation,
+            bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
+            ties: 1,
+        };
+        Some(Met::At(Piece::Edge(facing), time, proved))
     }
 
     /// A corner of B ⊖ A in doubles.
@@ -148,11 +172,11 @@ impl<'p, 's> Line<'p, 's> {
         pair.center + turned(pair.b_turn, pair.hull(Side::B).corners[j]) - pair.hull(Side::A).corners[i]
     }
 
-    /// When the ray enters the disc at a corner, and the error; None where it may not.
-    fn disc_time(&self, corners: [usize; 2]) -> Option<(Dd, f64)> {
+    /// When the ray enters the disc at a corner; None where it may not.
+    fn time_of_disc(&self, corners: [usize; 2]) -> Option<Ball> {
         let pair = self.pair;
         let p = quick::between(pair, corners).map(|x| Ball::within(x, pair.placing_error));
-        let v = self.v.map(|x| Ball::within(x, self.error));
+        let v = self.heading.v.map(|x| Ball::within(x, self.heading.error));
         let dot = |x: &[Ball; 2], y: &[Ball; 2]| x[0] * y[0] + x[1] * y[1];
         let (across, radius) = (v[0] * p[1] - v[1] * p[0], Ball::exact(pair.radius));
         let squared = radius * radius;
@@ -161,79 +185,103 @@ impl<'p, 's> Line<'p, 's> {
             return None;
         }
         let time = (dot(&p, &p) - squared).over(dot(&v, &p) + discriminant.sqrt());
-        time.radius.is_finite().then_some((time.value, time.radius))
+        time.radius.is_finite().then_some(time)
     }
 
-    /// The disc at a corner of B ⊖ A.
-    fn disc(&self, corners: [usize; 2]) -> Option<Found> {
-        let pair = self.pair;
-        let at = self.apart(corners);
-        let (radius, across) = (pair.radius.hi, at.perp_dot(self.direction));
-        if radius * radius * self.direction.dot(self.direction) <= across * across {
-            return self.passes(at);
-        }
-        let (time, error) = self.disc_time(corners)?;
-        let n = at - self.direction * time.hi;
-        let known = time.hi.abs() * self.speed <= FAR * pair.magnitude
-            && error * self.speed <= 4.0 * f64::EPSILON * pair.magnitude;
-        let proved = known
+    /// Whether the ray clearly enters through the disc at a corner of B ⊖ A.
+    fn is_met(&self, corners: [usize; 2]) -> bool {
+        let (pair, speed) = (self.pair, self.heading.speed);
+        let Some(time) = self.time_of_disc(corners) else { return false };
+        let t = time.value.hi;
+        let n = self.apart(corners) - self.heading.direction() * t;
+        t.abs() * speed <= FAR * pair.magnitude
+            && time.radius * speed <= 4.0 * f64::EPSILON * pair.magnitude
             && quick::is_lowest(pair, Side::B, corners[1], n)
-            && quick::is_lowest(pair, Side::A, corners[0], -n);
-        proved.then_some(Found::At(Piece::Disc(corners), time, error))
+            && quick::is_lowest(pair, Side::A, corners[0], -n)
     }
 
-    /// Whether the line clearly passes B ⊖ A, of which a point near it is `at`.
-    fn passes(&self, at: DVec2) -> Option<Found> {
-        let pair = self.pair;
-        let left = DVec2::new(-self.direction.y, self.direction.x);
-        let away = if left.dot(at) > 0.0 { left } else { -left };
-        let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-        let [cos, sin] = pair.b_turn;
-        let seen = DVec2::new(cos.hi * away.x + sin.hi * away.y, cos.hi * away.y - sin.hi * away.x);
-        let (highest, nearest) = (a.corners[lowest(a, -away)], b.corners[lowest(b, seen)]);
-        let support = away.dot(pair.center) + seen.dot(nearest) - away.dot(highest);
-        let length = self.direction.dot(self.direction).sqrt();
-        let slack = PASS_ERROR * (pair.magnitude + pair.radius.hi) * self.speed;
-        (support - pair.radius.hi * length > slack).then_some(Found::Nothing)
-    }
-}
-
-/// The facing edge whose line the ray meets last, in doubles.
-pub(super) fn last_line(pair: &Pair, v: DVec2) -> Option<Facing> {
-    let Pair { center, b_turn, .. } = *pair;
-    let radius = pair.radius.hi;
-    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let scale = pair.scale;
-    let mut last: Option<(Facing, f64)> = None;
-    let mut visit = |facing: Facing, gap: f64, closing: f64| {
-        // Compared as fractions with positive denominators would overflow sooner than as quotients.
-        let time = (gap * scale - radius) / closing;
-        if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
-            last = Some((facing, time));
+    /// When the ray enters through the disc at a corner, and the pair just before.
+    fn disc(&self, corners: [usize; 2]) -> Option<Met> {
+        let (pair, Heading { v, speed, error, .. }) = (self.pair, *self.heading);
+        let time = self.time_of_disc(corners)?;
+        let time = neighbours(time.value, time.radius)?;
+        if time.lo >= 1.0 || time.hi < 0.0 {
+            return Some(Met::Outside(Piece::Disc(corners), time));
         }
-    };
-    let c = center / scale;
-    let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
-    pass(a, b, c, (cos, sin), |edge, corner, gap| {
-        visit(Facing { source: Side::A, edge, corner }, gap, a.normals[edge].dot(v));
-    });
-    let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
-    let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
-    pass(b, a, back, (cos, -sin), |edge, corner, gap| {
-        visit(Facing { source: Side::B, edge, corner }, gap, b.normals[edge].dot(seen));
-    });
-    last.map(|(facing, _)| facing)
+        let p = quick::between(pair, corners);
+        let at = [p[0] - v[0].scale(time.lo), p[1] - v[1].scale(time.lo)];
+        let core = combined(at[0], at[0], at[1], at[1]).sqrt();
+        let separation = (core - pair.radius).to_f64();
+        let size = pair.magnitude + pair.radius.hi + time.lo * speed;
+        let proved = Proved {
+            carrier: Carrier::Corners(corners),
+            normal: Some(DVec2::new(at[0].hi, at[1].hi) / core.hi),
+            core: core.hi,
+            separation,
+            bounds: around(separation, pair.placing_error + time.lo * error + LAST_ERROR * size),
+            ties: 1,
+        };
+        Some(Met::At(Piece::Disc(corners), time, proved))
+    }
 }
 
-/// The corner of B ⊖ A that a corner of an edge's own body makes: [i, j].
-fn corner_of(facing: Facing, end: usize) -> [usize; 2] {
+/// Bounds of a separation just before contact, which is above 0; past the roundings of the bound and of the separation.
+#[inline]
+fn around(separation: f64, error: f64) -> Enclosure {
+    let error = error * (1.0 + 16.0 * f64::EPSILON) + 8.0 * f64::EPSILON * separation.abs();
+    Enclosure { lo: (separation - error).max(0.0), hi: separation + error }
+}
+
+/// The corner of B ⊖ A where an edge starts. The low half is not rounded off the high one.
+#[inline]
+fn corner(pair: &Pair, facing: Facing) -> [Dd; 2] {
+    let [i, j] = match facing.source {
+        Side::A => [facing.edge, facing.corner],
+        Side::B => [facing.corner, facing.edge],
+    };
+    let (v, q) = (pair.hull(Side::A).corners[i], pair.hull(Side::B).corners[j]);
+    let ([cos, sin], c) = (pair.b_turn, pair.fine_center);
+    let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
+    let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
+    let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
+        let (s, g) = two_sum(p, r);
+        let (s, h) = two_sum(s, c.hi);
+        let (hi, k) = two_sum(s, -v);
+        Dd { hi, lo: ((e + f) + (g + h)) + ((k + c.lo) + low) }
+    };
+    [
+        sum(cx, (-sy.0, -sy.1), c[0], v.x, cos.lo * q.x - sin.lo * q.y),
+        sum(sx, cy, c[1], v.y, sin.lo * q.x + cos.lo * q.y),
+    ]
+}
+
+/// n · x. The low half is not rounded off the high one.
+#[inline]
+fn along(n: [Dd; 2], x: [Dd; 2]) -> Dd {
+    let (p, e) = two_product(n[0].hi, x[0].hi);
+    let (q, f) = two_product(n[1].hi, x[1].hi);
+    let (hi, g) = two_sum(p, q);
+    let low = (n[0].hi * x[0].lo + n[0].lo * x[0].hi) + (n[1].hi * x[1].lo + n[1].lo * x[1].hi);
+    Dd { hi, lo: ((e + f) + g) + low }
+}
+
+/// The unit normal of an edge, from A to B, in A's frame.
+#[inline]
+fn normal(pair: &Pair, facing: Facing) -> [Dd; 2] {
+    let hull = pair.hull(facing.source);
+    let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
+    let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
     match facing.source {
-        Side::A => [end, facing.corner],
-        Side::B => [facing.corner, end],
+        Side::A => local,
+        Side::B => {
+            let [cos, sin] = pair.b_turn;
+            [combined(sin, local[1], -cos, local[0]), -combined(sin, local[0], cos, local[1])]
+        }
     }
 }
 
 /// The doubles next to a number that is known within `error`, if it is certainly between them.
+#[inline]
 fn neighbours(x: Dd, error: f64) -> Option<Enclosure> {
     // Past the roundings of the bound itself. The tail is half an ulp at most: with an error below it, less than one.
     let error = error * (1.0 + 16.0 * f64::EPSILON);

@@ -18,14 +18,14 @@
 //! Beck, *Generalized two- and three-dimensional clipping*, 1978; the root without cancellation is Press et al.,
 //! *Numerical Recipes*, 2007, section 5.6.
 
-use super::certify::{Hint, certify, settle};
 use super::difference::{self, walk};
 use super::fine::{Fine, Vec2, Way, cross, dot, minus, reversed};
-use super::gaps::Facing;
+use super::gaps::{Facing, pass};
 use super::pair::Pair;
-use super::quick_ray::{self, Met, last_line};
+use super::quick_ray::Met;
 use super::relative::Relative;
-use super::{Answer, Impact, Outcome, Query, Reason, Separation, swept_axis};
+use super::sweep::Sweep;
+use super::{Answer, Impact, Outcome, Query};
 use crate::geometry::{Ball, Body, DVec2, Enclosure, Feature, Side};
 use crate::trace::{Culling, Event, Tracer};
 
@@ -34,16 +34,10 @@ pub(crate) const NAME: &str = "ray-cast";
 
 /// Answers a linear sweep.
 pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let (a, b) = (query.a, query.b.unwrap_or(query.a));
-    let mut sweep = Sweep { pair: Pair::at(a, b, 0.0) };
-    let entry = sweep.entry();
-    let mut outcome = sweep.outcome(&entry);
-    if let Outcome::Unresolved { .. } = outcome {
-        // Around a corner that no digits tell from the ray: axes and proofs of contact need not tell.
-        outcome = swept_axis::of_unturned(a, b).unwrap_or(outcome);
-    }
+    let sweep = Sweep::new(query.a, query.b.unwrap_or(query.a));
+    let outcome = sweep.first_contact();
     if tracer.listens() {
-        sweep.tell(&entry, &outcome, tracer);
+        tell(&sweep.pair, &sweep.entry(), &outcome, tracer);
     }
     tracer.record(|| Event::Finished { outcome: outcome.word() });
     Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 1 })
@@ -51,9 +45,7 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// First contact of two bodies of which neither turns, by the ray alone.
 pub(super) fn first_contact(a: &Body, b: &Body) -> Outcome {
-    let mut sweep = Sweep { pair: Pair::at(a, b, 0.0) };
-    let entry = sweep.entry();
-    sweep.outcome(&entry)
+    Sweep::new(a, b).by_ray()
 }
 
 /// What the ray meets first.
@@ -67,34 +59,28 @@ pub(super) enum Piece {
 
 /// Whether, where and when the ray's line enters B ⊖ A.
 #[derive(Clone, Copy, Debug)]
-enum Entry {
+pub(super) enum Entry {
     /// There is no ray.
     Still,
     /// Never.
     Misses,
     /// Here, not before the first moment and not after the second; they may be negative or above 1.
     At(Piece, Moment, Moment),
-    /// Here, between these doubles; they may be negative or above 1.
-    Between(Piece, Enclosure),
+    /// As the first stage says.
+    Quick(Met),
     /// The signs are not certain.
     Unsure,
 }
 
 /// A quotient that says when, kept apart so that equality with a double can be decided.
 #[derive(Clone, Copy, Debug)]
-struct Moment {
+pub(super) struct Moment {
     numerator: Ball,
     denominator: Ball,
 }
 
-/// Two bodies of which neither turns.
-struct Sweep<'s> {
-    /// Both at t = 0.
-    pair: Pair<'s>,
-}
-
 /// The ray against B ⊖ A in balls, in A's frame and the units of `pair`.
-struct Ray<'p, 's> {
+pub(super) struct Ray<'p, 's> {
     /// Both bodies at t = 0.
     pair: &'p Pair<'s>,
     /// v.
@@ -102,7 +88,7 @@ struct Ray<'p, 's> {
 }
 
 impl<'p, 's> Ray<'p, 's> {
-    fn new(pair: &'p Pair<'s>) -> Self {
+    pub(super) fn new(pair: &'p Pair<'s>) -> Self {
         Self { pair, v: pair.closing_fine() }
     }
 
@@ -112,7 +98,8 @@ impl<'p, 's> Ray<'p, 's> {
     }
 
     /// Whether, where and when the ray's line enters B ⊖ A, certainly.
-    fn entry(&self) -> Entry {
+    #[cold]
+    pub(super) fn entry(&self) -> Entry {
         if dot(&self.v, &self.v).sign() == Some(0) {
             return Entry::Still;
         }
@@ -239,103 +226,40 @@ impl<'p, 's> Ray<'p, 's> {
     }
 }
 
-impl Sweep<'_> {
-    /// Whether, where and when the ray's line enters B ⊖ A: by doubles where they tell, else by balls.
-    fn entry(&mut self) -> Entry {
-        match quick_ray::met(&mut self.pair) {
-            Some(Met::Nothing) => Entry::Misses,
-            Some(Met::At(piece, time)) => Entry::Between(piece, time),
-            None => Ray::new(&self.pair).entry(),
-        }
-    }
-
-    /// The answer that an entry gives.
-    fn outcome(&self, entry: &Entry) -> Outcome {
-        match *entry {
-            Entry::Misses => Outcome::Miss,
-            Entry::Still => self.at_start(Outcome::Miss),
-            Entry::Unsure => self.at_start(unsure(0.0)),
-            Entry::At(piece, first, last) => self.between(piece, first.doubles().0, last.doubles().1),
-            Entry::Between(piece, Enclosure { lo, hi }) => self.between(piece, lo, hi),
-        }
-    }
-
-    /// The answer where the ray's line enters through `piece` between two moments.
-    fn between(&self, piece: Piece, lo: f64, hi: f64) -> Outcome {
-        if lo >= 1.0 {
-            Outcome::Miss
-        } else if lo < 0.0 {
-            // The line enters at or before t = 0: the bodies overlap, or have passed each other.
-            self.at_start(if hi < 0.0 { Outcome::Miss } else { unsure(0.0) })
-        } else if hi <= 1.0 {
-            Outcome::Hit { time: Enclosure { lo, hi }, contact: self.contact(piece, lo) }
-        } else {
-            unsure(lo)
-        }
-    }
-
-    /// Overlap at t = 0, or else what is given.
-    fn at_start(&self, apart: Outcome) -> Outcome {
-        let start = certify(&self.pair, None);
-        if start.bounds.hi <= 0.0 {
-            Outcome::Overlapping { contact: start }
-        } else if start.bounds.lo > 0.0 {
-            apart
-        } else {
-            Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
-        }
-    }
-
-    /// The pair at `lo`, just before it touches: so near that the quick proof would hardly ever be tight enough.
-    fn contact(&self, piece: Piece, lo: f64) -> Separation {
-        let pair = self.pair.unturned_at(lo);
-        match piece {
-            Piece::Edge(facing) => settle(&pair, Some(Hint::Edge(facing))),
-            Piece::Disc(corners) => settle(&pair, Some(Hint::Corners(corners))),
-        }
-    }
-
-    /// Records what became of each edge.
-    fn tell(&self, entry: &Entry, outcome: &Outcome, tracer: &mut impl Tracer) {
-        let pair = Relative::at(self.pair.a, self.pair.b, 0.0);
-        tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
-        difference::record(&pair, tracer);
-        let v = pair.local_vector(self.pair.a.velocity - self.pair.b.velocity);
-        let met = match (entry, outcome) {
-            (Entry::At(piece, ..) | Entry::Between(piece, _), Outcome::Hit { .. }) => Some(*piece),
-            _ => None,
+/// Records what became of each edge.
+fn tell(at: &Pair, entry: &Entry, outcome: &Outcome, tracer: &mut impl Tracer) {
+    let pair = Relative::at(at.a, at.b, 0.0);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    difference::record(&pair, tracer);
+    let v = pair.local_vector(at.a.velocity - at.b.velocity);
+    let met = match (entry, outcome) {
+        (Entry::At(piece, ..) | Entry::Quick(Met::At(piece, ..)), Outcome::Hit { .. }) => Some(*piece),
+        _ => None,
+    };
+    let radius = pair.radius();
+    walk(&pair, |p| {
+        let [from, to] = p.ends(&pair);
+        let outward = p.outward(&pair);
+        let facing = v.perp_dot(to - from) < 0.0;
+        let hit = matches!(met, Some(Piece::Edge(f)) if (f.source, f.edge) == (p.source, p.edge));
+        let culling = match (facing, hit) {
+            (false, _) => Culling::BackFacing,
+            (true, true) => Culling::Hit,
+            (true, false) => Culling::Missed,
         };
-        let radius = pair.radius();
-        walk(&pair, |p| {
-            let [from, to] = p.ends(&pair);
-            let outward = p.outward(&pair);
-            let facing = v.perp_dot(to - from) < 0.0;
-            let hit = matches!(met, Some(Piece::Edge(f)) if (f.source, f.edge) == (p.source, p.edge));
-            let culling = match (facing, hit) {
-                (false, _) => Culling::BackFacing,
-                (true, true) => Culling::Hit,
-                (true, false) => Culling::Missed,
-            };
-            tracer.record(|| Event::RayClipped {
-                source: (p.source, Feature::Edge(pair.file_edge(p.source, p.edge))),
-                from: pair.world_vector(from + outward * radius),
-                to: pair.world_vector(to + outward * radius),
-                outcome: culling,
-                time: facing.then(|| (outward.dot(from) + radius) / outward.dot(v)),
-            });
+        tracer.record(|| Event::RayClipped {
+            source: (p.source, Feature::Edge(pair.file_edge(p.source, p.edge))),
+            from: pair.world_vector(from + outward * radius),
+            to: pair.world_vector(to + outward * radius),
+            outcome: culling,
+            time: facing.then(|| (outward.dot(from) + radius) / outward.dot(v)),
         });
-        if let (Some(Piece::Disc([i, j])), Outcome::Hit { time, .. }) = (met, outcome) {
-            let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
-            let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
-            let time = Some(time.lo);
-            tracer.record(|| Event::RayClipped {
-                source,
-                from: center,
-                to: center,
-                outcome: Culling::Hit,
-                time,
-            });
-        }
+    });
+    if let (Some(Piece::Disc([i, j])), Outcome::Hit { time, .. }) = (met, outcome) {
+        let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
+        let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
+        let time = Some(time.lo);
+        tracer.record(|| Event::RayClipped { source, from: center, to: center, outcome: Culling::Hit, time });
     }
 }
 
@@ -351,7 +275,7 @@ enum Place {
 
 impl Moment {
     /// The last double surely before it, and the first surely not before it.
-    fn doubles(self) -> (f64, f64) {
+    pub(super) fn doubles(self) -> (f64, f64) {
         let value = self.value();
         let nearest = value.value.to_f64();
         // Exactly at a double?
@@ -367,8 +291,31 @@ impl Moment {
     }
 }
 
-fn unsure(free_until: f64) -> Outcome {
-    Outcome::Unresolved { reason: Reason::WithinRounding, free_until }
+/// The facing edge whose line the ray meets last, in doubles.
+pub(super) fn last_line(pair: &Pair, v: DVec2) -> Option<Facing> {
+    let Pair { center, b_turn, .. } = *pair;
+    let radius = pair.radius.hi;
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let scale = pair.scale;
+    let mut last: Option<(Facing, f64)> = None;
+    let mut visit = |facing: Facing, gap: f64, closing: f64| {
+        // Compared as fractions with positive denominators would overflow sooner than as quotients.
+        let time = (gap * scale - radius) / closing;
+        if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
+            last = Some((facing, time));
+        }
+    };
+    let c = center / scale;
+    let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
+    pass(a, b, c, (cos, sin), |edge, corner, gap| {
+        visit(Facing { source: Side::A, edge, corner }, gap, a.normals[edge].dot(v));
+    });
+    let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
+    let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
+    pass(b, a, back, (cos, -sin), |edge, corner, gap| {
+        visit(Facing { source: Side::B, edge, corner }, gap, b.normals[edge].dot(seen));
+    });
+    last.map(|(facing, _)| facing)
 }
 
 /// x · y.

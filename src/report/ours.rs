@@ -1,6 +1,6 @@
 //! Our own algorithms as contenders: every row of the table that answers a workload's question.
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, MovingPair, Outcome as End, Pair, QueryKind};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, MovingPair, Outcome as End, Pair, QueryKind, Sweep};
 use crate::trace::NoTrace;
 
 use super::contender::{Contender, Outcome, Preparation, Prepared};
@@ -24,7 +24,7 @@ struct Ours {
 
 impl Ours {
     /// Asks a pair that stands ready, where the library takes one for this question: places, cosines and sines are known,
-    /// and for turning bodies their spins in radians; features, times and contacts are not.
+    /// for a sweep the relative velocity, for turning bodies their spins in radians; features, times and contacts are not.
     fn ask_of_ready<'c>(
         &self,
         case: &'c Case,
@@ -40,6 +40,10 @@ impl Ours {
                 let pair = MovingPair::new(&case.a, &case.b);
                 let limit = case.query(kind, tolerance).max_iterations;
                 Some(Box::new(move || first_contact(&pair.first_contact(tolerance, limit).outcome)))
+            }
+            (QueryKind::LinearSweep, "ray-cast") => {
+                let sweep = Sweep::new(&case.a, &case.b).refined();
+                Some(Box::new(move || first_contact(&sweep.first_contact())))
             }
             _ => None,
         }

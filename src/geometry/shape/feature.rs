@@ -28,8 +28,9 @@ impl Shape {
         if count == 2 {
             return Feature::Edge(0);
         }
-        let (mut from, mut to) = (self.core[k % corners], self.core[(k + 1) % corners]);
-        if (from + 1) % count != to {
+        let after = |k: usize, count: usize| if k + 1 == count { 0 } else { k + 1 };
+        let (mut from, mut to) = (self.core[k], self.core[after(k, corners)]);
+        if after(from, count) != to {
             // Clockwise in the file, or corners dropped between the two.
             let clockwise = !self.is_counter_clockwise();
             if clockwise {
