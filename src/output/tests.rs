@@ -84,7 +84,9 @@ fn an_svg_is_valid_names_itself_and_has_no_id_twice() {
             assert!(!attribute.value().contains("http"), "nothing from elsewhere");
         }
     }
-    for reference in parsed.descendants().filter_map(|n| n.attribute("href")) {
+    for reference in
+        parsed.descendants().filter_map(|n| n.attribute(("http://www.w3.org/1999/xlink", "href")))
+    {
         assert!(ids.contains(reference.trim_start_matches('#')), "{reference}");
     }
     for id in root.attribute("aria-labelledby").unwrap().split(' ') {

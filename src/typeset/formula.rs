@@ -11,6 +11,7 @@ use latex_rust::{BoxContent, Dim, Error, FontError, MathBox, MathStyle, ParseErr
 
 use super::face::{Loaded, UNITS_PER_EM};
 use super::line::{Face, Glyph, PlacedGlyph, Rule, TypesetError};
+use super::vector::Vector;
 use super::words::missing;
 
 /// Size in page pixels below which no script is set: smaller letters can't be read on a screen at 100 %.
@@ -112,6 +113,9 @@ impl Writer {
             }
             BoxContent::VList(children) => return self.column(children, x, y, em),
             BoxContent::Overlap(children) => {
+                if let Some(vector) = Vector::of(children) {
+                    return self.vector(&vector, x, y, em, ems(&piece.width) * em);
+                }
                 let mut grown = 0.0_f64;
                 for child in children {
                     let beyond = self.put(child, x, y, em)? + ems(&child.width) * em - ems(&piece.width) * em;
@@ -128,6 +132,20 @@ impl Writer {
             BoxContent::Frame { .. } => return Err("framed formulas are not supported".to_owned()),
         }
         Ok(0.0)
+    }
+
+    /// Letters, and the arrow over their middle. Comes back like [`Self::content`], of a box that is `width` wide.
+    fn vector(&mut self, vector: &Vector, x: f64, y: f64, em: f64, width: f64) -> Result<f64, String> {
+        let letters = self.put(vector.base, x, y, em)? + ems(&vector.base.width) * em;
+        let [left, _, right, _] = vector.arrow.outline().bounds.map(|b| f64::from(b) / UNITS_PER_EM);
+        let size = vector.scale * em;
+        let middle = x + vector.middle.map_or(0.5 * letters, |m| m * em);
+        let x = middle - 0.5 * (left + right) * size;
+        self.formula.glyphs.insert(
+            self.formula.glyphs.len().saturating_sub(1),
+            PlacedGlyph { glyph: vector.arrow, x, y: y - vector.raise * em, size },
+        );
+        Ok(letters - width)
     }
 
     /// A vertical list: the first child on the baseline, each next one below.
@@ -177,7 +195,7 @@ fn largest_scale(piece: &MathBox) -> Option<f64> {
     clippy::cast_precision_loss,
     reason = "layout rationals are small; a rounding here is below 1e-15 em"
 )]
-fn ems(dim: &Dim) -> f64 {
+pub(super) fn ems(dim: &Dim) -> f64 {
     dim.as_ratio().map_or(0.0, |(numerator, denominator)| numerator as f64 / denominator as f64)
 }
 

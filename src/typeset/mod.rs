@@ -11,6 +11,7 @@ mod formula;
 mod line;
 mod markup;
 mod paragraph;
+mod vector;
 mod words;
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};

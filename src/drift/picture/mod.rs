@@ -162,7 +162,8 @@ impl<'d> Reader<'d> {
         items: &mut Vec<Item>,
     ) -> Option<()> {
         self.uses += 1;
-        let target = *self.by_id.get(attribute(node, "href")?.strip_prefix('#')?)?;
+        let target =
+            *self.by_id.get(node.attribute(("http://www.w3.org/1999/xlink", "href"))?.strip_prefix('#')?)?;
         if self.uses > MOST_USES || node.ancestors().any(|n| n == target) {
             return None;
         }

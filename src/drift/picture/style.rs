@@ -64,8 +64,8 @@ impl Style {
         let mut style = self.clone();
         let classes = node.attribute("class").unwrap_or_default();
         for (name, kinds, slot) in [
-            ("fill", ["-fill-", "-area-", "-halo-"], &mut style.fill),
-            ("stroke", ["-stroke-", "-halo-", "-halo-"], &mut style.stroke),
+            ("fill", ["-f-", "-area-", "-halo-"], &mut style.fill),
+            ("stroke", ["-s-", "-halo-", "-halo-"], &mut style.stroke),
         ] {
             if let Some(color) = node.attribute(name) {
                 let opacity = format!("{name}-opacity");
@@ -103,6 +103,11 @@ fn role(classes: &str, kinds: &[&str]) -> Option<Role> {
 }
 
 fn hex(text: &str) -> Option<Color> {
-    let digits = text.strip_prefix('#').filter(|d| d.len() == 6)?;
-    u32::from_str_radix(digits, 16).ok().map(Color::hex)
+    let digits = text.strip_prefix('#').filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))?;
+    let digits = match digits.len() {
+        3 => digits.chars().flat_map(|d| [d, d]).collect(),
+        6 => digits.to_owned(),
+        _ => return None,
+    };
+    u32::from_str_radix(&digits, 16).ok().map(Color::hex)
 }

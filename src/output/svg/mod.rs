@@ -95,6 +95,8 @@ impl Document {
         let xml = &mut self.xml;
         xml.start("svg");
         xml.attribute("xmlns", "http://www.w3.org/2000/svg");
+        // Inkscape before 1.3 and other readers of SVG 1.1 do not know a plain `href`.
+        xml.attribute("xmlns:xlink", "http://www.w3.org/1999/xlink");
         xml.number("width", drawing.width);
         xml.number("height", drawing.height);
         xml.attribute_by("viewBox", |out| {

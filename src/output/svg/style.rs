@@ -28,11 +28,12 @@ impl Property {
         if paint.opacity < 1.0 && paint.opacity == fill_opacity { Self::Area } else { Self::Fill }
     }
 
-    fn name(self) -> &'static str {
+    /// Its word in a class; the most frequent ones are letters.
+    fn class(self) -> &'static str {
         match self {
-            Self::Fill => "fill",
+            Self::Fill => "f",
+            Self::Stroke => "s",
             Self::Area => "area",
-            Self::Stroke => "stroke",
             Self::Halo => "halo",
         }
     }
@@ -114,8 +115,8 @@ impl Document {
         sheet.push('{');
         let names: &[&str] = match property {
             Property::Halo => &["fill", "stroke"],
-            Property::Area => &["fill"],
-            _ => &[property.name()],
+            Property::Fill | Property::Area => &["fill"],
+            Property::Stroke => &["stroke"],
         };
         for (i, name) in names.iter().enumerate() {
             sheet.push_str(if i > 0 { ";" } else { "" });
@@ -138,7 +139,7 @@ impl Document {
 fn class(out: &mut String, prefix: &str, role: Role, property: Property) {
     out.push_str(prefix);
     out.push('-');
-    out.push_str(property.name());
+    out.push_str(property.class());
     out.push('-');
     out.push_str(role.name());
 }
@@ -168,7 +169,7 @@ pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
         Property::Halo => &[("fill", "fill-opacity"), ("stroke", "stroke-opacity")],
     };
     for &(name, opacity) in names {
-        xml.attribute_by(name, |out| hex(out, paint.color));
+        xml.attribute_by(name, |out| short_hex(out, paint.color));
         if paint.opacity < 1.0 {
             xml.number(opacity, paint.opacity);
         }
@@ -191,6 +192,17 @@ pub(super) fn stroke(xml: &mut Xml, stroke: &Stroke) {
                 number::push(out, length);
             }
         });
+    }
+}
+
+/// `#fff` for `#ffffff`.
+fn short_hex(out: &mut String, color: Color) {
+    let start = out.len();
+    hex(out, color);
+    let digits: Vec<char> = out[start + 1..].chars().collect();
+    if digits.chunks(2).all(|pair| pair[0] == pair[1]) {
+        out.truncate(start + 1);
+        out.extend(digits.iter().step_by(2));
     }
 }
 

@@ -49,7 +49,7 @@ impl Document {
         self.xml.end();
         self.xml.end();
         self.xml.start("use");
-        self.xml.attribute_by("href", |out| {
+        self.xml.attribute_by("xlink:href", |out| {
             out.push('#');
             out.push_str(&id);
         });
@@ -96,7 +96,7 @@ impl Document {
         }
         self.xml.start("use");
         let prefix = &self.prefix;
-        self.xml.attribute_by("href", |out| {
+        self.xml.attribute_by("xlink:href", |out| {
             out.push('#');
             push_glyph_id(out, prefix, placed.glyph);
         });
