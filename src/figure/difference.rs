@@ -4,6 +4,8 @@
 //! counter-clockwise, so the outline is the chain in which one edge begins where another ends. Where edges of both
 //! bodies lie on one line, B's comes first (`DifferenceEdgeFound` says so).
 
+use std::collections::BTreeMap;
+
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -46,15 +48,17 @@ impl Difference {
     #[must_use]
     pub fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
         let mut found: Vec<Edge> = Vec::new();
+        // At most two normals a number, those of a segment's two sides.
+        let mut known: BTreeMap<(bool, usize), Vec<DVec2>> = BTreeMap::new();
         let (mut center, mut radius) = (None, 0.0);
         for event in events {
             match *event {
                 Event::Started { .. } if !found.is_empty() || center.is_some() => break,
                 Event::DifferenceEdgeFound { source, edge, from, to, normal, distance, .. } => {
                     // A segment's two sides, there and back, bear one number.
-                    let same = |e: &Edge| e.source == source && e.index == edge && e.normal.dot(normal) > 0.0;
-                    let again = found.iter().any(same);
-                    if !again {
+                    let normals = known.entry((source == Side::B, edge)).or_default();
+                    if !normals.iter().any(|n| n.dot(normal) > 0.0) {
+                        normals.push(normal);
                         found.push(Edge { source, index: edge, from, to, normal, distance });
                     }
                 }
@@ -112,27 +116,57 @@ fn size(edges: &[Edge]) -> f64 {
 
 /// The edges end to end. Starts with an edge of B if there is one, so that a side shared by both is not entered at its
 /// middle.
-fn chain(mut left: Vec<Edge>) -> Vec<Edge> {
-    let close = JOINED * size(&left);
+fn chain(found: Vec<Edge>) -> Vec<Edge> {
+    let close = JOINED * size(&found);
     let Some(first) =
-        left.iter().position(|e| e.source == Side::B).or(if left.is_empty() { None } else { Some(0) })
+        found.iter().position(|e| e.source == Side::B).or(if found.is_empty() { None } else { Some(0) })
     else {
-        return left;
+        return found;
     };
-    let mut chained = vec![left.remove(first)];
-    while let Some(last) = chained.last().copied() {
-        let gap = |e: &Edge| e.from.distance(last.to);
-        let next = (0..left.len()).min_by(|&i, &j| {
-            let rank = |k: usize| {
-                (if gap(&left[k]) <= close { 0.0 } else { gap(&left[k]) }, left[k].source == Side::A)
-            };
-            let ((a, a_second), (b, b_second)) = (rank(i), rank(j));
-            a.total_cmp(&b).then(a_second.cmp(&b_second))
-        });
-        let Some(next) = next else { break };
-        chained.push(left.remove(next));
+    let mut left = Left::new(&found, close);
+    let mut chained = Vec::with_capacity(found.len());
+    let mut next = Some(first);
+    while let Some(i) = next {
+        left.take(i);
+        chained.push(found[i]);
+        next = left.after(found[i].to);
     }
     chained
+}
+
+/// Edges that are not in the chain yet, found by where they begin.
+struct Left<'e> {
+    edges: &'e [Edge],
+    close: f64,
+    /// Numbers of edges by the x of their start; ties in the order in which they were told.
+    by_start: Vec<usize>,
+    taken: Vec<bool>,
+}
+
+impl<'e> Left<'e> {
+    fn new(edges: &'e [Edge], close: f64) -> Self {
+        let mut by_start: Vec<usize> = (0..edges.len()).collect();
+        by_start.sort_by(|&i, &j| edges[i].from.x.total_cmp(&edges[j].from.x));
+        Self { edges, close, by_start, taken: vec![false; edges.len()] }
+    }
+
+    fn take(&mut self, i: usize) {
+        self.taken[i] = true;
+    }
+
+    /// The edge that begins at a point, B's first; where none does, the one that begins nearest.
+    fn after(&self, end: DVec2) -> Option<usize> {
+        let x = |i: usize| self.edges[i].from.x;
+        let from = self.by_start.partition_point(|&i| x(i) < end.x - self.close);
+        let near = self.by_start[from..].iter().copied().take_while(|&i| x(i) <= end.x + self.close);
+        let gap = |i: usize| self.edges[i].from.distance(end);
+        let touching = near.filter(|&i| !self.taken[i] && gap(i) <= self.close);
+        let second = |i: usize| self.edges[i].source == Side::A;
+        touching.min_by_key(|&i| (second(i), i)).or_else(|| {
+            let left = (0..self.edges.len()).filter(|&i| !self.taken[i]);
+            left.min_by(|&i, &j| gap(i).total_cmp(&gap(j)).then(second(i).cmp(&second(j))))
+        })
+    }
 }
 
 #[cfg(test)]

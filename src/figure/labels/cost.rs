@@ -51,15 +51,57 @@ const MOVED: f64 = 6.0;
 /// Things and labels of two panels are at the same place if they are so near, page pixels.
 const SAME: f64 = 1.0;
 
-/// What a place costs whatever the other labels do.
-pub(super) fn own_cost(sought: &Sought, home: Point, candidate: &Candidate, scene: &Surroundings) -> f64 {
-    let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
-    let named = match &sought.anchor {
-        Anchor::Point { at, .. } => Some(scene.frame.page(*at)),
+/// Obstacles that can cost a label something, each with the box outside which it costs nothing.
+pub(super) type NearBy<'p> = Vec<(Rect, &'p Obstacle)>;
+
+/// The obstacles that can cost any of a label's places something: of thousands of strokes mostly few.
+pub(super) fn near_by<'p>(sought: &Sought, places: &[Candidate], scene: &Surroundings<'p>) -> NearBy<'p> {
+    let named = named(sought, scene.frame);
+    let Some(reach) = places.iter().map(|c| hull(c, named)).reduce(Rect::union) else { return Vec::new() };
+    let bounded = scene.obstacles.iter().map(|obstacle| (influence(obstacle), obstacle));
+    bounded.filter(|(bounds, _)| bounds.intersection(reach).is_some()).collect()
+}
+
+/// Outside this box an obstacle costs a label nothing. A page pixel is to spare, so that rounding decides nothing.
+fn influence(obstacle: &Obstacle) -> Rect {
+    match obstacle.cover {
+        Cover::Stroke { from, to, .. } => Rect::new(from, to).grown(CROWDED.0 + 1.0),
+        Cover::Marker { at, radius } | Cover::Head { at, radius } => {
+            Rect::new(at, at).grown(radius + NAMING.0 + 1.0)
+        }
+    }
+}
+
+/// All that is looked at for a place: its box, its leader, the way to the point that it names.
+fn hull(candidate: &Candidate, named: Option<Point>) -> Rect {
+    let rect = named.map_or(candidate.rect, |p| candidate.rect.union(Rect::new(p, p)));
+    candidate.leader.map_or(rect, |(p, q)| rect.union(Rect::new(p, q)))
+}
+
+/// The point that a label names.
+fn named(sought: &Sought, frame: &Frame) -> Option<Point> {
+    match &sought.anchor {
+        Anchor::Point { at, .. } => Some(frame.page(*at)),
         _ => None,
-    };
+    }
+}
+
+/// What a place costs whatever the other labels do.
+pub(super) fn own_cost(
+    sought: &Sought,
+    home: Point,
+    candidate: &Candidate,
+    near_by: &NearBy,
+    scene: &Surroundings,
+) -> f64 {
+    let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel);
+    let named = named(sought, scene.frame);
     let near = named.map(|p| (p, nearest_in(&candidate.rect, p)));
-    for obstacle in scene.obstacles {
+    let reach = hull(candidate, named);
+    for (bounds, obstacle) in near_by {
+        if bounds.intersection(reach).is_none() {
+            continue;
+        }
         if let (Some((p, q)), Cover::Stroke { from, to, .. }) = (near, obstacle.cover)
             && obstacle.weight == Weight::Normal
             && cross(p, q, from, to)
@@ -141,6 +183,10 @@ fn edge(rect: &Rect, panel: &Rect) -> f64 {
 
 /// What two places cost each other.
 pub(super) fn pair_cost(a: &Candidate, b: &Candidate) -> f64 {
+    // Most pairs are far apart.
+    if hull(a, None).grown(LABEL_COMFORT + 1.0).intersection(hull(b, None)).is_none() {
+        return 0.0;
+    }
     let led =
         |x: &Candidate, y: &Candidate| x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some());
     let mut cost = if led(a, b) || led(b, a) { LEADER } else { 0.0 };

@@ -3,7 +3,7 @@
 use super::super::frame::Frame;
 use super::super::sketch::Obstacle;
 use super::candidates::{Candidate, candidates, home, is_in_view, nudged};
-use super::cost::{Surroundings, own_cost, pair_cost};
+use super::cost::{Surroundings, near_by, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
 use crate::drawing::{Point, Rect};
 
@@ -42,15 +42,12 @@ pub(crate) fn place(
     let sought = &worth_naming(sought, frame);
     let surroundings = Surroundings { frame, obstacles, earlier };
     let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame)).collect();
-    let priced = |(s, at): (&Sought, &Point), c: Candidate| {
-        let cost = own_cost(s, *at, &c, &surroundings);
-        (c, cost)
+    let priced = |(s, at): (&Sought, &Point), all: Vec<Candidate>| {
+        let near_by = near_by(s, &all, &surroundings);
+        let cost = |c: &Candidate| own_cost(s, *at, c, &near_by, &surroundings);
+        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect::<Vec<_>>()
     };
-    let places = sought
-        .iter()
-        .zip(&homes)
-        .map(|s| candidates(s.0, frame).into_iter().map(|c| priced(s, c)).collect())
-        .collect();
+    let places = sought.iter().zip(&homes).map(|s| priced(s, candidates(s.0, frame))).collect();
     let mut problem = Problem { places, chosen: vec![0; sought.len()] };
     problem.greedy();
     problem.improve();
@@ -59,10 +56,9 @@ pub(crate) fn place(
         if s.0.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < TROUBLE {
             continue;
         }
-        for slot in problem.cheapest(label, NUDGED_PLACES) {
-            let more = nudged(&problem.places[label][slot].0).into_iter().map(|c| priced(s, c));
-            problem.places[label].extend(more);
-        }
+        let cheapest = problem.cheapest(label, NUDGED_PLACES);
+        let more = cheapest.into_iter().flat_map(|slot| nudged(&problem.places[label][slot].0)).collect();
+        problem.places[label].extend(priced(s, more));
     }
     problem.improve();
     problem.finish(sought, frame, obstacles)

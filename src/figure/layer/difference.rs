@@ -1,6 +1,8 @@
 //! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's dashed too),
 //! diamonds at its vertices. Round bodies make it an arc.
 
+use std::collections::BTreeSet;
+
 use crate::drawing::Role;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
@@ -95,10 +97,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let time = when(context, options).unwrap_or(context.time);
     let Some(found) = difference(context, time) else { return };
     area(sketch, options, &found);
-    let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { Vec::new() };
+    let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };
     edges(sketch, &found, |edge| {
         let pen = edge_pen(edge);
-        let thin = skipped.contains(&(edge.source, Feature::Edge(edge.index)));
+        let thin = skipped.contains(&(edge.source == Side::B, edge.index));
         if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen }
     });
     diamonds(sketch, &found);
@@ -182,11 +184,13 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
     }
 }
 
-/// The edges that the ray was not tested against.
-fn culled(context: &Context) -> Vec<(Side, Feature)> {
+/// The edges that the ray was not tested against: whether they are B's, and their numbers.
+fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
     let run = context.run();
-    let skipped = run.told(|event| match event {
-        Event::RayClipped { source, outcome: Culling::BackFacing, .. } => Some(*source),
+    let skipped = run.told(|event| match *event {
+        Event::RayClipped { source: (side, Feature::Edge(index)), outcome: Culling::BackFacing, .. } => {
+            Some((side == Side::B, index))
+        }
         _ => None,
     });
     skipped.collect()
