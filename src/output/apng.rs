@@ -4,8 +4,8 @@
 //! in moving shapes, and what stays is cheap (see [`super::png`]).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
-use super::png::{SIGNATURE, chunk, pack_rgb};
-use super::{Format, Options, OutputError, Writer, rasterize};
+use super::png::{SIGNATURE, chunk, draw, pack_rgb};
+use super::{Format, Options, OutputError, Writer, raster};
 use crate::drawing::Drawing;
 
 pub(super) const FORMAT: Format =
@@ -26,15 +26,15 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
         if (drawing.width, drawing.height) != (first.width, first.height) {
             return Err(OutputError::Sequence);
         }
-        let pixels = rasterize(drawing, options.scale)?;
-        let packed = pack_rgb(&pixels);
+        let (width, height) = raster::size(drawing, options.scale)?;
+        let packed = pack_rgb(draw(drawing, options.scale)?);
         if i == 0 {
             chunk(&mut out, *b"IHDR", &packed.header);
             // Count of frames, and 0 for playing without end.
             chunk(&mut out, *b"acTL", &[count.to_be_bytes(), [0; 4]].concat());
         }
         let delay = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
-        chunk(&mut out, *b"fcTL", &control(&mut sequence, pixels.width, pixels.height, delay));
+        chunk(&mut out, *b"fcTL", &control(&mut sequence, width, height, delay));
         if i == 0 {
             chunk(&mut out, *b"IDAT", &packed.data);
         } else {
@@ -66,6 +66,7 @@ fn next(sequence: &mut u32) -> [u8; 4] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::rasterize;
     use super::super::samples::everything;
     use super::*;
 

@@ -1,18 +1,22 @@
 //! PNG: the pixels of the display list, opaque, with the scene's hash as text.
 //!
-//! The encoder is made for drawings: see [`rows`] and [`deflate`]. An image of at most 256 colours is written with a
+//! The encoder is made for drawings: see [`changes`], [`rows`] and [`deflate`]. Rows come one by one, and only what changes
+//! between them is kept. An image of at most 256 colours is written with a
 //! palette, which is lossless; else as RGB.
 
+mod changes;
 mod deflate;
 mod huffman;
 mod palette;
 mod rows;
 mod small;
 
-use super::{Format, Options, OutputError, Pixels, PngEffort, Writer, rasterize};
+use super::{Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 use palette::Palette;
-use rows::Depth;
+use raster::Pixel;
+
+pub(super) use changes::Changes;
 
 pub(super) const FORMAT: Format = Format {
     name: "png",
@@ -30,17 +34,26 @@ const KEYWORD: &str = "tracefig";
 const TYPICAL_SIZE: usize = 128 * 1024;
 
 fn write(drawing: &Drawing, options: &Options) -> Result<Vec<u8>, OutputError> {
-    let pixels = rasterize(drawing, options.scale)?;
-    Ok(encode(&pixels, &drawing.hash, options.png))
+    Ok(encode(draw(drawing, options.scale)?, &drawing.hash, options.png))
 }
 
-/// The file for opaque pixels.
-pub(super) fn encode(pixels: &Pixels, hash: &str, effort: PngEffort) -> Vec<u8> {
-    let fast = pack(pixels).file(hash);
+/// The image of a drawing.
+pub(super) fn draw(drawing: &Drawing, scale: f64) -> Result<Changes, OutputError> {
+    let (width, _) = raster::size(drawing, scale)?;
+    let mut image = Changes::new(width, raster::background(drawing));
+    raster::rows(drawing, scale, |above, row| image.row(above, row))?;
+    Ok(image)
+}
+
+/// The file of an image.
+fn encode(image: Changes, hash: &str, effort: PngEffort) -> Vec<u8> {
     match effort {
-        PngEffort::Fast => fast,
-        // The encoder writes into memory and can't fail there; if it does, the fast file shows the same.
-        PngEffort::Small => small::encode(pixels, hash).ok().filter(|s| s.len() < fast.len()).unwrap_or(fast),
+        PngEffort::Fast => pack(image).file(hash),
+        PngEffort::Small => {
+            let fast = pack(image.clone()).file(hash);
+            // The encoder writes into memory and can't fail there; if it does, the fast file shows the same.
+            small::encode(image, hash).ok().filter(|s| s.len() < fast.len()).unwrap_or(fast)
+        }
     }
 }
 
@@ -71,43 +84,37 @@ impl Packed {
     }
 }
 
-/// Packs pixels fast, with a palette where the colours fit.
-fn pack(pixels: &Pixels) -> Packed {
-    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
-    // Above the first row is, by the numbers of a palette, its first colour.
-    let background = all.first().copied().unwrap_or_default();
-    let spans = rows::spans(all, width, background);
-    match Palette::of(all, width, &spans, background) {
-        Some(palette) => {
-            let data = zlib(all, width, &spans, &Depth::Indexed(&palette));
-            Packed { header: header(pixels, 3), palette: palette.bytes(), data }
+/// Packs an image fast, with a palette where the colours fit.
+fn pack(image: Changes) -> Packed {
+    match Palette::of(&image) {
+        Some((palette, numbers)) => {
+            let data = zlib(&image, &numbers, 1);
+            Packed { header: header(&image, 3), palette: palette.bytes(), data }
         }
-        None => pack_spans(pixels, spans),
+        None => pack_rgb(image),
     }
 }
 
-/// Packs pixels fast, as RGB.
-pub(super) fn pack_rgb(pixels: &Pixels) -> Packed {
-    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
-    pack_spans(pixels, rows::spans(all, width, [0; 4]))
+/// Packs an image fast, as RGB.
+pub(super) fn pack_rgb(image: Changes) -> Packed {
+    let image = image.with_whole_first_row();
+    Packed { header: header(&image, 2), palette: Vec::new(), data: zlib(&image, &rgb(&image.pixels), 3) }
 }
 
-fn pack_spans(pixels: &Pixels, mut spans: Vec<rows::Span>) -> Packed {
-    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
-    rows::first_row_differs(&mut spans, pixels.width);
-    Packed { header: header(pixels, 2), palette: Vec::new(), data: zlib(all, width, &spans, &Depth::Rgb) }
+fn rgb(pixels: &[Pixel]) -> Vec<u8> {
+    pixels.iter().flat_map(|p| [p[0], p[1], p[2]]).collect()
 }
 
-fn zlib(all: &[[u8; 4]], width: usize, spans: &[rows::Span], depth: &Depth) -> Vec<u8> {
-    let (tokens, adler) = rows::tokens(all, width, spans, depth);
+fn zlib(image: &Changes, bytes: &[u8], unit: usize) -> Vec<u8> {
+    let (tokens, adler) = rows::tokens(image, bytes, unit);
     let mut data = Vec::with_capacity(TYPICAL_SIZE);
     tokens.zlib(adler, &mut data);
     data
 }
 
 /// Size, 8 bits, the colour type, and 0 for the only compression, the only filters, and rows in order.
-fn header(pixels: &Pixels, color_type: u8) -> [u8; 13] {
-    let (w, h) = (pixels.width.to_be_bytes(), pixels.height.to_be_bytes());
+fn header(image: &Changes, color_type: u8) -> [u8; 13] {
+    let (w, h) = (image.width.to_be_bytes(), image.height.to_be_bytes());
     [w[0], w[1], w[2], w[3], h[0], h[1], h[2], h[3], 8, color_type, 0, 0, 0]
 }
 
@@ -124,6 +131,20 @@ pub(super) fn chunk(out: &mut Vec<u8>, name: [u8; 4], bytes: &[u8]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::output::Pixels;
+
+    /// The rows of an image, on another background than its own.
+    fn image(pixels: &Pixels) -> Changes {
+        let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
+        let first = vec![[9, 9, 9, 255]; width];
+        let mut image = Changes::new(pixels.width, first[0]);
+        let mut above = first.as_slice();
+        for row in all.chunks_exact(width) {
+            image.row(above, row);
+            above = row;
+        }
+        image
+    }
 
     /// What an independent decoder reads, as RGBA.
     fn decoded(file: &[u8]) -> (Pixels, png::ColorType) {
@@ -159,7 +180,7 @@ mod tests {
             for colors in [2, 250, 100_000] {
                 let pixels = picture(width, height, colors);
                 for effort in [PngEffort::Fast, PngEffort::Small] {
-                    let (back, color) = decoded(&encode(&pixels, "ab12", effort));
+                    let (back, color) = decoded(&encode(image(&pixels), "ab12", effort));
                     assert!(back == pixels, "{width} × {height}, {colors} colours, {effort:?}");
                     if colors <= 250 {
                         assert_eq!(color, png::ColorType::Indexed, "a palette where the colours fit");
@@ -171,7 +192,7 @@ mod tests {
 
     #[test]
     fn the_hash_is_in_the_file() {
-        let file = encode(&picture(4, 4, 2), "ab12", PngEffort::Fast);
+        let file = encode(image(&picture(4, 4, 2)), "ab12", PngEffort::Fast);
         let reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
         let text = &reader.info().uncompressed_latin1_text[0];
         assert_eq!((text.keyword.as_str(), text.text.as_str()), (KEYWORD, "ab12"));

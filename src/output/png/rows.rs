@@ -2,138 +2,45 @@
 //!
 //! Most pixels of a drawing equal the one above. So each row is stored as its difference from the row above (the filter
 //! *Up* of PNG), which is zero nearly everywhere, and zeros are one copy from the byte before. What differs lies in a few
-//! spans a row; only these are looked at byte by byte, for a repetition of the pixel before (edges that are nearly level)
+//! spans a row ([`super::changes`]); only these are looked at byte by byte, for a repetition of the pixel before (edges that are nearly level)
 //! and for a piece that occurred in the last 32 KiB (slanted edges, that move but keep their pattern).
 
 use simd_adler32::Adler32;
 
+use super::changes::{Changes, Span};
 use super::deflate::{FARTHEST, LONGEST, Tokens};
-use super::palette::Palette;
 
 /// Bytes of the filter *Up* at the start of each row.
 const UP: u8 = 2;
 
-/// Equal pixels that end a span: fewer cost less inside it than as a gap.
-const GAP: usize = 4;
-
-/// Pixels compared at once where nothing is expected to differ.
-const STRIDE: usize = 16;
-
 /// Entries of the table of places by hash, a power of two.
 const PLACES: usize = 1 << 13;
 
-/// Pixels of a row that differ from those above.
-#[derive(Clone, Copy)]
-pub(super) struct Span {
-    row: u32,
-    start: u32,
-    end: u32,
-}
-
-impl Span {
-    /// Its pixels.
-    pub(super) fn of(self, pixels: &[[u8; 4]], width: usize) -> &[[u8; 4]] {
-        let row = self.row as usize * width;
-        &pixels[row + self.start as usize..row + self.end as usize]
-    }
-}
-
-/// All spans of an image from the top, whose rows have `width` pixels; above the first row is `above_all`.
-#[expect(clippy::cast_possible_truncation, reason = "an image has at most 2^26 pixels")]
-pub(super) fn spans(pixels: &[[u8; 4]], width: usize, above_all: [u8; 4]) -> Vec<Span> {
-    let first = vec![above_all; width];
-    let mut spans = Vec::new();
-    let mut above = first.as_slice();
-    for (y, row) in pixels.chunks_exact(width).enumerate() {
-        let mut x = 0;
-        while let Some(start) = next_difference(row, above, x) {
-            let mut end = start + 1;
-            // The span goes on while the next difference is near.
-            loop {
-                let near = (end + GAP).min(width);
-                match (end..near).rev().find(|&i| row[i] != above[i]) {
-                    Some(i) => end = i + 1,
-                    None => break,
-                }
-            }
-            spans.push(Span { row: y as u32, start: start as u32, end: end as u32 });
-            x = end;
-        }
-        above = row;
-    }
-    spans
-}
-
-/// Makes the whole first row a span: above it, RGB has zeros.
-pub(super) fn first_row_differs(spans: &mut Vec<Span>, width: u32) {
-    let count = spans.iter().take_while(|span| span.row == 0).count();
-    spans.splice(..count, [Span { row: 0, start: 0, end: width }]);
-}
-
-fn next_difference(row: &[[u8; 4]], above: &[[u8; 4]], from: usize) -> Option<usize> {
-    let mut x = from;
-    while x + STRIDE <= row.len() && row[x..x + STRIDE] == above[x..x + STRIDE] {
-        x += STRIDE;
-    }
-    (x..row.len()).find(|&i| row[i] != above[i])
-}
-
-/// How a pixel becomes bytes.
-pub(super) enum Depth<'p> {
-    /// Red, green, blue.
-    Rgb,
-    /// A number in the palette.
-    Indexed(&'p Palette),
-}
-
-impl Depth<'_> {
-    fn bytes(&self) -> usize {
-        match self {
-            Self::Rgb => 3,
-            Self::Indexed(_) => 1,
-        }
-    }
-}
-
-/// Tokens of the whole image and the checksum of the bytes that they stand for.
-pub(super) fn tokens(pixels: &[[u8; 4]], width: usize, spans: &[Span], depth: &Depth) -> (Tokens, u32) {
-    let unit = depth.bytes();
+/// Tokens of the whole image, given the bytes of its changed pixels, `unit` a pixel, and the checksum of the bytes that the
+/// tokens stand for. Above the first row are zeros.
+pub(super) fn tokens(changes: &Changes, bytes: &[u8], unit: usize) -> (Tokens, u32) {
+    let width = changes.width as usize;
     let mut writer = Writer::new(unit, 1 + width * unit);
-    let above_all = vec![[0; 4]; width];
-    let mut above = above_all.as_slice();
-    let mut spans = spans;
-    for (y, row) in pixels.chunks_exact(width).enumerate() {
-        let count = spans.iter().take_while(|span| span.row as usize == y).count();
+    let mut above = vec![0; width * unit];
+    let (mut spans, mut bytes) = (changes.spans.as_slice(), bytes);
+    for y in 0..changes.height {
+        let count = spans.iter().take_while(|span| span.row == y).count();
         let (these, rest) = spans.split_at(count);
         spans = rest;
         writer.begin_row();
         for span in these {
-            let range = span.start as usize..span.end as usize;
-            let at = 1 + span.start as usize * unit;
-            difference(&row[range.clone()], &above[range], depth, writer.row_from(at));
+            let (new, later) = bytes.split_at(span.len() * unit);
+            bytes = later;
+            let start = span.start as usize * unit;
+            let old = &mut above[start..start + new.len()];
+            for ((out, new), old) in writer.row_from(1 + start).iter_mut().zip(new).zip(&*old) {
+                *out = new.wrapping_sub(*old);
+            }
+            old.copy_from_slice(new);
         }
         writer.row(these);
-        above = row;
     }
     (writer.tokens, writer.adler.finish())
-}
-
-/// Writes what differs between pixels and those above, byte by byte.
-fn difference(row: &[[u8; 4]], above: &[[u8; 4]], depth: &Depth, out: &mut [u8]) {
-    match depth {
-        Depth::Rgb => {
-            for ((p, q), out) in row.iter().zip(above).zip(out.chunks_exact_mut(3)) {
-                for channel in 0..3 {
-                    out[channel] = p[channel].wrapping_sub(q[channel]);
-                }
-            }
-        }
-        Depth::Indexed(palette) => {
-            for ((&p, &q), out) in row.iter().zip(above).zip(out) {
-                *out = palette.index(p).wrapping_sub(palette.index(q));
-            }
-        }
-    }
 }
 
 /// Cuts filtered rows into tokens.

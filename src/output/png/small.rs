@@ -1,28 +1,25 @@
 //! The smallest PNG that is worth tenths of a second: the `png` crate at its highest level.
 
 use super::KEYWORD;
+use super::changes::Changes;
 use super::palette::Palette;
-use super::rows;
-use crate::output::Pixels;
 
-/// The file for opaque pixels.
-pub(super) fn encode(pixels: &Pixels, hash: &str) -> Result<Vec<u8>, png::EncodingError> {
-    let (all, width) = (pixels.rgba.as_chunks::<4>().0, pixels.width as usize);
-    let background = all.first().copied().unwrap_or_default();
-    let palette = Palette::of(all, width, &rows::spans(all, width, background), background);
+/// The file of an image.
+pub(super) fn encode(image: Changes, hash: &str) -> Result<Vec<u8>, png::EncodingError> {
     let mut out = Vec::new();
-    let mut encoder = png::Encoder::new(&mut out, pixels.width, pixels.height);
+    let mut encoder = png::Encoder::new(&mut out, image.width, image.height);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.set_compression(png::Compression::High);
-    let bytes: Vec<u8> = if let Some(palette) = &palette {
+    let bytes = if let Some((palette, numbers)) = Palette::of(&image) {
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette.bytes());
         // The numbers of colours have no order, so their differences mean nothing.
         encoder.set_filter(png::Filter::NoFilter);
-        all.iter().map(|&color| palette.index(color)).collect()
+        image.whole_rows(&numbers, 1)
     } else {
         encoder.set_color(png::ColorType::Rgb);
-        all.iter().flat_map(|c| [c[0], c[1], c[2]]).collect()
+        let image = image.with_whole_first_row();
+        image.whole_rows(&super::rgb(&image.pixels), 3)
     };
     if !hash.is_empty() {
         encoder.add_text_chunk(KEYWORD.to_owned(), hash.to_owned())?;

@@ -72,23 +72,56 @@ impl Ink {
     }
 }
 
-/// Lays ink on the covered pixels of an image whose rows have `width` pixels.
-pub(super) fn lay(pixels: &mut [[u8; 4]], width: usize, spans: &[Span], ink: Ink) {
-    let solid = ink.over([0; 4], LEVELS);
-    for span in spans {
-        let row = span.y as usize * width;
-        let covered = &mut pixels[row + span.start as usize..row + span.end as usize];
-        if span.level == LEVELS && ink.alpha == 255 {
-            covered.fill(solid);
-            continue;
+/// Lays an ink on; remembers what it makes of the colour that it met last, as most pixels of an area have the same.
+pub(super) struct Mixer {
+    ink: Ink,
+    solid: [u8; 4],
+    /// The colour met last.
+    under: [u8; 4],
+    /// The levels whose mixture with it is known, a bit each.
+    known: u32,
+    mixtures: [[u8; 4]; LEVELS as usize + 1],
+}
+
+impl Mixer {
+    pub(super) fn new(ink: Ink) -> Self {
+        let solid = ink.over([0; 4], LEVELS);
+        Self { ink, solid, under: [0; 4], known: 0, mixtures: [[0; 4]; LEVELS as usize + 1] }
+    }
+
+    #[inline]
+    fn over(&mut self, under: [u8; 4], level: u32) -> [u8; 4] {
+        if under != self.under {
+            (self.under, self.known) = (under, 0);
         }
-        // Neighbours mostly have one colour, and then one mixture.
-        let mut rest = covered;
-        while let Some(&first) = rest.first() {
-            let count = run(rest, first);
-            let (same, other) = rest.split_at_mut(count);
-            same.fill(ink.over(first, span.level));
-            rest = other;
+        let mixture = &mut self.mixtures[level as usize];
+        if self.known >> level & 1 == 0 {
+            *mixture = self.ink.over(under, level);
+            self.known |= 1 << level;
+        }
+        *mixture
+    }
+
+    /// Lays the ink on the covered pixels of a row.
+    pub(super) fn lay(&mut self, row: &mut [[u8; 4]], spans: &[Span]) {
+        for span in spans {
+            let covered = &mut row[span.start as usize..span.end as usize];
+            if let [pixel] = covered {
+                *pixel = self.over(*pixel, span.level);
+                continue;
+            }
+            if span.level == LEVELS && self.ink.alpha == 255 {
+                covered.fill(self.solid);
+                continue;
+            }
+            // Neighbours mostly have one colour, and then one mixture.
+            let mut rest = covered;
+            while let Some(&first) = rest.first() {
+                let count = run(rest, first);
+                let (same, other) = rest.split_at_mut(count);
+                same.fill(self.over(first, span.level));
+                rest = other;
+            }
         }
     }
 }

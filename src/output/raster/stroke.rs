@@ -25,6 +25,20 @@ pub(super) fn outline(lines: &Polylines, width: f64, cap: Cap) -> Polylines {
     pen.out
 }
 
+/// What lies within `reach` of an area, the area included; its outer contours have their outside on the left.
+///
+/// Moved to its left, a contour winds about the area, and about each piece between it and the moved one, in one sense.
+pub(super) fn grown(area: &Polylines, reach: f64) -> Polylines {
+    let mut pen = Pen { half: reach, turn: largest_turn(reach), cap: Cap::Butt, out: Polylines::default() };
+    for (points, _) in area.chains() {
+        let points = distinct(points, true);
+        if let [first, .., last] = points[..] {
+            pen.side(&mut points.iter().copied().chain([first]), last);
+        }
+    }
+    pen.out
+}
+
 /// The lines cut into dashes: lengths of dashes and gaps alternate, in image pixels.
 pub(super) fn dashes(lines: &Polylines, dash: &[f64]) -> Option<Polylines> {
     let period: f64 = dash.iter().sum();
@@ -224,7 +238,7 @@ impl Pen {
 
 #[cfg(test)]
 mod tests {
-    use super::super::coverage::{LEVELS, Rasterizer};
+    use super::super::coverage::{LEVELS, rows};
     use super::*;
 
     fn lines(points: &[(f64, f64)], closed: bool) -> Polylines {
@@ -234,10 +248,8 @@ mod tests {
     }
 
     fn area(lines: &Polylines) -> f64 {
-        let mut rasterizer = Rasterizer::new(100, 100);
-        rasterizer.add(lines);
-        let spans = rasterizer.finish();
-        spans.iter().map(|s| f64::from((s.end - s.start) * s.level)).sum::<f64>() / f64::from(LEVELS)
+        rows(&[lines], 100, 100).iter().flatten().map(|s| f64::from((s.end - s.start) * s.level)).sum::<f64>()
+            / f64::from(LEVELS)
     }
 
     #[test]
@@ -262,12 +274,8 @@ mod tests {
     #[test]
     fn a_sharp_corner_is_round_outside_and_has_no_hole_inside() {
         let corner = lines(&[(20.0, 80.0), (50.0, 20.0), (60.0, 80.0)], false);
-        let mut rasterizer = Rasterizer::new(100, 100);
-        rasterizer.add(&outline(&corner, 10.0, Cap::Butt));
-        let spans = rasterizer.finish();
-        let at = |x: u32, y: u32| {
-            spans.iter().find(|s| s.y == y && s.start <= x && x < s.end).map_or(0, |s| s.level)
-        };
+        let rows = rows(&[&outline(&corner, 10.0, Cap::Butt)], 100, 100);
+        let at = |x: u32, y: usize| rows[y].iter().find(|s| s.start <= x && x < s.end).map_or(0, |s| s.level);
         assert_eq!((at(50, 20), at(50, 24), at(50, 17)), (LEVELS, LEVELS, LEVELS));
         assert_eq!(at(50, 13), 0, "no spike");
     }
@@ -283,5 +291,20 @@ mod tests {
         let dotted = area(&outline(&dots, 4.0, Cap::Round));
         assert!((dotted - expected).abs() < 4.0, "{dotted} for {expected}");
         assert!(dashes(&line, &[0.0, 0.0]).is_none());
+    }
+
+    #[test]
+    fn what_lies_within_reach_of_a_ring_fills_its_hole_where_that_is_small() {
+        let square = |low: f64, high: f64| [(low, low), (high, low), (high, high), (low, high)];
+        let ring = |low: f64, high: f64| {
+            let mut ring = lines(&square(10.0, 90.0), true);
+            ring.points.extend(square(low, high).iter().rev().map(|&(x, y)| Point::new(x, y)));
+            ring.ends.push((8, true));
+            ring
+        };
+        let outside = 80.0 * 80.0 + 4.0 * 80.0 * 5.0 + PI * 25.0;
+        let (wide, narrow) = (grown(&ring(30.0, 70.0), 5.0), grown(&ring(46.0, 54.0), 5.0));
+        assert!((area(&wide) - (outside - 900.0)).abs() < 4.0, "{}", area(&wide));
+        assert!((area(&narrow) - outside).abs() < 4.0, "{}", area(&narrow));
     }
 }
