@@ -1,69 +1,17 @@
-//! The bare program: it replays our own display lists through tiny-skia, and writes the `png` crate's fastest PNG and
-//! our SVG. It is the 1.0 that `tracefig render` is measured against.
-//!
-//! `cargo run --release --manifest-path bench/Cargo.toml --bin bare -- figures/0*.toml` makes the display lists before
-//! its clock starts, replays them, and prints the processor time a figure: the rasterizer, the encoder, the SVG. The
-//! same figures by `tracefig render --timings` are the other side.
+//! The display list on tiny-skia.
 
-use std::time::{Duration, Instant};
-
-use tiny_skia::{FillRule, LineCap, LineJoin, Mask, PathBuilder, Pixmap, PixmapPaint, Shader, StrokeDash, Transform};
-use tracefig::drawing::{Cap, Contour, Drawing, Group, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text};
-use tracefig::output::{Options, Writer, format};
+use tiny_skia::{
+    FillRule, LineCap, LineJoin, Mask, PathBuilder, Pixmap, PixmapPaint, Shader, StrokeDash, Transform,
+};
+use tracefig::drawing::{
+    Cap, Contour, Drawing, Group, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text,
+};
 use tracefig::typeset::{OutlineSegment, UNITS_PER_EM};
 
-/// Image pixels for a page pixel.
-const SCALE: f64 = 2.0;
-/// Replays; the fastest counts.
-const REPLAYS: usize = 15;
+use super::SCALE;
 
-fn main() {
-    let drawings: Vec<Drawing> = std::env::args().skip(1).filter_map(|path| drawing(&path)).collect();
-    let mut totals = [Duration::ZERO; 5];
-    for drawing in &drawings {
-        let mut best = [Duration::MAX; 5];
-        for _ in 0..REPLAYS {
-            for (best, spent) in best.iter_mut().zip(replay(drawing)) {
-                *best = (*best).min(spent);
-            }
-        }
-        totals.iter_mut().zip(best).for_each(|(total, best)| *total += best);
-    }
-    let names = ["tiny-skia", "png crate, fastest", "our SVG", "our rasterizer and PNG", "our rasterizer alone"];
-    for (name, total) in names.iter().zip(totals) {
-        println!("{name}: {:.2} ms for {} figures", total.as_secs_f64() * 1e3, drawings.len());
-    }
-}
-
-fn drawing(path: &str) -> Option<Drawing> {
-    let text = std::fs::read_to_string(path).ok()?;
-    let file = tracefig::scene::open_text(path, &text).ok()?;
-    let plan = tracefig::figure::plan(&file.scene).ok()?;
-    Some(tracefig::figure::draw(&plan, plan.theme, "bare").drawing)
-}
-
-fn replay(drawing: &Drawing) -> [Duration; 5] {
-    let mut clock = Instant::now();
-    let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed();
-    let pixmap = rasterize(drawing);
-    let raster = lap();
-    let bytes = pixmap.as_ref().map(encode);
-    let encoding = lap();
-    let ours = |name: &str| match format(name).map(|f| f.write) {
-        Some(Writer::One(write)) => write(drawing, &Options::default()).ok(),
-        _ => None,
-    };
-    let svg = ours("svg");
-    let svg_time = lap();
-    let png = ours("png");
-    let png_time = lap();
-    let pixels = tracefig::output::rasterize(drawing, SCALE).ok();
-    let pixels_time = lap();
-    std::hint::black_box((bytes, svg, png, pixels));
-    [raster, encoding, svg_time, png_time, pixels_time]
-}
-
-fn encode(pixmap: &Pixmap) -> Option<Vec<u8>> {
+/// The fastest PNG of the `png` crate.
+pub(super) fn encode(pixmap: &Pixmap) -> Option<Vec<u8>> {
     let rgb: Vec<u8> = pixmap.data().chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
     let mut out = Vec::new();
     let mut encoder = png::Encoder::new(&mut out, pixmap.width(), pixmap.height());
@@ -73,14 +21,16 @@ fn encode(pixmap: &Pixmap) -> Option<Vec<u8>> {
     Some(out)
 }
 
+/// The image.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a page of some thousand pixels")]
-fn rasterize(drawing: &Drawing) -> Option<Pixmap> {
+pub(super) fn rasterize(drawing: &Drawing) -> Option<Pixmap> {
     let mut pixmap = Pixmap::new((drawing.width * SCALE) as u32, (drawing.height * SCALE) as u32)?;
     pixmap.fill(color(&drawing.background));
     let mut canvas = Canvas { pixmap, frame: Frame { scale: SCALE, x: 0.0, y: 0.0 }, clip: None };
     canvas.items(&drawing.items);
     Some(canvas.pixmap)
 }
+
 /// From page pixels to image pixels.
 #[derive(Clone, Copy)]
 struct Frame {
@@ -317,12 +267,19 @@ fn piece(builder: &mut PathBuilder, segment: &Segment, frame: Frame, begun: bool
             builder.cubic_to(cx, cy, dx, dy, x, y);
         }
         Segment::Close => builder.close(),
-        Segment::Arc { center, radius, start, sweep } => arc(builder, frame, begun, (center, radius, start, sweep)),
+        Segment::Arc { center, radius, start, sweep } => {
+            arc(builder, frame, begun, (center, radius, start, sweep))
+        }
     }
 }
 
 /// Cubics of at most 45° with control points (4/3) tan(θ/4) r along the tangents.
-fn arc(builder: &mut PathBuilder, frame: Frame, begun: bool, (center, radius, start, sweep): (Point, f64, f64, f64)) {
+fn arc(
+    builder: &mut PathBuilder,
+    frame: Frame,
+    begun: bool,
+    (center, radius, start, sweep): (Point, f64, f64, f64),
+) {
     let count = (sweep.abs() / std::f64::consts::FRAC_PI_4).ceil().max(1.0);
     let step = sweep / count;
     let reach = 4.0 / 3.0 * (step / 4.0).tan() * radius;
@@ -331,10 +288,15 @@ fn arc(builder: &mut PathBuilder, frame: Frame, begun: bool, (center, radius, st
         frame.point(Point::new(center.x + radius * cos - along * sin, center.y + radius * sin + along * cos))
     };
     let (x, y) = at(start, 0.0);
-    if begun { builder.line_to(x, y) } else { builder.move_to(x, y) }
+    if begun {
+        builder.line_to(x, y)
+    } else {
+        builder.move_to(x, y)
+    }
     let mut angle = start;
     while (start + sweep - angle).abs() > step.abs() / 2.0 {
-        let ((cx, cy), (dx, dy), (x, y)) = (at(angle, reach), at(angle + step, -reach), at(angle + step, 0.0));
+        let ((cx, cy), (dx, dy), (x, y)) =
+            (at(angle, reach), at(angle + step, -reach), at(angle + step, 0.0));
         builder.cubic_to(cx, cy, dx, dy, x, y);
         angle += step;
     }
