@@ -5,6 +5,7 @@
 //! states, clips and patterns are clipping paths. There is no date and no random number in the file.
 //! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, section 8.
 
+mod flate;
 mod object;
 
 use std::collections::BTreeSet;
@@ -15,7 +16,7 @@ use crate::drawing::{
     Cap, Contour, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Segment, Stroke, Text,
 };
 use crate::typeset::{Glyph, OutlineSegment, Rule, UNITS_PER_EM};
-use object::Objects;
+use object::{Objects, Packing};
 
 pub(super) const FORMAT: Format =
     Format { name: "pdf", about: "one vector page, text as outlines", write: Writer::One(write) };
@@ -24,6 +25,10 @@ pub(super) const FORMAT: Format =
 const POINTS: f64 = 0.75;
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
+    document(drawing, Packing::Deflated)
+}
+
+fn document(drawing: &Drawing, packing: Packing) -> Result<Vec<u8>, OutputError> {
     check::page(drawing)?;
     let mut page = Page::default();
     page.number(POINTS);
@@ -36,7 +41,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     page.rect(Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height });
     page.content.push_str("f\n");
     page.items(&drawing.items);
-    Ok(page.file(drawing))
+    Ok(page.file(drawing, packing))
 }
 
 /// Whether a colour is for areas or for lines.
@@ -223,8 +228,8 @@ impl Page {
     }
 
     /// The whole file: page, content, and the forms and states that it refers to.
-    fn file(self, drawing: &Drawing) -> Vec<u8> {
-        let mut objects = Objects::new();
+    fn file(self, drawing: &Drawing, packing: Packing) -> Vec<u8> {
+        let mut objects = Objects::new(packing);
         let catalog = objects.reserve();
         let (pages, page, resources) = (objects.reserve(), objects.reserve(), objects.reserve());
         let mut size = String::from("[0 0 ");
@@ -333,7 +338,8 @@ mod tests {
 
     #[test]
     fn states_are_kept_and_brought_back_in_pairs_and_every_name_is_known() {
-        let file = String::from_utf8(write(&everything(), &Options::default()).unwrap()).unwrap();
+        let file = document(&everything(), Packing::Plain).unwrap();
+        let file: String = file.into_iter().map(|b| if b.is_ascii() { char::from(b) } else { '?' }).collect();
         let lines = || file.lines().flat_map(str::split_whitespace);
         assert_eq!(lines().filter(|w| *w == "q").count(), lines().filter(|w| *w == "Q").count());
         let mut words = lines().collect::<Vec<_>>();
@@ -352,5 +358,7 @@ mod tests {
             }
         }
         assert!(file.starts_with("%PDF-1.7") && file.ends_with("%%EOF\n"));
+        let packed = write(&everything(), &Options::default()).unwrap();
+        assert!(packed.len() < file.len() / 2, "{} of {}", packed.len(), file.len());
     }
 }

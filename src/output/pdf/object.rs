@@ -4,33 +4,59 @@
 
 use std::fmt::Write;
 
+use super::flate;
+
+/// What the dictionary of a compressed stream says.
+const FILTER: &str = "/Filter /FlateDecode ";
+
 /// Objects in the order of their numbers, which begin at 1.
 pub(super) struct Objects {
-    bodies: Vec<String>,
+    bodies: Vec<Vec<u8>>,
+    packing: Packing,
+}
+
+/// How streams are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Packing {
+    /// Compressed, where that is shorter.
+    Deflated,
+    /// As text.
+    #[cfg(test)]
+    Plain,
 }
 
 impl Objects {
-    pub(super) fn new() -> Self {
-        Self { bodies: Vec::new() }
+    pub(super) fn new(packing: Packing) -> Self {
+        Self { bodies: Vec::new(), packing }
     }
 
     /// The number of an object that is set later.
     pub(super) fn reserve(&mut self) -> usize {
-        self.bodies.push(String::new());
+        self.bodies.push(Vec::new());
         self.bodies.len()
     }
 
     /// Sets a reserved object.
     pub(super) fn set(&mut self, number: usize, body: &str) {
         if let Some(slot) = self.bodies.get_mut(number - 1) {
-            body.clone_into(slot);
+            body.as_bytes().clone_into(slot);
         }
     }
 
     /// A stream whose dictionary has these entries besides its length.
     pub(super) fn stream(&mut self, entries: &str, content: &str) -> usize {
-        let length = content.len();
-        self.bodies.push(format!("<<{entries}/Length {length}>>\nstream\n{content}\nendstream"));
+        let packed = match self.packing {
+            Packing::Deflated if content.is_empty() => None,
+            Packing::Deflated => Some(flate::compress(content.as_bytes())),
+            #[cfg(test)]
+            Packing::Plain => None,
+        };
+        let packed = packed.filter(|p| p.len() + FILTER.len() < content.len());
+        let (filter, data) = packed.as_deref().map_or(("", content.as_bytes()), |packed| (FILTER, packed));
+        let mut body = format!("<<{entries}{filter}/Length {}>>\nstream\n", data.len()).into_bytes();
+        body.extend_from_slice(data);
+        body.extend_from_slice(b"\nendstream");
+        self.bodies.push(body);
         self.bodies.len()
     }
 
@@ -41,28 +67,29 @@ impl Objects {
 
     /// Title and description of the document.
     pub(super) fn info(&mut self, title: &str, subject: &str) -> usize {
-        self.bodies.push(format!(
-            "<</Title {} /Subject {} /Creator (tracefig)>>",
-            text_string(title),
-            text_string(subject)
-        ));
+        let (title, subject) = (text_string(title), text_string(subject));
+        self.bodies.push(format!("<</Title {title} /Subject {subject} /Creator (tracefig)>>").into_bytes());
         self.bodies.len()
     }
 
     /// The file.
     pub(super) fn finish(self, catalog: usize, info: usize) -> Vec<u8> {
-        let mut out = String::from("%PDF-1.7\n");
+        // A comment of bytes beyond ASCII tells programs that the file is not text.
+        let mut out = b"%PDF-1.7\n%\xE2\xE3\xCF\xD3\n".to_vec();
         let mut table = String::from("0000000000 65535 f \n");
         for (i, body) in self.bodies.iter().enumerate() {
             // Writing to a string can't fail.
             let _ = writeln!(table, "{:010} 00000 n ", out.len());
-            let _ = write!(out, "{} 0 obj\n{body}\nendobj\n", i + 1);
+            out.extend_from_slice(format!("{} 0 obj\n", i + 1).as_bytes());
+            out.extend_from_slice(body);
+            out.extend_from_slice(b"\nendobj\n");
         }
         let (start, size) = (out.len(), self.bodies.len() + 1);
-        let _ = write!(out, "xref\n0 {size}\n{table}");
-        let _ = write!(out, "trailer\n<</Size {size} /Root {catalog} 0 R /Info {info} 0 R>>\n");
-        let _ = write!(out, "startxref\n{start}\n%%EOF\n");
-        out.into_bytes()
+        let mut end = format!("xref\n0 {size}\n{table}");
+        let _ = write!(end, "trailer\n<</Size {size} /Root {catalog} 0 R /Info {info} 0 R>>\n");
+        let _ = write!(end, "startxref\n{start}\n%%EOF\n");
+        out.extend_from_slice(end.as_bytes());
+        out
     }
 }
 
@@ -82,11 +109,13 @@ mod tests {
 
     #[test]
     fn the_table_says_where_each_object_begins() {
-        let mut objects = Objects::new();
+        let mut objects = Objects::new(Packing::Plain);
         let catalog = objects.reserve();
         let info = objects.info("(a) \\ é", "");
         objects.set(catalog, "<</Type /Catalog>>");
-        let file = String::from_utf8(objects.finish(catalog, info)).unwrap();
+        let file = objects.finish(catalog, info);
+        // One character a byte.
+        let file: String = file.into_iter().map(|b| if b.is_ascii() { char::from(b) } else { '?' }).collect();
         let table = file.split("xref\n0 3\n").nth(1).unwrap();
         for number in 1..=2 {
             let entry = table.lines().nth(number).unwrap();

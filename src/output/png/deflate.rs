@@ -9,7 +9,7 @@ use super::huffman;
 pub(super) const LONGEST: usize = 258;
 
 /// Farthest distance of a copy.
-pub(super) const FARTHEST: usize = 32_768;
+pub(in crate::output) const FARTHEST: usize = 32_768;
 
 /// Marks a token as a copy: then bits 15 – 23 are its length and bits 0 – 14 its distance less 1.
 const COPY: u32 = 1 << 31;
@@ -54,7 +54,7 @@ const LENGTHS: [(u16, u8); 29] = [
 const ORDER: [usize; 19] = [16, 17, 18, 0, 8, 7, 9, 6, 10, 5, 11, 4, 12, 3, 13, 2, 14, 1, 15];
 
 /// Literals and copies, counted.
-pub(super) struct Tokens {
+pub(in crate::output) struct Tokens {
     list: Vec<u32>,
     literals: [u32; 286],
     distances: [u32; 30],
@@ -63,7 +63,7 @@ pub(super) struct Tokens {
 }
 
 impl Tokens {
-    pub(super) fn new() -> Self {
+    pub(in crate::output) fn new() -> Self {
         let mut length_symbol = [0; LONGEST + 1];
         for (symbol, &(least, _)) in (0_u8..).zip(&LENGTHS) {
             length_symbol[usize::from(least)..].fill(symbol);
@@ -73,7 +73,7 @@ impl Tokens {
 
     /// A byte as it is.
     #[inline]
-    pub(super) fn literal(&mut self, byte: u8) {
+    pub(in crate::output) fn literal(&mut self, byte: u8) {
         self.list.push(u32::from(byte));
         self.literals[usize::from(byte)] += 1;
     }
@@ -82,7 +82,7 @@ impl Tokens {
     ///
     /// A remainder of one or two bytes can't be a copy, so the one before it is cut short.
     #[inline]
-    pub(super) fn copy(&mut self, mut length: usize, distance: usize) {
+    pub(in crate::output) fn copy(&mut self, mut length: usize, distance: usize) {
         while length > 0 {
             let piece = match length {
                 0..=LONGEST => length,
@@ -102,7 +102,7 @@ impl Tokens {
     }
 
     /// Appends a zlib stream (RFC 1950) whose bytes have the checksum `adler`.
-    pub(super) fn zlib(mut self, adler: u32, out: &mut Vec<u8>) {
+    pub(in crate::output) fn zlib(mut self, adler: u32, out: &mut Vec<u8>) {
         // Deflate with a window of 32 KiB, fastest effort; the second byte makes the pair divisible by 31.
         out.extend_from_slice(&[0x78, 0x01]);
         self.literals[END] = 1;

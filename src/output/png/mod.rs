@@ -5,7 +5,7 @@
 //! palette, which is lossless; else as RGB.
 
 mod changes;
-mod deflate;
+pub(super) mod deflate;
 mod huffman;
 mod palette;
 mod rows;
