@@ -153,3 +153,58 @@ fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
         ("d", format!("$d = {depth}$"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::{Contour, Group, Item, Path, Segment};
+    use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
+    use crate::scene::open_text;
+
+    const SCENE: &str = r#"
+        [shapes.A]
+        kind = "circle"
+        radius = 1
+        [shapes.B]
+        kind = "circle"
+        radius = 1
+        position = [4, 0]
+        [query]
+        kind = "separation"
+        of = ["A", "B"]
+        [[panels]]
+        view = [-2, -2, 6, 2]
+        layers = [{ layer = "separation", style = "bar", offset = 16 }]
+        [canvas]
+    "#;
+
+    /// The first path of the innermost group of a name.
+    fn path<'d>(items: &'d [Item], name: &str) -> Option<&'d Path> {
+        items.iter().find_map(|item| match item {
+            Item::Group(Group { name: own, items, .. }) => {
+                path(items, name).or_else(|| match items.first() {
+                    Some(Item::Path(path)) if own == name => Some(path),
+                    _ => None,
+                })
+            }
+            _ => None,
+        })
+    }
+
+    #[test]
+    fn an_offset_shrinks_with_a_small_page() {
+        // Lines shrink with the root of the page: a third of it has lines of 0.577.
+        let small = 16.0 * libm::sqrt(1.0 / 3.0);
+        for (size, expected) in [("width = 960", 16.0), ("width = 320\nheight = 180", small)] {
+            let scene = open_text("s.toml", &format!("{SCENE}{size}")).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let Contour::Segments(bar) = &path(&figure.drawing.items, "separation").unwrap().contour else {
+                panic!("a line")
+            };
+            let Segment::Move(from) = bar[0] else { panic!("a line begins") };
+            let closest = figure.panels[0].frame.page(DVec2::X);
+            assert!(((from.y - closest.y).abs() - expected).abs() < 1e-9, "{from:?} {closest:?}");
+        }
+    }
+}
