@@ -16,7 +16,7 @@
 //! serve the first stage, [`super::fine::Fine`] is the second.
 
 use crate::geometry::{
-    Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, TAILED_ERROR, Turn, combined, taming_power,
+    Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, Turn, taming_power, two_product, two_sum,
 };
 
 /// Two bodies at one moment.
@@ -87,6 +87,17 @@ impl<'s> Pair<'s> {
     /// ```
     #[must_use]
     pub fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        Self::placed(a, b, t, Turn::cos_sin_tailed)
+    }
+
+    /// The pair at time `t` as [`Self::refined`] leaves it, in one go.
+    pub(crate) fn finely_at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        Self::placed(a, b, t, fine)
+    }
+
+    /// The pair at time `t`, with cosines, sines and the bound on their errors as `cos_sin` gives them.
+    #[inline]
+    fn placed(a: &'s Body, b: &'s Body, t: f64, cos_sin: impl Fn(&Turn) -> ([Dd; 2], f64)) -> Self {
         let rough = rough_distance(a, b, t)
             + (a.shape.hull.reach + b.shape.hull.reach)
             + (a.shape.radius + b.shape.radius);
@@ -97,8 +108,8 @@ impl<'s> Pair<'s> {
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
             apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
         ];
-        let (frame_turn, frame_error) = frame.cos_sin_tailed();
-        let (b_turn, turn_error) = turn.cos_sin_tailed();
+        let (frame_turn, frame_error) = cos_sin(&frame);
+        let (b_turn, turn_error) = cos_sin(&turn);
         let fine_center = turned_back(frame_turn, [apart[0].value, apart[1].value], frame_error);
         let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
         let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
@@ -202,12 +213,6 @@ impl<'s> Pair<'s> {
         self.tame
     }
 
-    /// Whether cosines and sines are known to twice the precision of a double.
-    #[inline]
-    pub(crate) fn is_finely_turned(&self) -> bool {
-        self.frame_error.max(self.turn_error) < TAILED_ERROR
-    }
-
     /// Bound on the error of a gap of the first stage.
     #[inline]
     pub(crate) fn gap_error(&self) -> f64 {
@@ -219,10 +224,6 @@ impl<'s> Pair<'s> {
     /// Worth its cost where the pair is asked more than once, or where it is near touching.
     #[must_use]
     pub fn refined(mut self) -> Self {
-        let fine = |turn: &Turn| {
-            let (cos, sin) = turn.cos_sin_fine();
-            ([cos.value, sin.value], cos.radius.max(sin.radius))
-        };
         let (frame_turn, frame_error) = fine(&self.frame);
         let (b_turn, turn_error) = fine(&self.turn);
         let apart = self.apart.map(|x| x.value);
@@ -282,7 +283,29 @@ fn turned_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2], error: f64) -> [Dd; 2] {
     if error == 0.0 && sin == Dd::ZERO && cos == Dd::ONE {
         return [x, y];
     }
-    [combined(cos, x, sin, y), combined(cos, y, -sin, x)]
+    rotated_back([cos, sin], [x, y])
+}
+
+/// (cos x + sin y, cos y − sin x), each as [`crate::geometry::combined`] has it; no factor is halved twice.
+#[inline]
+pub(crate) fn rotated_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2]) -> [Dd; 2] {
+    let (cx, cy) = (two_product(cos.hi, x.hi), two_product(cos.hi, y.hi));
+    let (sx, sy) = (two_product(sin.hi, x.hi), two_product(sin.hi, y.hi));
+    let sum = |(p, e): (f64, f64), (q, f): (f64, f64), low: f64| {
+        let (s, g) = two_sum(p, q);
+        let (hi, lo) = two_sum(s, g + ((e + f) + low));
+        Dd { hi, lo }
+    };
+    [
+        sum(cx, sy, (cos.hi * x.lo + cos.lo * x.hi) + (sin.hi * y.lo + sin.lo * y.hi)),
+        sum(cy, (-sx.0, -sx.1), (cos.hi * y.lo + cos.lo * y.hi) - (sin.hi * x.lo + sin.lo * x.hi)),
+    ]
+}
+
+/// Cosine and sine to twice the precision of a double, and the bound on the error of each.
+fn fine(turn: &Turn) -> ([Dd; 2], f64) {
+    let (cos, sin) = turn.cos_sin_fine();
+    ([cos.value, sin.value], cos.radius.max(sin.radius))
 }
 
 /// A vector, turned.

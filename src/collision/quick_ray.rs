@@ -16,12 +16,12 @@
 //! ```
 //!
 //! t is good if its error does not reach a double: its bounds are the two doubles next to it, and s at the first of them
-//! is the contact's. A turned pair takes the finer cosines and sines for that. Whatever is not clear (t that is a double,
+//! is the contact's. That takes cosines and sines to twice the precision as well. Whatever is not clear (t that is a double,
 //! parallel sides, grazes) is left to the balls of [`super::ray_cast`].
 
 use super::facing_chain::{Crossed, crossed};
 use super::gaps::Facing;
-use super::pair::{Pair, turned};
+use super::pair::{Pair, rotated_back, turned};
 use super::place::{Carrier, Proved};
 use super::quick::{self, LAST_ERROR};
 use super::ray_cast::Piece;
@@ -62,8 +62,6 @@ pub(super) struct Heading {
     speed: f64,
     /// Bound on the error of v, as a vector.
     error: f64,
-    /// Whether cosines and sines are as good as they get.
-    is_fine: bool,
 }
 
 impl Heading {
@@ -71,8 +69,8 @@ impl Heading {
     #[inline]
     pub(super) fn of(pair: &Pair) -> Option<Self> {
         let (v, error) = pair.closing_tailed()?;
-        let (speed, is_fine) = (v[0].hi.abs() + v[1].hi.abs(), pair.is_finely_turned());
-        pair.is_tame().then_some(Self { v, speed, error, is_fine })
+        let speed = v[0].hi.abs() + v[1].hi.abs();
+        pair.is_tame().then_some(Self { v, speed, error })
     }
 
     /// v in doubles.
@@ -86,23 +84,12 @@ impl Heading {
 #[inline]
 pub(super) fn met(pair: &Pair, heading: &Heading) -> Option<Met> {
     let line = Line { pair, heading };
-    let piece = match crossed(pair, heading.direction()) {
-        Crossed::Nothing(past) => return (past > line.slack()).then_some(Met::Nothing),
-        Crossed::Edge(edge) if edge.is_supported && edge.inside > line.slack() => Piece::Edge(edge.facing),
-        Crossed::Edge(_) => return None,
-        Crossed::Disc(corners) => line.is_met(corners).then_some(Piece::Disc(corners))?,
-    };
-    let refined;
-    let line = if heading.is_fine {
-        line
-    } else {
-        let pair = pair.refined();
-        refined = (pair, Heading::of(&pair)?);
-        Line { pair: &refined.0, heading: &refined.1 }
-    };
-    match piece {
-        Piece::Edge(facing) => line.edge(facing),
-        Piece::Disc(corners) => line.disc(corners),
+    match crossed(pair, heading.direction()) {
+        Crossed::Nothing(past) => (past > line.slack()).then_some(Met::Nothing),
+        Crossed::Edge(edge) => {
+            (edge.is_supported && edge.inside > line.slack()).then(|| line.edge(edge.facing)).flatten()
+        }
+        Crossed::Disc(corners) => line.disc(corners),
     }
 }
 
@@ -123,7 +110,7 @@ impl Line<'_, '_> {
     /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
     #[inline]
     fn edge(&self, facing: Facing) -> Option<Met> {
-        let (pair, Heading { v, speed, error, .. }) = (self.pair, *self.heading);
+        let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let d = corner(pair, facing);
         let n = normal(pair, facing);
         let mut gap = along(n, d);
@@ -188,11 +175,9 @@ impl Line<'_, '_> {
         time.radius.is_finite().then_some(time)
     }
 
-    /// Whether the ray clearly enters through the disc at a corner of B ⊖ A.
-    fn is_met(&self, corners: [usize; 2]) -> bool {
-        let (pair, speed) = (self.pair, self.heading.speed);
-        let Some(time) = self.time_of_disc(corners) else { return false };
-        let t = time.value.hi;
+    /// Whether the boundary of B ⊖ A grown by ρ clearly has that disc where the ray enters it.
+    fn is_met(&self, corners: [usize; 2], time: Ball) -> bool {
+        let (pair, speed, t) = (self.pair, self.heading.speed, time.value.hi);
         let n = self.apart(corners) - self.heading.direction() * t;
         t.abs() * speed <= FAR * pair.magnitude
             && time.radius * speed <= 4.0 * f64::EPSILON * pair.magnitude
@@ -202,8 +187,8 @@ impl Line<'_, '_> {
 
     /// When the ray enters through the disc at a corner, and the pair just before.
     fn disc(&self, corners: [usize; 2]) -> Option<Met> {
-        let (pair, Heading { v, speed, error, .. }) = (self.pair, *self.heading);
-        let time = self.time_of_disc(corners)?;
+        let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
+        let time = self.time_of_disc(corners).filter(|&time| self.is_met(corners, time))?;
         let time = neighbours(time.value, time.radius)?;
         if time.lo >= 1.0 || time.hi < 0.0 {
             return Some(Met::Outside(Piece::Disc(corners), time));
@@ -275,7 +260,7 @@ fn normal(pair: &Pair, facing: Facing) -> [Dd; 2] {
         Side::A => local,
         Side::B => {
             let [cos, sin] = pair.b_turn;
-            [combined(sin, local[1], -cos, local[0]), -combined(sin, local[0], cos, local[1])]
+            rotated_back([-cos, sin], local)
         }
     }
 }

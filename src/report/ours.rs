@@ -42,7 +42,7 @@ impl Ours {
                 Some(Box::new(move || first_contact(&pair.first_contact(tolerance, limit).outcome)))
             }
             (QueryKind::LinearSweep, "ray-cast") => {
-                let sweep = Sweep::new(&case.a, &case.b).refined();
+                let sweep = Sweep::new(&case.a, &case.b);
                 Some(Box::new(move || first_contact(&sweep.first_contact())))
             }
             _ => None,

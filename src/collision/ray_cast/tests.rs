@@ -9,7 +9,7 @@ fn doubles_prove_most_rays_and_say_what_balls_say() {
     let (mut dice, mut quick, count) = (Dice(11), 0, 3000);
     for k in 0..count {
         let (a, b) = (dice.flying(0.0), dice.flying(0.0));
-        let pair = Pair::at(&a, &b, 0.0);
+        let pair = Pair::finely_at(&a, &b, 0.0);
         let entry = Ray::new(&pair).entry();
         let quick_entry = Heading::of(&pair).and_then(|heading| met(&pair, &heading));
         match (quick_entry, &entry) {
