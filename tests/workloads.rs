@@ -7,9 +7,9 @@
 
 use std::fmt::Write;
 
-use tracefig::collision::QueryKind;
+use tracefig::collision::{MovingPair, QueryKind};
 use tracefig::geometry::Body;
-use tracefig::report::{Case, Workload, workloads};
+use tracefig::report::{Case, Class, Workload, workloads};
 use tracefig_reference::first_contact::{Motion, Passage};
 use tracefig_reference::float::Real;
 use tracefig_reference::scene::Scene;
@@ -105,5 +105,17 @@ fn the_committed_answers_are_the_exact_ones() {
         std::fs::write(path, all).expect("the answers can be written");
     } else {
         assert_eq!(committed.lines().count(), workloads().len() * CASES);
+    }
+}
+
+#[test]
+fn turning_takes_four_distance_queries_at_most_on_average() {
+    for workload in workloads().iter().filter(|w| w.class == Class::Turning) {
+        for tolerance in [1e-2, 1e-6, 1e-12] {
+            let queries =
+                |case: &Case| MovingPair::new(&case.a, &case.b).first_contact(tolerance, 1000).iterations;
+            let sum: usize = workload.cases.iter().map(queries).sum();
+            assert!(sum <= 4 * CASES, "{}: {sum} queries of {CASES} cases", workload.name());
+        }
     }
 }

@@ -23,7 +23,7 @@ pub(super) struct Leg {
 pub(super) type Parted = (Axis, TurnedGap);
 
 /// Axes that a proof can be made of.
-pub(super) const AXES: usize = 10;
+pub(super) const AXES: usize = 12;
 
 /// Midpoints at which the gap between two moments is evaluated at most.
 const MIDPOINTS: usize = 48;

@@ -8,7 +8,8 @@
 //!
 //! Of the axes that part the bodies at a moment, the one that lasts longest is the best, not the one with the widest
 //! gap: no axis lasts longer than contact, and that of the contact lasts until it. So where corners are closest, the sides
-//! that meet in them are tried before the direction between them.
+//! that meet in them are tried before the direction between them. Where the corner comes down beside the side of a round
+//! body, the sides next to that are looked over, once, before a distance query is made.
 
 use super::axis_gap::Axis;
 use super::certify::Hint;
@@ -33,6 +34,9 @@ const BAND: std::ops::Range<f64> = 1.25..4.0;
 
 /// See [`BAND`].
 const AIM: f64 = 2.5;
+
+/// A corner that comes down beside a side is looked for over the sides next to it, up to this part of the way round.
+const NEIGHBOURHOOD: usize = 16;
 
 /// A closing speed below this part of the largest speed is a graze: above it, its rounding is below 1e-8 of it.
 const GRAZE: f64 = 1e-6;
@@ -64,8 +68,8 @@ enum Used {
     Never(TurnedGap),
     /// Here, with a gap in [`BAND`].
     Here(Instant, TurnedGap),
-    /// About here, where the corner is not over the axis's side.
-    About(Instant),
+    /// About here, by this corner, which is not over the axis's side.
+    About(Instant, usize),
 }
 
 impl<'p, 'q> QuickImpact<'p, 'q> {
@@ -81,22 +85,25 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         }
         let mut axes: [Option<Parted>; AXES] = [None; AXES];
         let mut parted = self.ask(&Instant::start(self.pair), None)?;
+        let mut asked = true;
         for round in 0..AXES {
             axes[round] = Some(parted);
             let (axis, gap) = parted;
             let mut next = None;
             for foresight in [true, false] {
-                let then = match self.follow(&axis, gap, foresight)? {
+                let (then, corner) = match self.follow(&axis, gap, foresight)? {
                     Used::Never(last) => return self.proved(Found::Miss, &axes[..=round], last),
-                    Used::About(then) => then,
+                    Used::About(then, corner) => (then, corner),
                     Used::Here(then, last) => {
                         if let Some(hit) = self.contact(&axis, &last) {
                             return self.proved(hit, &axes[..=round], last);
                         }
-                        then
+                        (then, last.lowest)
                     }
                 };
-                next = self.ask(&then, Some(&parted));
+                let beside = if asked { self.beside(&axis, corner, &then) } else { None };
+                asked = beside.is_none();
+                next = beside.or_else(|| self.ask(&then, Some(&parted)));
                 if next.is_some() {
                     break;
                 }
@@ -125,6 +132,35 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             Nearest::Vertices(i, j) => self.of_corners(i, j, at)?,
         };
         (parted.1.value >= BAND.end * self.error).then_some(parted)
+    }
+
+    /// An axis that parts the pair at a moment at which another is used up by a corner that is beside its side: the owner's
+    /// feature next to that corner has it, if nothing else came nearer.
+    fn beside(&self, axis: &Axis, corner: usize, at: &Instant) -> Option<Parted> {
+        let (owner, other) = (axis.owner, axis.owner.other());
+        let (own, q) = (self.pair.hull(owner), self.pair.hull(other).corners[corner]);
+        let d = if owner == Side::A { at.apart } else { -at.apart };
+        let x = turned_back(at.turn[owner as usize], d + turned(at.turn[other as usize], q));
+        let (mut k, mut way) = (axis.own, 0);
+        for _ in 0..own.sides.len() / NEIGHBOURHOOD {
+            let side = own.sides[k];
+            let place = (x - own.corners[k]).dot(side);
+            let (step, met, next) = if place < 0.0 {
+                (-1, k, own.previous(k))
+            } else if place > side.dot(side) {
+                (1, own.next(k), own.next(k))
+            } else {
+                let found = self.square_to(owner, k, corner);
+                let gap = found.turned_gap(self.pair, at, corner)?;
+                return (axis.edge != Some(k) && gap.value >= BAND.end * self.error).then_some((found, gap));
+            };
+            if way + step == 0 {
+                let (i, j) = if owner == Side::A { (met, corner) } else { (corner, met) };
+                return self.of_corners(i, j, at);
+            }
+            (k, way) = (next, step);
+        }
+        None
     }
 
     /// The closest features, in doubles.
@@ -185,7 +221,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         for axis in axes {
             let Some(gap) = axis.turned_gap(self.pair, at, axis.facing) else { continue };
             if gap.value >= BAND.end * self.error {
-                let until = gap.about(self.pair, axis.owner);
+                let until = first_root(&gap.series(self.pair, axis.owner), 1.0 - at.t).unwrap_or(1.0);
                 if best.as_ref().is_none_or(|(_, latest)| until > *latest) {
                     best = Some(((axis, gap), until));
                 }
@@ -247,7 +283,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
                     && h * rates < FORESEEN
                     && !self.may_touch(axis, &gap, h)
                 {
-                    return Some(Used::About(Instant::new(pair, lo + h)));
+                    return Some(Used::About(Instant::new(pair, lo + h), gap.lowest));
                 }
                 lo + step.unwrap_or(limit)
             } else {

@@ -156,14 +156,6 @@ impl TurnedGap {
         ]
     }
 
-    /// About when the gap is used up, by its parabola: a time from its moment on, infinite where it is not.
-    #[inline]
-    pub(super) fn about(&self, pair: &MovingPair, owner: Side) -> f64 {
-        let [a, b, c, ..] = self.series(pair, owner);
-        let root = 2.0 * a / ((b * b - 4.0 * a * c).sqrt() - b);
-        if root > 0.0 { root } else { f64::INFINITY }
-    }
-
     /// f'.
     #[inline]
     pub(super) fn slope(&self, pair: &MovingPair, owner: Side) -> f64 {
