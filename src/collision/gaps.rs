@@ -21,6 +21,52 @@ pub(crate) struct Facing {
     pub(crate) corner: usize,
 }
 
+/// The edge of B ⊖ A with the widest gap.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Widest {
+    /// The edge.
+    pub(super) facing: Facing,
+    /// Its gap, within [`Pair::gap_error`].
+    pub(super) gap: f64,
+    /// The others whose gap rounding can't tell from it.
+    pub(super) close: Close,
+}
+
+/// Which other gaps come within twice the error of the widest.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Close {
+    /// None.
+    None,
+    /// That of this side.
+    One(Side, usize),
+    /// More.
+    More,
+}
+
+/// The widest gap of a pair of any size, O(n + m); None where B ⊖ A has no edges.
+pub(super) fn widest(pair: &Pair) -> Option<Widest> {
+    let [mut top, mut second, mut third] = [f64::NEG_INFINITY; 3];
+    let (mut best, mut next) = (None, None);
+    every_gap(pair, |facing, gap| {
+        if gap > top {
+            (third, second, top) = (second, top, gap);
+            (next, best) = (best, Some(facing));
+        } else if gap > second {
+            (third, second) = (second, gap);
+            next = Some(facing);
+        } else if gap > third {
+            third = gap;
+        }
+    });
+    let floor = top - 2.0 * pair.gap_error();
+    let close = match next {
+        _ if third >= floor => Close::More,
+        Some(next) if second >= floor => Close::One(next.source, next.edge),
+        _ => Close::None,
+    };
+    best.map(|facing| Widest { facing, gap: top, close })
+}
+
 /// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
 #[inline]
 pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {

@@ -13,6 +13,7 @@ mod difference;
 mod expansion;
 mod extents;
 mod facing_chain;
+mod few;
 mod fine;
 mod first_root;
 mod gaps;
@@ -21,6 +22,8 @@ mod guess;
 mod impact_proof;
 #[cfg(test)]
 mod impact_properties;
+mod inscribed;
+mod last_digits;
 mod merge;
 mod minkowski;
 mod motion_bound;

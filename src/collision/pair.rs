@@ -213,6 +213,12 @@ impl<'s> Pair<'s> {
         self.tame
     }
 
+    /// 1 / scale, exactly: a product with it is a quotient by a power of two.
+    #[inline]
+    pub(crate) fn unscale(&self) -> f64 {
+        if self.tame { 1.0 } else { 1.0 / self.scale }
+    }
+
     /// Bound on the error of a gap of the first stage.
     #[inline]
     pub(crate) fn gap_error(&self) -> f64 {
@@ -244,15 +250,17 @@ impl<'s> Pair<'s> {
     }
 
     /// A point of B's frame in A's frame, scaled.
+    #[inline]
     pub(crate) fn place_b(&self, q: DVec2) -> DVec2 {
         self.center + turned(self.b_turn, q * self.scale)
     }
 
     /// A point of A's frame, scaled, in B's frame, unscaled.
+    #[inline]
     pub(crate) fn local_to_b(&self, p: DVec2) -> DVec2 {
         let (cos, sin) = (self.b_turn[0].hi, self.b_turn[1].hi);
         let v = p - self.center;
-        DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) / self.scale
+        DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) * self.unscale()
     }
 
     /// Where a body is, in the world.

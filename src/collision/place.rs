@@ -58,7 +58,8 @@ pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
         Carrier::Faces(facing, partner) => faces(pair, facing, partner, n, core),
     };
     let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
-    let points = [(cores[0] + normal * r_a) / pair.scale, (cores[1] - normal * r_b) / pair.scale];
+    let unscale = pair.unscale();
+    let points = [(cores[0] + normal * r_a) * unscale, (cores[1] - normal * r_b) * unscale];
     Separation { separation, bounds, normal, ties, points, features }
 }
 
@@ -75,7 +76,7 @@ fn edge_and_corner(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesse
     match source {
         Side::A => {
             let point = world_corner(pair, Side::B, corner);
-            let local = (pair.place_b(pair.hull(Side::B).corners[corner]) - n * core) / pair.scale;
+            let local = (pair.place_b(pair.hull(Side::B).corners[corner]) - n * core) * pair.unscale();
             let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(corner)];
             ([point - world, point], features)
         }
@@ -105,7 +106,7 @@ fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Wi
     let middle = start + along * (0.5 * (from + to));
     let point = world_point(pair, Side::A, middle);
     let features = [
-        pair.a.shape.edge_feature(k, middle / pair.scale),
+        pair.a.shape.edge_feature(k, middle * pair.unscale()),
         pair.b.shape.edge_feature(l, pair.local_to_b(middle + n * core)),
     ];
     ([point, point + pair.world_vector(n) * core], features)

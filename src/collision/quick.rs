@@ -12,11 +12,15 @@
 //! Where any condition is not clear, or the error is more than [`TIGHT`] of the separation, there is no quick proof.
 
 use super::certify::Hint;
-use super::gaps::{Facing, every_gap};
-use super::guess::{Guess, guess};
+use super::few;
+use super::gaps::{self, Close, Facing, Widest};
+use super::guess::{self, ANYWHERE, Asked, Guess, guess};
+use super::inscribed;
+pub(super) use super::last_digits::{LAST_ERROR, along_normal, between};
+use super::last_digits::{Measured, along_side, between_corners};
 use super::pair::{Pair, turned};
 use super::place::{Carrier, Proved};
-use crate::geometry::{DVec2, Dd, Enclosure, Side, combined};
+use crate::geometry::{DVec2, Dd, Enclosure, Hull, Side};
 
 /// Largest error of a quick proof relative to the separation: with 1 ulp on either side of it the bounds are 18 ε wide
 /// at most, far below the 450 ε (1e-13) that are promised, and the error is below 45 ε (1e-14).
@@ -26,25 +30,29 @@ const TIGHT: f64 = 8.0 * f64::EPSILON;
 /// sides and normals are within 4ε of theirs, the product adds 1.5ε.
 const DOT_ERROR: f64 = 8.0 * f64::EPSILON;
 
-/// Rounding of the last dot product and sum, as a multiple of the magnitude M: the normal is within 16 ε² √2, the
-/// product 6 ε² √2, two sums.
-pub(super) const LAST_ERROR: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
-
 /// A separation that can be proved with little work.
 #[inline]
 pub(crate) fn proved(pair: &Pair) -> Option<Proved> {
     if !pair.is_tame() {
         return None;
     }
-    let found = match guess(pair) {
-        Guess::Apart(hint) => apart(pair, hint),
-        Guess::Overlapping => deepest(pair),
-        Guess::Unclear => None,
-    }?;
-    if let Some(proved) = measured(pair, found) {
-        return Some(proved);
-    }
-    measured(&pair.refined(), found)
+    let feature = match guess(pair) {
+        Guess::Closest(corners) => Feature::Corners(corners),
+        Guess::Apart(hint) => apart(pair, hint).or_else(|| again(pair))?,
+        Guess::Crossing => crossing(pair, few::widest(pair)?)?,
+        Guess::Overlapping(triangle) => match inscribed::deepest(pair, triangle) {
+            Some(facing) => Feature::Edge(facing),
+            None => deepest(pair, gaps::widest(pair)?)?,
+        },
+        Guess::Unclear => return None,
+    };
+    measured(pair, feature).or_else(|| refined(pair, feature))
+}
+
+/// [`measured`] of a pair that is nearer touching than its cosines are exact.
+#[cold]
+fn refined(pair: &Pair, feature: Feature) -> Option<Proved> {
+    measured(&pair.refined(), feature)
 }
 
 /// A feature whose conditions hold.
@@ -67,32 +75,45 @@ pub(super) enum Support {
     Unclear,
 }
 
-/// The largest gap of all, if it is clearly negative and clearly the largest but for a parallel side's.
-fn deepest(pair: &Pair) -> Option<Feature> {
-    let error = pair.gap_error();
-    let [mut top, mut second, mut third] = [f64::NEG_INFINITY; 3];
-    let (mut best, mut next) = (None, None);
-    every_gap(pair, |facing, gap| {
-        if gap > top {
-            (third, second, top) = (second, top, gap);
-            (next, best) = (best, Some(facing));
-        } else if gap > second {
-            (third, second) = (second, gap);
-            next = Some(facing);
-        } else if gap > third {
-            third = gap;
-        }
-    });
-    let facing = best?;
-    let floor = top - 2.0 * error;
-    if top >= -error || third >= floor {
+/// The feature of a pair whose widest gap is known, whichever sign it has.
+#[inline]
+fn crossing(pair: &Pair, widest: Widest) -> Option<Feature> {
+    if widest.gap < 0.0 {
+        return deepest(pair, widest);
+    }
+    let Facing { source, edge, corner } = widest.facing;
+    let end = match span(pair, widest.facing, None) {
+        Span::Before => edge,
+        Span::After => pair.hull(source).next(edge),
+        _ => return apart(pair, Hint::Edge(widest.facing)),
+    };
+    let corners = if source == Side::A { [end, corner] } else { [corner, end] };
+    apart(pair, Hint::Corners(corners)).or_else(|| again(pair))
+}
+
+/// The feature of a pair of few corners that is apart, where what is quicker did not find it.
+#[cold]
+fn again(pair: &Pair) -> Option<Feature> {
+    if !few::are_few(pair) {
         return None;
     }
-    match support(pair, facing) {
-        Support::Corner if second < floor => Some(Feature::Edge(facing)),
-        Support::Face(partner) => {
-            let same = next.is_some_and(|next| next.source != facing.source && next.edge == partner);
-            (second < floor || same).then_some(Feature::Faces(facing, partner))
+    match guess::search(&Asked::of(pair), pair.center, ANYWHERE) {
+        Guess::Apart(hint) => apart(pair, hint),
+        _ => None,
+    }
+}
+
+/// The widest gap of all, if it is clearly negative and clearly the widest but for a parallel side's.
+#[inline]
+fn deepest(pair: &Pair, Widest { facing, gap, close }: Widest) -> Option<Feature> {
+    if gap >= -pair.gap_error() {
+        return None;
+    }
+    match (support(pair, facing), close) {
+        (Support::Corner, Close::None) => Some(Feature::Edge(facing)),
+        (Support::Face(partner), Close::None) => Some(Feature::Faces(facing, partner)),
+        (Support::Face(partner), Close::One(source, edge)) => {
+            (source != facing.source && edge == partner).then_some(Feature::Faces(facing, partner))
         }
         _ => None,
     }
@@ -103,18 +124,24 @@ fn deepest(pair: &Pair) -> Option<Feature> {
 fn apart(pair: &Pair, hint: Hint) -> Option<Feature> {
     match hint {
         Hint::Edge(facing) => match support(pair, facing) {
-            Support::Corner => spans(pair, facing, None).then_some(Feature::Edge(facing)),
-            Support::Face(partner) => {
-                spans(pair, facing, Some(partner)).then_some(Feature::Faces(facing, partner))
+            Support::Corner => {
+                matches!(span(pair, facing, None), Span::Within).then_some(Feature::Edge(facing))
             }
+            Support::Face(partner) => matches!(span(pair, facing, Some(partner)), Span::Within)
+                .then_some(Feature::Faces(facing, partner)),
             Support::Unclear => None,
         },
         Hint::Corners([i, j]) => {
             let d = corner_b(pair, j) - pair.hull(Side::A).corners[i];
-            let clear = is_lowest(pair, Side::B, j, d) && is_lowest(pair, Side::A, i, -d);
-            clear.then_some(Feature::Corners([i, j]))
+            are_closest(pair, [i, j], d).then_some(Feature::Corners([i, j]))
         }
     }
+}
+
+/// Whether corners i of A and j of B, `d` apart in doubles, are clearly the closest points of the cores.
+#[inline]
+pub(super) fn are_closest(pair: &Pair, [i, j]: [usize; 2], d: DVec2) -> bool {
+    is_lowest(pair, Side::B, j, d) && is_lowest(pair, Side::A, i, -d)
 }
 
 /// B's corner in A's frame.
@@ -143,10 +170,7 @@ fn size(v: DVec2) -> f64 {
 /// where it is a difference of corners.
 #[inline]
 pub(super) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
-    let hull = pair.hull(side);
-    if hull.sides.is_empty() {
-        return true;
-    }
+    let slack = slack(pair, down);
     let down = match side {
         Side::A => down,
         Side::B => {
@@ -154,9 +178,23 @@ pub(super) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool 
             DVec2::new(cos.hi * down.x + sin.hi * down.y, cos.hi * down.y - sin.hi * down.x)
         }
     };
+    clearly_lowest(pair.hull(side), k, down, slack)
+}
+
+/// What rounding may add to a slope along `down`, a difference of corners, as a multiple of a side's 1-norm. In the
+/// other frame the 1-norm of `down` is at most √2 of this one; a difference of corners is off by the gap error.
+#[inline]
+pub(super) fn slack(pair: &Pair, down: DVec2) -> f64 {
+    DOT_ERROR * std::f64::consts::SQRT_2 * size(down) + pair.gap_error()
+}
+
+/// Whether corner k of a core is the lowest along `down`, in its own frame, by more than `slack` of each side.
+#[inline]
+pub(super) fn clearly_lowest(hull: &Hull, k: usize, down: DVec2, slack: f64) -> bool {
+    if hull.sides.is_empty() {
+        return true;
+    }
     let (ahead, behind) = (hull.sides[k], hull.sides[hull.previous(k)]);
-    // A normal has a 1-norm of 1 at least, a difference of corners is off by the gap error.
-    let slack = DOT_ERROR * size(down) + pair.gap_error();
     ahead.dot(down) > slack * size(ahead) && behind.dot(down) < -slack * size(behind)
 }
 
@@ -194,10 +232,22 @@ pub(super) fn support(pair: &Pair, facing: Facing) -> Support {
     }
 }
 
+/// Where the foot of a corner lies on a side's line.
+enum Span {
+    /// Clearly inside the side, and the corner clearly outside its line.
+    Within,
+    /// Beyond its start.
+    Before,
+    /// Beyond its end.
+    After,
+    /// Rounding hides it.
+    Unclear,
+}
+
 /// Whether the corner (or with `partner` the parallel side) that faces a side is clearly outside its line, with its foot
 /// (or a part of its span) clearly inside the side.
 #[inline]
-fn spans(pair: &Pair, Facing { source, edge, corner }: Facing, partner: Option<usize>) -> bool {
+fn span(pair: &Pair, Facing { source, edge, corner }: Facing, partner: Option<usize>) -> Span {
     let (hull, other) = (pair.hull(source), pair.hull(source.other()));
     let seen = |k: usize| match source {
         Side::A => corner_b(pair, k),
@@ -209,7 +259,7 @@ fn spans(pair: &Pair, Facing { source, edge, corner }: Facing, partner: Option<u
     let slack = error * size(along);
     let point = seen(corner);
     if n.dot(point - start) <= error {
-        return false;
+        return Span::Unclear;
     }
     // How far inside each end of the side the point is, in units of the side's length.
     let inside = |point: DVec2| ((point - start).dot(along), (end - point).dot(along));
@@ -218,49 +268,29 @@ fn spans(pair: &Pair, Facing { source, edge, corner }: Facing, partner: Option<u
         let (f, t) = inside(seen(if k == corner { other.next(k) } else { k }));
         (from, to) = (from.max(f), to.max(t));
     }
-    from > slack && to > slack
+    if from > slack && to > slack {
+        Span::Within
+    } else if from < 0.0 {
+        Span::Before
+    } else if to < 0.0 {
+        Span::After
+    } else {
+        Span::Unclear
+    }
 }
 
 /// The feature's distance to twice the precision, if that is tight enough.
 #[inline]
 fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
-    let [i, j] = match feature {
-        Feature::Corners(corners) => corners,
-        Feature::Edge(Facing { source, edge, corner })
-        | Feature::Faces(Facing { source, edge, corner }, _) => match source {
-            Side::A => [edge, corner],
-            Side::B => [corner, edge],
-        },
+    let (Measured { core, normal, turning }, carrier) = match feature {
+        Feature::Edge(facing) => (along_side(pair, facing), Carrier::Edge(facing)),
+        Feature::Faces(facing, partner) => (along_side(pair, facing), Carrier::Faces(facing, partner)),
+        Feature::Corners(corners) => (between_corners(pair, corners)?, Carrier::Corners(corners)),
     };
-    let d = between(pair, [i, j]);
-    let (core, normal, carrier) = match feature {
-        Feature::Edge(facing) => {
-            let (n, gap) = along_normal(pair, facing, d);
-            (gap, n, Carrier::Edge(facing))
-        }
-        Feature::Faces(facing, partner) => {
-            let (n, gap) = along_normal(pair, facing, d);
-            (gap, n, Carrier::Faces(facing, partner))
-        }
-        Feature::Corners(corners) => {
-            let length = combined(d[0], d[0], d[1], d[1]).sqrt();
-            let n = DVec2::new(d[0].hi / length.hi, d[1].hi / length.hi);
-            (length, n, Carrier::Corners(corners))
-        }
-    };
-    let separation = core - pair.radius;
-    // A side of B: its normal is turned as well.
-    let turning = match feature {
-        Feature::Edge(Facing { source: Side::B, .. }) => {
-            2.0 * pair.turn_error * (d[0].hi.abs() + d[1].hi.abs())
-        }
-        _ => 0.0,
-    };
+    let separation = if pair.radius == Dd::ZERO { core } else { core - pair.radius };
     let error = pair.placing_error + turning + LAST_ERROR * (pair.magnitude + pair.radius.hi);
     let value = separation.hi;
-    // Corners must be apart for their direction to mean anything.
-    let hangs = matches!(carrier, Carrier::Corners(_)) && core.hi <= pair.gap_error();
-    if hangs || error > TIGHT * value.abs() {
+    if error > TIGHT * value.abs() {
         return None;
     }
     let bounds = Enclosure {
@@ -268,32 +298,4 @@ fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
         hi: (value + (separation.lo + error)).next_up(),
     };
     Some(Proved { carrier, normal: Some(normal), core: core.hi, separation: value, bounds, ties: 1 })
-}
-
-/// Corner j of B less corner i of A, within the pair's placing error.
-#[inline]
-pub(super) fn between(pair: &Pair, [i, j]: [usize; 2]) -> [Dd; 2] {
-    let (v, q) = (pair.hull(Side::A).corners[i], pair.hull(Side::B).corners[j]);
-    let [cos, sin] = pair.b_turn;
-    let (qx, qy) = (Dd::new(q.x), Dd::new(q.y));
-    [
-        (combined(cos, qx, -sin, qy) + pair.fine_center[0]).add_f64(-v.x),
-        (combined(sin, qx, cos, qy) + pair.fine_center[1]).add_f64(-v.y),
-    ]
-}
-
-/// A side's normal from A to B and the gap along it.
-#[inline]
-pub(super) fn along_normal(pair: &Pair, facing: Facing, d: [Dd; 2]) -> (DVec2, Dd) {
-    let hull = pair.hull(facing.source);
-    let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
-    let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
-    let n = match facing.source {
-        Side::A => local,
-        Side::B => {
-            let [cos, sin] = pair.b_turn;
-            [combined(sin, local[1], -cos, local[0]), -combined(sin, local[0], cos, local[1])]
-        }
-    };
-    (DVec2::new(n[0].hi, n[1].hi), combined(n[0], d[0], n[1], d[1]))
 }

@@ -183,7 +183,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
                 Some(Nearest::Edge { owner: facing.source, edge: facing.edge, vertex: facing.corner })
             }
             Guess::Apart(Hint::Corners([i, j])) => Some(Nearest::Vertices(i, j)),
-            Guess::Overlapping | Guess::Unclear => None,
+            _ => None,
         }
     }
 

@@ -28,7 +28,7 @@ pub struct Dd {
 }
 
 /// Dekker's splitter 2²⁷ + 1.
-const SPLITTER: f64 = 134_217_729.0;
+pub(super) const SPLITTER: f64 = 134_217_729.0;
 
 /// a + b = sum + error, exactly (Knuth).
 ///

@@ -10,6 +10,7 @@ use crate::geometry::Feature;
 
 impl Shape {
     /// The feature in the file's numbering for corner `k` of the core.
+    #[inline]
     #[must_use]
     pub fn vertex_feature(&self, k: usize) -> Feature {
         Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
@@ -19,6 +20,7 @@ impl Shape {
     ///
     /// Where collinear corners were dropped, the side is made of several edges of the file: the one whose ends have the
     /// point between them is taken, the first in the file's order on a tie.
+    #[inline]
     #[must_use]
     pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
         let (count, corners) = (self.vertices.len(), self.core.len());
@@ -28,17 +30,17 @@ impl Shape {
         if count == 2 {
             return Feature::Edge(0);
         }
-        let after = |k: usize, count: usize| if k + 1 == count { 0 } else { k + 1 };
-        let (mut from, mut to) = (self.core[k], self.core[after(k, corners)]);
-        if after(from, count) != to {
-            // Clockwise in the file, or corners dropped between the two.
-            let clockwise = !self.is_counter_clockwise();
-            if clockwise {
-                (from, to) = (to, from);
-            }
-            return self.nearest_edge(from, to, point);
-        }
-        Feature::Edge(from)
+        let next = |k: usize, count: usize| if k + 1 == count { 0 } else { k + 1 };
+        let k = if k < corners { k } else { k % corners };
+        let (from, to) = (self.core[k], self.core[next(k, corners)]);
+        if next(from, count) == to { Feature::Edge(from) } else { self.edge_between(from, to, point) }
+    }
+
+    /// The same where the file runs clockwise, or has more corners between the two.
+    #[cold]
+    fn edge_between(&self, from: usize, to: usize, point: DVec2) -> Feature {
+        let (from, to) = if self.is_counter_clockwise() { (from, to) } else { (to, from) };
+        self.nearest_edge(from, to, point)
     }
 
     /// Whether the core runs in the file's order.
