@@ -71,6 +71,7 @@ impl Runs for Check {
         let mut findings = Vec::new();
         in_order(
             &jobs,
+            self.files.threads(),
             |job| self.compare_all(job, self.files.draw(job, ink)),
             |job, checked| -> io::Result<()> {
                 let checked = checked.unwrap_or_else(|| {

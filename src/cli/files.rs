@@ -1,7 +1,9 @@
 //! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as bytes.
 
+use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::thread::available_parallelism;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -41,6 +43,9 @@ pub(crate) struct Files {
     /// A label that finds no free place is an error
     #[arg(long)]
     strict: bool,
+    /// Scenes drawn at once, at most; the files are the same for any number; default: as many as there are processors
+    #[arg(long, value_name = "N")]
+    threads: Option<NonZeroUsize>,
 }
 
 /// Largest scale: a page of the usual size then has 2²⁵ dots.
@@ -109,6 +114,11 @@ impl Files {
     /// The folders that are meant as a whole.
     pub(crate) fn folders(&self) -> Vec<PathBuf> {
         whole_folders(&self.scenes)
+    }
+
+    /// How many scenes are drawn at once.
+    pub(crate) fn threads(&self) -> NonZeroUsize {
+        self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
     }
 
     /// Dots of an image for each page pixel.

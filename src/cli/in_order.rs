@@ -1,23 +1,25 @@
 //! Work on many scenes on all cores, with results in the order of the scenes.
 
 use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Works on every item, each on whichever core is free, and hands the results to `each` in the order of the items.
+/// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the items.
 /// A result is None where the work panicked: a bug, of which the others must not suffer.
 ///
 /// # Errors
 /// The first error of `each`; the rest of the results are then dropped.
 pub(crate) fn in_order<T: Sync, R: Send, E>(
     items: &[T],
+    threads: NonZeroUsize,
     work: impl Fn(&T) -> R + Sync,
     mut each: impl FnMut(&T, Option<R>) -> Result<(), E>,
 ) -> Result<(), E> {
     let next = AtomicUsize::new(0);
-    let workers = thread::available_parallelism().map_or(1, usize::from).min(items.len());
+    let workers = threads.get().min(items.len());
     let (results, arrived) = mpsc::channel();
     thread::scope(|scope| {
         for _ in 0..workers {
@@ -67,20 +69,28 @@ mod tests {
             std::thread::sleep(std::time::Duration::from_micros(u64::from(i * 37 % 50)));
             i * 2
         };
-        let mut got = Vec::new();
-        let done: Result<(), ()> = in_order(&items, work, |&i, r| {
-            got.push((i, r));
-            Ok(())
-        });
-        assert!(done.is_ok());
         let want: Vec<_> = items.iter().map(|&i| (i, (i != 77).then_some(i * 2))).collect();
-        assert_eq!(got, want);
+        for threads in [1, 2, 7, 300] {
+            let mut got = Vec::new();
+            let threads = NonZeroUsize::new(threads).unwrap();
+            let done: Result<(), ()> = in_order(&items, threads, work, |&i, r| {
+                got.push((i, r));
+                Ok(())
+            });
+            assert!(done.is_ok());
+            assert_eq!(got, want);
+        }
     }
 
     #[test]
     fn an_error_ends_the_work() {
         let items: Vec<u32> = (0..100).collect();
-        let done = in_order(&items, |&i| i, |_, r| if r == Some(3) { Err("enough") } else { Ok(()) });
+        let done = in_order(
+            &items,
+            NonZeroUsize::MIN,
+            |&i| i,
+            |_, r| if r == Some(3) { Err("enough") } else { Ok(()) },
+        );
         assert_eq!(done, Err("enough"));
     }
 }

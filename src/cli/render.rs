@@ -89,7 +89,7 @@ impl Runs for Render {
                 write_files(job, self.files.draw(job, ink))
             }
         };
-        in_order(&jobs, work, |job, written| -> io::Result<()> {
+        in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
             let written = written.unwrap_or_else(|| Written::bug(job));
             if written.failed {
                 status = Status::Wrong;

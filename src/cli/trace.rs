@@ -30,6 +30,10 @@ impl Runs for Trace {
         (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
         let text = if self.jsonl { json_lines(&events)? } else { story(&events) };
         console.out.write_all(text.as_bytes())?;
+        if events.left_out > 0 {
+            console.out.flush()?;
+            Console::message(&format!("warning: {} more events are left out\n", events.left_out));
+        }
         Ok(Status::Done)
     }
 }

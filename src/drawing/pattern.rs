@@ -17,8 +17,11 @@ const DOT_DIAMETER: f64 = 2.2;
 /// Length of the dash that makes a dot: above 0, as a dash without length is dropped by some renderers.
 const DOT_DASH: f64 = 0.01;
 
+/// The largest page of a scene: marks beyond it are on no page, and an area seen from very near has millions of them.
+const PAGE: Rect = Rect { x0: 0.0, y0: 0.0, x1: 4096.0, y1: 4096.0 };
+
 impl Pattern {
-    /// The lines over `area`, to be cut to the contour that they fill, and how each is drawn.
+    /// The lines over the part of `area` within 4096 page pixels right of and below the page's corner, to be cut to the contour that they fill, and how each is drawn.
     ///
     /// ```
     /// use tracefig::drawing::{Color, Paint, Pattern, PatternKind, Rect, Role};
@@ -29,6 +32,7 @@ impl Pattern {
     /// ```
     #[must_use]
     pub fn marks(&self, area: Rect) -> (Vec<(Point, Point)>, Stroke) {
+        let Some(area) = area.intersection(PAGE) else { return (Vec::new(), stroke(self.kind, self.paint)) };
         let step = SPACING * std::f64::consts::SQRT_2;
         // Starting heights on a multiple of half a step put the dots of all lines on one grid.
         let (top, bottom) = (area.y0, (area.y1 / (0.5 * step)).ceil() * 0.5 * step);
@@ -48,5 +52,19 @@ fn stroke(kind: PatternKind, paint: Paint) -> Stroke {
         PatternKind::Dots => {
             Stroke { paint, width: DOT_DIAMETER, dash: vec![DOT_DASH, SPACING - DOT_DASH], cap: Cap::Round }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Color, Role};
+
+    #[test]
+    fn an_area_seen_from_very_near_has_no_more_marks_than_a_page() {
+        let hatch = Pattern { kind: PatternKind::Hatch, paint: Paint::role(Role::A, Color::hex(0)) };
+        let near = Rect { x0: -1e6, y0: -1e6, x1: 1e6, y1: 1e6 };
+        assert_eq!(hatch.marks(near), hatch.marks(PAGE));
+        assert!(hatch.marks(Rect { x0: -9.0, y0: -9.0, x1: -1.0, y1: -1.0 }).0.is_empty());
     }
 }

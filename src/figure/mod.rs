@@ -5,6 +5,7 @@
 //! they told, and places the labels. No figure has code of its own.
 
 pub mod alt;
+mod budget;
 pub mod chart;
 mod context;
 mod difference;

@@ -11,6 +11,7 @@ use crate::geometry::DVec2;
 use crate::scene::{Fault, LayerSpec, Panel, Problem, Scene, Space, Spanned, When};
 use crate::typeset::{Line, Style, typeset, wrap};
 
+use super::budget::Budget;
 use super::context::{Context, Moment};
 use super::frame::Frame;
 use super::labels::{Wording, bad_markup, fill};
@@ -21,6 +22,9 @@ use super::runs::{Run, Runs, is_static};
 use super::sketch::{Sketch, Sketched};
 use super::theme::{self, THEMES, Theme};
 use super::view;
+
+/// A scene with more problems than this is not one; further ones are not told.
+const MAX_PROBLEMS: usize = 50;
 
 /// A figure, ready to be drawn in any theme.
 #[derive(Debug)]
@@ -117,10 +121,17 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
     let titled = panels.iter().any(|p| p.title.is_some());
     let page = Page::new(scene.canvas.width, scene.canvas.height, scene.panels.len(), titled, caption.len());
     if panels.len() == scene.panels.len() {
-        view::fit(scene, &runs, theme, &page, &mut panels);
-        for panel in &panels {
-            check_texts(scene, &runs, theme, panel, &mut problems);
-        }
+        let mut budget = Budget::default();
+        // Layers whose runs are too many need not be drawn to be refused.
+        let fitted = runs.overflow(scene).map_or(Ok(()), Err);
+        let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
+        let said = fitted.and_then(|()| {
+            panels
+                .iter()
+                .try_for_each(|panel| check_texts(scene, &runs, theme, panel, &mut budget, &mut problems))
+        });
+        problems.extend(said.err());
+        problems.extend(runs.overflow(scene));
     }
     if problems.is_empty() {
         let caption_words = caption_words(scene, &runs, &panels);
@@ -128,6 +139,7 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();
+    problems.truncate(MAX_PROBLEMS);
     Err(problems)
 }
 
@@ -283,15 +295,31 @@ fn caption_words(scene: &Scene, runs: &Runs, panels: &[PanelPlan]) -> Option<Str
 }
 
 /// Sets every label once, so that a text that can't be set is said before anything is drawn.
-fn check_texts(scene: &Scene, runs: &Runs, theme: &Theme, panel: &PanelPlan, problems: &mut Vec<Problem>) {
+///
+/// # Errors
+///
+/// When the labels are more than can be set and placed.
+fn check_texts(
+    scene: &Scene,
+    runs: &Runs,
+    theme: &Theme,
+    panel: &PanelPlan,
+    budget: &mut Budget,
+    problems: &mut Vec<Problem>,
+) -> Result<(), Problem> {
     let context = panel.context(scene, runs);
     let wording = Wording { context: &context, type_size: &|px| px };
-    for request in &panel.sketch(&context, theme).requests {
+    let sketched = panel.sketch(&context, theme);
+    budget.take(panel, &sketched)?;
+    for request in &sketched.requests {
         let span = panel.layers.get(request.layer).map_or(&panel.source.span, |l| l.span);
-        if let Err(problem) = wording.set(request, span) {
-            problems.push(problem);
+        match wording.set(request, span) {
+            Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
+            Ok(None) => {}
+            Err(problem) => problems.push(problem),
         }
     }
+    Ok(())
 }
 
 impl PanelPlan<'_> {
@@ -305,6 +333,9 @@ impl PanelPlan<'_> {
         let canvas = &context.scene.canvas;
         let mut sketch = Sketch::new(self.frame, theme, unit(canvas.width, canvas.height));
         for planned in &self.layers {
+            if sketch.is_full() {
+                break;
+            }
             sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
             (planned.layer.draw)(&mut sketch, context, &planned.options);
         }

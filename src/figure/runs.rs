@@ -7,8 +7,10 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation};
-use crate::scene::Scene;
-use crate::trace::{Event, Trace};
+use crate::scene::{Problem, Scene};
+use crate::trace::{Event, MOST_EVENTS, Trace};
+
+use super::budget::within;
 
 /// An answer, and how it was found.
 #[derive(Debug)]
@@ -88,6 +90,10 @@ impl Run {
     }
 }
 
+/// Pairs of corners that all runs look at, at most, where the slowest algorithm looks at every pair: ten runs of the
+/// largest shapes.
+const MAX_RUNS: usize = 170_000_000;
+
 /// What identifies a run: the question, the algorithm, the bits of the moment.
 type Key = (QueryKind, &'static str, u64);
 
@@ -130,10 +136,27 @@ impl Runs {
         done.iter().map(|(_, run)| Arc::clone(run)).collect()
     }
 
+    /// What is wrong when the runs were too many, or told more than can be kept.
+    pub(crate) fn overflow(&self, scene: &Scene) -> Option<Problem> {
+        let done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
+        let at = &scene.query.span;
+        let events = done.iter().map(|(_, run)| run.trace.events.len() + run.trace.left_out).sum();
+        let pairs = done.len() * pairs(&scene.query_of_bodies());
+        within("the steps of the figure's algorithms", "events", events, MOST_EVENTS, at)
+            .and_then(|()| within("the moments of the figure", "pairs of corners", pairs, MAX_RUNS, at))
+            .err()
+    }
+
     fn run(&self, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
         let key = (query.kind, algorithm.name, query.time.to_bits());
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, run)) = done.iter().find(|(k, _)| *k == key) {
+            return Arc::clone(run);
+        }
+        // Of runs without number, only the first are of use: the figure will be refused.
+        let told = done.iter().map(|(_, run)| run.trace.events.len()).sum::<usize>();
+        let full = told > MOST_EVENTS || done.len() * pairs(query) > MAX_RUNS;
+        if let Some((_, run)) = done.first().filter(|_| full) {
             return Arc::clone(run);
         }
         let mut trace = Trace::default();
@@ -153,6 +176,10 @@ pub(crate) fn is_static(kind: QueryKind) -> bool {
 /// Whether an event tells of the shape of B ⊖ A.
 pub(crate) fn tells_difference(event: &Event) -> bool {
     matches!(event, Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. })
+}
+
+fn pairs(query: &Query) -> usize {
+    query.a.shape.core.len() * query.b.map_or(1, |b| b.shape.core.len())
 }
 
 fn takes(algorithm: &Algorithm, query: &Query) -> bool {

@@ -5,8 +5,9 @@
 
 use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
-use crate::scene::{Scene, Space};
+use crate::scene::{Problem, Scene, Space};
 
+use super::budget::{MAX_POINTS, areas_within, within};
 use super::frame::Frame;
 use super::outline::Outline;
 use super::page::Page;
@@ -22,7 +23,17 @@ const ROOM_SHARE: f64 = 0.12;
 const PASSES: usize = 2;
 
 /// Gives every panel its frame.
-pub(super) fn fit(scene: &Scene, runs: &Runs, theme: &Theme, page: &Page, panels: &mut [PanelPlan]) {
+///
+/// # Errors
+///
+/// When the panels draw more than a figure may show.
+pub(super) fn fit(
+    scene: &Scene,
+    runs: &Runs,
+    theme: &Theme,
+    page: &Page,
+    panels: &mut [PanelPlan],
+) -> Result<(), Problem> {
     for (panel, cell) in panels.iter_mut().zip(&page.cells) {
         let pose = pose(scene, panel);
         panel.frame = match &panel.source.view {
@@ -34,15 +45,18 @@ pub(super) fn fit(scene: &Scene, runs: &Runs, theme: &Theme, page: &Page, panels
         };
     }
     for _ in 0..PASSES {
-        let extents: Vec<Option<(DVec2, DVec2)>> = panels
-            .iter()
-            .map(|panel| match panel.source.view {
-                Some(_) => None,
-                None => panel.sketch(&panel.context(scene, runs), theme).extent,
-            })
-            .collect();
+        let (mut extents, mut points, mut painted) = (Vec::new(), 0, 0.0);
+        for panel in &*panels {
+            let sketched = panel.sketch(&panel.context(scene, runs), theme);
+            points += sketched.points;
+            painted += sketched.painted;
+            within("the lines of the figure", "points", points, MAX_POINTS, &panel.source.span)?;
+            areas_within(painted, &panel.source.span)?;
+            extents.push(sketched.extent.filter(|_| panel.source.view.is_none()));
+        }
         share(panels, &extents, page);
     }
+    Ok(())
 }
 
 /// The pose of the body in whose frame a panel shows.

@@ -15,6 +15,8 @@ pub const MAX_TEXT: usize = 4_000;
 pub const MAX_PANELS: usize = 32;
 /// Layers of a panel.
 pub const MAX_LAYERS: usize = 200;
+/// Layers of all panels together.
+pub const MAX_ALL_LAYERS: usize = 400;
 /// Entries of `[labels]`.
 pub const MAX_LABELS: usize = 1_000;
 /// Values in a list of an option.
@@ -27,6 +29,9 @@ pub const MIN_CANVAS: f64 = 100.0;
 pub const MAX_ITERATIONS: usize = 100_000;
 /// Step cap where the scene gives none. A graze with a gap of 1e-6 takes conservative advancement 12,405 steps.
 pub const DEFAULT_ITERATIONS: usize = 20_000;
+/// Steps times corners of both shapes: with many corners the step cap is lower, as a step of the article's advancement
+/// looks at each, for some 20 ns.
+pub const MAX_STEPS_OF_CORNERS: usize = 50_000_000;
 /// World units; where the scene gives no `tolerance`.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
 /// Largest magnitude of a number; sums and products with a velocity would overflow soon above it.

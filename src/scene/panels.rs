@@ -3,7 +3,7 @@
 
 use super::checked::{Checked, as_list, as_number, as_text, check, short_enough};
 use super::fields::PANEL;
-use super::limits::{MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
+use super::limits::{MAX_ALL_LAYERS, MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
 use super::read::too_many;
@@ -15,6 +15,12 @@ pub(super) fn read(top: &Checked<'_>, names: &[Spanned<String>], p: &mut Problem
     let items = as_list(node).unwrap_or_default();
     if items.len() > MAX_PANELS {
         too_many("`panels`", MAX_PANELS, "panels", items.len(), &node.span, p);
+        return Vec::new();
+    }
+    let layers = |item: &Node| item.get("layers").and_then(as_list).map_or(0, <[Node]>::len);
+    let all = items.iter().map(layers).sum();
+    if all > MAX_ALL_LAYERS {
+        too_many("the layers of all panels", MAX_ALL_LAYERS, "layers", all, &node.span, p);
         return Vec::new();
     }
     items.iter().filter_map(|item| panel(item, names, p)).collect()

@@ -283,7 +283,7 @@ pub(crate) struct Problems {
 }
 
 /// A file with more problems than this is not a scene; further ones are not kept.
-const MAX_PROBLEMS: usize = 50;
+pub(crate) const MAX_PROBLEMS: usize = 50;
 
 impl Problems {
     pub(crate) fn add(&mut self, fault: Fault, span: &Range<usize>) {

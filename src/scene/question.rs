@@ -9,7 +9,7 @@ use super::SceneQuery;
 use super::body;
 use super::checked::{Checked, as_list, as_text, check};
 use super::fields::QUERY;
-use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE};
+use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_CORNERS};
 use super::node::Node;
 use super::problem::{Fault, Problems};
 
@@ -35,7 +35,7 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
         b,
         time: table.number("time").map_or(0.0, |t| t.value),
         tolerance: table.number("tolerance").map_or(DEFAULT_TOLERANCE, |t| t.value),
-        max_iterations: table.count("max_iterations").map_or(DEFAULT_ITERATIONS, |n| n.value),
+        max_iterations: max_iterations(&bodies, &table, p),
     };
     if !fits(&query, &bodies, &table, p) {
         return None;
@@ -49,6 +49,19 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
         span: table.span.clone(),
         of,
     })
+}
+
+/// The step cap: the scene's, or the usual one, lower where the shapes have thousands of corners.
+fn max_iterations(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> usize {
+    let corners = bodies.iter().map(|(_, body)| body.shape.core.len()).sum::<usize>();
+    let most = MAX_STEPS_OF_CORNERS / corners.max(1);
+    let Some(given) = table.count("max_iterations") else { return DEFAULT_ITERATIONS.min(most) };
+    if given.value > most {
+        let expected = format!("at most {most} for shapes of {corners} corners");
+        let (key, got) = ("max_iterations".to_owned(), given.value.to_string());
+        p.add(Fault::OutOfRange { key, expected, got }, &given.span);
+    }
+    given.value
 }
 
 fn span_of(table: &Checked<'_>, key: &str) -> Range<usize> {

@@ -7,7 +7,7 @@ use toml_parser::lexer::TokenKind;
 use super::Spanned;
 use super::limits::MAX_NESTING;
 use super::node::{Node, NodeValue};
-use super::problem::{Fault, Problem};
+use super::problem::{Fault, MAX_PROBLEMS, Problem};
 
 /// Reads a TOML text.
 pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
@@ -27,14 +27,19 @@ pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
 /// After an error the parser guesses how to go on; only its first complaint about a line is sure to be one.
 fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
     let mut problems: Vec<Problem> = Vec::new();
-    let mut last_line = None;
+    let mut last = None;
     for error in errors {
         let span = error.span().unwrap_or(0..0);
-        let line = text.as_bytes().iter().take(span.start).filter(|&&b| b == b'\n').count();
-        if last_line == Some(line) {
+        // Only what lies between two is looked at: a file may have a hundred thousand.
+        let between =
+            last.and_then(|last: usize| text.as_bytes().get(last.min(span.start)..last.max(span.start)));
+        last = Some(span.start);
+        if between.is_some_and(|bytes| !bytes.contains(&b'\n')) {
             continue;
         }
-        last_line = Some(line);
+        if problems.len() == MAX_PROBLEMS {
+            break;
+        }
         let message = error.message();
         let fault = if message.contains("duplicate key") {
             Fault::DuplicateKey { key: text.get(span.clone()).unwrap_or_default().to_owned() }

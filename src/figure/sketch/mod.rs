@@ -9,9 +9,10 @@ mod marker;
 mod measure;
 mod round;
 
-use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Role, Stroke};
+use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Rect, Role, Stroke};
 use crate::geometry::{DVec2, Side};
 
+use super::budget::{DASH, MAX_POINTS, PATTERNED};
 use super::frame::Frame;
 use super::label::Label;
 use super::outline::Outline;
@@ -93,6 +94,8 @@ pub struct Sketch<'f> {
     obstacles: Vec<Obstacle>,
     requests: Vec<Request>,
     extent: Option<(DVec2, DVec2)>,
+    points: usize,
+    painted: f64,
 }
 
 /// What a panel's layers drew and asked for.
@@ -103,6 +106,10 @@ pub(crate) struct Sketched {
     pub(crate) requests: Vec<Request>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     pub(crate) extent: Option<(DVec2, DVec2)>,
+    /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
+    pub(crate) points: usize,
+    /// Million page pixels of all areas.
+    pub(crate) painted: f64,
 }
 
 impl<'f> Sketch<'f> {
@@ -119,6 +126,8 @@ impl<'f> Sketch<'f> {
             obstacles: Vec::new(),
             requests: Vec::new(),
             extent: None,
+            points: 0,
+            painted: 0.0,
         }
     }
 
@@ -129,8 +138,13 @@ impl<'f> Sketch<'f> {
     }
 
     pub(crate) fn finish(self) -> Sketched {
-        let Self { frame, layers, obstacles, requests, extent, .. } = self;
-        Sketched { frame, layers, obstacles, requests, extent }
+        let Self { frame, layers, obstacles, requests, extent, points, painted, .. } = self;
+        Sketched { frame, layers, obstacles, requests, extent, points, painted }
+    }
+
+    /// Whether more was drawn than a figure may show: it will be refused.
+    pub(crate) fn is_full(&self) -> bool {
+        self.points > MAX_POINTS
     }
 
     /// What is drawn from here on belongs to a part of this name: a group in the drawing, so that tests and pages
@@ -152,7 +166,7 @@ impl<'f> Sketch<'f> {
 
     /// Asks for a label of the current part; without effect where the scene turned this layer's labels off.
     pub fn label(&mut self, label: Label) -> &mut Self {
-        if self.labels {
+        if self.labels && self.requests.len() < MAX_POINTS {
             let layer = self.layers.len().saturating_sub(1);
             self.requests.push(Request { label, part: self.part, layer });
         }
@@ -202,11 +216,28 @@ impl<'f> Sketch<'f> {
             stroke: pen.map(|p| self.stroke_of(p)),
         };
         let points = outline.sampled();
+        self.count(&points, wash, pen);
         self.reach(&points);
         if let Some(pen) = pen {
             self.cover(&points, pen.width);
         }
         self.push(Item::Path(path))
+    }
+
+    /// Counts what an outline costs: points, dashes, the area that is painted.
+    fn count(&mut self, points: &[DVec2], wash: Option<Wash>, pen: Option<Pen>) {
+        self.points += points.len();
+        let page = || points.iter().map(|&p| self.frame.page(p));
+        if pen.is_some_and(|p| p.dash != Dash::Solid) {
+            let length: f64 = page().zip(page().skip(1)).map(|(p, q)| (q - p).length()).sum();
+            self.points = self.points.saturating_add(whole(length / DASH));
+        }
+        let Some(wash) = wash else { return };
+        let bounds = page().map(|p| Rect::new(p, p)).reduce(Rect::union);
+        if let Some(seen) = bounds.and_then(|bounds| bounds.intersection(self.frame.panel)) {
+            let times = if self.pattern(wash).is_some() { PATTERNED } else { 1.0 };
+            self.painted += times * seen.width() * seen.height() / 1e6;
+        }
     }
 
     fn paint(&self, role: Role) -> Paint {
@@ -231,6 +262,10 @@ impl<'f> Sketch<'f> {
     }
 
     fn push(&mut self, item: Item) -> &mut Self {
+        self.points += 1;
+        if self.is_full() {
+            return self;
+        }
         if let Some(Item::Group(part)) = self.layers.last_mut().and_then(|l| l.items.last_mut()) {
             part.items.push(item);
         }
@@ -267,8 +302,17 @@ impl<'f> Sketch<'f> {
     }
 
     fn keep_off(&mut self, cover: Cover) {
+        if self.is_full() {
+            return;
+        }
         self.obstacles.push(Obstacle { cover, weight: self.weight, part: self.part });
     }
+}
+
+/// The whole part, for counts.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
+fn whole(x: f64) -> usize {
+    x as usize
 }
 
 impl From<Side> for Role {

@@ -1,0 +1,359 @@
+//! No scene of a megabyte takes over 2 s or 500 MB, whatever it holds: it is drawn, or refused with its reason.
+//!
+//! Time is the processor's, so that a busy machine does not count. Without optimization it says nothing:
+//! `cargo test --release --test hostile`, with `TIMES` set to see what each takes.
+
+#![cfg(target_os = "linux")]
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may panic wherever it is")]
+#![expect(clippy::print_stdout, reason = "times, when they are asked for")]
+
+use std::fmt::Write;
+use std::path::Path;
+use std::process::Command;
+
+/// Seconds of processor time that a scene may take.
+const SECONDS: f64 = 2.0;
+/// Memory that it may take, in kilobytes.
+const KILOBYTES: u32 = 500_000;
+/// Bytes of the largest of these scenes.
+const LARGEST: usize = 1_000_100;
+
+/// What is done with each.
+const COMMANDS: &[&str] = &["render", "solve", "trace", "describe"];
+
+/// Whether a scene is drawn, or gets an error of this code.
+type Fate = Option<&'static str>;
+
+const BOXES: &str = "[shapes.A]\nkind = 'box'\nhalf_extents = [1, 0.6]\nangle_deg = 30\n[shapes.B]\nkind = 'polygon'\n\
+    vertices = [[-0.7, -0.5], [0.8, -0.3], [0.1, 0.9]]\nposition = [2.6, 0.8]\nvelocity = [0.5, 0]\n\
+    [query]\nkind = 'separation'\nof = ['A', 'B']\n";
+
+fn repeat(count: usize, piece: impl Fn(usize) -> String) -> String {
+    (0..count).map(piece).collect()
+}
+
+fn list(count: usize, piece: impl Fn(usize) -> String) -> String {
+    (0..count).map(piece).collect::<Vec<_>>().join(",")
+}
+
+fn panel(space: &str, layers: &str) -> String {
+    format!("[[panels]]\nspace = '{space}'\nlayers = [{layers}]\n")
+}
+
+fn world(layers: &str) -> String {
+    panel("world", layers)
+}
+
+/// A convex polygon of as many corners as a shape may have, and its radius.
+fn round(name: &str, x: f64, motion: &str) -> String {
+    let corners = list(4096, |k| {
+        let angle = std::f64::consts::TAU * f64::from(u32::try_from(k).unwrap()) / 4096.0;
+        format!("[{:.0},{:.0}]", RADIUS * libm::cos(angle), RADIUS * libm::sin(angle))
+    });
+    format!("[shapes.{name}]\nkind = 'polygon'\nvertices = [{corners}]\nposition = [{x}, 0]\n{motion}\n")
+}
+
+const RADIUS: f64 = 16_777_216.0;
+
+fn rounds(apart: f64, motion: [&str; 2], query: &str) -> String {
+    let [a, b] = motion;
+    round("A", 0.0, a) + &round("B", apart * RADIUS, b) + &format!("[query]\nof = ['A', 'B']\n{query}\n")
+}
+
+/// Four letters, other ones for each number.
+fn word(i: usize) -> String {
+    let letter = |k: u32| char::from(b'a' + u8::try_from(i / 26_usize.pow(k) % 26).unwrap());
+    (0..4).map(letter).collect()
+}
+
+fn note(lines: &str) -> String {
+    format!("{{ layer = 'note', lines = [{lines}] }}")
+}
+
+/// Texts that are no scene, or no small one.
+#[expect(clippy::too_many_lines, reason = "a table of scenes")]
+fn texts() -> Vec<(&'static str, String, Fate)> {
+    let million = 1_000_000;
+    vec![
+        ("lists in lists", format!("a = {}", "[".repeat(million)), Some("over-limit")),
+        ("tables in tables", format!("a = {}", "{a=".repeat(million / 3)), Some("over-limit")),
+        ("a dotted key", format!("{}a = 1", "a.".repeat(million / 2)), Some("over-limit")),
+        ("JSON in JSON", format!("{{\"a\": {}", "[".repeat(million)), Some("syntax")),
+        ("one long line", format!("{{\"title\": \"{}\"}}", "y".repeat(million)), Some("over-limit")),
+        ("a comment", format!("#{}", "x".repeat(million)), Some("empty-file")),
+        ("empty lines", "\n".repeat(million), Some("empty-file")),
+        ("keys", repeat(100_000, |i| format!("k{i}=1\n")), Some("unknown-key")),
+        ("the same key", "title=1\n".repeat(125_000), Some("duplicate-key")),
+        (
+            "shapes",
+            repeat(20_000, |i| format!("[shapes.s{i}]\nkind='circle'\nradius=1\n")),
+            Some("over-limit"),
+        ),
+        (
+            "a million coordinates",
+            format!("[shapes.A]\nkind='polygon'\nvertices=[{}]\n", "[1,2],".repeat(166_000)),
+            Some("over-limit"),
+        ),
+        ("panels", BOXES.to_owned() + &"[[panels]]\nlayers=[]\n".repeat(45_000), Some("over-limit")),
+        ("layers", BOXES.to_owned() + &world(&"'shapes',".repeat(90_000)), Some("over-limit")),
+        (
+            "layers of all panels",
+            BOXES.to_owned() + &world(&"'shapes',".repeat(200)).repeat(32),
+            Some("over-limit"),
+        ),
+        (
+            "options",
+            BOXES.to_owned()
+                + &world(&list(200, |_| format!("{{layer='shapes',{}}}", list(400, |k| format!("k{k}=1"))))),
+            Some("unknown-key"),
+        ),
+        (
+            "values of an option",
+            BOXES.to_owned() + &world(&format!("{{layer='shapes',of=[{}]}}", "'A',".repeat(200_000))),
+            Some("over-limit"),
+        ),
+        (
+            "labels of no layer",
+            BOXES.to_owned()
+                + &world("'shapes'")
+                + "[labels]\n"
+                + &repeat(1000, |i| format!("k{i}='{}'\n", "a".repeat(900))),
+            Some("unknown-key"),
+        ),
+        (
+            "formulas",
+            BOXES.to_owned()
+                + &world(&note(&list(280, |i| {
+                    format!("'{}'", repeat(500, |k| format!("${}$ ", word(500 * i + k))))
+                }))),
+            Some("over-limit"),
+        ),
+        (
+            "long notes",
+            BOXES.to_owned() + &world(&note(&list(240, |_| format!("'{}'", "x".repeat(3900))))),
+            Some("over-limit"),
+        ),
+        (
+            "values in texts",
+            BOXES.to_owned() + &world(&note(&list(230, |_| format!("'{}'", "{=separation}".repeat(300))))),
+            Some("over-limit"),
+        ),
+        (
+            "bad texts",
+            BOXES.to_owned() + &repeat(30, |_| world(&note(&list(1000, |_| "'$\\nope$'".to_owned())))),
+            Some("bad-markup"),
+        ),
+        ("defined in itself", captioned(&"\\def\\x{\\x\\x}\\x".repeat(30)), Some("bad-markup")),
+        (
+            "fractions in fractions",
+            captioned(&format!("{}1{}", "\\frac{1}{".repeat(45), "}".repeat(45))),
+            Some("bad-markup"),
+        ),
+        (
+            "roots in roots",
+            captioned(&format!("{}1{}", "\\sqrt{".repeat(70), "}".repeat(70))),
+            Some("bad-markup"),
+        ),
+        (
+            "braces in braces",
+            captioned(&format!("{}1{}", "{".repeat(240), "}".repeat(240))),
+            Some("bad-markup"),
+        ),
+        ("a wide matrix", captioned(&format!("\\begin{{matrix}}{}\\end{{matrix}}", "&".repeat(440))), None),
+        ("a long word", format!("caption = '{}'\n{BOXES}{}", "a".repeat(3999), world("'shapes'")), None),
+        (
+            "long titles",
+            BOXES.to_owned()
+                + &repeat(32, |_| format!("[[panels]]\ntitle='{}'\nlayers=['shapes']\n", "t".repeat(3999))),
+            None,
+        ),
+        (
+            "many labels",
+            BOXES.to_owned() + &world(&"{layer='shapes',centers=true},".repeat(200)),
+            Some("over-limit"),
+        ),
+        (
+            "steps of many corners",
+            rounds(
+                3.0,
+                ["velocity = [1e7, 0]\nangular_velocity_deg = 3600", ""],
+                "kind='time-of-impact'\nalgorithm='conservative-advancement'\ntolerance=0\nmax_iterations=100000",
+            ) + &world("'shapes'"),
+            Some("out-of-range"),
+        ),
+    ]
+}
+
+fn captioned(formula: &str) -> String {
+    format!("caption = '${formula}$'\n{BOXES}{}", world("'shapes'"))
+}
+
+/// Scenes that are drawn, or whose cost is known only from what their layers draw.
+#[expect(clippy::too_many_lines, reason = "a table of scenes")]
+fn figures() -> Vec<(&'static str, String, Fate)> {
+    let configuration = |layers: &str| panel("configuration", layers);
+    let both = world("'shapes', 'separation', 'normal'")
+        + &configuration("'axes', 'difference', 'origin', 'closest', 'support'");
+    let inside = |algorithm: &str| {
+        rounds(1.0, ["", ""], &format!("kind='separation'\nalgorithm='{algorithm}'")) + &both
+    };
+    let spin = |algorithm: &str, degrees: &str| {
+        format!(
+            "[shapes.A]\nkind='box'\nhalf_extents=[1,0.1]\nangular_velocity_deg={degrees}\n[shapes.B]\nkind='capsule'\n\
+            points=[[0,0],[1,1]]\nradius=0.1\nposition=[0,4]\nvelocity=[0,-3]\n[query]\nkind='time-of-impact'\nof=['A','B']\n\
+            algorithm='{algorithm}'\ntolerance=0\nmax_iterations=100000\n{}",
+            world("'shapes', { layer='ghosts', at='steps' }, 'velocity'")
+        )
+    };
+    let near = |theme: &str, view: &str| {
+        let panels = world("'shapes', 'separation', 'frame', { layer='ghosts', at='end' }")
+            + &configuration("'difference', 'axes', 'origin'");
+        format!(
+            "canvas.theme = '{theme}'\n{BOXES}{}",
+            panels.replace("layers", &format!("view = [0, 0, {view}, {view}]\nlayers"))
+        )
+    };
+    let page = |theme: &str| {
+        format!(
+            "canvas = {{ width = 4096, height = 4096, theme = '{theme}' }}\n{}",
+            BOXES.replace("[1, 0.6]", "[3, 3]")
+        )
+    };
+    let moving = |layers: &str| {
+        rounds(2.5, ["angular_velocity_deg = 36000", "velocity = [-2e7, 0]"], "kind='time-of-impact'")
+            + &world(layers)
+    };
+    let mut all = vec![
+        ("closest features of 8,192 corners", inside("closest-features"), None),
+        ("the article's difference of 8,192 corners", inside("minkowski"), None),
+        ("separating axes of 8,192 corners", inside("separating-axes"), None),
+        ("GJK with 8,192 corners", inside("gjk"), None),
+        (
+            "a figure full of corners",
+            rounds(3.0, ["", ""], "kind='separation'") + &world("'shapes', 'separation'").repeat(14),
+            None,
+        ),
+        (
+            "copies on 4,096 corners",
+            rounds(3.0, ["", ""], "kind='separation'") + &world("'grown'"),
+            Some("over-limit"),
+        ),
+        (
+            "shapes of 4,096 corners",
+            rounds(3.0, ["", ""], "kind='separation'") + &world(&"'shapes',".repeat(200)),
+            Some("over-limit"),
+        ),
+        (
+            "differences at many moments",
+            rounds(3.0, ["velocity = [1, 0]", ""], "kind='separation'")
+                + &configuration(&list(200, |i| format!("{{layer='difference',at=0.{i:03}}}"))),
+            Some("over-limit"),
+        ),
+        ("turning shapes of 4,096 corners", moving("'shapes', { layer='ghosts', at='hit' }"), None),
+        (
+            "a sweep of 4,096 corners",
+            rounds(3.0, ["", "velocity = [-4e7, 0]"], "kind='linear-sweep'")
+                + &world("'shapes', 'ghosts', 'sweep', 'velocity'")
+                + &configuration("'difference', 'ray', 'origin'"),
+            None,
+        ),
+        ("an outline with 2,048 teeth", teeth(), Some("over-limit")),
+        ("a large page", page("light") + &both, None),
+        ("a large page of hatching", page("print") + &world("'shapes'"), None),
+        ("large pages of hatching", page("print") + &world(&"'shapes',".repeat(9)), Some("over-limit")),
+        ("sizes of 1e9", BOXES.replace("[1, 0.6]", "[1e9, 6e8]") + &both, None),
+        (
+            "sizes of 1e299",
+            BOXES.replace("[1, 0.6]", "[1e299, 6e298]") + &world("'shapes', 'separation'"),
+            None,
+        ),
+        (
+            "sizes of 5e-324",
+            BOXES.replace("[1, 0.6]", "[5e-324, 5e-324]") + &world("'shapes', 'separation'"),
+            None,
+        ),
+    ];
+    for degrees in ["36000", "3.6e7", "1e300"] {
+        all.push(("spinning, swept axis", spin("swept-axis", degrees), None));
+        all.push(("spinning, advancement", spin("conservative-advancement", degrees), None));
+    }
+    for view in ["1e-300", "1e-9", "2e-3", "1e9"] {
+        all.push(("seen in light", near("light", view), None));
+        all.push(("seen in print", near("print", view), None));
+    }
+    all
+}
+
+fn teeth() -> String {
+    let up = list(2048, |i| format!("[{i},{}]", i % 2 * 1000));
+    let back = list(2048, |i| format!("[{},{}]", 2048 - i, -1000 - i32::try_from(i % 2).unwrap()));
+    let outline =
+        format!("[shapes.A]\nkind='outline'\nvertices=[{up},{back}]\n[query]\nkind='bounds'\nof=['A']\n");
+    outline + &world("'shapes', 'bounds'").repeat(32)
+}
+
+/// Runs a command under the limits of memory and, so that a hang ends, of time; what it said and how long it took.
+fn run(folder: &Path, arguments: &str) -> (Option<i32>, String, f64) {
+    let script = format!(
+        "ulimit -d {KILOBYTES}; ulimit -t {}; \"$0\" {arguments} >/dev/null; code=$?; times; exit $code",
+        4.0 * SECONDS
+    );
+    let output = Command::new("sh")
+        .args(["-c", &script])
+        .arg(assert_cmd::cargo::cargo_bin!("tracefig"))
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let times = String::from_utf8(output.stdout).unwrap();
+    let children = times.lines().nth(1).expect("two lines of times");
+    let seconds = |text: &str| -> f64 {
+        let (minutes, seconds) = text.trim_end_matches('s').split_once('m').unwrap();
+        60.0 * minutes.parse::<f64>().unwrap() + seconds.parse::<f64>().unwrap()
+    };
+    let taken = children.split_whitespace().map(seconds).sum();
+    (output.status.code(), String::from_utf8_lossy(&output.stderr).into_owned(), taken)
+}
+
+fn hold(scenes: Vec<(&'static str, String, Fate)>) {
+    let folder = tempfile::tempdir().unwrap();
+    let mut wrong = String::new();
+    for (name, text, fate) in scenes {
+        assert!(text.len() <= LARGEST, "{name} has {} bytes", text.len());
+        std::fs::write(folder.path().join("s.toml"), &text).unwrap();
+        for &command in COMMANDS {
+            let (code, said, seconds) = run(folder.path(), &format!("{command} s.toml"));
+            if std::env::var_os("TIMES").is_some() {
+                println!("{seconds:6.2} s  {command} {name}");
+            }
+            let as_told = match fate {
+                // A place that is on no page is told by `render` alone.
+                None => {
+                    code == Some(0)
+                        || (code == Some(1) && said.contains("has a place that is not on any page"))
+                }
+                Some(error) => {
+                    command != "render" || (code == Some(1) && said.contains(&format!("error[{error}]")))
+                }
+            };
+            let fine =
+                as_told && seconds <= SECONDS && !said.contains("this is a bug") && said.len() < 40_000;
+            if !fine || !matches!(code, Some(0 | 1)) {
+                let head: String = said.chars().take(300).collect();
+                writeln!(wrong, "{command} {name}: {code:?}, {seconds:.2} s, {head}").unwrap();
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "a time without optimization says nothing; it is run in release")]
+fn no_text_of_a_megabyte_takes_2_seconds_or_500_megabytes() {
+    hold(texts());
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "a time without optimization says nothing; it is run in release")]
+fn no_figure_of_a_megabyte_takes_2_seconds_or_500_megabytes() {
+    hold(figures());
+}

@@ -1,0 +1,412 @@
+//! No scene makes tracefig panic: random ones from the tables of kinds, queries, algorithms, layers and options, and the
+//! scenes of `figures/`, both whole and broken, go all the way to SVG and PNG.
+//!
+//! `TRACEFIG_SCENES=100000 cargo test --release --test no_panic -- --nocapture` runs as many as one likes from
+//! `TRACEFIG_SEED` on and prints what became of them.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic wherever it is")]
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use tracefig::collision::{ALGORITHMS, QueryKind};
+use tracefig::figure::layer::{LAYERS, Layer};
+use tracefig::figure::theme::THEMES;
+use tracefig::figure::{COMMON, Takes, draw, plan};
+use tracefig::geometry::shape::{FieldType, KINDS, Kind};
+use tracefig::output::{Options, Writer, format};
+use tracefig::scene::{Ink, answer_text, open_text, solve};
+
+/// Scenes of a usual run; few enough for a debug build.
+const SCENES: u64 = 400;
+/// Dots of an image.
+const DOTS: f64 = 10_000.0;
+
+/// Numbers that break what is not careful.
+const EXTREMES: &[&str] = &[
+    "0",
+    "-0.0",
+    "1",
+    "-1",
+    "1e-300",
+    "5e-324",
+    "-5e-324",
+    "2.2250738585072014e-308",
+    "1e300",
+    "-1e300",
+    "1e301",
+    "1e999",
+    "nan",
+    "inf",
+    "-inf",
+    "9007199254740993",
+    "0.1",
+    "1e9",
+    "1e-9",
+    "1e16",
+    "360",
+    "1e17",
+    "0x7f",
+    "1_000",
+    "4096",
+    "100",
+    "\"1\"",
+    "[]",
+    "{}",
+    "true",
+    "1979-05-27",
+];
+
+/// Pieces that a broken file may have anywhere.
+const PIECES: &[&str] = &[
+    "[",
+    "]",
+    "[[",
+    "{",
+    "}",
+    "\"",
+    "'",
+    "=",
+    ",",
+    "#",
+    "\n",
+    "\0",
+    "\u{feff}",
+    "$",
+    "\\",
+    "δ",
+    "\u{202e}",
+    "[[panels]]\n",
+    "[shapes.A]\n",
+    "[labels]\n",
+    "$\\frac{1}{0}$",
+    "{=time}",
+    "{=D.x}",
+    "layers = []\n",
+    "kind = 'circle'\n",
+];
+
+/// `SplitMix64` (Steele, Lea, Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        usize::try_from((z ^ (z >> 31)) % u64::try_from(n).unwrap()).unwrap()
+    }
+
+    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
+        &of[self.below(of.len())]
+    }
+
+    fn chance(&mut self, of: usize) -> bool {
+        self.below(of) == 0
+    }
+
+    /// Mostly a number as on a figure.
+    fn number(&mut self) -> String {
+        if self.chance(12) {
+            return (*self.one(EXTREMES)).to_owned();
+        }
+        let quarters = i32::try_from(self.below(65)).unwrap() - 32;
+        format!("{}", f64::from(quarters) / 4.0)
+    }
+
+    fn pair(&mut self) -> String {
+        format!("[{}, {}]", self.number(), self.number())
+    }
+}
+
+fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
+    let mut text = format!("[shapes.{name}]\nkind = \"{}\"\n", kind.name);
+    for field in kind.fields {
+        if !field.required && r.chance(2) {
+            continue;
+        }
+        let value = match field.holds {
+            FieldType::Number => r.number().trim_start_matches('-').to_owned(),
+            FieldType::Point => r.pair().replace('-', ""),
+            FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", r.pair(), r.pair()),
+            FieldType::Points => corners(r),
+        };
+        writeln!(text, "{} = {value}", field.name).unwrap();
+    }
+    for (key, is_pair) in
+        [("position", true), ("angle_deg", false), ("velocity", true), ("angular_velocity_deg", false)]
+    {
+        if r.chance(2) {
+            let value = if is_pair { r.pair() } else { r.number() };
+            writeln!(text, "{key} = {value}").unwrap();
+        }
+    }
+    text
+}
+
+/// Corners on an ellipse, so that most polygons are convex.
+fn corners(r: &mut Random) -> String {
+    let (n, height) = (3 + r.below(7), f64::from(u32::try_from(1 + r.below(4)).unwrap()));
+    let corner = |k: usize| {
+        let angle = std::f64::consts::TAU * f64::from(u32::try_from(k).unwrap())
+            / f64::from(u32::try_from(n).unwrap());
+        format!("[{:.3}, {:.3}]", 2.0 * libm::cos(angle), height * libm::sin(angle))
+    };
+    format!("[{}]", (0..n).map(corner).collect::<Vec<_>>().join(", "))
+}
+
+fn layer(r: &mut Random, layer: &Layer) -> String {
+    let mut text = format!("{{ layer = \"{}\"", layer.name);
+    for option in layer.options.iter().chain(COMMON) {
+        if !r.chance(3) {
+            continue;
+        }
+        let value = match option.takes {
+            Takes::Flag => r.one(&["true", "false"]).to_string(),
+            Takes::Number => r.number(),
+            Takes::Word(words) => format!("{:?}", r.one(words)),
+            Takes::Words(words) => format!("[{:?}, {:?}]", r.one(words), r.one(words)),
+            Takes::Bodies => r.one(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""]).to_string(),
+            Takes::When(words) if r.chance(2) => format!("{:?}", r.one(words)),
+            Takes::When(_) => r.one(&["0", "0.5", "1", "1e-300"]).to_string(),
+            Takes::Role => r.one(&["\"a\"", "\"b\"", "\"accent\"", "\"ink\""]).to_string(),
+            Takes::Lines => r.one(&["\"x\"", "[\"{=separation}\", \"$\\\\hat{n}$\"]", "\"\""]).to_string(),
+        };
+        write!(text, ", {} = {value}", option.name).unwrap();
+    }
+    text + " }"
+}
+
+fn panel(r: &mut Random) -> String {
+    let mut text = String::new();
+    let space = r.one(&["\"world\"", "\"configuration\"", "\"body\"\nframe = \"A\""]);
+    let layers: Vec<String> = (0..=r.below(5))
+        .map(|_| {
+            let chosen = r.one(LAYERS);
+            layer(r, chosen)
+        })
+        .collect();
+    write!(
+        text,
+        "[[panels]]\nspace = {space}\nlayers = [\"{}\", {}]\n",
+        if space.contains("conf") { "difference" } else { "shapes" },
+        layers.join(", ")
+    )
+    .unwrap();
+    if r.chance(3) {
+        writeln!(
+            text,
+            "{}",
+            r.one(&[
+                "time = 0.5",
+                "time = \"hit\"",
+                "step = 2",
+                "view = [-1, -1, 1e-3, 1]",
+                "view = [-1e300, -1, 1e300, 1]"
+            ])
+        )
+        .unwrap();
+    }
+    text
+}
+
+/// A scene from the tables, most likely one that can be drawn.
+fn random_scene(r: &mut Random) -> String {
+    let mut text = String::new();
+    if r.chance(2) {
+        text += "title = \"T $x$\"\ncaption = \"From {=time} to $\\\\frac{1}{2}$, {=separation}\"\n";
+    }
+    for name in ["A", "B"] {
+        let kind = r.one(KINDS);
+        text += &shape(r, kind, name);
+    }
+    let kind = r.one(&QueryKind::ALL);
+    let single = matches!(kind, QueryKind::Bounds | QueryKind::MotionBound) && r.chance(2);
+    write!(
+        text,
+        "[query]\nkind = \"{}\"\nof = {}\n",
+        kind.word(),
+        if single { "[\"A\"]" } else { "[\"A\", \"B\"]" }
+    )
+    .unwrap();
+    let suited: Vec<_> = ALGORITHMS.iter().filter(|a| a.kinds.contains(kind)).collect();
+    if r.chance(2) && !suited.is_empty() {
+        writeln!(text, "algorithm = \"{}\"", r.one(&suited).name).unwrap();
+    }
+    if r.chance(4) {
+        writeln!(
+            text,
+            "max_iterations = {}\ntolerance = {}",
+            1 + r.below(200),
+            r.one(&["0", "1e-3", "1e-12", "1e300"])
+        )
+        .unwrap();
+    }
+    for _ in 0..=r.below(3) {
+        text += &panel(r);
+    }
+    if r.chance(3) {
+        let theme = r.one(THEMES).name;
+        write!(
+            text,
+            "[canvas]\nwidth = {}\nheight = {}\ntheme = \"{theme}\"\n",
+            100 + r.below(900),
+            100 + r.below(600)
+        )
+        .unwrap();
+    }
+    text
+}
+
+/// The text with layers that the scene can't feed, and options that don't fit, taken out, as a user would.
+fn mended(text: &str) -> String {
+    let mut text = text.to_owned();
+    for _ in 0..12 {
+        let Ok(file) = open_text("s.toml", &text) else { return text };
+        let Err(problems) = plan(&file.scene).map(|_| ()) else { return text };
+        let Some(first) = problems.first() else { return text };
+        let span = first.span.clone();
+        // Blanks keep the places; a layer's name becomes one that every scene can feed.
+        let filler = match text.get(span.clone()) {
+            Some(word) if word.starts_with('"') && word.len() >= 8 => {
+                format!("\"axes\"{}", " ".repeat(word.len() - 6))
+            }
+            _ => return text,
+        };
+        text.replace_range(span, &filler);
+    }
+    text
+}
+
+/// The text broken at a few places: numbers replaced by extremes, lines dropped, doubled or moved, bytes flipped,
+/// brackets nested.
+fn broken(r: &mut Random, text: &str) -> String {
+    let mut text = text.to_owned();
+    for _ in 0..=r.below(4) {
+        match r.below(6) {
+            0 | 1 => replace_number(r, &mut text),
+            2 => {
+                let mut lines: Vec<&str> = text.lines().collect();
+                if !lines.is_empty() {
+                    let (from, to) = (r.below(lines.len()), r.below(lines.len()));
+                    match r.below(3) {
+                        0 => drop(lines.remove(from)),
+                        1 => lines.insert(to, lines[from]),
+                        _ => lines.swap(from, to),
+                    }
+                }
+                text = lines.join("\n");
+            }
+            3 => {
+                let mut bytes = text.into_bytes();
+                if !bytes.is_empty() {
+                    let at = r.below(bytes.len());
+                    bytes[at] ^= 1 << r.below(8);
+                }
+                text = String::from_utf8_lossy(&bytes).into_owned();
+            }
+            4 => {
+                let depth = 1 + r.below(40);
+                let value = format!("{}1{}", "[".repeat(depth), "]".repeat(depth));
+                text = text.replacen('1', &value, 1);
+            }
+            _ => {
+                let mut at = r.below(text.len() + 1);
+                while !text.is_char_boundary(at) {
+                    at -= 1;
+                }
+                let piece: &&str = r.one(PIECES);
+                text.insert_str(at, piece);
+            }
+        }
+    }
+    text
+}
+
+fn replace_number(r: &mut Random, text: &mut String) {
+    let is_part = |c: char| c.is_ascii_digit() || c == '.' || c == '-';
+    let starts: Vec<usize> = text
+        .char_indices()
+        .filter(|&(i, c)| is_part(c) && !text[..i].ends_with(is_part))
+        .map(|(i, _)| i)
+        .collect();
+    if starts.is_empty() {
+        return;
+    }
+    let start = *r.one(&starts);
+    let end = start + text[start..].find(|c| !is_part(c)).unwrap_or(text.len() - start);
+    let extreme: &&str = r.one(EXTREMES);
+    text.replace_range(start..end, extreme);
+}
+
+/// Reads, answers, lays out and draws; what became of it.
+fn fate(text: &str) -> &'static str {
+    let file = match open_text("s.toml", text) {
+        Ok(file) => file,
+        Err(refused) => {
+            assert!(!refused.render(Ink::Plain).is_empty());
+            return "refused as a scene";
+        }
+    };
+    let answer = solve(&file.scene);
+    assert!(!answer_text(file.scene.query.kind, &answer).is_empty());
+    let Ok(plan) = plan(&file.scene) else { return "answered, refused as a figure" };
+    let drawing = draw(&plan, plan.theme, "s").drawing;
+    let options =
+        Options { scale: libm::sqrt(DOTS / (drawing.width * drawing.height)), ..Options::default() };
+    for name in ["svg", "png"] {
+        let Some(Writer::One(write)) = format(name).map(|f| f.write) else {
+            panic!("{name} is of one drawing")
+        };
+        if write(&drawing, &options).is_err() {
+            return "answered, refused as a file";
+        }
+    }
+    "drawn"
+}
+
+#[test]
+fn no_scene_whole_or_broken_makes_a_panic() {
+    let read =
+        |key: &str, default: u64| std::env::var(key).ok().and_then(|n| n.parse().ok()).unwrap_or(default);
+    let (scenes, first) = (read("TRACEFIG_SCENES", SCENES), read("TRACEFIG_SEED", 2026));
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/figures");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "toml"));
+    paths.sort();
+    let figures: Vec<String> = paths.iter().map(|p| std::fs::read_to_string(p).unwrap()).collect();
+    let mut fates: BTreeMap<&str, u64> = BTreeMap::new();
+    let mut panicked = Vec::new();
+    for seed in first..first + scenes {
+        let mut r = Random(seed);
+        let text = match r.below(4) {
+            0 => random_scene(&mut r),
+            1 => mended(&random_scene(&mut r)),
+            2 => {
+                let text = mended(&random_scene(&mut r));
+                broken(&mut r, &text)
+            }
+            _ => {
+                let figure = r.one(&figures).clone();
+                broken(&mut r, &figure)
+            }
+        };
+        match catch_unwind(AssertUnwindSafe(|| fate(&text))) {
+            Ok(fate) => *fates.entry(fate).or_default() += 1,
+            Err(_) => panicked.push((seed, text)),
+        }
+    }
+    println!("{scenes} scenes from seed {first}: {fates:?}, {} panics", panicked.len());
+    assert!(
+        panicked.is_empty(),
+        "{} panics, the first of seed {}:\n{}",
+        panicked.len(),
+        panicked[0].0,
+        panicked[0].1
+    );
+    // Else the scenes were not worth the name.
+    for fate in ["drawn", "refused as a scene", "answered, refused as a figure"] {
+        assert!(fates.get(fate).is_some_and(|&n| n >= scenes / 20), "{fates:?}");
+    }
+}
