@@ -201,8 +201,15 @@ pub(super) fn pair_cost(a: &Candidate, b: &Candidate) -> f64 {
     cost
 }
 
-/// Whether two segments cross.
+/// Twice the area, in square page pixels, of a triangle whose corners count as on one line: far more than the last bits of an
+/// answer make, far less than is seen.
+const FLAT: f64 = 1e-6;
+
+/// Whether two segments cross; those that only touch do not.
 fn cross(a: Point, b: Point, c: Point, d: Point) -> bool {
-    let side = |p: Point, q: Point, r: Point| (q - p).cross(r - p);
+    let side = |p: Point, q: Point, r: Point| {
+        let area = (q - p).cross(r - p);
+        if area.abs() < FLAT { 0.0 } else { area }
+    };
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
