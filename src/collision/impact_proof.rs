@@ -48,34 +48,34 @@ pub(super) struct Proof<'p, 'q> {
 }
 
 impl<'p, 'q> Proof<'p, 'q> {
-    /// That the pair is apart from the start to the moment of `last`, a gap of the last of the axes; None where it is not
-    /// found.
-    pub(super) fn new(
-        pair: &'p MovingPair<'q>,
-        error: f64,
-        axes: &[Option<Parted>],
-        last: TurnedGap,
-    ) -> Option<Self> {
-        let mut proof = Self { pair, error, legs: [None; 2 * AXES], count: 0 };
+    /// No leg yet; `error` bounds that of a gap.
+    pub(super) fn new(pair: &'p MovingPair<'q>, error: f64) -> Self {
+        Self { pair, error, legs: [None; 2 * AXES], count: 0 }
+    }
+
+    /// Proves that the pair is apart from the start to the moment of `last`, a gap of the last of the axes; None where the
+    /// proof is not found.
+    pub(super) fn reach(&mut self, axes: &[Option<Parted>], last: TurnedGap) -> Option<()> {
         let (&(axis, found), before) =
             axes.split_last().and_then(|(last, all)| Some((last.as_ref()?, all)))?;
-        if let Some(first) = axis.turned_gap(pair, &Instant::start(pair), found.lowest)
-            && proof.is_open(&axis, first, last, if before.is_empty() { MIDPOINTS } else { FEW_MIDPOINTS })
+        let midpoints = if before.is_empty() { MIDPOINTS } else { FEW_MIDPOINTS };
+        if let Some(first) = axis.turned_gap(self.pair, &Instant::start(self.pair), found.lowest)
+            && self.is_open(&axis, first, last, midpoints)
         {
-            proof.add(axis, 0.0, last.t);
-            return Some(proof);
+            self.add(axis, 0.0, last.t);
+            return Some(());
         }
-        if !proof.is_open(&axis, found, last, MIDPOINTS) {
+        if !self.is_open(&axis, found, last, MIDPOINTS) {
             return None;
         }
-        proof.add(axis, found.t, last.t);
+        self.add(axis, found.t, last.t);
         let mut later = (axis, found);
         for earlier in before.iter().rev() {
             let earlier = (*earlier)?;
-            proof.go_over(earlier, later)?;
+            self.go_over(earlier, later)?;
             later = earlier;
         }
-        Some(proof)
+        Some(())
     }
 
     /// The legs in order of time.

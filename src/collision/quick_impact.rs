@@ -60,6 +60,8 @@ pub(super) struct QuickImpact<'p, 'q> {
     limit: usize,
     /// Distance queries made.
     pub(super) queries: usize,
+    /// What is proved.
+    pub(super) proof: Proof<'p, 'q>,
 }
 
 /// Where an axis is used up.
@@ -75,11 +77,12 @@ enum Used {
 impl<'p, 'q> QuickImpact<'p, 'q> {
     /// A search that may leave time bounds as wide as `allowed` over the closing speed.
     pub(super) fn new(pair: &'p MovingPair<'q>, allowed: f64, limit: usize) -> Self {
-        Self { pair, error: rounding(pair), allowed, limit, queries: 0 }
+        let error = rounding(pair);
+        Self { pair, error, allowed, limit, queries: 0, proof: Proof::new(pair, error) }
     }
 
-    /// The first contact with its proof.
-    pub(super) fn run(&mut self) -> Option<(Found, Proof<'p, 'q>)> {
+    /// The first contact, proved.
+    pub(super) fn run(&mut self) -> Option<Found> {
         if self.pair.unit != 1.0 || self.allowed < 2.0 * BAND.end * self.error {
             return None;
         }
@@ -92,11 +95,15 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             let mut next = None;
             for foresight in [true, false] {
                 let (then, corner) = match self.follow(&axis, gap, foresight)? {
-                    Used::Never(last) => return self.proved(Found::Miss, &axes[..=round], last),
+                    Used::Never(last) => {
+                        self.proof.reach(&axes[..=round], last)?;
+                        return Some(Found::Miss);
+                    }
                     Used::About(then, corner) => (then, corner),
                     Used::Here(then, last) => {
                         if let Some(hit) = self.contact(&axis, &last) {
-                            return self.proved(hit, &axes[..=round], last);
+                            self.proof.reach(&axes[..=round], last)?;
+                            return Some(hit);
                         }
                         (then, last.lowest)
                     }
@@ -111,15 +118,6 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             parted = next?;
         }
         None
-    }
-
-    fn proved(
-        &self,
-        found: Found,
-        axes: &[Option<Parted>],
-        last: TurnedGap,
-    ) -> Option<(Found, Proof<'p, 'q>)> {
-        Some((found, Proof::new(self.pair, self.error, axes, last)?))
     }
 
     /// The axis to follow at a moment, with its gap; looked for from another one on.

@@ -160,8 +160,8 @@ impl<'p, 'q> Search<'p, 'q> {
         let mut quick = QuickImpact::new(self.pair, ALLOWED_TOLERANCES * self.tolerance, self.max_iterations);
         let found = quick.run();
         self.queries += quick.queries;
-        let (found, proof) = found?;
-        for &Leg { axis: Axis { owner, n: normal, .. }, from, to } in proof.legs() {
+        let found = found?;
+        for &Leg { axis: Axis { owner, n: normal, .. }, from, to } in quick.proof.legs() {
             tracer.record(|| Event::AxisSwept { from, to, owner, normal });
         }
         Some(match found {
