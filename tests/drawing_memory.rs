@@ -1,10 +1,6 @@
 //! A PNG is made a band of rows at a time: the image itself is never in memory.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "a test fails by panicking, and tells what it measured"
-)]
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use tracefig::drawing::Drawing;
 use tracefig::figure::{draw, plan};
