@@ -21,6 +21,7 @@ mod pen;
 mod plan;
 mod runs;
 mod sketch;
+mod texts;
 pub mod theme;
 pub mod values;
 mod view;
