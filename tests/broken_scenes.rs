@@ -2,14 +2,15 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
-use std::collections::BTreeMap;
+#[path = "fuzz_bodies/solve.rs"]
+mod solve_body;
+
 use std::time::{Duration, Instant};
 
 use arbitrary::Unstructured;
-use serde_json::value::RawValue;
 use tracefig::figure::{draw, plan};
 use tracefig::output::{Options, Writer, format};
-use tracefig::scene::{Ink, Source, open_text, read, solve, solve_jsonl_line};
+use tracefig::scene::{Ink, Source, open_text, read, solve};
 
 /// The scenes of the figures, as TOML.
 fn figures() -> Vec<String> {
@@ -146,15 +147,7 @@ fn a_broken_scene_is_drawn_or_told_what_is_wrong() {
 fn any_line_of_a_stream_gets_one_line_of_json() {
     let good = r#"{"id": "a", "shapes": {"A": {"kind": "box", "half_extents": [1, 2], "angle_deg": 30}, "B": {"kind": "polygon", "vertices": [[0, 0], [1, 0], [0, 1]], "position": [4, 0]}}, "query": {"kind": "separation", "of": ["A", "B"]}}"#;
     arbtest::arbtest(|u| {
-        let line = broken(u, good)?.replace('\n', " ");
-        let reply = solve_jsonl_line(&line, 1).line;
-        // An id is copied as it stands, also a number that no double holds.
-        let json: BTreeMap<String, Box<RawValue>> =
-            serde_json::from_str(&reply).unwrap_or_else(|e| panic!("{e}: {line} gave {reply}"));
-        assert!(
-            !reply.contains('\n') && (json.contains_key("result") != json.contains_key("error")),
-            "{reply}"
-        );
+        solve_body::holds(&broken(u, good)?);
         Ok(())
     })
     .budget_ms(2_000);

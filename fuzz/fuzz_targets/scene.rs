@@ -3,7 +3,7 @@
 
 use libfuzzer_sys::fuzz_target;
 
-#[path = "../../tests/fuzz_bodies/mod.rs"]
-mod fuzz_bodies;
+#[path = "../../tests/fuzz_bodies/scene.rs"]
+mod body;
 
-fuzz_target!(|text: &str| fuzz_bodies::scene(text));
+fuzz_target!(|text: &str| body::holds(text));
