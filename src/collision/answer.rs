@@ -8,15 +8,15 @@ use crate::geometry::{DVec2, Enclosure, Feature};
 /// What a query found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// To [`super::QueryKind::Bounds`].
+    /// To [`crate::collision::QueryKind::Bounds`].
     Bounds(Bounds),
-    /// To [`super::QueryKind::Overlap`].
+    /// To [`crate::collision::QueryKind::Overlap`].
     Overlap(Overlap),
-    /// To [`super::QueryKind::Separation`].
+    /// To [`crate::collision::QueryKind::Separation`].
     Separation(Separation),
-    /// To [`super::QueryKind::LinearSweep`] and [`super::QueryKind::TimeOfImpact`].
+    /// To [`crate::collision::QueryKind::LinearSweep`] and [`crate::collision::QueryKind::TimeOfImpact`].
     Impact(Impact),
-    /// To [`super::QueryKind::MotionBound`].
+    /// To [`crate::collision::QueryKind::MotionBound`].
     MotionBound(MotionBound),
 }
 

@@ -2,7 +2,9 @@
 
 use glam::DVec2;
 
-use super::{Degrees, Shape, Turn};
+use crate::geometry::Degrees;
+use crate::geometry::Shape;
+use crate::geometry::Turn;
 
 /// A shape, where it is at t = 0, and how it moves.
 #[derive(Clone, Debug, PartialEq)]

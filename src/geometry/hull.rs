@@ -1,34 +1,36 @@
-//! A strictly convex core, prepared for queries: corners counter-clockwise, its sides' directions and normals.
+//! A strictly convex core, prepared for queries: vertices counter-clockwise, its edges' directions and normals.
 //!
-//! A point has one corner and no side; a segment two corners and two sides, there and back, which lets every algorithm
+//! A point has one vertex and no edge; a segment two vertices and two edges, there and back, which lets every algorithm
 //! that walks round a polygon walk round a segment too.
 
 use glam::DVec2;
 
-use super::{Ball, Dd, taming_power};
+use crate::geometry::Ball;
+use crate::geometry::Dd;
+use crate::geometry::taming_power;
 
-/// The corners of a convex core in counter-clockwise order, and what follows from them.
+/// The vertices of a convex core in counter-clockwise order, and what follows from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hull {
-    /// Corners in the body's frame, exactly as written.
-    pub corners: Vec<DVec2>,
-    /// Side i runs from corner i to corner i + 1: their difference, each component within ε/2 of itself.
-    pub sides: Vec<DVec2>,
-    /// Outward unit normals of the sides; each component within ε/2.
+    /// Vertices in the body's frame, exactly as written.
+    pub vertices: Vec<DVec2>,
+    /// Edge i runs from vertex i to vertex i + 1: their difference, each component within ε/2 of itself.
+    pub edges: Vec<DVec2>,
+    /// Outward unit normals of the edges; each component within ε/2.
     pub normals: Vec<DVec2>,
     /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component.
     pub tails: Vec<DVec2>,
-    /// Normal · corner, the side's distance from the body's origin: within 2ε of the reach.
+    /// Normal · vertex, the edge's distance from the body's origin: within 2ε of the reach.
     pub offsets: Vec<f64>,
-    /// Not below the distance of any corner from the body's origin.
+    /// Not below the distance of any vertex from the body's origin.
     pub reach: f64,
-    /// Rising [`diamond`] angles of the normals, from that of side `first` on.
+    /// Rising [`diamond`] angles of the normals, from that of edge `first` on.
     angles: Vec<f64>,
-    /// The side whose normal has the least diamond angle.
+    /// The edge whose normal has the least diamond angle.
     first: usize,
 }
 
-/// Up to this many corners it is quicker to look at all than to search.
+/// Up to this many vertices it is quicker to look at all than to search.
 const FEW: usize = 8;
 
 /// A measure of a direction's angle that rises with it from 0 to 4, without a root.
@@ -44,61 +46,61 @@ fn diamond(v: DVec2) -> f64 {
     }
 }
 
-/// Bound on the error of each component of a double-double normal: 7 ε². With u = ε/2 the square of a side's length is
+/// Bound on the error of each component of a double-double normal: 7 ε². With u = ε/2 the square of an edge's length is
 /// off by 11u² of itself (a product, a sum), its root by 5.5u² and 3.2u² of its own, the quotient by 17u² more: 26u².
-pub(super) const NORMAL_ERROR: f64 = 7.0 * f64::EPSILON * f64::EPSILON;
+pub(crate) const NORMAL_ERROR: f64 = 7.0 * f64::EPSILON * f64::EPSILON;
 
 impl Hull {
-    /// Prepares corners that are strictly convex and counter-clockwise.
+    /// Prepares vertices that are strictly convex and counter-clockwise.
     #[must_use]
-    pub(crate) fn new(corners: Vec<DVec2>) -> Self {
-        let n = corners.len();
-        let following = |i: usize| corners[(i + 1) % n];
+    pub(crate) fn new(vertices: Vec<DVec2>) -> Self {
+        let n = vertices.len();
+        let following = |i: usize| vertices[(i + 1) % n];
         let count = if n < 2 { 0 } else { n };
-        let sides: Vec<DVec2> = (0..count).map(|i| following(i) - corners[i]).collect();
+        let edges: Vec<DVec2> = (0..count).map(|i| following(i) - vertices[i]).collect();
         let (normals, tails): (Vec<DVec2>, Vec<DVec2>) =
-            (0..count).map(|i| outward(corners[i], following(i))).unzip();
-        let offsets = normals.iter().zip(&corners).map(|(normal, corner)| normal.dot(*corner)).collect();
-        let reach = corners.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
+            (0..count).map(|i| outward(vertices[i], following(i))).unzip();
+        let offsets = normals.iter().zip(&vertices).map(|(normal, vertex)| normal.dot(*vertex)).collect();
+        let reach = vertices.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
         let angle = |i: &usize| diamond(normals[*i]);
         let first = (0..count).min_by(|i, j| angle(i).total_cmp(&angle(j))).unwrap_or(0);
         let mut angles: Vec<f64> = (0..count).map(|i| angle(&((first + i) % n))).collect();
-        // Nearly parallel sides may come out of order by rounding.
+        // Nearly parallel edges may come out of order by rounding.
         angles.sort_by(f64::total_cmp);
-        Self { corners, sides, normals, tails, offsets, reach, angles, first }
+        Self { vertices, edges, normals, tails, offsets, reach, angles, first }
     }
 
-    /// Corner after `i`, counter-clockwise.
+    /// Vertex after `i`, counter-clockwise.
     #[inline]
     #[must_use]
     pub fn next(&self, i: usize) -> usize {
-        if i + 1 == self.corners.len() { 0 } else { i + 1 }
+        if i + 1 == self.vertices.len() { 0 } else { i + 1 }
     }
 
-    /// Corner before `i`.
+    /// Vertex before `i`.
     #[inline]
     #[must_use]
     pub fn previous(&self, i: usize) -> usize {
-        if i == 0 { self.corners.len() - 1 } else { i - 1 }
+        if i == 0 { self.vertices.len() - 1 } else { i - 1 }
     }
 
-    /// The corner that is highest along `direction`, in the hull's frame, searched from corner `from` on (from anywhere,
-    /// if there is no such corner). A guess: rounding may leave it at a neighbour that is as high.
+    /// The vertex that is highest along `direction`, in the hull's frame, searched from vertex `from` on (from anywhere,
+    /// if there is no such vertex). A guess: rounding may leave it at a neighbour that is as high.
     #[inline]
     #[must_use]
     pub fn highest(&self, direction: DVec2, from: usize) -> usize {
-        let count = self.corners.len();
+        let count = self.vertices.len();
         if count <= FEW {
             return self.highest_of_few(direction);
         }
         let mut k = if from < count { from } else { self.sector(direction) };
-        if direction.dot(self.sides[k]) > 0.0 || direction.dot(self.sides[self.previous(k)]) < 0.0 {
+        if direction.dot(self.edges[k]) > 0.0 || direction.dot(self.edges[self.previous(k)]) < 0.0 {
             k = self.sector(direction);
         }
         for _ in 0..count {
-            if direction.dot(self.sides[k]) > 0.0 {
+            if direction.dot(self.edges[k]) > 0.0 {
                 k = self.next(k);
-            } else if direction.dot(self.sides[self.previous(k)]) < 0.0 {
+            } else if direction.dot(self.edges[self.previous(k)]) < 0.0 {
                 k = self.previous(k);
             } else {
                 break;
@@ -107,11 +109,11 @@ impl Hull {
         k
     }
 
-    /// The highest corner of a few, by looking at them all.
+    /// The highest vertex of a few, by looking at them all.
     #[inline]
     fn highest_of_few(&self, direction: DVec2) -> usize {
         let (mut best, mut top) = (0, f64::NEG_INFINITY);
-        for (k, q) in self.corners.iter().enumerate() {
+        for (k, q) in self.vertices.iter().enumerate() {
             let height = direction.dot(*q);
             if height > top {
                 (best, top) = (k, height);
@@ -120,17 +122,17 @@ impl Hull {
         best
     }
 
-    /// The corner between the normals that have `direction` between them, by bisection: O(log n).
+    /// The vertex between the normals that have `direction` between them, by bisection: O(log n).
     #[inline]
     fn sector(&self, direction: DVec2) -> usize {
         let angle = diamond(direction);
         let k = self.angles.partition_point(|&a| a < angle);
-        // Normal k − 1 is before the direction and normal k behind it: they meet in corner k.
+        // Normal k − 1 is before the direction and normal k behind it: they meet in vertex k.
         let first = self.first + k;
-        if first < self.corners.len() { first } else { first - self.corners.len() }
+        if first < self.vertices.len() { first } else { first - self.vertices.len() }
     }
 
-    /// Outward unit normal of side `i`, to twice the precision; exact where the side is parallel to an axis.
+    /// Outward unit normal of edge `i`, to twice the precision; exact where the edge is parallel to an axis.
     #[inline]
     #[must_use]
     pub fn fine_normal(&self, i: usize) -> [Ball; 2] {
@@ -149,7 +151,7 @@ fn length(v: DVec2) -> f64 {
     if length == 0.0 { 0.0 } else { (length / factor).next_up() }
 }
 
-/// The unit normal to the right of a side, outward where corners run counter-clockwise: its doubles and their tails.
+/// The unit normal to the right of an edge, outward where vertices run counter-clockwise: its doubles and their tails.
 fn outward(from: DVec2, to: DVec2) -> (DVec2, DVec2) {
     let rough = to - from;
     let factor = taming_power(rough.x.abs().max(rough.y.abs()));
@@ -197,7 +199,7 @@ mod tests {
         }
     }
 
-    /// The largest error of a component of a stored normal, as a share of [`NORMAL_ERROR`], over many sides.
+    /// The largest error of a component of a stored normal, as a share of [`NORMAL_ERROR`], over many edges.
     fn share_of_the_bound(count: usize) -> f64 {
         let mut random = Random::new(11);
         let mut most = 0.0_f64;

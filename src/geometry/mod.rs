@@ -3,24 +3,19 @@
 //! A body is a convex *core* (one, two or more vertices) swept by a disc of radius r, that moves with constant
 //! velocities over t in [0, 1] and turns about its own origin.
 
-mod ball;
 mod body;
-mod degrees;
-mod double_double;
-mod each;
 mod hull;
-mod series;
+pub(crate) mod number;
 pub mod shape;
-mod sines;
 
-pub use ball::Ball;
 pub use body::{Body, Pose, perp};
-pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, TAILED_ERROR, Turn};
-pub(crate) use double_double::fast_two_sum;
-pub use double_double::{COMBINED_ERROR, Dd, combined, taming_power, two_product, two_sum};
-pub(crate) use each::{two_product_each, two_sum_each};
 pub use glam::DVec2;
 pub use hull::Hull;
+pub use number::{
+    Ball, COMBINED_ERROR, COS_SIN_ERROR, CosSin, Dd, Degrees, TAILED_ERROR, Turn, combined, taming_power,
+    two_product, two_sum,
+};
+pub(crate) use number::{fast_two_sum, two_product_each, two_sum_each};
 pub use shape::Shape;
 
 use serde::Serialize;
@@ -29,7 +24,7 @@ use serde::Serialize;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Feature {
-    /// A corner, or the one point of a circle.
+    /// A vertex, or the one point of a circle.
     Vertex(usize),
     /// The side from vertex i to vertex i + 1.
     Edge(usize),

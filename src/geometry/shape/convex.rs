@@ -1,4 +1,4 @@
-//! Whether a list of corners is a convex polygon, decided exactly, and which of its corners count.
+//! Whether a list of vertices is a convex polygon, decided exactly, and which of its vertices count.
 //!
 //! Walking round, every turn must go the same way (the sign of `orient2d`, exact: Shewchuk, *Adaptive Precision
 //! Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997), and the walk must go round only once: its
@@ -10,7 +10,7 @@ use robust::{Coord, orient2d};
 use super::ShapeError;
 use crate::geometry::taming_power;
 
-/// Indices of the strictly convex corners, counter-clockwise, starting from the first of them in the file.
+/// Indices of the strictly convex vertices, counter-clockwise, starting from the first of them in the file.
 pub(super) fn convex_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> {
     let scale = tamer(vertices);
     let point = |i: usize| vertices[i] * scale;
@@ -55,17 +55,17 @@ pub(super) fn convex_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> 
     Ok(core)
 }
 
-/// The error of a corner at which the polygon is not convex.
-fn not_convex(corner: usize) -> ShapeError {
+/// The error of a vertex at which the polygon is not convex.
+fn not_convex(vertex: usize) -> ShapeError {
     ShapeError::at(
         "not-convex",
         "vertices",
-        corner,
-        format!("expected a convex polygon, got one that is not at vertex {corner}"),
+        vertex,
+        format!("expected a convex polygon, got one that is not at vertex {vertex}"),
     )
 }
 
-/// A power of two that brings the corners near 1, so that the exact predicate neither overflows nor underflows.
+/// A power of two that brings the vertices near 1, so that the exact predicate neither overflows nor underflows.
 pub(super) fn tamer(vertices: &[DVec2]) -> f64 {
     let largest = vertices.iter().fold(0.0, |m: f64, v| m.max(v.x.abs()).max(v.y.abs()));
     if (1e-100..1e100).contains(&largest) { 1.0 } else { taming_power(largest) }
@@ -77,7 +77,7 @@ pub(super) fn orientation(p: DVec2, q: DVec2, r: DVec2) -> f64 {
     orient2d(coord(p), coord(q), coord(r))
 }
 
-/// Whether the walk comes back on its own line at corner `k` of three collinear ones.
+/// Whether the walk comes back on its own line at vertex `k` of three collinear ones.
 fn goes_back(vertices: &[DVec2], distinct: &[usize], k: usize) -> bool {
     let count = distinct.len();
     let (p, q, r) = (

@@ -1,6 +1,6 @@
-//! Features of a shape in the file's numbering, from corners and sides of its core.
+//! Features of a shape in the file's numbering, from vertices and sides of its core.
 //!
-//! The core runs counter-clockwise without collinear corners; the file may run clockwise and have more corners. An answer
+//! The core runs counter-clockwise without collinear vertices; the file may run clockwise and have more vertices. An answer
 //! names what the file has: the vertex, or the edge that holds the witness point.
 
 use glam::DVec2;
@@ -9,7 +9,7 @@ use super::Shape;
 use crate::geometry::Feature;
 
 impl Shape {
-    /// The feature in the file's numbering for corner `k` of the core.
+    /// The feature in the file's numbering for vertex `k` of the core.
     #[inline]
     #[must_use]
     pub fn vertex_feature(&self, k: usize) -> Feature {
@@ -18,25 +18,25 @@ impl Shape {
 
     /// The file's edge that holds `point` (body frame), which lies on side `k` of the core.
     ///
-    /// Where collinear corners were dropped, the side is made of several edges of the file: the one whose ends have the
+    /// Where collinear vertices were dropped, the side is made of several edges of the file: the one whose ends have the
     /// point between them is taken, the first in the file's order on a tie.
     #[inline]
     #[must_use]
     pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
-        let (count, corners) = (self.vertices.len(), self.core.len());
-        if corners < 2 {
+        let (count, vertices) = (self.vertices.len(), self.core.len());
+        if vertices < 2 {
             return self.vertex_feature(0);
         }
         if count == 2 {
             return Feature::Edge(0);
         }
         let next = |k: usize, count: usize| if k + 1 == count { 0 } else { k + 1 };
-        let k = if k < corners { k } else { k % corners };
-        let (from, to) = (self.core[k], self.core[next(k, corners)]);
+        let k = if k < vertices { k } else { k % vertices };
+        let (from, to) = (self.core[k], self.core[next(k, vertices)]);
         if next(from, count) == to { Feature::Edge(from) } else { self.edge_between(from, to, point) }
     }
 
-    /// The same where the file runs clockwise, or has more corners between the two.
+    /// The same where the file runs clockwise, or has more vertices between the two.
     #[cold]
     fn edge_between(&self, from: usize, to: usize, point: DVec2) -> Feature {
         let (from, to) = if self.is_counter_clockwise() { (from, to) } else { (to, from) };

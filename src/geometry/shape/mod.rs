@@ -29,10 +29,10 @@ pub struct Shape {
     pub radius: f64,
     /// Half-extents of a box or AABB.
     pub half_extents: Option<DVec2>,
-    /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear corners
+    /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear vertices
     /// dropped. Empty for an `outline`, which is not convex.
     pub core: Vec<usize>,
-    /// The core, prepared for queries: `hull.corners[k]` = `vertices[core[k]]`.
+    /// The core, prepared for queries: `hull.vertices[k]` = `vertices[core[k]]`.
     pub hull: Hull,
 }
 
@@ -251,10 +251,10 @@ fn half_extents_value(found: Option<&FieldValue>) -> Result<DVec2, ShapeError> {
     Ok(h)
 }
 
-/// The corners of a box, counter-clockwise from (−, −).
+/// The vertices of a box, counter-clockwise from (−, −).
 fn box_of(kind: &'static str, h: DVec2, radius: f64) -> Shape {
-    let corners = vec![-h, DVec2::new(h.x, -h.y), h, DVec2::new(-h.x, h.y)];
-    Shape { half_extents: Some(h), ..Shape::convex(kind, corners, radius) }
+    let vertices = vec![-h, DVec2::new(h.x, -h.y), h, DVec2::new(-h.x, h.y)];
+    Shape { half_extents: Some(h), ..Shape::convex(kind, vertices, radius) }
 }
 
 #[cfg(test)]
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn collinear_and_duplicate_corners_are_dropped_and_edges_keep_the_files_numbers() {
+    fn collinear_and_duplicate_vertices_are_dropped_and_edges_keep_the_files_numbers() {
         let shape =
             polygon(&[(-1., -1.), (0., -1.), (1., -1.), (1., -1.), (1., 0.), (1., 1.), (-1., 1.), (-1., 0.)])
                 .unwrap();
@@ -294,7 +294,7 @@ mod tests {
         assert_eq!(code(&[(0., 0.), (1., 0.), (1., 0.), (0., 0.)]), "too-few-corners");
         assert_eq!(code(&[(0., 0.), (1., 0.), (2., 0.)]), "degenerate");
         assert_eq!(code(&[(0., 0.), (f64::NAN, 0.), (2., 0.)]), "not-finite");
-        // A pentagram turns left at every corner, twice round.
+        // A pentagram turns left at every vertex, twice round.
         assert_eq!(code(&[(0., 1.), (-0.6, -0.8), (0.95, 0.3), (-0.95, 0.3), (0.6, -0.8)]), "not-convex");
         // A spike that comes back on its own line.
         assert_eq!(code(&[(0., 0.), (2., 0.), (1., 0.), (1., 1.)]), "not-convex");
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn denormal_corners_are_judged_exactly() {
+    fn denormal_vertices_are_judged_exactly() {
         let d = f64::from_bits(3);
         assert_eq!(polygon(&[(0., 0.), (d, 0.), (d, d), (0., d)]).unwrap().core.len(), 4);
         assert_eq!(polygon(&[(0., 0.), (d, d), (2. * d, 2. * d)]).unwrap_err().code, "degenerate");
@@ -320,7 +320,7 @@ mod tests {
         let points = FieldValue::Points(vec![DVec2::ONE, DVec2::ONE]);
         let capsule =
             Shape::of_kind("capsule", &[("points", points), ("radius", FieldValue::Number(0.5))]).unwrap();
-        assert_eq!((capsule.hull.corners.len(), capsule.vertices.len()), (1, 2));
+        assert_eq!((capsule.hull.vertices.len(), capsule.vertices.len()), (1, 2));
     }
 
     #[test]

@@ -42,7 +42,7 @@ fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
     })
 }
 
-/// The first edge that meets another one elsewhere than at their common corner.
+/// The first edge that meets another one elsewhere than at their common vertex.
 fn first_crossing(vertices: &[DVec2]) -> Option<usize> {
     let n = vertices.len();
     let edge = |i: usize| (vertices[i], vertices[(i + 1) % n]);

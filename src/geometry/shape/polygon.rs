@@ -1,4 +1,4 @@
-//! A convex polygon, in either winding, with sharp or rounded corners.
+//! A convex polygon, in either winding, with sharp or rounded vertices.
 
 use super::convex::convex_core;
 use super::{

@@ -1,0 +1,204 @@
+//! Stepping through time by a safe bound: what [`crate::collision::algorithm::ray_clipping`] and [`crate::collision::algorithm::conservative_advancement`] share.
+//!
+//! At each moment a distance query gives the separation s, and the unit normal n from A to B at the closest points.
+//! Along n the gap shrinks at most at the rate
+//!
+//! ```text
+//! bound = v·n + r_A |ω_A| + r_B |ω_B|         v = v_A − v_B, the closing velocity
+//! ```
+//!
+//! where r is the largest distance of a body's points from its origin (Mirtich, *Impulse-based Dynamic Simulation of
+//! Rigid Body Systems*, 1996, section 2.3.2; Coumans, *Continuous Collision Detection and Physics*, 2005). So nothing touches before
+//! t + s / bound, and a bound that is not positive means that the bodies never meet.
+//!
+//! The sign is what the article's readers argued about: its `ray` is `v_B` − `v_A`, while its normal points from A to B, so that
+//! its `rayN` is minus the closing speed and a step could lead backward in time. Neither `fabs` nor a flipped test is
+//! the cure, but the closing velocity itself.
+
+use crate::collision::Impact;
+use crate::collision::Outcome;
+use crate::collision::Query;
+use crate::collision::Reason;
+use crate::collision::Separation;
+use crate::collision::algorithm::minkowski;
+use crate::collision::algorithm::view::Relative;
+use crate::collision::certified::impact::closest::nearest;
+use crate::collision::certified::impact::contact::{self, Before};
+use crate::collision::certified::impact::moving_pair::MovingPair;
+use crate::geometry::{Body, DVec2, Enclosure, perp};
+use crate::trace::{Event, Moment, Tracer};
+
+/// What is added to v·n, and where the estimate is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Flavor {
+    /// No turning: the estimate moves along the ray in B ⊖ A as it is at t = 0.
+    RayClipping,
+    /// Turning bodies: B ⊖ A changes, and the estimate stays at its origin.
+    Conservative,
+}
+
+/// The tolerance in force is never below this many ε·S: what a query in plain doubles can tell.
+pub(crate) const TOLERANCE_FLOOR: f64 = 16.0 * f64::EPSILON;
+
+/// The normal, the velocities and the arms of a bound are right to this many ε of the sum of their magnitudes.
+const BOUND_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// A separation is shortened by this many ε·S before a step: its normal is rounded, so that the gap along it may be
+/// less than s by that.
+const SEPARATION_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// One advancement of a pair.
+struct Advancement<'q> {
+    query: &'q Query<'q>,
+    a: &'q Body,
+    b: &'q Body,
+    flavor: Flavor,
+    /// Closing velocity `v_A` − `v_B`.
+    v: DVec2,
+    /// `r_A` |`ω_A`| + `r_B` |`ω_B`|, rounded up.
+    arms: f64,
+    /// In force, world units.
+    tolerance: f64,
+    /// S of the pair.
+    scale: f64,
+}
+
+/// A step's verdict.
+enum Step {
+    /// Go on at this time.
+    To(f64),
+    /// The end.
+    Done(Outcome),
+}
+
+/// Answers a sweep or a time of impact by stepping.
+pub(crate) fn advance<T: Tracer>(
+    query: &Query,
+    flavor: Flavor,
+    name: &'static str,
+    tracer: &mut T,
+) -> Impact {
+    let Some(b) = query.b else {
+        return Impact { outcome: Outcome::Miss, tolerance: query.tolerance, iterations: 0 };
+    };
+    let a = query.a;
+    let scale = scale_of(a, b);
+    let arms = match flavor {
+        Flavor::RayClipping => 0.0,
+        Flavor::Conservative => (arm(a) + arm(b)) * (1.0 + BOUND_ROUNDING),
+    };
+    let tolerance = query.tolerance.max(TOLERANCE_FLOOR * scale);
+    let run = Advancement { query, a, b, flavor, v: a.velocity - b.velocity, arms, tolerance, scale };
+    let (outcome, iterations) = run.run(name, tracer);
+    tracer.record(|| Event::Finished { outcome: outcome.word() });
+    Impact { outcome, tolerance, iterations }
+}
+
+impl Advancement<'_> {
+    fn run<T: Tracer>(&self, name: &'static str, tracer: &mut T) -> (Outcome, usize) {
+        let mut t = 0.0;
+        for step in 0..self.query.max_iterations {
+            let at = moment(self.a, self.b, t);
+            tracer.record(|| Event::Started { algorithm: name, at });
+            let near = minkowski::separation(&Relative::at(self.a, self.b, t), tracer);
+            let closing = self.v.dot(near.normal);
+            let bound = closing + self.arms;
+            let verdict = self.verdict(t, &near, bound);
+            tracer.record(|| {
+                let estimate = match self.flavor {
+                    Flavor::RayClipping => self.v * t,
+                    Flavor::Conservative => DVec2::ZERO,
+                };
+                Event::Advanced {
+                    step,
+                    at,
+                    separation: near.separation,
+                    normal: near.normal,
+                    points: near.points,
+                    closest: estimate + (near.points[1] - near.points[0]),
+                    estimate,
+                    closing_speed: closing,
+                    bound,
+                    next: if let Step::To(next) = verdict { Some(next) } else { None },
+                }
+            });
+            match verdict {
+                Step::To(next) => t = next,
+                Step::Done(outcome) => return (outcome, step + 1),
+            }
+        }
+        (Outcome::Unresolved { reason: Reason::IterationLimit, free_until: t }, self.query.max_iterations)
+    }
+
+    /// What a distance query at `t` allows.
+    fn verdict(&self, t: f64, near: &Separation, bound: f64) -> Step {
+        if t == 0.0 && near.bounds.lo <= 0.0 {
+            return Step::Done(contact::at_start(near));
+        }
+        if near.separation <= self.tolerance {
+            return Step::Done(self.arrived(t, near));
+        }
+        let bound = bound + BOUND_ROUNDING * (self.v.x.abs() + self.v.y.abs() + self.arms);
+        if bound <= 0.0 {
+            return Step::Done(Outcome::Miss);
+        }
+        let gap = near.bounds.lo - SEPARATION_ROUNDING * self.scale;
+        // t + h rounds to nearest: the double before it is surely free.
+        let next = (t + gap / bound * (1.0 - BOUND_ROUNDING)).next_down();
+        if next >= 1.0 {
+            Step::Done(Outcome::Miss)
+        } else if next <= t {
+            Step::Done(Outcome::Unresolved { reason: Reason::Stalled, free_until: t })
+        } else {
+            Step::To(next)
+        }
+    }
+
+    /// Within the tolerance: a hit only where contact is proved a little later.
+    fn arrived(&self, t: f64, near: &Separation) -> Outcome {
+        let speed = closing_speed(self.a, self.b, t, near);
+        let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
+        let pair = MovingPair::new(self.a, self.b);
+        let features = nearest(&pair, t).0;
+        if Before::new(&pair, t, features).touches_by(later) {
+            Outcome::Hit { time: Enclosure { lo: t, hi: later }, contact: *near }
+        } else {
+            Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t }
+        }
+    }
+}
+
+/// How fast the witness points close along the normal: −ds/dt where the features stay the same. World units per unit of
+/// time.
+pub(crate) fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
+    let at = |body: &Body, p: DVec2| {
+        body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.0.to_radians()
+    };
+    (at(a, near.points[0]) - at(b, near.points[1])).dot(near.normal)
+}
+
+/// The moment of time `t`, as events tell it.
+pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
+    Moment { time: t, angle_a: a.angle.0 + a.spin.0 * t, angle_b: b.angle.0 + b.spin.0 * t }
+}
+
+/// r |ω| of a body: the fastest that turning moves any of its points, in world units per unit of time.
+///
+/// A disc about the body's own origin does not change when it turns, so the radius counts only with an eccentric core.
+pub(crate) fn arm(body: &Body) -> f64 {
+    let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
+    far * body.spin.0.abs().to_radians()
+}
+
+/// S of a pair, from differences: the largest extent of a body, distance moved by turning, and half of what the bodies are
+/// apart or move relative to each other (each body's share). World units.
+pub(crate) fn scale_of(a: &Body, b: &Body) -> f64 {
+    let largest = |v: DVec2| v.x.abs().max(v.y.abs());
+    let extent = |body: &Body| {
+        let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v)));
+        far.max(body.shape.radius).max(far * body.spin.0.abs().to_radians())
+    };
+    let shares =
+        largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
+    extent(a).max(extent(b)).max(shares)
+}

@@ -1,0 +1,194 @@
+//! From the closest features of two cores to the answer: normal, witness points, features, ties.
+//!
+//! An algorithm ends with a [`Candidate`]: which feature of A faces which feature of B, and along which normal. What
+//! the article's readers ask for, "the closest feature pair", is that edge of B ⊖ A that is nearest the origin, and
+//! the book-keeping of which edge and vertex made it (Firth, "Collision detection for dummies", the comments).
+//! The numbers of the answer are then proved by [`crate::collision::certified::distance::search`].
+
+use crate::collision::Answer;
+use crate::collision::Overlap;
+use crate::collision::QueryKind;
+use crate::collision::Separation;
+use crate::collision::algorithm::outline::{Pairing, Projection, Span, length};
+use crate::collision::algorithm::view::{Relative, Turn};
+use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::search::{Hint, certify};
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::{Event, Goal, SupportVertex, Tracer};
+
+/// A part of a core: counted along the core, not the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum CoreFeature {
+    /// A vertex.
+    Vertex(usize),
+    /// The edge from this vertex to the next.
+    Edge(usize),
+}
+
+/// The features that face each other, and how far apart the cores are along the normal; in A's frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Candidate {
+    /// Signed distance of the cores.
+    pub(crate) distance: f64,
+    /// Unit vector from A to B.
+    pub(crate) normal: DVec2,
+    /// The features of A and B.
+    pub(crate) features: [CoreFeature; 2],
+}
+
+impl Candidate {
+    /// The features behind a projection of the origin onto an edge of B ⊖ A.
+    pub(crate) fn of_projection(pair: &Relative, p: &Projection) -> Self {
+        let Pairing { source, edge, vertex } = p.pairing;
+        if p.distance < 0.0 || p.span == Span::Within {
+            let facing = partner(pair, p.pairing).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
+            let own = CoreFeature::Edge(edge);
+            let features = match source {
+                Side::A => [own, facing],
+                Side::B => [facing, own],
+            };
+            return Self { distance: p.line, normal: -p.outward, features };
+        }
+        let end = if p.along > 0.5 { pair.next(source, edge) } else { edge };
+        let [a, b] = match source {
+            Side::A => [end, vertex],
+            Side::B => [vertex, end],
+        };
+        Self::of_vertices(pair, a, b)
+    }
+
+    /// Two vertices that face each other. Where they coincide no direction is better than another, and the normal is
+    /// the world's x axis.
+    pub(crate) fn of_vertices(pair: &Relative, a: usize, b: usize) -> Self {
+        let v = pair.vertex(Side::B, b) - pair.vertex(Side::A, a);
+        let distance = length(v);
+        let normal = if distance > 0.0 { v / distance } else { pair.local_vector(DVec2::X) };
+        Self { distance, normal, features: [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] }
+    }
+
+    /// The same candidate for the same pair with A and B exchanged, from the frame of one to that of the other.
+    pub(crate) fn swapped(self, from: &Relative, to: &Relative) -> Self {
+        let [a, b] = self.features;
+        let normal = -to.local_vector(from.world_vector(self.normal));
+        Self { distance: self.distance, normal, features: [b, a] }
+    }
+}
+
+/// The other body's edge that lies along this edge of B ⊖ A, if one does.
+fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
+    let other = p.source.other();
+    if pair.edges(other) == 0 {
+        return None;
+    }
+    [p.vertex, pair.previous(other, p.vertex)]
+        .into_iter()
+        .find(|&l| pair.turn_of(p.source, p.edge, l) == Turn::Along)
+}
+
+/// The certified answer for a candidate, told.
+pub(crate) fn conclude(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+    let answer = separation(pair, c);
+    tell(pair, &answer, tracer);
+    answer
+}
+
+/// Tells an answer as every algorithm does, so that layers need not know who found it: the supporting vertices of the
+/// edge that faces the other body, the point of B ⊖ A nearest the origin, and the candidate that won.
+pub(crate) fn tell(pair: &Relative, answer: &Separation, tracer: &mut impl Tracer) {
+    let faces = match answer.features {
+        [Feature::Edge(_), of_b] => Some((Side::B, -answer.normal, of_b)),
+        [of_a, Feature::Edge(_)] => Some((Side::A, answer.normal, of_a)),
+        _ => None,
+    };
+    if let Some((body, direction, feature)) = faces {
+        tracer.record(|| Event::SupportFound { body, direction, vertices: ends(pair, body, feature) });
+    }
+    let (foot, distance) = (answer.normal * answer.separation, answer.separation);
+    tracer.record(|| Event::OriginProjected { foot, distance });
+    tracer.record(|| Event::CandidateImproved {
+        goal: if distance < 0.0 { Goal::LeastPenetrating } else { Goal::LeastPositive },
+        distance,
+        foot,
+        source: match answer.features {
+            [Feature::Vertex(_), of_b @ Feature::Edge(_)] => (Side::B, of_b),
+            [of_a, _] => (Side::A, of_a),
+        },
+    });
+}
+
+/// The vertex of a feature, or both ends of an edge, in the world.
+fn ends(pair: &Relative, side: Side, feature: Feature) -> Vec<SupportVertex> {
+    let body = pair.body(side);
+    let pose = body.pose_at(pair.at.time);
+    let count = body.shape.vertices.len().max(1);
+    let indices = match feature {
+        Feature::Vertex(i) => [Some(i), None],
+        Feature::Edge(i) => [Some(i), Some((i + 1) % count)],
+    };
+    let told = |i: usize| Some(SupportVertex { index: i, point: pose.point(*body.shape.vertices.get(i)?) });
+    indices.into_iter().flatten().filter_map(told).collect()
+}
+
+/// [`conclude`] for algorithms that told all of it about the cores: only a radius, or a pair of points, adds to that.
+pub(crate) fn conclude_rounding(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+    let points = pair.edges(Side::A) == 0 && pair.edges(Side::B) == 0;
+    if pair.radius() > 0.0 || points { conclude(pair, c, tracer) } else { separation(pair, c) }
+}
+
+/// The certified answer for a candidate: its features are where the proof begins, and of directions that tie they are
+/// the ones that are taken.
+pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
+    let facing = |source, edge, vertex| Hint::Edge(Facing { source, edge, vertex });
+    let hint = match c.features {
+        [CoreFeature::Edge(edge), CoreFeature::Vertex(vertex) | CoreFeature::Edge(vertex)] => {
+            facing(Side::A, edge, vertex)
+        }
+        [CoreFeature::Vertex(vertex), CoreFeature::Edge(edge)] => facing(Side::B, edge, vertex),
+        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => Hint::Vertices([a, b]),
+    };
+    certify(&pair.certified, Some(hint))
+}
+
+/// The verdict that a separation allows; touching counts as overlap.
+pub(crate) fn overlap(s: &Separation) -> Overlap {
+    let overlap = if s.bounds.lo > 0.0 {
+        Some(false)
+    } else if s.bounds.hi <= 0.0 {
+        Some(true)
+    } else {
+        None
+    };
+    Overlap { overlap, separation_bounds: s.bounds }
+}
+
+/// The verdict of an axis whose gap is larger than its rounding: apart, by at least that.
+pub(crate) fn separated(pair: &Relative, p: &Projection) -> Overlap {
+    let lo = ((p.line - pair.radius()) - pair.gap_error()).max(0.0);
+    Overlap { overlap: Some(false), separation_bounds: Enclosure { lo, hi: f64::INFINITY } }
+}
+
+/// A separation as the answer to a query of either kind.
+pub(crate) fn answer(kind: QueryKind, s: Separation) -> Answer {
+    if kind == QueryKind::Overlap { Answer::Overlap(overlap(&s)) } else { Answer::Separation(s) }
+}
+
+/// A word for a verdict.
+pub(crate) fn verdict(o: &Overlap) -> &'static str {
+    match o.overlap {
+        Some(true) => "overlapping",
+        Some(false) if o.separation_bounds.hi == f64::INFINITY => "separating axis",
+        Some(false) => "apart",
+        None => "undecided",
+    }
+}
+
+/// A word for how the pair stands.
+pub(crate) fn word(separation: f64) -> &'static str {
+    if separation > 0.0 {
+        "apart"
+    } else if separation < 0.0 {
+        "overlapping"
+    } else {
+        "touching"
+    }
+}

@@ -1,0 +1,109 @@
+//! EPA, the expanding polytope: depth from a simplex of B ⊖ A that holds the origin. See [`crate::collision::algorithm::gjk`].
+//!
+//! The polytope's vertices are kept counter-clockwise. Its edge nearest the origin, with outward normal N and distance d, is
+//! split by the farthest vertex w of B ⊖ A along N; when w·N is no farther than d the edge is one of B ⊖ A itself, and d
+//! the depth:
+//!
+//! ```text
+//! w = s_B(N) − s_A(−N)      stop: w·N ≤ d, or w is an end of the edge
+//! ```
+//!
+//! It may start from a segment, which is a polytope of two edges, there and back, with no inside: a body without
+//! interior, or a search that met the origin on its way.
+
+use crate::collision::algorithm::gjk::Vertex;
+use crate::collision::algorithm::outline::length;
+use crate::collision::algorithm::view::Relative;
+use crate::geometry::DVec2;
+use crate::trace::{Event, Tracer};
+
+/// Most vertices that a polytope may have: it grows by one a step, and steps beyond this only come from bodies of
+/// hundreds of vertices that are all about as deep.
+const CAPACITY: usize = 128;
+
+/// A convex polygon inside B ⊖ A, counter-clockwise.
+struct Polytope {
+    vertices: [Vertex; CAPACITY],
+    count: usize,
+}
+
+/// The edge of B ⊖ A nearest the origin; None when the storage is used up or B ⊖ A is a point.
+pub(crate) fn expand(pair: &Relative, simplex: &[Vertex], tracer: &mut impl Tracer) -> Option<[Vertex; 2]> {
+    let mut polytope = Polytope::from_simplex(pair, simplex)?;
+    loop {
+        let (edge, outward, distance) = polytope.nearest();
+        tracer.record(|| Event::PolytopeExpanded {
+            vertices: polytope.vertices[..polytope.count]
+                .iter()
+                .map(|v| pair.world_vector(v.point))
+                .collect(),
+            nearest: distance,
+        });
+        let (p, q) = polytope.ends(edge);
+        let w = Vertex::farthest(pair, outward);
+        if w.is(&p) || w.is(&q) || w.point.dot(outward) <= distance {
+            return Some([p, q]);
+        }
+        if polytope.vertices[..polytope.count].iter().any(|v| v.is(&w)) || !polytope.insert(edge, w) {
+            return None;
+        }
+    }
+}
+
+impl Polytope {
+    /// A triangle turned counter-clockwise, or the segment from a vertex to another one.
+    fn from_simplex(pair: &Relative, simplex: &[Vertex]) -> Option<Self> {
+        let first = *simplex.first()?;
+        let mut vertices = [first; CAPACITY];
+        let count = match *simplex {
+            [p, q, r] => {
+                let counter_clockwise = (q.point - p.point).perp_dot(r.point - p.point) > 0.0;
+                vertices[..3].copy_from_slice(&if counter_clockwise { [p, q, r] } else { [p, r, q] });
+                3
+            }
+            [p, q] => {
+                vertices[..2].copy_from_slice(&[p, q]);
+                2
+            }
+            _ => {
+                let directions = [DVec2::X, DVec2::NEG_X, DVec2::Y, DVec2::NEG_Y];
+                let other = directions.map(|d| Vertex::farthest(pair, d)).into_iter();
+                vertices[1] = other.into_iter().find(|v| v.point != first.point)?;
+                2
+            }
+        };
+        Some(Self { vertices, count })
+    }
+
+    /// Vertex k and the next.
+    fn ends(&self, k: usize) -> (Vertex, Vertex) {
+        let next = if k + 1 == self.count { 0 } else { k + 1 };
+        (self.vertices[k], self.vertices[next])
+    }
+
+    /// The edge nearest the origin, its outward normal and its distance.
+    fn nearest(&self) -> (usize, DVec2, f64) {
+        let mut best = (0, DVec2::ZERO, f64::INFINITY);
+        for k in 0..self.count {
+            let (p, q) = self.ends(k);
+            let d = q.point - p.point;
+            let outward = DVec2::new(d.y, -d.x) / length(d);
+            let distance = outward.dot(p.point);
+            if distance < best.2 {
+                best = (k, outward, distance);
+            }
+        }
+        best
+    }
+
+    /// Splits edge k by a vertex; false where there is no room.
+    fn insert(&mut self, k: usize, w: Vertex) -> bool {
+        if self.count == CAPACITY {
+            return false;
+        }
+        self.vertices.copy_within(k + 1..self.count, k + 2);
+        self.vertices[k + 1] = w;
+        self.count += 1;
+        true
+    }
+}

@@ -1,0 +1,117 @@
+//! AABB against AABB, axis by axis.
+//!
+//! ```text
+//! D = |c_B − c_A| − (h_A + h_B)      overlap = D_x < 0 and D_y < 0
+//! ```
+//!
+//! One positive component is a gap: apart. With both negative the boxes overlap, and the axis of the larger D is the
+//! shorter way out. That is the minimum translation a reader of the article asks for: move B by |D| on that axis, away
+//! from A. (Here touching, D = 0, counts as overlap too.) Apart on both axes, the nearest features are vertices and the
+//! distance is ‖D‖. Coincident centres are moved apart towards +x, or +y where that is shorter.
+//!
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section AABB vs AABB, and the comments.
+
+use crate::collision::Answer;
+use crate::collision::Query;
+use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
+use crate::collision::algorithm::outline;
+use crate::collision::algorithm::view::Relative;
+use crate::geometry::{Body, DVec2, Side};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "extents";
+
+/// Two AABBs, and no other shapes.
+pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+    let aabb = |body: &Body| body.shape.kind == "aabb" && body.shape.core.len() == 4;
+    match query.b {
+        Some(b) if aabb(query.a) && aabb(b) => Ok(()),
+        _ => Err("takes two aabbs"),
+    }
+}
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    outline::record(&pair, tracer);
+    let half_extents = [Side::A, Side::B].map(|s| pair.vertex(s, 2) - pair.origin(s));
+    let apart = pair.origin(Side::B);
+    let gap = apart.abs() - (half_extents[0] + half_extents[1]);
+    tracer.record(|| Event::ExtentsCompared {
+        centers: [Side::A, Side::B].map(|s| pair.world_point(pair.origin(s))),
+        half_extents,
+        gap,
+    });
+    let separation = candidate::conclude(&pair, &candidate(apart, gap), tracer);
+    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    candidate::answer(query.kind, separation)
+}
+
+/// The vertices or the sides that face each other.
+fn candidate(apart: DVec2, gap: DVec2) -> Candidate {
+    let (right, up) = (apart.x >= 0.0, apart.y >= 0.0);
+    if gap.x > 0.0 && gap.y > 0.0 {
+        let distance = outline::length(gap);
+        let normal =
+            DVec2::new(if right { gap.x } else { -gap.x }, if up { gap.y } else { -gap.y }) / distance;
+        let features = [vertex(right, up), vertex(!right, !up)];
+        return Candidate { distance, normal, features };
+    }
+    if gap.x >= gap.y {
+        let normal = if right { DVec2::X } else { DVec2::NEG_X };
+        let sides = if right { [1, 3] } else { [3, 1] };
+        Candidate { distance: gap.x, normal, features: sides.map(CoreFeature::Edge) }
+    } else {
+        let normal = if up { DVec2::Y } else { DVec2::NEG_Y };
+        let sides = if up { [2, 0] } else { [0, 2] };
+        Candidate { distance: gap.y, normal, features: sides.map(CoreFeature::Edge) }
+    }
+}
+
+/// The vertex of a box in a quadrant; vertices count counter-clockwise from (−, −).
+fn vertex(right: bool, up: bool) -> CoreFeature {
+    CoreFeature::Vertex(match (right, up) {
+        (false, false) => 0,
+        (true, false) => 1,
+        (true, true) => 2,
+        (false, true) => 3,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::QueryKind;
+    use crate::collision::Separation;
+    use crate::collision::tests::storyboard::{boxed, placed};
+    use crate::geometry::Feature;
+    use crate::trace::NoTrace;
+
+    fn extents(a: &Body, b: &Body) -> Separation {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        match answer(&query, &mut NoTrace) {
+            Answer::Separation(s) => s,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    #[test]
+    fn the_minimum_translation_is_along_the_axis_of_the_larger_gap() {
+        let a = boxed("aabb", 4., 2.);
+        let s = extents(&a, &placed(boxed("aabb", 1., 1.), -1., 2.5, 0.));
+        // D = (1, 2.5) − (5, 3) = (−4, −0.5): up by 0.5.
+        assert_eq!((s.separation, s.normal), (-0.5, DVec2::Y));
+        assert_eq!(s.features, [Feature::Edge(2), Feature::Edge(0)]);
+    }
+
+    #[test]
+    fn apart_on_both_axes_vertices_face_each_other() {
+        let a = boxed("aabb", 1., 1.);
+        let s = extents(&a, &placed(boxed("aabb", 2., 1.), -6., 6., 0.));
+        assert_eq!((s.separation, s.normal), (5.0, DVec2::new(-0.6, 0.8)));
+        assert_eq!(s.features, [Feature::Vertex(3), Feature::Vertex(1)]);
+    }
+}

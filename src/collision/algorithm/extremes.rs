@@ -1,0 +1,231 @@
+//! The axis-aligned bounding box of a body, or of two together.
+//!
+//! Loop over all vertices keeping the smallest and largest coordinate on each axis, and add the radius. Two boxes are
+//! joined by doing the same with their vertices:
+//!
+//! ```text
+//! min = min pᵢ − r      max = max pᵢ + r      c = (min + max)/2      h = (max − min)/2
+//! ```
+//!
+//! Any shape has one, an outline that is not convex too. Every number is rounded outward: the body lies in [min, max]
+//! and in c ± h, whatever was rounded on the way: doubles with a bound find the vertices that may be outermost, and those
+//! are placed again in double-doubles. Coordinates that need no rounding stay as they are.
+//!
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section AABB vs AABB, "Fun AABB facts".
+
+use crate::collision::Answer;
+use crate::collision::Bounds;
+use crate::collision::Query;
+use crate::geometry::{Ball, Body, DVec2, Pose, Side, Turn, taming_power, two_sum};
+use crate::trace::{Event, Moment, SupportVertex, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "extremes";
+
+/// One body or two, of any shape.
+#[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
+pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
+    Ok(())
+}
+
+/// Answers a query for bounds.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    tracer.record(|| {
+        let angle = |body: &Body| body.angle_at(query.time);
+        let at = Moment { time: query.time, angle_a: angle(query.a), angle_b: query.b.map_or(0.0, angle) };
+        Event::Started { algorithm: NAME, at }
+    });
+    let [min, max] = extremes(Side::A, query.a, query.time, tracer);
+    let Some(b) = query.b else {
+        return Answer::Bounds(centered(min, max));
+    };
+    let [min_b, max_b] = extremes(Side::B, b, query.time, tracer);
+    let (min, max) = (min.min(min_b), max.max(max_b));
+    tracer.record(|| Event::BoundsFound { of: None, min, max, touching: [const { Vec::new() }; 4] });
+    Answer::Bounds(centered(min, max))
+}
+
+/// Smallest and largest coordinates of a body, rounded outward.
+fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 2] {
+    let placing = Placing::new(body, t);
+    let vertices = &body.shape.vertices;
+    // Left, bottom, right, top, each counted outward: −x, −y, x, y.
+    let mut tops = [f64::NEG_INFINITY; 4];
+    for &v in vertices {
+        let reach = placing.rough(v);
+        tops = std::array::from_fn(|side| tops[side].max(reach[side]));
+    }
+    // Whoever rounding may have kept from the top is as outermost as the one that is there.
+    let may_touch = tops.map(|top| top - 2.0 * placing.error);
+    let mut ends = [f64::NEG_INFINITY; 4];
+    for &v in vertices {
+        let reach = placing.rough(v);
+        for side in 0..4 {
+            if reach[side] >= may_touch[side] {
+                ends[side] = ends[side].max(placing.outermost(side, v));
+            }
+        }
+    }
+    let ends = [DVec2::new(-ends[0], -ends[1]), DVec2::new(ends[2], ends[3])];
+    tracer.record(|| {
+        let touching = std::array::from_fn(|side| {
+            let touches = |v: &DVec2| placing.rough(*v)[side] >= may_touch[side];
+            let places = vertices.iter().enumerate().filter(|(_, v)| touches(v));
+            places.map(|(index, &v)| SupportVertex { index, point: placing.pose.point(v) }).collect()
+        });
+        Event::BoundsFound { of: Some(of), min: ends[0], max: ends[1], touching }
+    });
+    ends
+}
+
+/// Where a body is at a moment: in doubles with a bound, and in balls.
+struct Placing {
+    pose: Pose,
+    /// Bound on the error of a coordinate placed by `pose`.
+    error: f64,
+    /// Position in balls.
+    position: [Ball; 2],
+    /// Cosine and sine in balls.
+    turn: [Ball; 2],
+    radius: f64,
+    /// Power of two by which the balls are multiplied: 1 but for tiny scenes, whose products would underflow.
+    unit: f64,
+}
+
+/// Scenes below this are scaled.
+const TINY: f64 = 1e-60;
+
+/// Error of a coordinate placed in doubles, as a multiple of ε and of the sum of the magnitudes that make it: cosine
+/// and sine ½, their products ½, three sums ½ each; position + velocity · t one more. Rounded up to a power of two.
+const PLACING: f64 = 4.0 * f64::EPSILON;
+
+impl Placing {
+    fn new(body: &Body, t: f64) -> Self {
+        let moved = body.position.abs() + (body.velocity * t).abs();
+        // An outline has no core to give its reach.
+        let reach = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));
+        let size = moved.max_element() + reach + body.shape.radius;
+        let unit = if size < TINY { taming_power(size) } else { 1.0 };
+        let position = |at: f64, speed: f64| Ball::new(at * unit) + Ball::product(speed * unit, t);
+        let (cos, sin) = Turn::at(body.angle, body.spin, t).cos_sin_fine();
+        Self {
+            pose: body.pose_at(t),
+            error: (moved.max_element() + reach) * PLACING + f64::MIN_POSITIVE,
+            position: [
+                position(body.position.x, body.velocity.x),
+                position(body.position.y, body.velocity.y),
+            ],
+            turn: [cos, sin],
+            radius: body.shape.radius * unit,
+            unit,
+        }
+    }
+
+    /// How far a vertex reaches to each side, left, bottom, right and top, without the radius.
+    #[inline]
+    fn rough(&self, v: DVec2) -> [f64; 4] {
+        let p = self.pose.point(v);
+        [-p.x, -p.y, p.x, p.y]
+    }
+
+    /// The same for one side, with the radius, not below the exact value.
+    fn outermost(&self, side: usize, v: DVec2) -> f64 {
+        let ([cos, sin], v) = (self.turn, v * self.unit);
+        let turned = if side.is_multiple_of(2) {
+            cos.scale(v.x) - sin.scale(v.y)
+        } else {
+            sin.scale(v.x) + cos.scale(v.y)
+        };
+        let place = self.position[side % 2] + turned;
+        let radius = Ball::new(self.radius);
+        (if side < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi
+    }
+}
+
+/// x + y, rounded down unless it is exact.
+fn sum_down(x: f64, y: f64) -> f64 {
+    let (sum, error) = two_sum(x, y);
+    if error < 0.0 { sum.next_down() } else { sum }
+}
+
+/// Centre and half-extents of [min, max], such that c ± h holds it.
+fn centered(min: DVec2, max: DVec2) -> Bounds {
+    let center = min * 0.5 + max * 0.5;
+    let half = |lo: f64, hi: f64, c: f64| (-sum_down(-hi, c)).max(-sum_down(lo, -c));
+    let half_extents = DVec2::new(half(min.x, max.x, center.x), half(min.y, max.y, center.y));
+    Bounds { min, max, center, half_extents }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Answer;
+    use crate::collision::Bounds;
+    use crate::collision::QueryKind;
+    use crate::collision::tests::storyboard::{TILT, boxed, placed, polygon};
+    use crate::trace::{NoTrace, Trace};
+
+    fn ask(a: &Body, b: Option<&Body>, tracer: &mut impl Tracer) -> Bounds {
+        let query = Query { kind: QueryKind::Bounds, a, b, time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        match answer(&query, tracer) {
+            Answer::Bounds(b) => b,
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn v(x: f64, y: f64) -> DVec2 {
+        DVec2::new(x, y)
+    }
+
+    #[test]
+    fn one_vertex_of_figure_2_touches_each_side() {
+        let outline = [
+            [-5., 0.5],
+            [-3., -1.],
+            [-2., -3.],
+            [0., -1.5],
+            [3., -2.],
+            [4., -0.5],
+            [7., 1.],
+            [4., 1.5],
+            [3., 3.],
+            [1., 1.],
+            [-2., 2.],
+            [-2., 0.5],
+        ];
+        let mut a = polygon(&outline, 0.0);
+        a.shape.core.clear();
+        let mut trace = Trace::default();
+        let found = ask(&a, None, &mut trace);
+        let expected =
+            Bounds { min: v(-5., -3.), max: v(7., 3.), center: v(1., 0.), half_extents: v(6., 3.) };
+        assert_eq!(found, expected);
+        assert_eq!(found, ask(&a, None, &mut NoTrace));
+        let Some(Event::BoundsFound { touching, .. }) = trace.events.last() else { panic!("{trace:?}") };
+        assert_eq!(
+            touching.each_ref().map(|t| t.iter().map(|v| v.index).collect::<Vec<_>>()),
+            [[0], [2], [6], [8]]
+        );
+    }
+
+    #[test]
+    fn the_union_holds_both_and_the_radius_counts() {
+        let a = placed(polygon(&[[0., 0.]], 1.5), -2., 0., 0.);
+        let b = placed(boxed("box", 3., 1.5), 1., 2., TILT);
+        let found = ask(&a, Some(&b), &mut NoTrace);
+        // Half-extents of the tilted box: 3·0.8 + 1.5·0.6 = 3.3 and 3·0.6 + 1.5·0.8 = 3.
+        assert!(
+            (found.min - v(-3.5, -1.5)).length() < 1e-13 && (found.max - v(4.3, 5.)).length() < 1e-13,
+            "{found:?}"
+        );
+        assert!(found.max.x >= 4.3 && found.max.y >= 5.0);
+    }
+
+    #[test]
+    fn rounding_goes_outward() {
+        let a = placed(polygon(&[[1.0, -1.0]], 0.1), 1e16, -1e16, 0.);
+        let found = ask(&a, None, &mut NoTrace);
+        assert!(found.max.x > 1e16 + 1.0 && found.min.y < -1e16 - 1.0);
+        assert!(found.center.x + found.half_extents.x >= found.max.x);
+    }
+}

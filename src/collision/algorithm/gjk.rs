@@ -1,0 +1,290 @@
+//! Distance by GJK, depth by EPA.
+//!
+//! GJK walks over B ⊖ A without building it: a simplex of at most three of its vertices, the point v of the simplex
+//! closest to the origin, and a new vertex w, the one farthest towards the origin:
+//!
+//! ```text
+//! w = s_B(−v) − s_A(v)      stop: ‖v‖² − v·w ≤ 0, no vertex is nearer      v = 0: the origin is inside
+//! ```
+//!
+//! Inside, EPA (the expanding polytope) grows the triangle around the origin: the edge nearest the origin is split by
+//! the vertex of B ⊖ A farthest along its outward normal, until there is none beyond it; that edge is the way out.
+//!
+//! Both walk on vertices, counted, not on rounded points: a vertex is a pair of core vertices, so "w is not new" is exact and
+//! no tolerance ends the search. The origin on the simplex itself (touching bodies, or a difference without interior)
+//! starts EPA from a segment, whose far side decides. A polytope that outgrows its storage, and a walk that rounding
+//! turns in circles, are finished by the merge of [`crate::collision::algorithm::merge`], which needs no storage and always ends.
+//!
+//! Source: Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between complex objects in
+//! three-dimensional space" (1988); van den Bergen, "Collision detection in interactive 3D environments" (2003),
+//! sections 4.3 (GJK) and 4.3.8 (EPA); Catto, "Computing distance with GJK" (GDC 2010).
+
+use crate::collision::Answer;
+use crate::collision::Query;
+use crate::collision::algorithm::candidate::{self, Candidate};
+use crate::collision::algorithm::epa;
+use crate::collision::algorithm::minkowski::is_better;
+use crate::collision::algorithm::outline::{self, Pairing, Projection, length, walk};
+use crate::collision::algorithm::view::Relative;
+use crate::geometry::{DVec2, Side, perp};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "gjk";
+
+/// A vertex b − a of B ⊖ A.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Vertex {
+    /// A's core vertex.
+    pub(crate) a: usize,
+    /// B's core vertex.
+    pub(crate) b: usize,
+    /// In A's frame.
+    pub(crate) point: DVec2,
+}
+
+/// Up to three vertices.
+#[derive(Clone, Copy, Debug)]
+struct Simplex {
+    vertices: [Vertex; 3],
+    count: usize,
+}
+
+/// How the search for the origin ended.
+#[derive(Clone, Copy, Debug)]
+enum Found {
+    /// Outside: the closest point is a vertex.
+    Vertex(Vertex),
+    /// Outside: it is on an edge.
+    Edge(Vertex, Vertex),
+    /// The origin is in the triangle, or on the simplex.
+    Inside(Simplex),
+    /// Rounding turned the walk in circles.
+    Stalled,
+}
+
+impl Vertex {
+    /// The vertex of B ⊖ A farthest along a direction (A's frame).
+    pub(crate) fn farthest(pair: &Relative, direction: DVec2) -> Self {
+        let (a, b) = (pair.support(Side::A, -direction), pair.support(Side::B, direction));
+        Self { a, b, point: pair.vertex(Side::B, b) - pair.vertex(Side::A, a) }
+    }
+
+    /// Whether both are made of the same core vertices.
+    pub(crate) fn is(&self, other: &Self) -> bool {
+        self.a == other.a && self.b == other.b
+    }
+}
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    outline::record(&pair, tracer);
+    let candidate = match search(&pair, tracer) {
+        Found::Vertex(v) => Some(Candidate::of_vertices(&pair, v.a, v.b)),
+        Found::Edge(p, q) => of_edge(&pair, p, q),
+        Found::Inside(simplex) => {
+            epa::expand(&pair, simplex.slice(), tracer).and_then(|[p, q]| of_edge(&pair, p, q))
+        }
+        Found::Stalled => None,
+    };
+    let candidate = candidate.unwrap_or_else(|| by_merging(&pair));
+    let separation = candidate::conclude(&pair, &candidate, tracer);
+    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    candidate::answer(query.kind, separation)
+}
+
+/// The walk: the closest point of the simplex, the vertex beyond it, the simplex with it.
+fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
+    // Any vertex of B ⊖ A would do, but it must be one: EPA's polytope has to be convex.
+    let first = Vertex::farthest(pair, DVec2::X);
+    let mut simplex = Simplex { vertices: [first; 3], count: 1 };
+    // Each step takes a vertex closer to the origin, and there are n + m.
+    for _ in 0..2 * (pair.count(Side::A) + pair.count(Side::B)) + 2 {
+        let Some((reduced, v)) = simplex.closest() else {
+            record(pair, &simplex, DVec2::ZERO, tracer);
+            return Found::Inside(simplex);
+        };
+        simplex = reduced;
+        record(pair, &simplex, v, tracer);
+        if v == DVec2::ZERO {
+            return Found::Inside(simplex);
+        }
+        let w = Vertex::farthest(pair, -v);
+        let old = simplex.slice().iter().any(|u| u.is(&w));
+        if old || v.dot(v - w.point) <= 0.0 {
+            return match *simplex.slice() {
+                // Counter-clockwise: the origin is to the right.
+                [p, q] if (q.point - p.point).perp_dot(p.point) > 0.0 => Found::Edge(p, q),
+                [p, q] => Found::Edge(q, p),
+                _ => Found::Vertex(simplex.vertices[0]),
+            };
+        }
+        simplex.vertices[simplex.count.min(2)] = w;
+        simplex.count = (simplex.count + 1).min(3);
+    }
+    Found::Stalled
+}
+
+impl Simplex {
+    fn slice(&self) -> &[Vertex] {
+        &self.vertices[..self.count]
+    }
+
+    fn of(kept: &[Vertex]) -> Self {
+        let mut vertices = [kept[0]; 3];
+        vertices[..kept.len()].copy_from_slice(kept);
+        Self { vertices, count: kept.len() }
+    }
+
+    /// The smallest part of the simplex that holds its point closest to the origin, and that point; None where a
+    /// triangle holds the origin.
+    fn closest(&self) -> Option<(Self, DVec2)> {
+        match *self.slice() {
+            [p, q] => Some(on_segment(p, q)),
+            [p, q, r] => {
+                let area = (q.point - p.point).perp_dot(r.point - p.point);
+                let outside = |u: Vertex, v: Vertex| {
+                    let side = (v.point - u.point).perp_dot(-u.point);
+                    if area > 0.0 { side < 0.0 } else { side > 0.0 || area == 0.0 }
+                };
+                let sides = [(p, q), (q, r), (r, p)];
+                let nearest = |best: Option<(Self, DVec2)>, (u, v): (Vertex, Vertex)| {
+                    if !outside(u, v) {
+                        return best;
+                    }
+                    let found = on_segment(u, v);
+                    match best {
+                        Some(b) if length(b.1) <= length(found.1) => best,
+                        _ => Some(found),
+                    }
+                };
+                sides.into_iter().fold(None, nearest)
+            }
+            _ => Some((*self, self.vertices[0].point)),
+        }
+    }
+}
+
+/// The part of a segment closest to the origin, and the point.
+fn on_segment(p: Vertex, q: Vertex) -> (Simplex, DVec2) {
+    let along = q.point - p.point;
+    let len = length(along);
+    if len == 0.0 {
+        return (Simplex::of(&[p]), p.point);
+    }
+    let d = along / len;
+    let at = -p.point.dot(d);
+    if at <= 0.0 {
+        (Simplex::of(&[p]), p.point)
+    } else if at >= len {
+        (Simplex::of(&[q]), q.point)
+    } else {
+        let normal = perp(d);
+        (Simplex::of(&[p, q]), normal * normal.dot(p.point))
+    }
+}
+
+/// The candidate of an edge of B ⊖ A from one of its vertices to another, counter-clockwise: the edges of one body or,
+/// where they are parallel, of both that lie between them. None where rounding made it of vertices that are not
+/// neighbours.
+fn of_edge(pair: &Relative, p: Vertex, q: Vertex) -> Option<Candidate> {
+    let of_a = p.a != q.a && pair.next(Side::A, p.a) == q.a;
+    let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
+    let edge_of_a = |vertex| of_a.then_some(Pairing { source: Side::A, edge: p.a, vertex });
+    let edge_of_b = |vertex| of_b.then_some(Pairing { source: Side::B, edge: p.b, vertex });
+    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)]
+        .into_iter()
+        .flatten()
+        .map(|pairing| pairing.project(pair))
+        .reduce(|best, p| if is_better(p.distance, best.distance) { p } else { best })
+        .map(|p| Candidate::of_projection(pair, &p))
+}
+
+/// The answer by walking the whole outline.
+fn by_merging(pair: &Relative) -> Candidate {
+    let mut best: Option<Projection> = None;
+    walk(pair, |pairing| {
+        let p = pairing.project(pair);
+        if best.is_none_or(|b| is_better(p.distance, b.distance)) {
+            best = Some(p);
+        }
+    });
+    match best {
+        Some(p) => Candidate::of_projection(pair, &p),
+        None => Candidate::of_vertices(pair, 0, 0),
+    }
+}
+
+/// Tells a simplex, its closest point, and where the walk looks next.
+fn record(pair: &Relative, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer) {
+    tracer.record(|| Event::SimplexUpdated {
+        vertices: simplex.slice().iter().map(|u| pair.world_vector(u.point)).collect(),
+        closest: pair.world_vector(v),
+        direction: pair.world_vector(-v),
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Answer;
+    use crate::collision::QueryKind;
+    use crate::collision::tests::storyboard::{boxed, placed, polygon};
+    use crate::geometry::Body;
+    use crate::trace::Trace;
+
+    fn gjk(a: &Body, b: &Body) -> (f64, Vec<Event>) {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let mut trace = Trace::default();
+        let Answer::Separation(s) = answer(&query, &mut trace) else { panic!("{trace:?}") };
+        (s.separation, trace.events)
+    }
+
+    /// Distances of the closest points of the simplices, in order.
+    fn walked(events: &[Event]) -> Vec<f64> {
+        let closest = events.iter().filter_map(|e| match e {
+            Event::SimplexUpdated { closest, .. } => Some(length(*closest)),
+            _ => None,
+        });
+        closest.collect()
+    }
+
+    #[test]
+    fn each_simplex_is_closer_than_the_one_before() {
+        let a = polygon(&[[-3., -1.], [-1., -2.5], [1., -1.5], [0.5, 1.], [-2., 1.5]], 0.0);
+        let b = polygon(&[[8.5, 3.5], [6.5, 7.], [3., 6.], [6., 2.]], 0.0);
+        let (s, events) = gjk(&a, &b);
+        let walked = walked(&events);
+        assert!(walked.len() >= 3 && walked.windows(2).all(|w| w[1] < w[0]), "{walked:?}");
+        assert!((walked.last().unwrap() - s).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_polytope_grows_to_the_nearest_side() {
+        let (s, events) = gjk(&boxed("box", 3., 1.5), &placed(boxed("box", 2., 1.5), 1., 0.5, 10.));
+        let nearest: Vec<f64> = events
+            .iter()
+            .filter_map(|e| match e {
+                Event::PolytopeExpanded { nearest, .. } => Some(*nearest),
+                _ => None,
+            })
+            .collect();
+        assert!(nearest.len() >= 2 && nearest.windows(2).all(|w| w[1] >= w[0]), "{nearest:?}");
+        assert!((nearest.last().unwrap() + s).abs() < 1e-14, "{nearest:?} {s}");
+    }
+
+    #[test]
+    fn a_polytope_that_outgrows_its_storage_is_finished_by_the_merge() {
+        let vertex = |k: i32| {
+            let angle = f64::from(k) * std::f64::consts::TAU / 512.0;
+            [libm::cos(angle), libm::sin(angle)]
+        };
+        let round: Vec<[f64; 2]> = (0..512).map(vertex).collect();
+        let (s, _) = gjk(&polygon(&round, 0.0), &polygon(&round, 0.0));
+        // Twice the distance of a side from the centre.
+        assert!((s + 2.0 * libm::cos(std::f64::consts::PI / 512.0)).abs() < 1e-14, "{s}");
+    }
+}

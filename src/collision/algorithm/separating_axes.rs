@@ -1,0 +1,108 @@
+//! The separating-axis test.
+//!
+//! Two convex polygons are apart exactly when the normal of one of their edges separates them: when along it the
+//! interval of B begins beyond the end of A's,
+//!
+//! ```text
+//! gap(n) = min over B of n·b − max over A of n·a − (r_A + r_B)
+//! ```
+//!
+//! A test for overlap stops at the first such axis. The largest gap, when all are negative, is the depth. When the bodies are apart it
+//! is only a lower bound of the distance, for two vertices may face each other, and no edge is square to the line
+//! that joins them; so the edge and vertex of each axis are held against each other too, and where vertices win, the axis that
+//! joins them is the last one tested. The normal of an edge of A is, mirrored, that of an edge of B ⊖ A: this is the
+//! Minkowski loop seen from the world.
+//!
+//! Source: Gottschalk, Lin, Manocha, "`OBBTree`" (1996), section 5; Eberly, "Method of Separating Axes" (2001). O(n·m).
+
+use crate::collision::Answer;
+use crate::collision::Query;
+use crate::collision::QueryKind;
+use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
+use crate::collision::algorithm::minkowski::is_better;
+use crate::collision::algorithm::outline::{self, Pairing, Projection};
+use crate::collision::algorithm::view::Relative;
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::{Event, Tracer};
+
+/// Its word in a scene file.
+pub(crate) const NAME: &str = "separating-axes";
+
+/// Answers a query for overlap or separation.
+pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let pair = Relative::of(query);
+    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    outline::record(&pair, tracer);
+    let stop = match query.kind {
+        QueryKind::Overlap => Stop::Beyond(pair.radius() + pair.gap_error()),
+        _ => Stop::Never,
+    };
+    let mut best: Option<Projection> = None;
+    for source in [Side::A, Side::B] {
+        for edge in 0..pair.edges(source) {
+            let (first, second) = pair.supports_of_edge(source, edge);
+            let p = Pairing { source, edge, vertex: first }.project(&pair);
+            let feature = Feature::Edge(pair.file_edge(source, edge));
+            record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
+            if matches!(stop, Stop::Beyond(line) if p.line > line) {
+                return Answer::Overlap(separated(&pair, &p, tracer));
+            }
+            let beside = second.map(|vertex| Pairing { source, edge, vertex }.project(&pair));
+            for p in [Some(p), beside].into_iter().flatten() {
+                if best.is_none_or(|b| is_better(gap(&p), gap(&b))) {
+                    best = Some(p);
+                }
+            }
+        }
+    }
+    let candidate = match best {
+        Some(p) => Candidate::of_projection(&pair, &p),
+        None => Candidate::of_vertices(&pair, 0, 0),
+    };
+    if let [CoreFeature::Vertex(a), CoreFeature::Vertex(_)] = candidate.features {
+        let feature = Feature::Vertex(pair.file_vertex(Side::A, a));
+        record_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
+    }
+    let separation = candidate::conclude(&pair, &candidate, tracer);
+    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    candidate::answer(query.kind, separation)
+}
+
+/// The gap along an axis; where there is one, the distance of the vertex from the edge.
+fn gap(p: &Projection) -> f64 {
+    if p.line < 0.0 { p.line } else { p.distance }
+}
+
+/// Whether a separating axis ends the search.
+#[derive(Clone, Copy)]
+enum Stop {
+    /// The first whose gap, before the radii come off, is certainly beyond this.
+    Beyond(f64),
+    Never,
+}
+
+/// The verdict of a separating axis.
+fn separated(pair: &Relative, p: &Projection, tracer: &mut impl Tracer) -> crate::collision::Overlap {
+    let answer = candidate::separated(pair, p);
+    let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
+    tracer.record(|| Event::SeparatingAxisFound { normal, gap });
+    tracer.record(|| Event::Finished { outcome: candidate::verdict(&answer) });
+    answer
+}
+
+/// Tells the intervals of both bodies along an axis (A's frame), in world coordinates along it.
+fn record_axis(pair: &Relative, axis: DVec2, source: (Side, Feature), line: f64, tracer: &mut impl Tracer) {
+    tracer.record(|| {
+        let world = pair.world_vector(axis);
+        let interval = |side: Side| {
+            let reach = |k: usize| pair.world_point(pair.vertex(side, k)).dot(world);
+            let radius = pair.body(side).shape.radius;
+            Enclosure {
+                lo: reach(pair.support(side, -axis)) - radius,
+                hi: reach(pair.support(side, axis)) + radius,
+            }
+        };
+        let (interval_a, interval_b) = (interval(Side::A), interval(Side::B));
+        Event::AxisTested { axis: world, source, interval_a, interval_b, gap: line - pair.radius() }
+    });
+}

@@ -1,0 +1,187 @@
+//! Second stage: the same quantities as balls of double-doubles, each with a proven radius.
+//!
+//! Everything is in A's frame, scaled as in [`crate::collision::certified::distance::pair`]. A sign that a ball does not tell is a sign that 106 bits
+//! do not tell; the callers then keep both possibilities and widen.
+
+use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::pair::{Pair, scaled};
+use crate::geometry::{Ball, DVec2, Dd, Side};
+
+/// A vector of balls.
+pub(crate) type Vec2 = [Ball; 2];
+
+/// A pair, to twice the precision of a double.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Fine<'p, 's> {
+    pair: &'p Pair<'s>,
+    /// c, B's origin in A's frame.
+    center: Vec2,
+    /// Cosine and sine of B's turn in A's frame.
+    turn: Vec2,
+}
+
+/// An edge of B ⊖ A with its gap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Way {
+    /// The edge, with a vertex that supports it as far as 106 bits tell.
+    pub(crate) facing: Facing,
+    /// The other body's side that is parallel to it and faces it, if one is (or may be, as far as 106 bits tell).
+    pub(crate) partner: Option<usize>,
+    /// Unit vector from A to B.
+    pub(crate) normal: Vec2,
+    /// Gap of the cores along it.
+    pub(crate) gap: Ball,
+}
+
+/// x · y.
+pub(crate) fn dot(x: &Vec2, y: &Vec2) -> Ball {
+    x[0] * y[0] + x[1] * y[1]
+}
+
+/// x₁ y₂ − x₂ y₁.
+pub(crate) fn cross(x: &Vec2, y: &Vec2) -> Ball {
+    x[0] * y[1] - x[1] * y[0]
+}
+
+/// −x.
+pub(crate) fn reversed(x: &Vec2) -> Vec2 {
+    [-x[0], -x[1]]
+}
+
+/// x − y.
+pub(crate) fn minus(x: &Vec2, y: &Vec2) -> Vec2 {
+    [x[0] - y[0], x[1] - y[1]]
+}
+
+/// Turned by (cos, sin).
+fn turned(by: &Vec2, v: &Vec2) -> Vec2 {
+    if by[1] == Ball::ZERO && by[0] == Ball::ONE {
+        return *v;
+    }
+    [by[0] * v[0] - by[1] * v[1], by[1] * v[0] + by[0] * v[1]]
+}
+
+/// The doubles nearest to a vector of balls.
+pub(crate) fn rounded(v: &Vec2) -> DVec2 {
+    DVec2::new(v[0].value.hi, v[1].value.hi)
+}
+
+impl<'p, 's> Fine<'p, 's> {
+    /// Prepares the second stage.
+    pub(crate) fn new(pair: &'p Pair<'s>) -> Self {
+        let (cos, sin) = pair.frame.cos_sin_fine();
+        let center = turned(&[cos, -sin], &pair.apart);
+        let (cos, sin) = pair.turn.cos_sin_fine();
+        Self { pair, center, turn: [cos, sin] }
+    }
+
+    /// A vertex of a core, in A's frame.
+    pub(crate) fn vertex(&self, side: Side, k: usize) -> Vec2 {
+        let q = self.pair.hull(side).vertices[k];
+        let local = [scaled(Dd::new(q.x), self.pair.scale), scaled(Dd::new(q.y), self.pair.scale)];
+        match side {
+            Side::A => local,
+            Side::B => {
+                let v = turned(&self.turn, &local);
+                [self.center[0] + v[0], self.center[1] + v[1]]
+            }
+        }
+    }
+
+    /// Side k of a core as a vector, in A's frame.
+    pub(crate) fn side(&self, side: Side, k: usize) -> Vec2 {
+        let hull = self.pair.hull(side);
+        let (from, to) = (hull.vertices[k], hull.vertices[hull.next(k)]);
+        let along = [
+            scaled(Dd::difference(to.x, from.x), self.pair.scale),
+            scaled(Dd::difference(to.y, from.y), self.pair.scale),
+        ];
+        match side {
+            Side::A => along,
+            Side::B => turned(&self.turn, &along),
+        }
+    }
+
+    /// The unit normal of a side, from A to B.
+    pub(crate) fn normal(&self, side: Side, k: usize) -> Vec2 {
+        let outward = self.pair.hull(side).fine_normal(k);
+        match side {
+            Side::A => outward,
+            Side::B => reversed(&turned(&self.turn, &outward)),
+        }
+    }
+
+    /// Vertex j of B less vertex i of A: a vertex of B ⊖ A.
+    pub(crate) fn between(&self, i: usize, j: usize) -> Vec2 {
+        minus(&self.vertex(Side::B, j), &self.vertex(Side::A, i))
+    }
+
+    /// An edge of B ⊖ A measured: its supporting vertex settled, its gap enclosed.
+    pub(crate) fn measure(&self, mut facing: Facing) -> Way {
+        let other = facing.source.other();
+        let normal = self.normal(facing.source, facing.edge);
+        // The direction along which the other body's nearest vertex is lowest.
+        let down = match other {
+            Side::B => normal,
+            Side::A => reversed(&normal),
+        };
+        let hull = self.pair.hull(other);
+        let mut partner = None;
+        // Each step goes strictly down: at most once round.
+        for _ in 0..hull.edges.len() {
+            let (here, back) = (facing.vertex, hull.previous(facing.vertex));
+            let ahead = dot(&down, &self.side(other, here));
+            if ahead.is_negative() {
+                facing.vertex = hull.next(here);
+                continue;
+            }
+            let behind = dot(&down, &self.side(other, back));
+            if behind.is_positive() {
+                facing.vertex = back;
+                continue;
+            }
+            let is_level = |along: Ball| along.sign().is_none_or(|sign| sign == 0);
+            partner = if is_level(ahead) { Some(here) } else { is_level(behind).then_some(back) };
+            break;
+        }
+        let doubt = if partner.is_some() { self.drop_below(other, facing.vertex, &down) } else { 0.0 };
+        let [i, j] = match facing.source {
+            Side::A => [facing.edge, facing.vertex],
+            Side::B => [facing.vertex, facing.edge],
+        };
+        let gap = dot(&normal, &self.between(i, j)).widen(doubt);
+        Way { facing, partner, normal, gap }
+    }
+
+    /// How far below the vertex `k` along `down` the lowest vertex may be: 0 where `k` is certainly lowest.
+    pub(crate) fn drop_below(&self, side: Side, k: usize, down: &Vec2) -> f64 {
+        let hull = self.pair.hull(side);
+        let (mut ahead, mut behind) = (0.0, 0.0);
+        let mut at = k;
+        for _ in 0..hull.edges.len() {
+            let step = dot(down, &self.side(side, at));
+            if step.is_positive() {
+                break;
+            }
+            ahead += step.magnitude();
+            at = hull.next(at);
+        }
+        at = k;
+        for _ in 0..hull.edges.len() {
+            at = hull.previous(at);
+            let step = dot(down, &self.side(side, at));
+            if step.is_negative() {
+                break;
+            }
+            behind += step.magnitude();
+        }
+        f64::max(ahead, behind) * (1.0 + hull_rounding(hull.edges.len()))
+    }
+}
+
+/// Relative error of a sum of `count` positive doubles.
+fn hull_rounding(count: usize) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "counts are far below 2⁵³")]
+    let count = count as f64;
+    count * f64::EPSILON
+}

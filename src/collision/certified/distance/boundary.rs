@@ -1,0 +1,136 @@
+//! The point of B ⊖ A that is closest to an origin outside it, by walking along its boundary.
+//!
+//! Along the part of a convex boundary that the origin sees, the distance falls to one minimum and rises again. From an
+//! edge that the origin sees, step to the neighbour as long as the foot of the origin lies beyond the edge's end. The
+//! boundary is never built: after the vertex `w_j − v_i` comes either B's side j or A's side i reversed, whichever
+//! turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational Geometry*, 2008, §13.3). The first stage
+//! starts the walk where it found the minimum, so that it mostly ends where it begins.
+
+use crate::collision::certified::distance::balls::{Fine, Vec2, cross, dot, reversed, rounded};
+use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::pair::Pair;
+use crate::geometry::{Ball, Side};
+
+/// Where B ⊖ A comes closest to the origin.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Closest {
+    /// Inside an edge, or so near its end that 106 bits do not tell: then at most `beyond` past it.
+    Edge {
+        /// The edge.
+        facing: Facing,
+        /// Bound on how far the foot of the origin is past the edge's end.
+        beyond: f64,
+    },
+    /// At the vertex `w_j − v_i`: [i, j].
+    Vertex([usize; 2]),
+}
+
+/// An edge of B ⊖ A at a vertex of it.
+struct Step {
+    facing: Facing,
+    /// Away from the vertex.
+    along: Vec2,
+    /// The vertex at the other end: [i, j].
+    end: [usize; 2],
+}
+
+/// Which way round.
+#[derive(Clone, Copy)]
+enum Way {
+    Forward,
+    Backward,
+}
+
+/// The closest feature, from an edge of B ⊖ A that the origin sees or is on; None where it is not found.
+pub(crate) fn closest(pair: &Pair, fine: &Fine, start: Facing) -> Option<Closest> {
+    let vertex = match start.source {
+        Side::A => [start.edge, start.vertex],
+        Side::B => [start.vertex, start.edge],
+    };
+    let count = pair.hull(Side::A).edges.len() + pair.hull(Side::B).edges.len();
+    let at = fine.between(vertex[0], vertex[1]);
+    let mut doubtful = None;
+    for way in [Way::Forward, Way::Backward] {
+        let Some(step) = step(pair, fine, vertex, way) else { return Some(Closest::Vertex(vertex)) };
+        let slope = dot(&at, &step.along);
+        match slope.sign() {
+            Some(-1) => return descend(pair, fine, step, way, count),
+            Some(1) => {}
+            _ => doubtful = doubtful.or(Some(edge(&step, slope))),
+        }
+    }
+    Some(doubtful.unwrap_or(Closest::Vertex(vertex)))
+}
+
+/// Walks on as long as the distance falls; `step` is an edge along which it falls at first.
+fn descend(pair: &Pair, fine: &Fine, mut step: Step, way: Way, count: usize) -> Option<Closest> {
+    // Not farther than once round.
+    for _ in 0..=count {
+        let at = fine.between(step.end[0], step.end[1]);
+        let slope = dot(&at, &step.along);
+        if !slope.is_negative() {
+            return Some(edge(&step, slope));
+        }
+        let vertex = step.end;
+        step = self::step(pair, fine, vertex, way)?;
+        let slope = dot(&at, &step.along);
+        if slope.is_positive() {
+            return Some(Closest::Vertex(vertex));
+        }
+        if !slope.is_negative() {
+            return Some(edge(&step, slope));
+        }
+    }
+    None
+}
+
+/// The foot inside this edge; `slope` at one of its ends says how near to that end.
+fn edge(step: &Step, slope: Ball) -> Closest {
+    let doubtful = slope.sign().is_none_or(|sign| sign == 0);
+    let along = rounded(&step.along);
+    // |along| is within 2ε of this; 1 − 2⁻²⁰ covers it.
+    let length = (along.x * along.x + along.y * along.y).sqrt() * (1.0 - f64::EPSILON.sqrt());
+    let beyond = if !doubtful || slope.magnitude() == 0.0 { 0.0 } else { slope.magnitude() / length };
+    Closest::Edge { facing: step.facing, beyond }
+}
+
+/// The edge of B ⊖ A after (or before) the vertex `w_j − v_i`; None where it is a point.
+fn step(pair: &Pair, fine: &Fine, [i, j]: [usize; 2], way: Way) -> Option<Step> {
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let (k, l) = match way {
+        Way::Forward => (i, j),
+        Way::Backward => (a.previous(i), b.previous(j)),
+    };
+    // As they run in B ⊖ A: A's sides are reversed there.
+    let along_a = (!a.edges.is_empty()).then(|| reversed(&fine.side(Side::A, k)));
+    let along_b = (!b.edges.is_empty()).then(|| fine.side(Side::B, l));
+    let of_a = match (along_a, along_b) {
+        (None, None) => return None,
+        (Some(_), None) => true,
+        (None, Some(_)) => false,
+        (Some(x), Some(y)) => {
+            let turn = cross(&y, &x);
+            match (way, turn.sign()) {
+                (Way::Forward, Some(1)) => false,
+                (Way::Forward, Some(-1)) | (Way::Backward, Some(1)) => true,
+                (Way::Backward, Some(-1)) => false,
+                // Parallel the same way: one line, A's part last. Opposite: one of them is a segment, which the
+                // other's boundary already follows; both: the vertex is inside one line, A's part ahead of it.
+                (Way::Forward, _) => dot(&x, &y).is_negative() && b.edges.len() == 2,
+                (Way::Backward, _) => !dot(&x, &y).is_negative() || (b.edges.len() == 2 && a.edges.len() > 2),
+            }
+        }
+    };
+    let (along, facing) = if of_a {
+        (along_a?, Facing { source: Side::A, edge: k, vertex: j })
+    } else {
+        (along_b?, Facing { source: Side::B, edge: l, vertex: i })
+    };
+    let (along, end) = match (way, of_a) {
+        (Way::Forward, true) => (along, [a.next(i), j]),
+        (Way::Forward, false) => (along, [i, b.next(j)]),
+        (Way::Backward, true) => (reversed(&along), [k, j]),
+        (Way::Backward, false) => (reversed(&along), [i, l]),
+    };
+    Some(Step { facing, along, end })
+}

@@ -1,0 +1,128 @@
+//! First stage: the gap between the bodies along the normal of every side, in doubles with a proven bound.
+//!
+//! Each side of A or B gives an edge of B ⊖ A: that side and the vertex of the other body that is nearest along its
+//! normal. The signed distance of the origin from that edge's line is the gap between the cores along the normal; the
+//! largest of them is minus the penetration depth where they are all negative, and a lower bound of the distance where
+//! one is positive. As the normals of a convex polygon turn one way, so does the nearest vertex: one pointer goes round
+//! the other body while the sides go by, O(n + m) (Toussaint, *Solving geometric problems with the rotating calipers*,
+//! 1983). Each pass works in the frame of the body whose sides it visits, and asks the other body in its own.
+
+use crate::collision::certified::distance::pair::Pair;
+use crate::geometry::{DVec2, Hull, Side};
+
+/// An edge of B ⊖ A: a side of one core and the vertex of the other that faces it; counted along the cores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Facing {
+    /// The body whose side it is.
+    pub(crate) source: Side,
+    /// That side.
+    pub(crate) edge: usize,
+    /// The other body's vertex.
+    pub(crate) vertex: usize,
+}
+
+/// The edge of B ⊖ A with the widest gap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Widest {
+    /// The edge.
+    pub(crate) facing: Facing,
+    /// Its gap, within [`Pair::gap_error`].
+    pub(crate) gap: f64,
+    /// The others whose gap rounding can't tell from it.
+    pub(crate) close: Close,
+}
+
+/// Which other gaps come within twice the error of the widest.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Close {
+    /// None.
+    None,
+    /// That of this side.
+    One(Side, usize),
+    /// More.
+    More,
+}
+
+/// The widest gap of a pair of any size, O(n + m); None where B ⊖ A has no edges.
+pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
+    let [mut top, mut second, mut third] = [f64::NEG_INFINITY; 3];
+    let (mut best, mut next) = (None, None);
+    every_gap(pair, |facing, gap| {
+        if gap > top {
+            (third, second, top) = (second, top, gap);
+            (next, best) = (best, Some(facing));
+        } else if gap > second {
+            (third, second) = (second, gap);
+            next = Some(facing);
+        } else if gap > third {
+            third = gap;
+        }
+    });
+    let floor = top - 2.0 * pair.gap_error();
+    let close = match next {
+        _ if third >= floor => Close::More,
+        Some(next) if second >= floor => Close::One(next.source, next.edge),
+        _ => Close::None,
+    };
+    best.map(|facing| Widest { facing, gap: top, close })
+}
+
+/// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
+#[inline]
+pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {
+    let (cos, sin) = (pair.b_turn[0].hi, pair.b_turn[1].hi);
+    let c = pair.center / pair.scale;
+    pass(pair.hull(Side::A), pair.hull(Side::B), c, (cos, sin), |edge, vertex, gap| {
+        visit(Facing { source: Side::A, edge, vertex }, gap);
+    });
+    let c = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
+    pass(pair.hull(Side::B), pair.hull(Side::A), c, (cos, -sin), |edge, vertex, gap| {
+        visit(Facing { source: Side::B, edge, vertex }, gap);
+    });
+}
+
+/// One body's sides against the other's vertices: `center` is the other's origin and (cos, sin) its turn, in the first
+/// one's frame.
+#[inline]
+pub(crate) fn pass(
+    own: &Hull,
+    other: &Hull,
+    center: DVec2,
+    (cos, sin): (f64, f64),
+    mut visit: impl FnMut(usize, usize, f64),
+) {
+    let Some(&first) = own.normals.first() else { return };
+    let into = |n: DVec2| DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
+    let mut vertex = 0;
+    let mut before = -first;
+    for (edge, (&n, &offset)) in own.normals.iter().zip(&own.offsets).enumerate() {
+        let u = into(n);
+        if before.dot(n) <= 0.0 {
+            // More than a quarter turn (three times at most, and at the start): after a half turn the pointer would
+            // stand on the highest vertex, where rounding may take a level side for the bottom.
+            vertex = lowest(other, u);
+        }
+        before = n;
+        // At most once round: each step goes down along u.
+        for _ in 0..other.edges.len() {
+            if u.dot(other.edges[vertex]) >= 0.0 {
+                break;
+            }
+            vertex = other.next(vertex);
+        }
+        visit(edge, vertex, n.dot(center) + u.dot(other.vertices[vertex]) - offset);
+    }
+}
+
+/// The vertex that is lowest along `u`, in the hull's frame; the first of several.
+#[inline]
+pub(crate) fn lowest(hull: &Hull, u: DVec2) -> usize {
+    let (mut best, mut least) = (0, f64::INFINITY);
+    for (k, q) in hull.vertices.iter().enumerate() {
+        let height = u.dot(*q);
+        if height < least {
+            (best, least) = (k, height);
+        }
+    }
+    best
+}

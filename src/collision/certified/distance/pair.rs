@@ -1,0 +1,372 @@
+//! Two bodies at one moment, seen from A's frame: what every certified query starts from.
+//!
+//! A's vertices are then the file's own doubles; only B's are turned, by the exact difference of the angles, and moved,
+//! by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and nothing is lost when
+//! the pair is far from the world's origin:
+//!
+//! ```text
+//! `w_j` = c + R(β − α) `q_j`        c = R(−α) (`p_B − p_A`)        `v_i` = the file's vertex i of A
+//! ```
+//!
+//! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to be
+//! whatever makes the rest exact.
+//!
+//! Coordinates here are multiplied by a power of two, [`Pair::scale`], where the scene is so small or large that
+//! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
+//! serve the first stage, [`crate::collision::certified::distance::balls::Fine`] is the second.
+
+use crate::geometry::{
+    Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, Turn, taming_power, two_product, two_sum,
+};
+
+/// Two bodies at one moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Pair<'s> {
+    /// Body A.
+    pub a: &'s Body,
+    /// Body B.
+    pub b: &'s Body,
+    /// The moment.
+    pub time: f64,
+    /// Power of two by which the coordinates of this struct are multiplied; 1 for scenes from 1e-60 to 1e60.
+    pub(crate) scale: f64,
+    /// Whether the scene needs no scaling.
+    tame: bool,
+    /// Angle of A's frame in the world.
+    pub(crate) frame: Turn,
+    /// Angle of B in A's frame.
+    pub(crate) turn: Turn,
+    /// `p_B − p_A` in the world, scaled.
+    pub(crate) apart: [Ball; 2],
+    /// Cosine and sine of `frame`, with their tails.
+    pub(crate) frame_turn: [Dd; 2],
+    /// Cosine and sine of `turn`, with their tails.
+    pub(crate) b_turn: [Dd; 2],
+    /// c, with its tail.
+    pub(crate) fine_center: [Dd; 2],
+    /// c in doubles.
+    pub(crate) center: DVec2,
+    /// Bound on the error of `fine_center` and of a vertex turned by `b_turn`, as vectors, together.
+    pub(crate) placing_error: f64,
+    /// Bound on the error of each of `frame_turn`.
+    frame_error: f64,
+    /// Bound on the error of each of `b_turn`.
+    pub(crate) turn_error: f64,
+    /// `r_A + r_B`, exactly, scaled.
+    pub(crate) radius: Dd,
+    /// |c| + both reaches: no coordinate difference of the pair is larger. Rounded up; scaled.
+    pub(crate) magnitude: f64,
+}
+
+/// Below and above this a scene is scaled: 2^±200.
+const TAME: std::ops::Range<f64> = f64::from_bits((1023 - 200) << 52)..f64::from_bits((1023 + 200) << 52);
+
+/// Error of a gap along a side's normal as computed by [`crate::collision::certified::distance::gaps`], as a multiple of ε and the magnitude M.
+///
+/// With unit letters for what is multiplied: c is off by 2.5ε (difference ½, cosine and sine ½ each, products and sum);
+/// the normal by ½√2 ε, which all terms share; its turn by 2ε; three dot products by 1.5ε each; the side's offset by
+/// 2ε; the last two sums by ½ε each: 14ε together. A support that rounding missed lies, side by side, less than 6ε of
+/// the sides' lengths below the true one; such sides are all but parallel, so that they are 2 reaches long at most:
+/// 12ε. Rounded up to a power of two.
+const GAP_ERROR: f64 = 32.0;
+
+impl<'s> Pair<'s> {
+    /// The pair at time `t`.
+    ///
+    /// ```
+    /// use tracefig::collision::Pair;
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let shape = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
+    /// let still = |x| Body {
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Degrees(30.0),
+    ///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+    /// };
+    /// let (a, b) = (still(0.0), still(4.0));
+    /// let found = Pair::at(&a, &b, 0.0).separation();
+    /// assert!(found.bounds.lo <= found.separation && found.bounds.hi - found.bounds.lo <= 1e-15);
+    /// ```
+    #[must_use]
+    pub fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        Self::placed(a, b, t, Turn::cos_sin_tailed)
+    }
+
+    /// The pair at time `t` as [`Self::refined`] leaves it, in one go.
+    pub(crate) fn finely_at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+        Self::placed(a, b, t, fine)
+    }
+
+    /// The pair at time `t`, with cosines, sines and the bound on their errors as `cos_sin` gives them.
+    #[inline]
+    fn placed(a: &'s Body, b: &'s Body, t: f64, cos_sin: impl Fn(&Turn) -> ([Dd; 2], f64)) -> Self {
+        let rough = rough_distance(a, b, t)
+            + (a.shape.hull.reach + b.shape.hull.reach)
+            + (a.shape.radius + b.shape.radius);
+        let tame = TAME.contains(&rough);
+        let scale = if tame { 1.0 } else { fitting(a, b, taming_power(rough)) };
+        let (frame, turn) = turns(a, b, t);
+        let apart = [
+            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
+            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
+        ];
+        let (frame_turn, frame_error) = cos_sin(&frame);
+        let (b_turn, turn_error) = cos_sin(&turn);
+        let fine_center = turned_back(frame_turn, [apart[0].value, apart[1].value], frame_error);
+        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
+        let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
+        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
+        // The larger of the 1-norm of `apart` and twice its rounding.
+        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
+        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
+        let placing_error = 2.0 * (frame_error * (x + y) + turn_error * reaches)
+            + ROUNDED_ERROR * magnitude
+            + (apart[0].radius + apart[1].radius);
+        Self {
+            a,
+            b,
+            time: t,
+            tame,
+            scale,
+            frame,
+            turn,
+            apart,
+            frame_turn,
+            b_turn,
+            fine_center,
+            center,
+            placing_error,
+            frame_error,
+            turn_error,
+            radius,
+            magnitude,
+        }
+    }
+
+    /// The same two bodies at time `t`, where neither turns.
+    pub(crate) fn unturned_at(&self, t: f64) -> Self {
+        let (a, b) = (self.a, self.b);
+        let apart = [
+            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
+            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
+        ];
+        let fine_center = turned_back(self.frame_turn, [apart[0].value, apart[1].value], self.frame_error);
+        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
+        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
+        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
+        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
+        let placing_error = 2.0 * (self.frame_error * (x + y) + self.turn_error * reaches)
+            + ROUNDED_ERROR * magnitude
+            + (apart[0].radius + apart[1].radius);
+        Self { time: t, apart, fine_center, center, magnitude, placing_error, ..*self }
+    }
+
+    /// The same two bodies at time `t`, where neither turns, as far as witness points are placed by it: in doubles.
+    #[inline]
+    pub(crate) fn placed_at(&self, t: f64) -> Self {
+        let v = self.a.velocity - self.b.velocity;
+        let [cos, sin] = self.frame_turn;
+        let seen = DVec2::new(cos.hi * v.x + sin.hi * v.y, cos.hi * v.y - sin.hi * v.x);
+        Self { time: t, center: self.center - seen * t, ..*self }
+    }
+
+    /// `v_A − v_B` in A's frame, scaled.
+    pub(crate) fn closing_fine(&self) -> [Ball; 2] {
+        let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);
+        let (x, y) =
+            (speed(self.a.velocity.x, self.b.velocity.x), speed(self.a.velocity.y, self.b.velocity.y));
+        if self.frame == Turn::NONE {
+            return [x, y];
+        }
+        let (cos, sin) = self.frame.cos_sin_fine();
+        [cos * x + sin * y, cos * y - sin * x]
+    }
+
+    /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the bound on its
+    /// error as a vector; None where its products might leave the range of doubles, or it is 0.
+    #[inline]
+    pub(crate) fn closing_tailed(&self) -> Option<([Dd; 2], f64)> {
+        let (of_a, of_b) = (self.a.velocity, self.b.velocity);
+        let v = [Dd::difference(of_a.x, of_b.x), Dd::difference(of_a.y, of_b.y)];
+        let size = v[0].hi.abs() + v[1].hi.abs();
+        let error = 2.0 * self.frame_error * size + ROUNDED_ERROR * size;
+        TAME.contains(&size).then(|| (turned_back(self.frame_turn, v, self.frame_error), error))
+    }
+
+    /// A body's prepared core.
+    #[inline]
+    pub(crate) fn hull(&self, side: Side) -> &'s Hull {
+        &self.shape(side).hull
+    }
+
+    /// A body's shape.
+    #[inline]
+    pub(crate) fn shape(&self, side: Side) -> &'s Shape {
+        match side {
+            Side::A => &self.a.shape,
+            Side::B => &self.b.shape,
+        }
+    }
+
+    /// Whether the doubles of the first stage can be trusted: the scene needs no scaling.
+    #[inline]
+    pub(crate) fn is_tame(&self) -> bool {
+        self.tame
+    }
+
+    /// 1 / scale, exactly: a product with it is a quotient by a power of two.
+    #[inline]
+    pub(crate) fn unscale(&self) -> f64 {
+        if self.tame { 1.0 } else { 1.0 / self.scale }
+    }
+
+    /// Bound on the error of a gap of the first stage.
+    #[inline]
+    pub(crate) fn gap_error(&self) -> f64 {
+        if self.is_tame() { GAP_ERROR * f64::EPSILON * self.magnitude } else { f64::INFINITY }
+    }
+
+    /// The same pair with cosines and sines to twice the precision of a double.
+    ///
+    /// Worth its cost where the pair is asked more than once, or where it is near touching.
+    #[must_use]
+    pub fn refined(mut self) -> Self {
+        let (frame_turn, frame_error) = fine(&self.frame);
+        let (b_turn, turn_error) = fine(&self.turn);
+        let apart = self.apart.map(|x| x.value);
+        let distance = apart[0].hi.abs() + apart[1].hi.abs();
+        self.fine_center = turned_back(frame_turn, apart, frame_error);
+        (self.frame_turn, self.b_turn) = (frame_turn, b_turn);
+        (self.frame_error, self.turn_error) = (frame_error, turn_error);
+        self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
+            + ROUNDED_ERROR * self.magnitude
+            + (self.apart[0].radius + self.apart[1].radius);
+        self
+    }
+
+    /// A vector of A's frame, in the world.
+    #[inline]
+    pub(crate) fn world_vector(&self, v: DVec2) -> DVec2 {
+        turned(self.frame_turn, v)
+    }
+
+    /// A point of B's frame in A's frame, scaled.
+    #[inline]
+    pub(crate) fn place_b(&self, q: DVec2) -> DVec2 {
+        self.center + turned(self.b_turn, q * self.scale)
+    }
+
+    /// A point of A's frame, scaled, in B's frame, unscaled.
+    #[inline]
+    pub(crate) fn local_to_b(&self, p: DVec2) -> DVec2 {
+        let (cos, sin) = (self.b_turn[0].hi, self.b_turn[1].hi);
+        let v = p - self.center;
+        DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) * self.unscale()
+    }
+
+    /// Where a body is, in the world.
+    #[inline]
+    pub(crate) fn pose(&self, side: Side) -> Pose {
+        let [fc, fs] = self.frame_turn;
+        match side {
+            Side::A => {
+                let position = self.a.position + self.a.velocity * self.time;
+                Pose { position, cos: fc.hi, sin: fs.hi }
+            }
+            Side::B => {
+                let position = self.b.position + self.b.velocity * self.time;
+                let [c, s] = self.b_turn;
+                Pose { position, cos: fc.hi * c.hi - fs.hi * s.hi, sin: fs.hi * c.hi + fc.hi * s.hi }
+            }
+        }
+    }
+}
+
+/// Rounding of a vertex placed by [`turned_back`] and [`combined`], as a multiple of the magnitude: two products of
+/// vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each; rounded up.
+const ROUNDED_ERROR: f64 = 32.0 * f64::EPSILON * f64::EPSILON;
+
+/// A vector in double-doubles, turned back; without rounding where the turn is a quarter.
+#[inline]
+fn turned_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2], error: f64) -> [Dd; 2] {
+    if error == 0.0 && sin == Dd::ZERO && cos == Dd::ONE {
+        return [x, y];
+    }
+    rotated_back([cos, sin], [x, y])
+}
+
+/// (cos x + sin y, cos y − sin x), each as [`crate::geometry::combined`] has it; no factor is halved twice.
+#[inline]
+pub(crate) fn rotated_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2]) -> [Dd; 2] {
+    let (cx, cy) = (two_product(cos.hi, x.hi), two_product(cos.hi, y.hi));
+    let (sx, sy) = (two_product(sin.hi, x.hi), two_product(sin.hi, y.hi));
+    let sum = |(p, e): (f64, f64), (q, f): (f64, f64), low: f64| {
+        let (s, g) = two_sum(p, q);
+        let (hi, lo) = two_sum(s, g + ((e + f) + low));
+        Dd { hi, lo }
+    };
+    [
+        sum(cx, sy, (cos.hi * x.lo + cos.lo * x.hi) + (sin.hi * y.lo + sin.lo * y.hi)),
+        sum(cy, (-sx.0, -sx.1), (cos.hi * y.lo + cos.lo * y.hi) - (sin.hi * x.lo + sin.lo * x.hi)),
+    ]
+}
+
+/// Cosine and sine to twice the precision of a double, and the bound on the error of each.
+fn fine(turn: &Turn) -> ([Dd; 2], f64) {
+    let (cos, sin) = turn.cos_sin_fine();
+    ([cos.value, sin.value], cos.radius.max(sin.radius))
+}
+
+/// A vector, turned.
+#[inline]
+pub(crate) fn turned([cos, sin]: [Dd; 2], v: DVec2) -> DVec2 {
+    DVec2::new(cos.hi * v.x - sin.hi * v.y, sin.hi * v.x + cos.hi * v.y)
+}
+
+/// Angle of A's frame in the world, and of B in it.
+fn turns(a: &Body, b: &Body, t: f64) -> (Turn, Turn) {
+    let fixed = |body: &Body| body.shape.hull.vertices.as_slice() == [DVec2::ZERO];
+    match (fixed(a), fixed(b)) {
+        (true, true) => (Turn::NONE, Turn::NONE),
+        (true, false) => (Turn::NONE, Turn::at(b.angle, b.spin, t)),
+        (false, true) => (Turn::at(a.angle, a.spin, t), Turn::NONE),
+        (false, false) => {
+            (Turn::at(a.angle, a.spin, t), Turn::between((a.angle, a.spin), (b.angle, b.spin), t))
+        }
+    }
+}
+
+/// A scale that does not carry positions out of the range of doubles: 1 if this one would.
+fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
+    let far = |body: &Body| (body.position.abs() + body.velocity.abs()).max_element() * scale;
+    if (far(a) + far(b)).is_finite() { scale } else { 1.0 }
+}
+
+/// About |`p_B − p_A`| at time t.
+fn rough_distance(a: &Body, b: &Body, t: f64) -> f64 {
+    let d = (b.position - a.position) + (b.velocity - a.velocity) * t;
+    d.x.abs() + d.y.abs()
+}
+
+/// A coordinate of `p_B − p_A` at time t, exactly where a double-double holds it, times `scale`.
+fn apart(from: f64, to: f64, [v_from, v_to]: [f64; 2], t: f64, scale: f64) -> Ball {
+    let start = scaled(Dd::difference(to, from), scale);
+    let speed = Dd::difference(v_to, v_from);
+    if t == 0.0 || speed == Dd::ZERO {
+        return start;
+    }
+    start + scaled(speed, scale).scale(t)
+}
+
+/// x · scale for a power of two; widened where the product is so small that bits may be lost.
+pub(crate) fn scaled(x: Dd, scale: f64) -> Ball {
+    if scale == 1.0 {
+        return Ball::exact(x);
+    }
+    let y = x.scale_by_power_of_two(scale);
+    let lost = |y: f64, x: f64| scale < 1.0 && x != 0.0 && y.abs() < LOSSY;
+    let radius = if lost(y.hi, x.hi) || lost(y.lo, x.lo) { LOSSY } else { 0.0 };
+    Ball::within(y, radius)
+}
+
+/// 2⁻⁹⁶⁰: a scaled number below it may have lost bits. The scene itself is scaled to about 1.
+const LOSSY: f64 = f64::from_bits((1023 - 960) << 52);

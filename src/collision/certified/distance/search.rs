@@ -1,0 +1,233 @@
+//! The certified answer: which edge or vertex of B ⊖ A is nearest the origin, and a proof of how far it is.
+//!
+//! 1. *Apart.* A hint (an edge or vertex of B ⊖ A that some algorithm found) is checked: along a direction n the gap of
+//!    the supports is a lower bound of the distance, the witness points are an upper one. For the right feature the two
+//!    are equal, up to the rounding of double-doubles, and the proof is done without looking at anything else.
+//! 2. *Overlapping*, or no such luck. The depth is the least over *every* edge of B ⊖ A. Plain doubles with a bound sort
+//!    out the edges that cannot be it ([`crate::collision::certified::distance::gaps`]); every edge within twice that bound of the best is measured again
+//!    ([`crate::collision::certified::distance::balls`]), and ties are counted there. If the best gap turns out not to be negative, the bodies are apart
+//!    and the closest point is reached by walking from that edge ([`crate::collision::certified::distance::boundary`]).
+//!
+//! Where the separation's ball holds 0, the sign of a polynomial decides, without square roots: c |c| − R² |e|² for an
+//! edge e with c = e × d, and |d|² − R² for vertices d apart; only an exact 0 is called 0.
+
+use crate::collision::Separation;
+use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, reversed, rounded};
+use crate::collision::certified::distance::boundary::{self, Closest};
+use crate::collision::certified::distance::filter;
+use crate::collision::certified::distance::gaps::{Facing, every_gap};
+use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
+use crate::geometry::{Ball, DVec2, Side};
+
+/// A feature of B ⊖ A that an algorithm holds to be nearest the origin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Hint {
+    /// An edge of B ⊖ A.
+    Edge(Facing),
+    /// Vertex i of A against vertex j of B, counted along the cores: [i, j].
+    Vertices([usize; 2]),
+}
+
+/// What was found, in A's frame and scaled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Found {
+    /// What carries it.
+    pub(crate) contact: Contact,
+    /// Signed distance of the cores.
+    pub(crate) core: Ball,
+    /// Directions that tie.
+    pub(crate) ties: u32,
+}
+
+/// The feature of B ⊖ A that carries a separation.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Contact {
+    /// An edge.
+    Edge(Way),
+    /// A vertex: [i, j], and `w_j − v_i`.
+    Vertices([usize; 2], Vec2),
+}
+
+/// The certified separation of a pair; of directions that tie, the hinted one is taken.
+pub(crate) fn certify(pair: &Pair, hint: Option<Hint>) -> Separation {
+    if let Some(proved) = filter::proved(pair) {
+        return witnesses::answer(pair, &proved);
+    }
+    settle(pair, hint)
+}
+
+/// [`certify`], where the quick proof is not enough.
+#[cold]
+pub(crate) fn settle(pair: &Pair, hint: Option<Hint>) -> Separation {
+    let fine = Fine::new(pair);
+    let found = hint.and_then(|hint| confirm(pair, &fine, hint)).unwrap_or_else(|| search(pair, &fine, hint));
+    let separation = found.core - Ball::exact(pair.radius);
+    let zero = separation.sign().is_none() && is_zero(pair, &fine, &found);
+    witnesses::answer(pair, &proved(pair, &found, if zero { Ball::ZERO } else { separation }))
+}
+
+/// What was found, rounded to doubles; `separation` is the scaled ball of s.
+fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
+    let unscale = 1.0 / pair.scale;
+    let bounds = separation.enclosure_scaled(unscale);
+    let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);
+    let carrier = match found.contact {
+        Contact::Vertices(vertices, _) => Carrier::Vertices(vertices),
+        Contact::Edge(Way { facing, partner: Some(partner), .. }) => Carrier::Faces(facing, partner),
+        Contact::Edge(Way { facing, partner: None, .. }) => Carrier::Edge(facing),
+    };
+    let normal = normal_of(&found.contact);
+    Proved { carrier, normal, core: found.core.value.hi, separation: value, bounds, ties: found.ties }
+}
+
+/// A hint that can be proved to be the nearest feature of bodies that are apart.
+fn confirm(pair: &Pair, fine: &Fine, hint: Hint) -> Option<Found> {
+    match hint {
+        Hint::Edge(facing) => {
+            let way = fine.measure(facing);
+            if !way.gap.is_positive() {
+                return None;
+            }
+            let closest = boundary::closest(pair, fine, way.facing)?;
+            apart(fine, closest)
+        }
+        Hint::Vertices(vertices) => {
+            let found = vertex(fine, vertices)?;
+            let Contact::Vertices(_, p) = found.contact else { return None };
+            // A side square to p, or one that points nearer, leaves it to the search.
+            let clear = |side: Side, k: usize, down: &Vec2| {
+                let hull = pair.hull(side);
+                hull.edges.is_empty()
+                    || (dot(down, &fine.side(side, k)).is_positive()
+                        && dot(down, &fine.side(side, hull.previous(k))).is_negative())
+            };
+            let proved = found.core.is_positive()
+                && clear(Side::B, vertices[1], &p)
+                && clear(Side::A, vertices[0], &reversed(&p));
+            proved.then_some(found)
+        }
+    }
+}
+
+/// The closest feature of bodies that are apart, measured.
+fn apart(fine: &Fine, closest: Closest) -> Option<Found> {
+    match closest {
+        Closest::Edge { facing, beyond } => {
+            let way = fine.measure(facing);
+            Some(Found { contact: Contact::Edge(way), core: way.gap.widen(beyond), ties: 1 })
+        }
+        Closest::Vertex(vertices) => vertex(fine, vertices),
+    }
+}
+
+/// Vertex i of A against vertex j of B: |`w_j − v_i`|, less what the supports along it may lie nearer.
+fn vertex(fine: &Fine, [i, j]: [usize; 2]) -> Option<Found> {
+    let p = fine.between(i, j);
+    let length = dot(&p, &p).sqrt();
+    let drop = fine.drop_below(Side::B, j, &p) + fine.drop_below(Side::A, i, &reversed(&p));
+    let least = length.value.hi * (1.0 - f64::EPSILON) - length.radius;
+    let core = if drop == 0.0 {
+        length
+    } else if least > 0.0 {
+        length.widen(drop / least)
+    } else {
+        return None;
+    };
+    Some(Found { contact: Contact::Vertices([i, j], p), core, ties: 1 })
+}
+
+/// Every edge of B ⊖ A, then the walk if the origin is outside.
+fn search(pair: &Pair, fine: &Fine, hint: Option<Hint>) -> Found {
+    let Some((best, ties)) = best_way(pair, fine, hint) else { return points(fine) };
+    let through = Found { contact: Contact::Edge(best), core: best.gap, ties };
+    if best.gap.is_negative() {
+        return through;
+    }
+    let outside = boundary::closest(pair, fine, best.facing).and_then(|closest| apart(fine, closest));
+    match outside {
+        // On the line of an edge but off its end, or properly outside.
+        Some(found) if best.gap.is_positive() || (found.core - best.gap).is_positive() => found,
+        _ => through,
+    }
+}
+
+/// Two points.
+fn points(fine: &Fine) -> Found {
+    let p = fine.between(0, 0);
+    let core = dot(&p, &p).sqrt();
+    let ties = u32::from(core.is_positive());
+    Found { contact: Contact::Vertices([0, 0], p), core, ties }
+}
+
+/// The edge with the largest gap, and how many directions tie with it; None where B ⊖ A has no edges.
+///
+/// Of edges that tie the hinted one is taken, else the first. Parallel edges of A and B are one direction, counted for A.
+fn best_way(pair: &Pair, fine: &Fine, hint: Option<Hint>) -> Option<(Way, u32)> {
+    let error = pair.gap_error();
+    let mut top = f64::NEG_INFINITY;
+    every_gap(pair, |_, gap| top = top.max(gap));
+    let floor = if error.is_finite() { top - 2.0 * error } else { f64::NEG_INFINITY };
+    let mut best: Option<Way> = None;
+    let (mut ties, mut highest) = (0, f64::NEG_INFINITY);
+    every_gap(pair, |facing, gap| {
+        if gap < floor {
+            return;
+        }
+        let way = fine.measure(facing);
+        let counts = u32::from(facing.source == Side::A || way.partner.is_none());
+        let Some(leader) = best else {
+            (best, ties) = (Some(way), counts);
+            highest = way.gap.radius;
+            return;
+        };
+        match (way.gap - leader.gap).sign() {
+            Some(1) => (best, ties, highest) = (Some(way), counts, way.gap.radius),
+            Some(-1) => {}
+            _ => {
+                ties += counts;
+                // How far this one may be above the leader's centre.
+                highest = highest.max((way.gap.value - leader.gap.value).hi.abs() + way.gap.radius);
+                if hint == Some(Hint::Edge(way.facing)) || hint == Some(Hint::Edge(facing)) {
+                    best = Some(way);
+                    highest = highest.max(2.0 * highest);
+                }
+            }
+        }
+    });
+    best.map(|way| {
+        let gap = if highest > way.gap.radius { way.gap.widen(highest - way.gap.radius) } else { way.gap };
+        (Way { gap, ..way }, ties.max(1))
+    })
+}
+
+/// Whether the separation is exactly 0, by the sign of a polynomial.
+fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
+    let radius = Ball::exact(pair.radius);
+    let squared = |x: Ball| x * x;
+    let polynomial = match found.contact {
+        Contact::Vertices(_, p) => dot(&p, &p) - squared(radius),
+        Contact::Edge(way) => {
+            let Facing { source, edge, vertex } = way.facing;
+            let along = fine.side(source, edge);
+            let [i, j] = match source {
+                Side::A => [edge, vertex],
+                Side::B => [vertex, edge],
+            };
+            let area = cross(&along, &fine.between(i, j));
+            if radius == Ball::ZERO { area } else { squared(area) - squared(radius) * dot(&along, &along) }
+        }
+    };
+    polynomial.sign() == Some(0)
+}
+
+/// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
+fn normal_of(contact: &Contact) -> Option<DVec2> {
+    match contact {
+        Contact::Edge(way) => Some(rounded(&way.normal)),
+        Contact::Vertices(_, p) => {
+            let length = dot(p, p).sqrt();
+            length.is_positive().then(|| rounded(&[p[0].over(length), p[1].over(length)]))
+        }
+    }
+}

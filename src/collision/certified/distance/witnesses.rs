@@ -1,0 +1,124 @@
+//! From what was found in A's frame to the answer in the world: normal, witness points, features, bounds.
+//!
+//! With n the unit normal from A to B, s the separation, and c the points on the cores:
+//!
+//! ```text
+//! p_A = c_A + r_A n        p_B = c_B − r_B n        `p_B − p_A` = s n
+//! ```
+//!
+//! A vertex is placed by its own body's pose, so that it is as near to the exact one as doubles come. The other witness
+//! follows along the normal.
+
+use crate::collision::Separation;
+use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::pair::Pair;
+use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
+
+/// What carries a separation: the nearest feature of B ⊖ A, counted along the cores.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Carrier {
+    /// A side and a vertex.
+    Edge(Facing),
+    /// A side, and the other body's side that is parallel to it.
+    Faces(Facing, usize),
+    /// Vertex i of A and vertex j of B.
+    Vertices([usize; 2]),
+}
+
+/// A separation that is proved, in A's frame and scaled.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Proved {
+    /// What carries it.
+    pub(crate) carrier: Carrier,
+    /// Unit vector from A to B; None where points coincide.
+    pub(crate) normal: Option<DVec2>,
+    /// Signed distance of the cores.
+    pub(crate) core: f64,
+    /// Signed separation, not scaled.
+    pub(crate) separation: f64,
+    /// Its bounds, not scaled.
+    pub(crate) bounds: Enclosure,
+    /// Directions that tie.
+    pub(crate) ties: u32,
+}
+
+/// Witness points of the cores in the world, scaled (so that they round once), and the features that carry them.
+type Witnesses = ([DVec2; 2], [Feature; 2]);
+
+/// The answer.
+#[inline]
+pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
+    let Proved { carrier, normal: local, core, separation, bounds, ties } = *proved;
+    // Points that coincide: every direction is as good; the world's x axis is taken.
+    let normal = local.map_or(DVec2::X, |n| pair.world_vector(n));
+    let n = local.unwrap_or(DVec2::X);
+    let (cores, features) = match carrier {
+        Carrier::Vertices([i, j]) => vertices(pair, i, j),
+        Carrier::Edge(facing) => edge_and_vertex(pair, facing, n, core),
+        Carrier::Faces(facing, partner) => faces(pair, facing, partner, n, core),
+    };
+    let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
+    let unscale = pair.unscale();
+    let points = [(cores[0] + normal * r_a) * unscale, (cores[1] - normal * r_b) * unscale];
+    Separation { separation, bounds, normal, ties, points, features }
+}
+
+/// Two vertices.
+fn vertices(pair: &Pair, i: usize, j: usize) -> Witnesses {
+    let points = [world_vertex(pair, Side::A, i), world_vertex(pair, Side::B, j)];
+    (points, [pair.a.shape.vertex_feature(i), pair.b.shape.vertex_feature(j)])
+}
+
+/// A side of one body and a vertex of the other, `core` apart along `n`; scaled.
+fn edge_and_vertex(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesses {
+    let world = pair.world_vector(n) * core;
+    let Facing { source, edge, vertex } = facing;
+    match source {
+        Side::A => {
+            let point = world_vertex(pair, Side::B, vertex);
+            let local = (pair.place_b(pair.hull(Side::B).vertices[vertex]) - n * core) * pair.unscale();
+            let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(vertex)];
+            ([point - world, point], features)
+        }
+        Side::B => {
+            let point = world_vertex(pair, Side::A, vertex);
+            let local = pair.local_to_b(pair.hull(Side::A).vertices[vertex] * pair.scale + n * core);
+            let features = [pair.a.shape.vertex_feature(vertex), pair.b.shape.edge_feature(edge, local)];
+            ([point, point + world], features)
+        }
+    }
+}
+
+/// Two parallel sides: the middle of their common span.
+fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Witnesses {
+    let [k, l] = match facing.source {
+        Side::A => [facing.edge, partner],
+        Side::B => [partner, facing.edge],
+    };
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let along = perp(n);
+    // Places along the face, measured from A's vertex so that nothing cancels twice.
+    let start = a.vertices[k] * pair.scale;
+    let end = (a.vertices[a.next(k)] * pair.scale - start).dot(along);
+    let place = |j: usize| (pair.place_b(b.vertices[j]) - start).dot(along);
+    let (p, q) = (place(l), place(b.next(l)));
+    let (from, to) = (p.min(q).max(end.min(0.0)), p.max(q).min(end.max(0.0)));
+    let middle = start + along * (0.5 * (from + to));
+    let point = world_point(pair, Side::A, middle);
+    let features = [
+        pair.a.shape.edge_feature(k, middle * pair.unscale()),
+        pair.b.shape.edge_feature(l, pair.local_to_b(middle + n * core)),
+    ];
+    ([point, point + pair.world_vector(n) * core], features)
+}
+
+/// A core's vertex in the world.
+fn world_vertex(pair: &Pair, side: Side, k: usize) -> DVec2 {
+    world_point(pair, side, pair.hull(side).vertices[k] * pair.scale)
+}
+
+/// A point of a body's frame in the world; both scaled.
+fn world_point(pair: &Pair, side: Side, local: DVec2) -> DVec2 {
+    let pose = pair.pose(side);
+    pose.position * pair.scale + pose.vector(local)
+}

@@ -1,0 +1,138 @@
+//! A guess, in plain doubles, of the features by which two cores are closest: whatever follows from it is proved
+//! elsewhere, so a wrong guess costs time and nothing else.
+//!
+//! The side with the widest gap is the closest feature if the other core's vertex lies over it. If it lies beyond an
+//! end, two vertices are closest; from that end and that vertex, steps to neighbours lead to them, since along the boundary
+//! of B ⊖ A the distance has one minimum.
+
+use crate::collision::Separation;
+use crate::collision::certified::distance::gaps::{Facing, pass};
+use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::search::{Hint, certify};
+use crate::collision::certified::impact::moving_pair::{MovingPair, Seen};
+use crate::geometry::{Body, DVec2, Side};
+
+/// The closest features of two cores, counted along the cores.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Nearest {
+    /// An edge of `owner` and a vertex of the other.
+    Edge {
+        /// The body whose edge it is.
+        owner: Side,
+        /// The edge.
+        edge: usize,
+        /// The other body's vertex.
+        vertex: usize,
+    },
+    /// A vertex of A and a vertex of B.
+    Vertices(usize, usize),
+}
+
+/// The closest features at time `t`, and the distance of the cores (negative inside), in scaled units. O(n + m).
+pub(crate) fn nearest(pair: &MovingPair, t: f64) -> (Nearest, f64) {
+    let seen = pair.seen(Side::A, t, &pair.view(Side::A, t));
+    let center = DVec2::new(seen.offset[0], seen.offset[1]) / pair.unit;
+    let (cos, sin) = (seen.cos, seen.sin);
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let mut best: Option<(Facing, f64)> = None;
+    let mut visit = |source: Side, edge: usize, vertex: usize, gap: f64| {
+        if best.is_none_or(|(_, widest)| gap > widest) {
+            best = Some((Facing { source, edge, vertex }, gap));
+        }
+    };
+    pass(a, b, center, (cos, sin), |edge, vertex, gap| visit(Side::A, edge, vertex, gap));
+    let back = DVec2::new(-cos * center.x - sin * center.y, sin * center.x - cos * center.y);
+    pass(b, a, back, (cos, -sin), |edge, vertex, gap| visit(Side::B, edge, vertex, gap));
+    let cores = Cores { pair, seen };
+    let Some((Facing { source: owner, edge, vertex }, gap)) = best else {
+        return (Nearest::Vertices(0, 0), cores.between(0, 0).length());
+    };
+    let gap = gap * pair.unit;
+    if gap > 0.0
+        && let Some(end) = cores.beyond(owner, edge, vertex)
+    {
+        return match end {
+            Beyond::Side(vertex) => (Nearest::Edge { owner, edge, vertex }, gap),
+            Beyond::End(end) if owner == Side::A => cores.descend(end, vertex),
+            Beyond::End(end) => cores.descend(vertex, end),
+        };
+    }
+    (Nearest::Edge { owner, edge, vertex }, gap)
+}
+
+/// What is over an edge whose facing vertex is not.
+enum Beyond {
+    /// A parallel side of the other core reaches over it, with this vertex.
+    Side(usize),
+    /// Nothing: this end of the edge is nearest.
+    End(usize),
+}
+
+/// Both cores at a moment, in A's frame.
+struct Cores<'p, 'q> {
+    pair: &'p MovingPair<'q>,
+    seen: Seen<f64>,
+}
+
+impl Cores<'_, '_> {
+    /// A vertex.
+    fn point(&self, side: Side, k: usize) -> DVec2 {
+        let q = self.pair.vertex(side, k);
+        if side == Side::A { q } else { self.seen.point(q) }
+    }
+
+    /// From A's vertex i to B's vertex j.
+    fn between(&self, i: usize, j: usize) -> DVec2 {
+        self.point(Side::B, j) - self.point(Side::A, i)
+    }
+
+    /// Whether the vertex facing an edge is beyond one of its ends.
+    fn beyond(&self, owner: Side, edge: usize, vertex: usize) -> Option<Beyond> {
+        let end = self.pair.hull(owner).next(edge);
+        let (from, to) = (self.point(owner, edge), self.point(owner, end));
+        let along = to - from;
+        // Where on the edge's line a point is: at most 0 before its start, at least 0 after its end.
+        let place = |x: DVec2| ((x - from).dot(along), (x - to).dot(along));
+        let x = self.point(owner.other(), vertex);
+        let (start, stop) = place(x);
+        if start > 0.0 && stop < 0.0 {
+            return None;
+        }
+        // A side of the other core that is parallel to the edge reaches over it, though its first end may not.
+        let other = self.pair.hull(owner.other());
+        let level = self.pair.rounding * along.length();
+        let over = [other.previous(vertex), other.next(vertex)].into_iter().find(|&k| {
+            let y = self.point(owner.other(), k);
+            let (first, last) = place(y);
+            (y - x).perp_dot(along).abs() <= level && if start <= 0.0 { first > 0.0 } else { last < 0.0 }
+        });
+        let end = if start <= 0.0 { edge } else { end };
+        Some(over.map_or(Beyond::End(end), Beyond::Side))
+    }
+
+    /// From two vertices to the closest two, and their distance.
+    fn descend(&self, mut i: usize, mut j: usize) -> (Nearest, f64) {
+        let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
+        let squared = |i: usize, j: usize| self.between(i, j).length_squared();
+        let mut best = squared(i, j);
+        for _ in 0..a.vertices.len() + b.vertices.len() {
+            let around = [(a.next(i), j), (a.previous(i), j), (i, b.next(j)), (i, b.previous(j))];
+            let Some((k, l, closer)) =
+                around.into_iter().map(|(k, l)| (k, l, squared(k, l))).find(|(_, _, d)| *d < best)
+            else {
+                break;
+            };
+            (i, j, best) = (k, l, closer);
+        }
+        (Nearest::Vertices(i, j), best.sqrt())
+    }
+}
+
+/// The certified separation at `t`, looked for at the given features first.
+pub(crate) fn certified(a: &Body, b: &Body, t: f64, near: Nearest) -> Separation {
+    let hint = match near {
+        Nearest::Edge { owner, edge, vertex } => Hint::Edge(Facing { source: owner, edge, vertex }),
+        Nearest::Vertices(i, j) => Hint::Vertices([i, j]),
+    };
+    certify(&Pair::at(a, b, t), Some(hint))
+}

@@ -1,0 +1,151 @@
+//! The proof that two bodies stay apart until a moment, put together backwards from the axes that a search used.
+//!
+//! The last axis parts the bodies just before contact, and by the chord of [`crate::collision::certified::impact::filter::gap_series`] for a long while before,
+//! often from t = 0 on. Where it does not, the axis before takes over: each parts the bodies at the moment at which it was
+//! found, so that between two such moments there is one at which both do.
+
+use crate::collision::certified::impact::axis::Axis;
+use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap};
+use crate::collision::certified::impact::moving_pair::MovingPair;
+
+/// An axis over a span of time.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leg {
+    /// The axis.
+    pub(crate) axis: Axis,
+    /// From here.
+    pub(crate) from: f64,
+    /// To here.
+    pub(crate) to: f64,
+}
+
+/// An axis and its gap at the moment at which it was found.
+pub(crate) type Parted = (Axis, TurnedGap);
+
+/// Axes that a proof can be made of.
+pub(crate) const AXES: usize = 12;
+
+/// Midpoints at which the gap between two moments is evaluated at most.
+const MIDPOINTS: usize = 48;
+
+/// The same where another proof is at hand.
+const FEW_MIDPOINTS: usize = 2;
+
+/// Times that a span is halved.
+const HALVINGS: usize = 8;
+
+/// Moments tried between two axes, to go over from one to the other.
+const SPLITS: usize = 8;
+
+/// Legs that reach from the end back to the start.
+pub(crate) struct Proof<'p, 'q> {
+    pair: &'p MovingPair<'q>,
+    /// Bound on the error of a gap.
+    error: f64,
+    /// The last one first.
+    legs: [Option<Leg>; 2 * AXES],
+    count: usize,
+}
+
+impl<'p, 'q> Proof<'p, 'q> {
+    /// No leg yet; `error` bounds that of a gap.
+    pub(crate) fn new(pair: &'p MovingPair<'q>, error: f64) -> Self {
+        Self { pair, error, legs: [None; 2 * AXES], count: 0 }
+    }
+
+    /// Proves that the pair is apart from the start to the moment of `last`, a gap of the last of the axes; None where the
+    /// proof is not found.
+    pub(crate) fn reach(&mut self, axes: &[Option<Parted>], last: TurnedGap) -> Option<()> {
+        let (&(axis, found), before) =
+            axes.split_last().and_then(|(last, all)| Some((last.as_ref()?, all)))?;
+        let midpoints = if before.is_empty() { MIDPOINTS } else { FEW_MIDPOINTS };
+        if let Some(first) = axis.turned_gap(self.pair, &Instant::start(self.pair), found.lowest)
+            && self.is_open(&axis, first, last, midpoints)
+        {
+            self.add(axis, 0.0, last.t);
+            return Some(());
+        }
+        if !self.is_open(&axis, found, last, MIDPOINTS) {
+            return None;
+        }
+        self.add(axis, found.t, last.t);
+        let mut later = (axis, found);
+        for earlier in before.iter().rev() {
+            let earlier = (*earlier)?;
+            self.go_over(earlier, later)?;
+            later = earlier;
+        }
+        Some(())
+    }
+
+    /// The legs in order of time.
+    pub(crate) fn legs(&self) -> impl Iterator<Item = &Leg> {
+        self.legs[..self.count].iter().rev().flatten()
+    }
+
+    /// From the moment of one axis to that of the next.
+    fn go_over(&mut self, (before, early): Parted, (after, late): Parted) -> Option<()> {
+        let length = late.t - early.t;
+        // The later axis may have opened only just before: half of the time since then, less and less.
+        let opening = late.slope(self.pair, after.owner);
+        let since = if opening > 0.0 { (late.value / opening).min(length) } else { length };
+        let mut back = length;
+        for _ in 0..SPLITS {
+            let middle = (late.t - back).max(early.t);
+            back = (0.125 * back).min(0.5 * since);
+            let at = Instant::new(self.pair, middle);
+            let then = after.turned_gap(self.pair, &at, late.lowest);
+            if !then.is_some_and(|then| self.is_open(&after, then, late, MIDPOINTS)) {
+                continue;
+            }
+            if middle <= early.t {
+                self.add(after, middle, late.t);
+                return Some(());
+            }
+            let until = before.turned_gap(self.pair, &at, early.lowest);
+            if until.is_some_and(|until| self.is_open(&before, early, until, MIDPOINTS)) {
+                self.add(after, middle, late.t);
+                self.add(before, early.t, middle);
+                return Some(());
+            }
+        }
+        None
+    }
+
+    /// A leg before those that are there.
+    fn add(&mut self, axis: Axis, from: f64, to: f64) {
+        if let Some(Some(next)) = self.count.checked_sub(1).map(|k| &mut self.legs[k])
+            && next.axis == axis
+        {
+            next.from = from;
+        } else if self.count < self.legs.len() {
+            self.legs[self.count] = Some(Leg { axis, from, to });
+            self.count += 1;
+        }
+    }
+
+    /// Whether an axis is proved to part the pair between two of its gaps, with more of them between where the chord does
+    /// not do.
+    fn is_open(&self, axis: &Axis, from: TurnedGap, to: TurnedGap, midpoints: usize) -> bool {
+        let mut left = from;
+        let mut ahead = [to; HALVINGS];
+        let (mut depth, mut used) = (1, 0);
+        while depth > 0 {
+            let right = ahead[depth - 1];
+            if left.stays_open(&right, self.pair, axis.owner, self.error) {
+                left = right;
+                depth -= 1;
+                continue;
+            }
+            if used >= midpoints || depth >= HALVINGS || left.value.min(right.value) <= self.error {
+                return false;
+            }
+            let at = Instant::new(self.pair, 0.5 * (left.t + right.t));
+            let Some(middle) = axis.turned_gap(self.pair, &at, left.lowest) else { return false };
+            used += 1;
+            ahead[depth] = middle;
+            depth += 1;
+        }
+        true
+    }
+}

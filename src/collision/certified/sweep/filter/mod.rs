@@ -1,0 +1,282 @@
+//! First stage of the ray against B ⊖ A: doubles choose and prove the feature, double-doubles only say when.
+//!
+//! A ray enters a convex set once. So a feature that the ray meets from outside, at a point that is on the boundary of
+//! B ⊖ A grown by ρ, is the one that it enters through, and no other has to be looked at. On the boundary means:
+//!
+//! - for an edge: the other body's vertex supports it, and its ends are on either side of the ray's line;
+//! - for the disc at a vertex p: both bodies' vertices are the lowest along p − t v.
+//!
+//! These are signs of dot products, which must be clear of a bound on all rounding. A line passes B ⊖ A if the support
+//! square to it is clearly farther than ρ. Then, with q a quotient in doubles, what is left over at q says both when and
+//! how near the bodies are just before:
+//!
+//! ```text
+//! g = n·p − ρ,   k = n·v,   q ≈ g / k,   r = g − q k        in double-doubles
+//! t = q + r / k                                              s(t₀) = r − (t₀ − q) k
+//! ```
+//!
+//! t is good if its error does not reach a double: its bounds are the two doubles next to it, and s at the first of them
+//! is the contact's. That takes cosines and sines to twice the precision as well. Whatever is not clear (t that is a double,
+//! parallel sides, grazes) is left to the balls of [`crate::collision::certified::sweep::ray`].
+
+pub(crate) mod crossed_edge;
+
+use crate::collision::certified::distance::filter::{self, LAST_ERROR};
+use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::pair::{Pair, rotated_back, turned};
+use crate::collision::certified::distance::witnesses::{Carrier, Proved};
+use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
+use crate::collision::certified::sweep::ray::Piece;
+use crate::geometry::{Ball, DVec2, Dd, Enclosure, Side, combined, two_product, two_sum};
+
+/// What is proved of the ray's line.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Met {
+    /// It passes B ⊖ A.
+    Nothing,
+    /// It enters here, before 0 or after 1.
+    Outside(Piece, Enclosure),
+    /// It enters here, between neighbouring doubles; and the pair at the first of them.
+    At(Piece, Enclosure, Proved),
+}
+
+/// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
+/// sums 6ε, ρ |v| 4ε, a vertex that rounding takes for the highest 6ε of the sides' lengths, 2 reaches at most, below it:
+/// 29ε; √2 for norms. Rounded up.
+const OFFSET_ERROR: f64 = 64.0 * f64::EPSILON;
+
+/// Rounding of g − q k, as a multiple of ε² and M + ρ, and of |q| |v|₁: a vertex 17, its low half being below 3ε M with
+/// seven sums; its product with the normal 21, the normal itself 16√2, and turned 6√2 more; the low half is then below 6ε M
+/// and meets three sums, 9. Rounded up; k is as good.
+const REST_ERROR: f64 = 128.0 * f64::EPSILON * f64::EPSILON;
+
+/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`] to know the error of p − t v: p is within
+/// 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and t itself may add 4ε M: 17ε M, of the 32ε M of
+/// [`Pair::gap_error`].
+const FAR: f64 = 4.0;
+
+/// Where the ray goes, in A's frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Heading {
+    /// v.
+    v: [Dd; 2],
+    /// |v|₁.
+    speed: f64,
+    /// Bound on the error of v, as a vector.
+    error: f64,
+}
+
+impl Heading {
+    /// Of a pair at t = 0; None where the first stage can't be trusted with it, or nothing moves.
+    #[inline]
+    pub(crate) fn of(pair: &Pair) -> Option<Self> {
+        let (v, error) = pair.closing_tailed()?;
+        let speed = v[0].hi.abs() + v[1].hi.abs();
+        pair.is_tame().then_some(Self { v, speed, error })
+    }
+
+    /// v in doubles.
+    #[inline]
+    fn direction(&self) -> DVec2 {
+        DVec2::new(self.v[0].hi, self.v[1].hi)
+    }
+}
+
+/// What the ray's line meets first, if that can be proved with little work.
+#[inline]
+pub(crate) fn met(pair: &Pair, heading: &Heading) -> Option<Met> {
+    let line = Line { pair, heading };
+    match crossed(pair, heading.direction()) {
+        Crossed::Nothing(past) => (past > line.slack()).then_some(Met::Nothing),
+        Crossed::Edge(edge) => {
+            (edge.is_supported && edge.inside > line.slack()).then(|| line.edge(edge.facing)).flatten()
+        }
+        Crossed::Disc(vertices) => line.disc(vertices),
+    }
+}
+
+/// The ray in A's frame.
+#[derive(Clone, Copy)]
+struct Line<'p, 's> {
+    pair: &'p Pair<'s>,
+    heading: &'p Heading,
+}
+
+impl Line<'_, '_> {
+    /// Bound on the error of an offset from the line, in units of |v|.
+    #[inline]
+    fn slack(&self) -> f64 {
+        OFFSET_ERROR * (self.pair.magnitude + self.pair.radius.hi) * self.heading.speed
+    }
+
+    /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
+    #[inline]
+    fn edge(&self, facing: Facing) -> Option<Met> {
+        let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
+        let d = vertex(pair, facing);
+        let n = normal(pair, facing);
+        let mut gap = along(n, d);
+        if pair.radius.hi > 0.0 {
+            gap = gap - pair.radius;
+        }
+        let closing = along(n, v);
+        // A side of B: its normal is turned as well.
+        let turning = if facing.source == Side::B { 2.0 * pair.turn_error } else { 0.0 };
+        let far = d[0].hi.abs() + d[1].hi.abs();
+        let gap_error = pair.placing_error + turning * far + REST_ERROR * (pair.magnitude + pair.radius.hi);
+        let closing_error = error + (turning + REST_ERROR) * speed;
+        let least = closing.hi * (1.0 - 4.0 * f64::EPSILON) - closing_error;
+        if least <= 0.5 * closing.hi {
+            return None;
+        }
+        let q = gap.hi / closing.hi;
+        let (run, tail) = two_product(closing.hi, q);
+        // The first difference is exact: the two are within a few ulp of each other.
+        let rest = (gap.hi - run) + ((gap.lo - q * closing.lo) - tail);
+        let rest_error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
+        let step = rest / closing.hi;
+        let hi = q + step;
+        // Roundings of the step, and of k, which it is a quotient by.
+        let step_error = step.abs() * (closing_error / least + 8.0 * f64::EPSILON);
+        let time = Dd { hi, lo: step - (hi - q) };
+        let time = neighbours(time, rest_error / least + step_error)?;
+        if time.lo >= 1.0 || time.hi < 0.0 {
+            return Some(Met::Outside(Piece::Edge(facing), time));
+        }
+        let separation = rest - (time.lo - q) * closing.hi;
+        let proved = Proved {
+            carrier: Carrier::Edge(facing),
+            normal: Some(DVec2::new(n[0].hi, n[1].hi)),
+            core: separation + pair.radius.hi,
+            separation,
+            bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
+            ties: 1,
+        };
+        Some(Met::At(Piece::Edge(facing), time, proved))
+    }
+
+    /// A vertex of B ⊖ A in doubles.
+    fn apart(&self, [i, j]: [usize; 2]) -> DVec2 {
+        let pair = self.pair;
+        pair.center + turned(pair.b_turn, pair.hull(Side::B).vertices[j]) - pair.hull(Side::A).vertices[i]
+    }
+
+    /// When the ray enters the disc at a vertex; None where it may not.
+    fn time_of_disc(&self, vertices: [usize; 2]) -> Option<Ball> {
+        let pair = self.pair;
+        let p = filter::between(pair, vertices).map(|x| Ball::within(x, pair.placing_error));
+        let v = self.heading.v.map(|x| Ball::within(x, self.heading.error));
+        let dot = |x: &[Ball; 2], y: &[Ball; 2]| x[0] * y[0] + x[1] * y[1];
+        let (across, radius) = (v[0] * p[1] - v[1] * p[0], Ball::exact(pair.radius));
+        let squared = radius * radius;
+        let discriminant = squared * dot(&v, &v) - across * across;
+        if !discriminant.is_positive() {
+            return None;
+        }
+        let time = (dot(&p, &p) - squared).over(dot(&v, &p) + discriminant.sqrt());
+        time.radius.is_finite().then_some(time)
+    }
+
+    /// Whether the boundary of B ⊖ A grown by ρ clearly has that disc where the ray enters it.
+    fn is_met(&self, vertices: [usize; 2], time: Ball) -> bool {
+        let (pair, speed, t) = (self.pair, self.heading.speed, time.value.hi);
+        let n = self.apart(vertices) - self.heading.direction() * t;
+        t.abs() * speed <= FAR * pair.magnitude
+            && time.radius * speed <= 4.0 * f64::EPSILON * pair.magnitude
+            && filter::is_lowest(pair, Side::B, vertices[1], n)
+            && filter::is_lowest(pair, Side::A, vertices[0], -n)
+    }
+
+    /// When the ray enters through the disc at a vertex, and the pair just before.
+    fn disc(&self, vertices: [usize; 2]) -> Option<Met> {
+        let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
+        let time = self.time_of_disc(vertices).filter(|&time| self.is_met(vertices, time))?;
+        let time = neighbours(time.value, time.radius)?;
+        if time.lo >= 1.0 || time.hi < 0.0 {
+            return Some(Met::Outside(Piece::Disc(vertices), time));
+        }
+        let p = filter::between(pair, vertices);
+        let at = [p[0] - v[0].scale(time.lo), p[1] - v[1].scale(time.lo)];
+        let core = combined(at[0], at[0], at[1], at[1]).sqrt();
+        let separation = (core - pair.radius).to_f64();
+        let size = pair.magnitude + pair.radius.hi + time.lo * speed;
+        let proved = Proved {
+            carrier: Carrier::Vertices(vertices),
+            normal: Some(DVec2::new(at[0].hi, at[1].hi) / core.hi),
+            core: core.hi,
+            separation,
+            bounds: around(separation, pair.placing_error + time.lo * error + LAST_ERROR * size),
+            ties: 1,
+        };
+        Some(Met::At(Piece::Disc(vertices), time, proved))
+    }
+}
+
+/// Bounds of a separation just before contact, which is above 0; past the roundings of the bound and of the separation.
+#[inline]
+fn around(separation: f64, error: f64) -> Enclosure {
+    let error = error * (1.0 + 16.0 * f64::EPSILON) + 8.0 * f64::EPSILON * separation.abs();
+    Enclosure { lo: (separation - error).max(0.0), hi: separation + error }
+}
+
+/// The vertex of B ⊖ A where an edge starts. The low half is not rounded off the high one.
+#[inline]
+fn vertex(pair: &Pair, facing: Facing) -> [Dd; 2] {
+    let [i, j] = match facing.source {
+        Side::A => [facing.edge, facing.vertex],
+        Side::B => [facing.vertex, facing.edge],
+    };
+    let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
+    let ([cos, sin], c) = (pair.b_turn, pair.fine_center);
+    let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
+    let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
+    let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
+        let (s, g) = two_sum(p, r);
+        let (s, h) = two_sum(s, c.hi);
+        let (hi, k) = two_sum(s, -v);
+        Dd { hi, lo: ((e + f) + (g + h)) + ((k + c.lo) + low) }
+    };
+    [
+        sum(cx, (-sy.0, -sy.1), c[0], v.x, cos.lo * q.x - sin.lo * q.y),
+        sum(sx, cy, c[1], v.y, sin.lo * q.x + cos.lo * q.y),
+    ]
+}
+
+/// n · x. The low half is not rounded off the high one.
+#[inline]
+fn along(n: [Dd; 2], x: [Dd; 2]) -> Dd {
+    let (p, e) = two_product(n[0].hi, x[0].hi);
+    let (q, f) = two_product(n[1].hi, x[1].hi);
+    let (hi, g) = two_sum(p, q);
+    let low = (n[0].hi * x[0].lo + n[0].lo * x[0].hi) + (n[1].hi * x[1].lo + n[1].lo * x[1].hi);
+    Dd { hi, lo: ((e + f) + g) + low }
+}
+
+/// The unit normal of an edge, from A to B, in A's frame.
+#[inline]
+fn normal(pair: &Pair, facing: Facing) -> [Dd; 2] {
+    let hull = pair.hull(facing.source);
+    let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
+    let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
+    match facing.source {
+        Side::A => local,
+        Side::B => {
+            let [cos, sin] = pair.b_turn;
+            rotated_back([-cos, sin], local)
+        }
+    }
+}
+
+/// The doubles next to a number that is known within `error`, if it is certainly between them.
+#[inline]
+fn neighbours(x: Dd, error: f64) -> Option<Enclosure> {
+    // Past the roundings of the bound itself. The tail is half an ulp at most: with an error below it, less than one.
+    let error = error * (1.0 + 16.0 * f64::EPSILON);
+    if x.lo > error {
+        Some(Enclosure { lo: x.hi, hi: x.hi.next_up() })
+    } else if x.lo < -error {
+        Some(Enclosure { lo: x.hi.next_down(), hi: x.hi })
+    } else {
+        None
+    }
+}

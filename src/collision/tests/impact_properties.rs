@@ -1,0 +1,107 @@
+//! What must hold of the first stage of the time of impact on pairs that nobody chose.
+
+use crate::collision::Outcome;
+use crate::collision::certified::impact::axis::Axis;
+use crate::collision::certified::impact::closest::nearest;
+use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, rounding};
+use crate::collision::certified::impact::moving_pair::MovingPair;
+use crate::collision::certified::impact::search::Search;
+use crate::collision::tests::sweep_properties::Dice;
+use crate::trace::NoTrace;
+
+/// Calls `visit` with pairs, the axis of their closest features at some moment, and that moment.
+fn each_axis(seed: u64, most: f64, mut visit: impl FnMut(&MovingPair, Axis, f64, &mut Dice)) {
+    let mut dice = Dice(seed);
+    for _ in 0..2_000 {
+        let (a, b) = (dice.flying(most), dice.flying(most));
+        let pair = MovingPair::new(&a, &b);
+        let t = dice.roll();
+        if let Some(axis) = Axis::through(&pair, nearest(&pair, t).0, t) {
+            visit(&pair, axis, t, &mut dice);
+        }
+    }
+}
+
+fn gap(pair: &MovingPair, axis: &Axis, t: f64) -> Option<TurnedGap> {
+    axis.turned_gap(pair, &Instant::new(pair, t), axis.facing)
+}
+
+#[test]
+fn the_series_follows_the_gap_to_the_fifth_order() {
+    let (mut seen, mut worst) = (0, 0.0_f64);
+    each_axis(11, 400.0, |pair, axis, t, dice| {
+        let rates = pair.rate[0].abs() + pair.rate[1].abs();
+        let h = 0.01 * (dice.roll() - 0.5) / rates.max(1.0);
+        let (Some(now), Some(then)) = (gap(pair, &axis, t), gap(pair, &axis, t + h)) else { return };
+        if now.lowest != then.lowest {
+            return;
+        }
+        let told = now.series(pair, axis.owner).iter().rev().fold(0.0, |sum, c| sum * h + c);
+        // (0.015)⁵ / 120 of lengths about 10.
+        worst = worst.max((told - then.value).abs() / pair.rounding.max(1e-10));
+        seen += 1;
+    });
+    assert!(seen > 1_000 && worst < 1.0, "{seen} {worst}");
+}
+
+#[test]
+fn no_gap_bends_more_than_its_bound_and_some_as_much() {
+    let mut most = 0.0_f64;
+    each_axis(14, 200.0, |pair, axis, t, dice| {
+        let later = (t + 0.1 * dice.roll()).min(1.0);
+        let (Some(from), Some(to)) = (gap(pair, &axis, t), gap(pair, &axis, later)) else { return };
+        let bound = from.curvature(&to, pair, axis.owner);
+        for now in (0..=20).filter_map(|k| gap(pair, &axis, t + (later - t) * f64::from(k) / 20.0)) {
+            let [_, _, half, ..] = now.series(pair, axis.owner);
+            assert!(2.0 * half <= bound, "{half} {bound} {from:?} {to:?}");
+            most = most.max(2.0 * half / bound);
+        }
+    });
+    assert!(most > 0.95, "the bound would be idle: {most}");
+}
+
+#[test]
+fn a_gap_that_is_proved_open_is_open_between() {
+    let (mut proved, mut open) = (0, 0);
+    each_axis(12, 200.0, |pair, axis, t, dice| {
+        let later = (t + 0.3 * dice.roll()).min(1.0);
+        let (Some(from), Some(to)) = (gap(pair, &axis, t), gap(pair, &axis, later)) else { return };
+        let least = (0..=200)
+            .filter_map(|k| gap(pair, &axis, t + (later - t) * f64::from(k) / 200.0))
+            .map(|gap| gap.value)
+            .fold(f64::INFINITY, f64::min);
+        if from.stays_open(&to, pair, axis.owner, rounding(pair)) {
+            assert!(least > 0.0, "{least} {from:?} {to:?}");
+            proved += 1;
+        }
+        open += i32::from(least > 0.0);
+    });
+    assert!(proved > 400 && 3 * proved > 2 * open, "the proof would be idle: {proved} of {open}");
+}
+
+/// The last moment proved free, and the first with proved contact.
+fn span(outcome: &Outcome) -> (f64, f64) {
+    match outcome {
+        Outcome::Hit { time, .. } => (time.lo, time.hi),
+        Outcome::Miss => (1.0, f64::INFINITY),
+        Outcome::Overlapping { .. } => (0.0, 0.0),
+        Outcome::Unresolved { free_until, .. } => (*free_until, f64::INFINITY),
+    }
+}
+
+#[test]
+fn both_stages_agree_and_the_first_decides_most() {
+    let mut dice = Dice(13);
+    let (mut first, mut hits) = (0, 0);
+    for _ in 0..1_000 {
+        let (a, b) = (dice.flying(500.0), dice.flying(500.0));
+        let pair = MovingPair::new(&a, &b);
+        let steps = Search::new(&pair, 1e-12, 10_000).step_by_step(&mut NoTrace);
+        let Some(quick) = Search::new(&pair, 1e-12, 10_000).quickly(&mut NoTrace) else { continue };
+        let ((lo, hi), (from, to)) = (span(&steps), span(&quick));
+        assert!(lo <= to && from <= hi, "{steps:?} {quick:?}");
+        first += 1;
+        hits += i32::from(to.is_finite());
+    }
+    assert!(first > 600 && hits > 100, "{first} {hits}");
+}

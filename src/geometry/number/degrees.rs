@@ -1,0 +1,355 @@
+//! Angles as they are written in files: degrees, exactly, any number of turns.
+//!
+//! An angle at time t is a sum of doubles and products of doubles, that is, a sum of doubles without any rounding. Each
+//! is reduced by whole turns (`%` is exact), the sum is kept as an expansion (Shewchuk, *Adaptive Precision
+//! Floating-Point Arithmetic*, 1997, theorem 10), and the nearest multiple of 90 comes off exactly. Only what is left,
+//! |δ| ≤ 45, is rounded, so that multiples of 90° have cosines and sines that are exactly 0 and ±1, and parallel
+//! bodies are exactly parallel. Then δ = d + ρ with a whole number d of degrees, and
+//!
+//! ```text
+//! sin(d + ρ) = s + (c sin ρ + s (cos ρ − 1))      with s = sin d°, c = cos d° from a table
+//! sin ρ = ρ − ρ³/3! + ρ⁵/5! − … ± ρ¹¹/11!         remainder ≤ ρ¹³/13! < 3·10⁻³⁷ for |ρ| ≤ 0.5°
+//! cos ρ − 1 = − ρ²/2! + ρ⁴/4! − … − ρ¹⁰/10!       remainder ≤ ρ¹²/12! < 5·10⁻³⁴
+//! ```
+//!
+//! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989, has the
+//! idea of the table.)
+
+use crate::geometry::Ball;
+use crate::geometry::Dd;
+use crate::geometry::number::series::{onto, series};
+use crate::geometry::number::sines::{RADIANS_PER_DEGREE, SINES};
+use crate::geometry::two_product;
+use crate::geometry::two_sum;
+
+/// An angle in degrees, positive counter-clockwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Degrees(pub f64);
+
+/// An exact sum of angles, less whole quarter turns.
+///
+/// ```
+/// use tracefig::geometry::{Degrees, Turn};
+/// // Fifty turns and a third: the cosine of 120°, not that of 18120 · π / 180.
+/// let turn = Turn::at(Degrees(18_000.0), Degrees(240.0), 0.5);
+/// let c = turn.cos_sin();
+/// assert!((c.cos + 0.5).abs() <= c.error && (c.sin - 3f64.sqrt() / 2.0).abs() <= 2.0 * c.error + 1e-16);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// Quarter turns, 0 to 3.
+    quarters: u8,
+    /// Whole degrees, −45 to 45.
+    whole: i8,
+    /// The rest, in degrees, |rest| ≤ 0.5.
+    rest: Dd,
+    /// Bound on what `rest` leaves out, in degrees; 0 where nothing is.
+    error: f64,
+}
+
+/// Cosine and sine in doubles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CosSin {
+    /// The cosine.
+    pub cos: f64,
+    /// The sine.
+    pub sin: f64,
+    /// Bound on the error of each; 0 where both are exact.
+    pub error: f64,
+}
+
+/// Bound on the error of [`CosSin`], ε/2: half an ulp of a double below 1 is ε/4, and the correction in the bracket is
+/// below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
+pub const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
+
+/// Bound on the error of [`Turn::cos_sin_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
+/// roundings of ε/2 on its way, and the table's lower half comes with it.
+pub const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
+
+/// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below 0.0088, is off
+/// by 5ε² of itself; the series and the products with them lose less than ε²/10 (see [`crate::geometry::number::series`]); of the lower half of
+/// the sum, below 1.2ε, the two additions lose ε²/2 each at most.
+const FINE_ERROR: f64 = 2.0 * f64::EPSILON * f64::EPSILON;
+
+impl Turn {
+    /// No turn.
+    pub const NONE: Self = Self { quarters: 0, whole: 0, rest: Dd::ZERO, error: 0.0 };
+
+    /// `angle` + `spin` · `t`.
+    #[must_use]
+    pub fn at(angle: Degrees, spin: Degrees, t: f64) -> Self {
+        if spin.0 == 0.0 || t == 0.0 {
+            return Self::of_two(angle.0, 0.0);
+        }
+        let (p, e, lost) = turned(spin, t);
+        let mut turn = Self::sum(&[angle.0, p, e]);
+        turn.error += lost;
+        turn
+    }
+
+    /// The angle of `to` less the angle of `from`, both at `t`; each is (angle, spin).
+    #[must_use]
+    pub fn between(from: (Degrees, Degrees), to: (Degrees, Degrees), t: f64) -> Self {
+        if t == 0.0 || (from.1.0 == 0.0 && to.1.0 == 0.0) {
+            return Self::of_two(to.0.0, -from.0.0);
+        }
+        let (p, e, lost_p) = turned(to.1, t);
+        let (q, f, lost_q) = turned(from.1, t);
+        let mut turn = Self::sum(&[to.0.0, -from.0.0, p, -q, e, -f]);
+        turn.error += lost_p + lost_q;
+        turn
+    }
+
+    /// a + b, exactly; without an expansion where neither is above a turn.
+    #[inline]
+    fn of_two(a: f64, b: f64) -> Self {
+        if a.abs().max(b.abs()) > 360.0 {
+            return Self::sum(&[a, b]);
+        }
+        let (s, e) = two_sum(a, b);
+        // Both differences are exact: of doubles within a factor of two of each other, or with 0 taken off.
+        let quarters = nearest_integer(s * (1.0 / 90.0));
+        let rest = s - 90.0 * quarters;
+        let whole = nearest_integer(rest);
+        let rest = Dd::sum(rest - whole, e);
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "|quarters| ≤ 8 and |whole| ≤ 45 after the reduction"
+        )]
+        let (quarters, whole) = ((quarters as i32 & 3).unsigned_abs() as u8, whole as i8);
+        Self { quarters, whole, rest, error: 0.0 }
+    }
+
+    /// The exact sum of at most six angles, in degrees.
+    #[must_use]
+    pub fn sum(terms: &[f64]) -> Self {
+        let mut sum = Expansion::default();
+        for &term in terms.iter().take(6) {
+            sum.grow(if term.abs() < 360.0 { term } else { term % 360.0 });
+        }
+        let quarters = nearest_integer(sum.approximate() / 90.0);
+        if quarters != 0.0 {
+            sum.grow(-90.0 * quarters);
+        }
+        let whole = nearest_integer(sum.approximate());
+        if whole != 0.0 {
+            sum.grow(-whole);
+        }
+        let (rest, error) = sum.rounded();
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "|quarters| ≤ 24 and |whole| ≤ 45 after the reduction"
+        )]
+        let (quarters, whole) = ((quarters as i64).rem_euclid(4).unsigned_abs() as u8, whole as i8);
+        Self { quarters, whole, rest, error }
+    }
+
+    /// Whether it is exactly a number of quarter turns.
+    #[must_use]
+    pub fn is_quarter(&self) -> bool {
+        self.whole == 0 && self.rest == Dd::ZERO && self.error == 0.0
+    }
+
+    /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`].
+    #[must_use]
+    pub fn cos_sin(&self) -> CosSin {
+        let ([cos, sin], error) = self.cos_sin_tailed();
+        CosSin { cos: cos.hi, sin: sin.hi, error: if error == 0.0 { 0.0 } else { COS_SIN_ERROR } }
+    }
+
+    /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter turns, else
+    /// [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
+    #[inline]
+    #[must_use]
+    pub fn cos_sin_tailed(&self) -> ([Dd; 2], f64) {
+        if self.is_quarter() {
+            let (cos, sin) = quarter((Dd::ONE, Dd::ZERO), self.quarters);
+            return ([cos, sin], 0.0);
+        }
+        let (s, c) = table(self.whole);
+        let x = self.rest.hi * RADIANS_PER_DEGREE.hi
+            + (self.rest.hi * RADIANS_PER_DEGREE.lo + self.rest.lo * RADIANS_PER_DEGREE.hi);
+        let z = x * x;
+        let sin_x = x + x * z * (-1.0 / 6.0 + z * (1.0 / 120.0 - z * (1.0 / 5040.0 - z * (1.0 / 362_880.0))));
+        let cos_x = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40_320.0))));
+        let sin = Dd::sum(s.hi, s.lo + (c.hi * sin_x + s.hi * cos_x));
+        let cos = Dd::sum(c.hi, c.lo + (c.hi * cos_x - s.hi * sin_x));
+        let (cos, sin) = quarter((cos, sin), self.quarters);
+        ([cos, sin], TAILED_ERROR)
+    }
+
+    /// Cosine and sine to twice the precision, with a proven radius; points where they are exact.
+    #[must_use]
+    pub fn cos_sin_fine(&self) -> (Ball, Ball) {
+        let (s, c) = table(self.whole);
+        if self.rest == Dd::ZERO && self.error == 0.0 {
+            return quarter((entry(c), entry(s)), self.quarters);
+        }
+        let (sin_x, cos_x) = series(self.rest * RADIANS_PER_DEGREE);
+        let (sin, cos) = (onto(s, [(c, sin_x), (s, cos_x)]), onto(c, [(c, cos_x), (-s, sin_x)]));
+        let radius = FINE_ERROR + self.error * 0.02;
+        quarter((Ball::within(cos, radius), Ball::within(sin, radius)), self.quarters)
+    }
+}
+
+/// A sum of at most eight doubles without rounding: parts that do not overlap, the smallest first.
+#[derive(Default)]
+struct Expansion {
+    parts: [f64; 8],
+    count: usize,
+}
+
+impl Expansion {
+    /// Adds `x`, exactly (Shewchuk's GROW-EXPANSION).
+    #[inline]
+    fn grow(&mut self, x: f64) {
+        let mut carry = x;
+        for part in self.parts.iter_mut().take(self.count) {
+            (carry, *part) = two_sum(*part, carry);
+        }
+        self.parts[self.count] = carry;
+        self.count += 1;
+    }
+
+    /// Its value, to a few ulp.
+    #[inline]
+    fn approximate(&self) -> f64 {
+        self.parts.iter().take(self.count).sum()
+    }
+
+    /// Its value as a double-double and a bound on what that leaves out.
+    #[inline]
+    fn rounded(&self) -> (Dd, f64) {
+        let (mut top, mut error) = (Dd::ZERO, 0.0);
+        for &part in self.parts.iter().take(self.count).rev().filter(|part| **part != 0.0) {
+            if top.lo != 0.0 {
+                error += Dd::ROUNDING * (top.hi.abs() + part.abs());
+            }
+            top = top.add_f64(part);
+        }
+        (top, error)
+    }
+}
+
+/// The integer nearest to `x`, |x| < 2⁵¹: adding 1.5 · 2⁵² leaves no room for a fraction. (`round` is a slow call where
+/// the processor is not known to have the instruction.)
+#[inline]
+fn nearest_integer(x: f64) -> f64 {
+    /// 1.5 · 2⁵².
+    const SHIFT: f64 = 6_755_399_441_055_744.0;
+    (x + SHIFT) - SHIFT
+}
+
+/// spin · t = p + e, and a bound on what is lost to underflow.
+fn turned(spin: Degrees, t: f64) -> (f64, f64, f64) {
+    /// Above this the splitting of a product could overflow; 2¹⁰⁰ comes off first and goes back exactly.
+    const HUGE: f64 = 1e270;
+    /// Below this the low half may underflow.
+    const TINY: f64 = 1e-270;
+    /// 2¹⁰⁰.
+    const STEP: f64 = f64::from_bits((1023 + 100) << 52);
+    if spin.0.abs() > HUGE {
+        let (p, e) = two_product(spin.0 / STEP, t);
+        return (p * STEP, e * STEP, 0.0);
+    }
+    let (p, e) = two_product(spin.0, t);
+    (p, e, if p.abs() < TINY && spin.0 != 0.0 && t != 0.0 { TINY } else { 0.0 })
+}
+
+/// Sine and cosine of −45 to 45 whole degrees.
+fn table(whole: i8) -> (Dd, Dd) {
+    let d = usize::from(whole.unsigned_abs());
+    let s = SINES[d];
+    (if whole < 0 { -s } else { s }, SINES[90 - d])
+}
+
+/// An entry of the table as a ball: a point where it is rational (0, ½, 1), else within ε²/8.
+fn entry(x: Dd) -> Ball {
+    let rational = x.lo == 0.0;
+    Ball::within(x, if rational { 0.0 } else { 0.125 * f64::EPSILON * f64::EPSILON })
+}
+
+/// (cos, sin) after `quarters` quarter turns more.
+fn quarter<T: std::ops::Neg<Output = T>>((cos, sin): (T, T), quarters: u8) -> (T, T) {
+    match quarters {
+        0 => (cos, sin),
+        1 => (-sin, cos),
+        2 => (-cos, -sin),
+        _ => (sin, -cos),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarters_halves_and_whole_turns_are_exact() {
+        for (degrees, cos, sin) in
+            [(0.0, 1.0, 0.0), (90.0, 0.0, 1.0), (-180.0, -1.0, 0.0), (36_270.0, 0.0, -1.0)]
+        {
+            let turn = Turn::at(Degrees(degrees), Degrees(0.0), 0.0);
+            let c = turn.cos_sin();
+            assert_eq!((c.cos, c.sin, c.error), (cos, sin, 0.0), "{degrees}");
+            let (fc, fs) = turn.cos_sin_fine();
+            assert_eq!((fc, fs), (Ball::new(cos), Ball::new(sin)), "{degrees}");
+        }
+    }
+
+    #[test]
+    fn rational_cosines_are_points() {
+        let (c, _) = Turn::at(Degrees(60.0), Degrees(0.0), 0.0).cos_sin_fine();
+        assert_eq!(c, Ball::new(0.5));
+        let (_, s) = Turn::at(Degrees(0.0), Degrees(18_000.0 * 7.0 + 150.0), 1.0).cos_sin_fine();
+        assert_eq!(s, Ball::new(0.5));
+    }
+
+    #[test]
+    fn the_table_obeys_the_addition_theorem() {
+        let (s1, c1) = table(1);
+        for d in 1..=44 {
+            let ((s, c), (next, _)) = (table(d), table(d + 1));
+            let error = (s * c1 + c * s1 - next).to_f64();
+            assert!(error.abs() <= 2.0 * f64::EPSILON * f64::EPSILON, "{d}: {error:e}");
+        }
+    }
+
+    #[test]
+    fn one_degree_of_the_table_is_the_sum_of_the_series() {
+        // sin 1° and cos 1° from the series at half a degree, doubled: anchors the table.
+        let half = Turn::sum(&[0.5]);
+        let (c, s) = half.cos_sin_fine();
+        let (s1, c1) = table(1);
+        assert!((s * c).scale(2.0).value.hi - s1.hi == 0.0);
+        let error =
+            ((s * c).scale(2.0).value - s1).to_f64().abs() + ((c * c - s * s).value - c1).to_f64().abs();
+        assert!(error <= 4.0 * f64::EPSILON * f64::EPSILON, "{error:e}");
+    }
+
+    #[test]
+    fn both_precisions_agree_within_their_bounds() {
+        for k in -4000..4000 {
+            let turn = Turn::at(Degrees(f64::from(k) * 0.137), Degrees(f64::from(k) * 1e4), 0.37);
+            let (rough, (c, s)) = (turn.cos_sin(), turn.cos_sin_fine());
+            assert!((c - Ball::new(rough.cos)).value.hi.abs() <= rough.error, "{k}");
+            assert!((s - Ball::new(rough.sin)).value.hi.abs() <= rough.error, "{k}");
+            assert!((c * c + s * s - Ball::ONE).value.hi.abs() <= 4.0 * FINE_ERROR, "{k}");
+        }
+    }
+
+    #[test]
+    fn a_difference_of_equal_angles_is_no_turn() {
+        let turn =
+            Turn::between((Degrees(36.869_897), Degrees(1e7)), (Degrees(36.869_897), Degrees(1e7)), 0.123);
+        assert!(turn.is_quarter());
+        assert_eq!(turn.cos_sin_fine().0, Ball::ONE);
+    }
+
+    #[test]
+    fn a_tiny_difference_of_angles_is_kept() {
+        let turn =
+            Turn::between((Degrees(30.0), Degrees(0.0)), (Degrees(30.0_f64.next_up()), Degrees(0.0)), 0.5);
+        let sine = turn.cos_sin().sin;
+        assert!((sine / (4.0 * f64::EPSILON * 4.0).to_radians() - 1.0).abs() < 1e-12 || sine > 0.0);
+    }
+}
