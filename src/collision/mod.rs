@@ -6,11 +6,12 @@
 mod algorithm;
 mod answer;
 mod certified;
+mod feature;
 mod query;
 #[cfg(test)]
 mod tests;
 
-pub use algorithm::outline::{Difference, DifferenceEdge, difference};
+pub use algorithm::outline::{Difference, OutlineEdge, difference};
 pub use algorithm::{ALGORITHMS, Algorithm};
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 pub use certified::distance::pair::Pair;

@@ -9,10 +9,10 @@ use crate::collision::Answer;
 use crate::collision::Overlap;
 use crate::collision::QueryKind;
 use crate::collision::Separation;
-use crate::collision::algorithm::outline::{Pairing, Projection, Span, length};
+use crate::collision::algorithm::outline::{Projection, Span, length};
 use crate::collision::algorithm::view::{Relative, Turn};
-use crate::collision::certified::distance::gaps::Facing;
-use crate::collision::certified::distance::search::{Hint, certify};
+use crate::collision::certified::distance::search::certify;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 use crate::trace::{Event, Goal, SupportVertex, Tracer};
 
@@ -39,21 +39,14 @@ pub(crate) struct Candidate {
 impl Candidate {
     /// The features behind a projection of the origin onto an edge of B ⊖ A.
     pub(crate) fn of_projection(pair: &Relative, p: &Projection) -> Self {
-        let Pairing { source, edge, vertex } = p.pairing;
+        let DifferenceEdge { source, edge, vertex } = p.pairing;
         if p.distance < 0.0 || p.span == Span::Within {
             let facing = partner(pair, p.pairing).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
             let own = CoreFeature::Edge(edge);
-            let features = match source {
-                Side::A => [own, facing],
-                Side::B => [facing, own],
-            };
-            return Self { distance: p.line, normal: -p.outward, features };
+            return Self { distance: p.line, normal: -p.outward, features: a_then_b(source, own, facing) };
         }
         let end = if p.along > 0.5 { pair.next(source, edge) } else { edge };
-        let [a, b] = match source {
-            Side::A => [end, vertex],
-            Side::B => [vertex, end],
-        };
+        let [a, b] = a_then_b(source, end, vertex);
         Self::of_vertices(pair, a, b)
     }
 
@@ -75,7 +68,7 @@ impl Candidate {
 }
 
 /// The other body's edge that lies along this edge of B ⊖ A, if one does.
-fn partner(pair: &Relative, p: Pairing) -> Option<usize> {
+fn partner(pair: &Relative, p: DifferenceEdge) -> Option<usize> {
     let other = p.source.other();
     if pair.edges(other) == 0 {
         return None;
@@ -138,13 +131,13 @@ pub(crate) fn conclude_rounding(pair: &Relative, c: &Candidate, tracer: &mut imp
 /// The certified answer for a candidate: its features are where the proof begins, and of directions that tie they are
 /// the ones that are taken.
 pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
-    let facing = |source, edge, vertex| Hint::Edge(Facing { source, edge, vertex });
+    let facing = |source, edge, vertex| DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex });
     let hint = match c.features {
         [CoreFeature::Edge(edge), CoreFeature::Vertex(vertex) | CoreFeature::Edge(vertex)] => {
             facing(Side::A, edge, vertex)
         }
         [CoreFeature::Vertex(vertex), CoreFeature::Edge(edge)] => facing(Side::B, edge, vertex),
-        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => Hint::Vertices([a, b]),
+        [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => DifferenceFeature::Vertex([a, b]),
     };
     certify(&pair.certified, Some(hint))
 }

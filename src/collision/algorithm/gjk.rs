@@ -24,8 +24,9 @@ use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::epa;
 use crate::collision::algorithm::minkowski::is_better;
-use crate::collision::algorithm::outline::{self, Pairing, Projection, length, walk};
+use crate::collision::algorithm::outline::{self, Projection, length, walk};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::{Event, Tracer};
 
@@ -192,8 +193,8 @@ fn on_segment(p: Vertex, q: Vertex) -> (Simplex, DVec2) {
 fn of_edge(pair: &Relative, p: Vertex, q: Vertex) -> Option<Candidate> {
     let of_a = p.a != q.a && pair.next(Side::A, p.a) == q.a;
     let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
-    let edge_of_a = |vertex| of_a.then_some(Pairing { source: Side::A, edge: p.a, vertex });
-    let edge_of_b = |vertex| of_b.then_some(Pairing { source: Side::B, edge: p.b, vertex });
+    let edge_of_a = |vertex| of_a.then_some(DifferenceEdge { source: Side::A, edge: p.a, vertex });
+    let edge_of_b = |vertex| of_b.then_some(DifferenceEdge { source: Side::B, edge: p.b, vertex });
     [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)]
         .into_iter()
         .flatten()

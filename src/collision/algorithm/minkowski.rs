@@ -26,8 +26,9 @@ use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::Separation;
 use crate::collision::algorithm::candidate::{self, Candidate};
-use crate::collision::algorithm::outline::{Pairing, Projection, record_rounding};
+use crate::collision::algorithm::outline::{Projection, record_rounding};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{Feature, Side};
 use crate::trace::{Event, Goal, Tracer};
 
@@ -145,7 +146,12 @@ pub(crate) fn improved(pair: &Relative, p: &Projection) -> Event {
 
 /// The edge with each vertex of the other body that supports it. The first, which is told as an edge of B ⊖ A, is the one
 /// that stands in the outline where B's edges come first.
-fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer) -> [Option<Pairing>; 2] {
+fn pairings(
+    pair: &Relative,
+    source: Side,
+    edge: usize,
+    tracer: &mut impl Tracer,
+) -> [Option<DifferenceEdge>; 2] {
     let (first, second) = pair.supports_of_edge(source, edge);
     let other = source.other();
     tracer.record(|| Event::SupportFound {
@@ -157,7 +163,7 @@ fn pairings(pair: &Relative, source: Side, edge: usize, tracer: &mut impl Tracer
         (Side::A, Some(second)) => (second, Some(first)),
         _ => (first, second),
     };
-    let of = |vertex| Pairing { source, edge, vertex };
+    let of = |vertex| DifferenceEdge { source, edge, vertex };
     tracer.record(|| of(outline).found(pair));
     [Some(of(outline)), beside.map(of)]
 }

@@ -8,26 +8,16 @@
 //! Source: Firth, "Collision detection for dummies", section OBB vs OBB. The merge is [`crate::collision::algorithm::merge`].
 
 use crate::collision::algorithm::view::{Relative, Turn};
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{Body, DVec2, Side, perp};
 use crate::trace::{Event, Tracer};
 
 /// Squares that neither overflowed nor lost digits to underflow, on either coordinate that counts.
 const SAFE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 
-/// An edge of B ⊖ A by the core features that make it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Pairing {
-    /// The body whose edge it is.
-    pub(crate) source: Side,
-    /// That edge, along the core.
-    pub(crate) edge: usize,
-    /// The other body's vertex, along its core.
-    pub(crate) vertex: usize,
-}
-
 /// An edge of B ⊖ A, in configuration space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DifferenceEdge {
+pub struct OutlineEdge {
     /// The body whose edge it is.
     pub source: Side,
     /// That edge's index in its file's order.
@@ -45,7 +35,7 @@ pub struct DifferenceEdge {
 pub struct Difference {
     /// The edges, counter-clockwise; where edges of both bodies are parallel, B's comes first. Two (there and back)
     /// where both cores lie on parallel lines, none where both are points.
-    pub edges: Vec<DifferenceEdge>,
+    pub edges: Vec<OutlineEdge>,
     /// The one point of a core without edges.
     pub center: Option<DVec2>,
     /// `r_A` + `r_B`, in world units.
@@ -56,7 +46,7 @@ pub struct Difference {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Projection {
     /// The projected edge.
-    pub(crate) pairing: Pairing,
+    pub(crate) pairing: DifferenceEdge,
     /// Outward unit normal of B ⊖ A.
     pub(crate) outward: DVec2,
     /// Signed distance of the origin from the edge's line, positive outside.
@@ -80,7 +70,7 @@ pub(crate) enum Span {
     Beyond,
 }
 
-impl Pairing {
+impl DifferenceEdge {
     /// Start and end in A's frame.
     pub(crate) fn ends(self, pair: &Relative) -> [DVec2; 2] {
         let other = self.source.other();
@@ -126,9 +116,9 @@ impl Pairing {
     }
 
     /// The edge in configuration space, with the file's numbers.
-    pub(crate) fn told(self, pair: &Relative) -> DifferenceEdge {
+    pub(crate) fn told(self, pair: &Relative) -> OutlineEdge {
         let [from, to] = self.ends(pair);
-        DifferenceEdge {
+        OutlineEdge {
             source: self.source,
             edge: pair.file_edge(self.source, self.edge),
             vertex: pair.file_vertex(self.source.other(), self.vertex),
@@ -139,7 +129,7 @@ impl Pairing {
 
     /// The edge as an event.
     pub(crate) fn found(self, pair: &Relative) -> Event {
-        let DifferenceEdge { source, edge, vertex, from, to } = self.told(pair);
+        let OutlineEdge { source, edge, vertex, from, to } = self.told(pair);
         let outward = self.outward(pair);
         let distance = -outward.dot(self.ends(pair)[0]);
         Event::DifferenceEdgeFound {
@@ -156,7 +146,7 @@ impl Pairing {
 
 /// Visits the edges of B ⊖ A counter-clockwise, O(n + m): the edges of both bodies in the order of their directions,
 /// B's first of two that are parallel. See [`crate::collision::algorithm::merge`] for the idea.
-pub(crate) fn walk(pair: &Relative, mut visit: impl FnMut(Pairing)) {
+pub(crate) fn walk(pair: &Relative, mut visit: impl FnMut(DifferenceEdge)) {
     let (n, m) = (pair.edges(Side::A), pair.edges(Side::B));
     let mut b = if n == 0 { 0 } else { pair.supports_of_edge(Side::A, 0).0 };
     let mut a = if n == 0 { pair.support(Side::A, DVec2::ZERO) } else { 0 };
@@ -170,12 +160,12 @@ pub(crate) fn walk(pair: &Relative, mut visit: impl FnMut(Pairing)) {
             pair.turn_of(Side::A, a, b)
         };
         if matches!(turn, Turn::Right | Turn::Along) {
-            visit(Pairing { source: Side::B, edge: b, vertex: a });
+            visit(DifferenceEdge { source: Side::B, edge: b, vertex: a });
             b = pair.next(Side::B, b);
             left_b -= 1;
         }
         if turn != Turn::Right {
-            visit(Pairing { source: Side::A, edge: a, vertex: b });
+            visit(DifferenceEdge { source: Side::A, edge: a, vertex: b });
             a = pair.next(Side::A, a);
             left_a -= 1;
         }

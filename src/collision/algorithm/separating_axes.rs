@@ -20,8 +20,9 @@ use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::minkowski::is_better;
-use crate::collision::algorithm::outline::{self, Pairing, Projection};
+use crate::collision::algorithm::outline::{self, Projection};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 use crate::trace::{Event, Tracer};
 
@@ -41,13 +42,13 @@ pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
             let (first, second) = pair.supports_of_edge(source, edge);
-            let p = Pairing { source, edge, vertex: first }.project(&pair);
+            let p = DifferenceEdge { source, edge, vertex: first }.project(&pair);
             let feature = Feature::Edge(pair.file_edge(source, edge));
             record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
             if matches!(stop, Stop::Beyond(line) if p.line > line) {
                 return Answer::Overlap(separated(&pair, &p, tracer));
             }
-            let beside = second.map(|vertex| Pairing { source, edge, vertex }.project(&pair));
+            let beside = second.map(|vertex| DifferenceEdge { source, edge, vertex }.project(&pair));
             for p in [Some(p), beside].into_iter().flatten() {
                 if best.is_none_or(|b| is_better(gap(&p), gap(&b))) {
                     best = Some(p);

@@ -220,7 +220,7 @@ impl<'s> Relative<'s> {
     /// The vertices of the other core that the edge k of `side` meets in B ⊖ A: the first and, where one of its edges
     /// runs the same way there, the second end of that edge.
     ///
-    /// Not inlined, as [`crate::collision::algorithm::outline::Pairing::project`].
+    /// Not inlined, as [`crate::collision::feature::DifferenceEdge::project`].
     #[inline(never)]
     pub(crate) fn supports_of_edge(&self, side: Side, k: usize) -> (usize, Option<usize>) {
         let other = side.other();

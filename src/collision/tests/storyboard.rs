@@ -106,10 +106,10 @@ fn outline(a: &Body, b: &Body, expected: &[([f64; 2], Side, usize)]) {
     assert!(found.iter().all(|e| d.edges.contains(e)), "{found:?} is not {:?}", d.edges);
 }
 
-fn told(event: &Event) -> Option<crate::collision::DifferenceEdge> {
+fn told(event: &Event) -> Option<crate::collision::OutlineEdge> {
     match *event {
         Event::DifferenceEdgeFound { source, edge, vertex, from, to, .. } => {
-            Some(crate::collision::DifferenceEdge { source, edge, vertex, from, to })
+            Some(crate::collision::OutlineEdge { source, edge, vertex, from, to })
         }
         _ => None,
     }

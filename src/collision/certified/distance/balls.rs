@@ -3,8 +3,8 @@
 //! Everything is in A's frame, scaled as in [`crate::collision::certified::distance::pair`]. A sign that a ball does not tell is a sign that 106 bits
 //! do not tell; the callers then keep both possibilities and widen.
 
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::{Pair, scaled};
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{Ball, DVec2, Dd, Side};
 
 /// A vector of balls.
@@ -24,7 +24,7 @@ pub(crate) struct Fine<'p, 's> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Way {
     /// The edge, with a vertex that supports it as far as 106 bits tell.
-    pub(crate) facing: Facing,
+    pub(crate) facing: DifferenceEdge,
     /// The other body's side that is parallel to it and faces it, if one is (or may be, as far as 106 bits tell).
     pub(crate) partner: Option<usize>,
     /// Unit vector from A to B.
@@ -117,7 +117,7 @@ impl<'p, 's> Fine<'p, 's> {
     }
 
     /// An edge of B ⊖ A measured: its supporting vertex settled, its gap enclosed.
-    pub(crate) fn measure(&self, mut facing: Facing) -> Way {
+    pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> Way {
         let other = facing.source.other();
         let normal = self.normal(facing.source, facing.edge);
         // The direction along which the other body's nearest vertex is lowest.
@@ -145,10 +145,7 @@ impl<'p, 's> Fine<'p, 's> {
             break;
         }
         let doubt = if partner.is_some() { self.drop_below(other, facing.vertex, &down) } else { 0.0 };
-        let [i, j] = match facing.source {
-            Side::A => [facing.edge, facing.vertex],
-            Side::B => [facing.vertex, facing.edge],
-        };
+        let [i, j] = facing.start();
         let gap = dot(&normal, &self.between(i, j)).widen(doubt);
         Way { facing, partner, normal, gap }
     }

@@ -7,27 +7,29 @@
 //! starts the walk where it found the minimum, so that it mostly ends where it begins.
 
 use crate::collision::certified::distance::balls::{Fine, Vec2, cross, dot, reversed, rounded};
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, Side};
 
 /// Where B ⊖ A comes closest to the origin.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Closest {
-    /// Inside an edge, or so near its end that 106 bits do not tell: then at most `beyond` past it.
-    Edge {
-        /// The edge.
-        facing: Facing,
-        /// Bound on how far the foot of the origin is past the edge's end.
-        beyond: f64,
-    },
-    /// At the vertex `w_j − v_i`: [i, j].
-    Vertex([usize; 2]),
+pub(crate) struct Closest {
+    /// The edge that holds the foot of the origin, or the vertex.
+    pub(crate) feature: DifferenceFeature,
+    /// Bound on how far the foot is past the edge's end, where 106 bits do not tell; else 0.
+    pub(crate) beyond: f64,
+}
+
+impl Closest {
+    /// The vertex [i, j] of B ⊖ A.
+    fn vertex(vertex: [usize; 2]) -> Self {
+        Self { feature: DifferenceFeature::Vertex(vertex), beyond: 0.0 }
+    }
 }
 
 /// An edge of B ⊖ A at a vertex of it.
 struct Step {
-    facing: Facing,
+    facing: DifferenceEdge,
     /// Away from the vertex.
     along: Vec2,
     /// The vertex at the other end: [i, j].
@@ -42,16 +44,13 @@ enum Way {
 }
 
 /// The closest feature, from an edge of B ⊖ A that the origin sees or is on; None where it is not found.
-pub(crate) fn closest(pair: &Pair, fine: &Fine, start: Facing) -> Option<Closest> {
-    let vertex = match start.source {
-        Side::A => [start.edge, start.vertex],
-        Side::B => [start.vertex, start.edge],
-    };
+pub(crate) fn closest(pair: &Pair, fine: &Fine, start: DifferenceEdge) -> Option<Closest> {
+    let vertex = start.start();
     let count = pair.hull(Side::A).edges.len() + pair.hull(Side::B).edges.len();
     let at = fine.between(vertex[0], vertex[1]);
     let mut doubtful = None;
     for way in [Way::Forward, Way::Backward] {
-        let Some(step) = step(pair, fine, vertex, way) else { return Some(Closest::Vertex(vertex)) };
+        let Some(step) = step(pair, fine, vertex, way) else { return Some(Closest::vertex(vertex)) };
         let slope = dot(&at, &step.along);
         match slope.sign() {
             Some(-1) => return descend(pair, fine, step, way, count),
@@ -59,7 +58,7 @@ pub(crate) fn closest(pair: &Pair, fine: &Fine, start: Facing) -> Option<Closest
             _ => doubtful = doubtful.or(Some(edge(&step, slope))),
         }
     }
-    Some(doubtful.unwrap_or(Closest::Vertex(vertex)))
+    Some(doubtful.unwrap_or(Closest::vertex(vertex)))
 }
 
 /// Walks on as long as the distance falls; `step` is an edge along which it falls at first.
@@ -75,7 +74,7 @@ fn descend(pair: &Pair, fine: &Fine, mut step: Step, way: Way, count: usize) -> 
         step = self::step(pair, fine, vertex, way)?;
         let slope = dot(&at, &step.along);
         if slope.is_positive() {
-            return Some(Closest::Vertex(vertex));
+            return Some(Closest::vertex(vertex));
         }
         if !slope.is_negative() {
             return Some(edge(&step, slope));
@@ -91,7 +90,7 @@ fn edge(step: &Step, slope: Ball) -> Closest {
     // |along| is within 2ε of this; 1 − 2⁻²⁰ covers it.
     let length = (along.x * along.x + along.y * along.y).sqrt() * (1.0 - f64::EPSILON.sqrt());
     let beyond = if !doubtful || slope.magnitude() == 0.0 { 0.0 } else { slope.magnitude() / length };
-    Closest::Edge { facing: step.facing, beyond }
+    Closest { feature: DifferenceFeature::Edge(step.facing), beyond }
 }
 
 /// The edge of B ⊖ A after (or before) the vertex `w_j − v_i`; None where it is a point.
@@ -122,9 +121,9 @@ fn step(pair: &Pair, fine: &Fine, [i, j]: [usize; 2], way: Way) -> Option<Step> 
         }
     };
     let (along, facing) = if of_a {
-        (along_a?, Facing { source: Side::A, edge: k, vertex: j })
+        (along_a?, DifferenceEdge { source: Side::A, edge: k, vertex: j })
     } else {
-        (along_b?, Facing { source: Side::B, edge: l, vertex: i })
+        (along_b?, DifferenceEdge { source: Side::B, edge: l, vertex: i })
     };
     let (along, end) = match (way, of_a) {
         (Way::Forward, true) => (along, [a.next(i), j]),

@@ -8,24 +8,14 @@
 //! 1983). Each pass works in the frame of the body whose sides it visits, and asks the other body in its own.
 
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Hull, Side};
-
-/// An edge of B ⊖ A: a side of one core and the vertex of the other that faces it; counted along the cores.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Facing {
-    /// The body whose side it is.
-    pub(crate) source: Side,
-    /// That side.
-    pub(crate) edge: usize,
-    /// The other body's vertex.
-    pub(crate) vertex: usize,
-}
 
 /// The edge of B ⊖ A with the widest gap.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Widest {
     /// The edge.
-    pub(crate) facing: Facing,
+    pub(crate) facing: DifferenceEdge,
     /// Its gap, within [`Pair::gap_error`].
     pub(crate) gap: f64,
     /// The others whose gap rounding can't tell from it.
@@ -69,15 +59,15 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
 
 /// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
 #[inline]
-pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(Facing, f64)) {
+pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(DifferenceEdge, f64)) {
     let (cos, sin) = (pair.b_turn[0].hi, pair.b_turn[1].hi);
     let c = pair.center / pair.scale;
     pass(pair.hull(Side::A), pair.hull(Side::B), c, (cos, sin), |edge, vertex, gap| {
-        visit(Facing { source: Side::A, edge, vertex }, gap);
+        visit(DifferenceEdge { source: Side::A, edge, vertex }, gap);
     });
     let c = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
     pass(pair.hull(Side::B), pair.hull(Side::A), c, (cos, -sin), |edge, vertex, gap| {
-        visit(Facing { source: Side::B, edge, vertex }, gap);
+        visit(DifferenceEdge { source: Side::B, edge, vertex }, gap);
     });
 }
 

@@ -11,8 +11,8 @@
 //!
 //! With ρ within 1.5ε of |d|, the root's next term is below ε² |d|.
 
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::{Pair, turned};
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{
     DVec2, Dd, Side, combined, fast_two_sum, perp, two_product, two_product_each, two_sum, two_sum_each,
 };
@@ -33,7 +33,7 @@ pub(crate) struct Measured {
 
 /// The gap along a side's normal, which the vertex is known to support.
 #[inline]
-pub(crate) fn along_side(pair: &Pair, Facing { source, edge, vertex }: Facing) -> Measured {
+pub(crate) fn along_side(pair: &Pair, DifferenceEdge { source, edge, vertex }: DifferenceEdge) -> Measured {
     let hull = pair.hull(source);
     let (hi, lo) = (hull.normals[edge], hull.tails[edge]);
     let [x, y] = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
@@ -126,7 +126,7 @@ fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
 
 /// A side's normal from A to B in A's frame, and the gap along it of vertices `d` apart.
 #[inline]
-pub(crate) fn along_normal(pair: &Pair, facing: Facing, d: [Dd; 2]) -> (DVec2, Dd) {
+pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (DVec2, Dd) {
     let hull = pair.hull(facing.source);
     let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];

@@ -15,19 +15,11 @@ use crate::collision::Separation;
 use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, reversed, rounded};
 use crate::collision::certified::distance::boundary::{self, Closest};
 use crate::collision::certified::distance::filter;
-use crate::collision::certified::distance::gaps::{Facing, every_gap};
+use crate::collision::certified::distance::gaps::every_gap;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
+use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Ball, DVec2, Side};
-
-/// A feature of B ⊖ A that an algorithm holds to be nearest the origin.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Hint {
-    /// An edge of B ⊖ A.
-    Edge(Facing),
-    /// Vertex i of A against vertex j of B, counted along the cores: [i, j].
-    Vertices([usize; 2]),
-}
 
 /// What was found, in A's frame and scaled.
 #[derive(Clone, Copy, Debug)]
@@ -46,11 +38,11 @@ pub(crate) enum Contact {
     /// An edge.
     Edge(Way),
     /// A vertex: [i, j], and `w_j − v_i`.
-    Vertices([usize; 2], Vec2),
+    Vertex([usize; 2], Vec2),
 }
 
 /// The certified separation of a pair; of directions that tie, the hinted one is taken.
-pub(crate) fn certify(pair: &Pair, hint: Option<Hint>) -> Separation {
+pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
     if let Some(proved) = filter::proved(pair) {
         return witnesses::answer(pair, &proved);
     }
@@ -59,7 +51,7 @@ pub(crate) fn certify(pair: &Pair, hint: Option<Hint>) -> Separation {
 
 /// [`certify`], where the quick proof is not enough.
 #[cold]
-pub(crate) fn settle(pair: &Pair, hint: Option<Hint>) -> Separation {
+pub(crate) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
     let fine = Fine::new(pair);
     let found = hint.and_then(|hint| confirm(pair, &fine, hint)).unwrap_or_else(|| search(pair, &fine, hint));
     let separation = found.core - Ball::exact(pair.radius);
@@ -73,8 +65,8 @@ fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
     let bounds = separation.enclosure_scaled(unscale);
     let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);
     let carrier = match found.contact {
-        Contact::Vertices(vertices, _) => Carrier::Vertices(vertices),
-        Contact::Edge(Way { facing, partner: Some(partner), .. }) => Carrier::Faces(facing, partner),
+        Contact::Vertex(vertices, _) => Carrier::Vertex(vertices),
+        Contact::Edge(Way { facing, partner: Some(partner), .. }) => Carrier::ParallelEdges(facing, partner),
         Contact::Edge(Way { facing, partner: None, .. }) => Carrier::Edge(facing),
     };
     let normal = normal_of(&found.contact);
@@ -82,9 +74,9 @@ fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
 }
 
 /// A hint that can be proved to be the nearest feature of bodies that are apart.
-fn confirm(pair: &Pair, fine: &Fine, hint: Hint) -> Option<Found> {
+fn confirm(pair: &Pair, fine: &Fine, hint: DifferenceFeature) -> Option<Found> {
     match hint {
-        Hint::Edge(facing) => {
+        DifferenceFeature::Edge(facing) => {
             let way = fine.measure(facing);
             if !way.gap.is_positive() {
                 return None;
@@ -92,9 +84,9 @@ fn confirm(pair: &Pair, fine: &Fine, hint: Hint) -> Option<Found> {
             let closest = boundary::closest(pair, fine, way.facing)?;
             apart(fine, closest)
         }
-        Hint::Vertices(vertices) => {
+        DifferenceFeature::Vertex(vertices) => {
             let found = vertex(fine, vertices)?;
-            let Contact::Vertices(_, p) = found.contact else { return None };
+            let Contact::Vertex(_, p) = found.contact else { return None };
             // A side square to p, or one that points nearer, leaves it to the search.
             let clear = |side: Side, k: usize, down: &Vec2| {
                 let hull = pair.hull(side);
@@ -112,12 +104,12 @@ fn confirm(pair: &Pair, fine: &Fine, hint: Hint) -> Option<Found> {
 
 /// The closest feature of bodies that are apart, measured.
 fn apart(fine: &Fine, closest: Closest) -> Option<Found> {
-    match closest {
-        Closest::Edge { facing, beyond } => {
+    match closest.feature {
+        DifferenceFeature::Edge(facing) => {
             let way = fine.measure(facing);
-            Some(Found { contact: Contact::Edge(way), core: way.gap.widen(beyond), ties: 1 })
+            Some(Found { contact: Contact::Edge(way), core: way.gap.widen(closest.beyond), ties: 1 })
         }
-        Closest::Vertex(vertices) => vertex(fine, vertices),
+        DifferenceFeature::Vertex(vertices) => vertex(fine, vertices),
     }
 }
 
@@ -134,11 +126,11 @@ fn vertex(fine: &Fine, [i, j]: [usize; 2]) -> Option<Found> {
     } else {
         return None;
     };
-    Some(Found { contact: Contact::Vertices([i, j], p), core, ties: 1 })
+    Some(Found { contact: Contact::Vertex([i, j], p), core, ties: 1 })
 }
 
 /// Every edge of B ⊖ A, then the walk if the origin is outside.
-fn search(pair: &Pair, fine: &Fine, hint: Option<Hint>) -> Found {
+fn search(pair: &Pair, fine: &Fine, hint: Option<DifferenceFeature>) -> Found {
     let Some((best, ties)) = best_way(pair, fine, hint) else { return points(fine) };
     let through = Found { contact: Contact::Edge(best), core: best.gap, ties };
     if best.gap.is_negative() {
@@ -157,13 +149,13 @@ fn points(fine: &Fine) -> Found {
     let p = fine.between(0, 0);
     let core = dot(&p, &p).sqrt();
     let ties = u32::from(core.is_positive());
-    Found { contact: Contact::Vertices([0, 0], p), core, ties }
+    Found { contact: Contact::Vertex([0, 0], p), core, ties }
 }
 
 /// The edge with the largest gap, and how many directions tie with it; None where B ⊖ A has no edges.
 ///
 /// Of edges that tie the hinted one is taken, else the first. Parallel edges of A and B are one direction, counted for A.
-fn best_way(pair: &Pair, fine: &Fine, hint: Option<Hint>) -> Option<(Way, u32)> {
+fn best_way(pair: &Pair, fine: &Fine, hint: Option<DifferenceFeature>) -> Option<(Way, u32)> {
     let error = pair.gap_error();
     let mut top = f64::NEG_INFINITY;
     every_gap(pair, |_, gap| top = top.max(gap));
@@ -188,7 +180,7 @@ fn best_way(pair: &Pair, fine: &Fine, hint: Option<Hint>) -> Option<(Way, u32)> 
                 ties += counts;
                 // How far this one may be above the leader's centre.
                 highest = highest.max((way.gap.value - leader.gap.value).hi.abs() + way.gap.radius);
-                if hint == Some(Hint::Edge(way.facing)) || hint == Some(Hint::Edge(facing)) {
+                if [way.facing, facing].map(DifferenceFeature::Edge).map(Some).contains(&hint) {
                     best = Some(way);
                     highest = highest.max(2.0 * highest);
                 }
@@ -206,14 +198,10 @@ fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
     let radius = Ball::exact(pair.radius);
     let squared = |x: Ball| x * x;
     let polynomial = match found.contact {
-        Contact::Vertices(_, p) => dot(&p, &p) - squared(radius),
+        Contact::Vertex(_, p) => dot(&p, &p) - squared(radius),
         Contact::Edge(way) => {
-            let Facing { source, edge, vertex } = way.facing;
-            let along = fine.side(source, edge);
-            let [i, j] = match source {
-                Side::A => [edge, vertex],
-                Side::B => [vertex, edge],
-            };
+            let along = fine.side(way.facing.source, way.facing.edge);
+            let [i, j] = way.facing.start();
             let area = cross(&along, &fine.between(i, j));
             if radius == Ball::ZERO { area } else { squared(area) - squared(radius) * dot(&along, &along) }
         }
@@ -225,7 +213,7 @@ fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
 fn normal_of(contact: &Contact) -> Option<DVec2> {
     match contact {
         Contact::Edge(way) => Some(rounded(&way.normal)),
-        Contact::Vertices(_, p) => {
+        Contact::Vertex(_, p) => {
             let length = dot(p, p).sqrt();
             length.is_positive().then(|| rounded(&[p[0].over(length), p[1].over(length)]))
         }

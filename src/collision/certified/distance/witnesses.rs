@@ -10,19 +10,19 @@
 //! follows along the normal.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::feature::{DifferenceEdge, a_then_b};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 
 /// What carries a separation: the nearest feature of B ⊖ A, counted along the cores.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Carrier {
-    /// A side and a vertex.
-    Edge(Facing),
-    /// A side, and the other body's side that is parallel to it.
-    Faces(Facing, usize),
-    /// Vertex i of A and vertex j of B.
-    Vertices([usize; 2]),
+    /// An edge of one core and a vertex of the other.
+    Edge(DifferenceEdge),
+    /// An edge, and the other core's edge that is parallel to it.
+    ParallelEdges(DifferenceEdge, usize),
+    /// Vertex i of A and vertex j of B: [i, j].
+    Vertex([usize; 2]),
 }
 
 /// A separation that is proved, in A's frame and scaled.
@@ -53,9 +53,9 @@ pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
     let normal = local.map_or(DVec2::X, |n| pair.world_vector(n));
     let n = local.unwrap_or(DVec2::X);
     let (cores, features) = match carrier {
-        Carrier::Vertices([i, j]) => vertices(pair, i, j),
+        Carrier::Vertex([i, j]) => vertices(pair, i, j),
         Carrier::Edge(facing) => edge_and_vertex(pair, facing, n, core),
-        Carrier::Faces(facing, partner) => faces(pair, facing, partner, n, core),
+        Carrier::ParallelEdges(facing, partner) => faces(pair, facing, partner, n, core),
     };
     let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
     let unscale = pair.unscale();
@@ -70,9 +70,9 @@ fn vertices(pair: &Pair, i: usize, j: usize) -> Witnesses {
 }
 
 /// A side of one body and a vertex of the other, `core` apart along `n`; scaled.
-fn edge_and_vertex(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesses {
+fn edge_and_vertex(pair: &Pair, facing: DifferenceEdge, n: DVec2, core: f64) -> Witnesses {
     let world = pair.world_vector(n) * core;
-    let Facing { source, edge, vertex } = facing;
+    let DifferenceEdge { source, edge, vertex } = facing;
     match source {
         Side::A => {
             let point = world_vertex(pair, Side::B, vertex);
@@ -90,11 +90,8 @@ fn edge_and_vertex(pair: &Pair, facing: Facing, n: DVec2, core: f64) -> Witnesse
 }
 
 /// Two parallel sides: the middle of their common span.
-fn faces(pair: &Pair, facing: Facing, partner: usize, n: DVec2, core: f64) -> Witnesses {
-    let [k, l] = match facing.source {
-        Side::A => [facing.edge, partner],
-        Side::B => [partner, facing.edge],
-    };
+fn faces(pair: &Pair, facing: DifferenceEdge, partner: usize, n: DVec2, core: f64) -> Witnesses {
+    let [k, l] = a_then_b(facing.source, facing.edge, partner);
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let along = perp(n);
     // Places along the face, measured from A's vertex so that nothing cancels twice.

@@ -15,9 +15,9 @@
 //! any axis is a lower bound of the separation: while every `f_j` is positive, nothing touches. However O turns,
 //! n·`x_j` ≥ −(its reach), which gives one more lower bound, of any number of turns.
 
-use crate::collision::certified::impact::closest::Nearest;
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::certified::impact::taylor::{Taylor, positive_until};
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Ball, DVec2, Hull, Side, perp};
 
 /// An axis fixed in the frame of a body.
@@ -89,17 +89,17 @@ const EVALUATIONS: usize = 4096;
 
 impl Axis {
     /// The axis through the closest features at `t`; None where they coincide.
-    pub(crate) fn through(pair: &MovingPair, near: Nearest, t: f64) -> Option<Self> {
+    pub(crate) fn through(pair: &MovingPair, near: DifferenceFeature, t: f64) -> Option<Self> {
         match near {
-            Nearest::Edge { owner, edge, vertex } => {
+            DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex }) => {
                 let hull = pair.hull(owner);
                 let &n = hull.normals.get(edge)?;
                 let support = n.dot(*hull.vertices.get(edge)?) * pair.unit;
                 Some(Self { owner, n, support, own: edge, facing: vertex, edge: Some(edge) })
             }
-            Nearest::Vertices(a, b) => {
+            DifferenceFeature::Vertex([a, b]) => {
                 let owner = pair.calmer();
-                let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
+                let [own, other] = a_then_b(owner, a, b);
                 let seen = pair.seen(owner, t, &pair.view(owner, t));
                 let apart = seen.point(pair.vertex(owner.other(), other)) - pair.vertex(owner, own);
                 Some(Self { facing: other, ..Self::new(pair, owner, apart)? })
@@ -136,10 +136,10 @@ impl Axis {
     ///
     /// With p from R's vertex to O's and w = p', that is at |p + w h| = ρ, or where p + w h is shortest. The axis through
     /// them at `t` itself is a tangent to the separation and would be used up halfway to a graze, again and again.
-    pub(crate) fn ahead(pair: &MovingPair, near: Nearest, t: f64) -> Option<Self> {
-        let Nearest::Vertices(a, b) = near else { return None };
+    pub(crate) fn ahead(pair: &MovingPair, near: DifferenceFeature, t: f64) -> Option<Self> {
+        let DifferenceFeature::Vertex([a, b]) = near else { return None };
         let owner = pair.calmer();
-        let (own, other) = if owner == Side::A { (a, b) } else { (b, a) };
+        let [own, other] = a_then_b(owner, a, b);
         let view = pair.view(owner, t);
         let seen = pair.seen(owner, t, &view);
         let q = pair.vertex(owner.other(), other);

@@ -6,58 +6,45 @@
 //! of B ⊖ A the distance has one minimum.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::gaps::{Facing, pass};
+use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::{Hint, certify};
+use crate::collision::certified::distance::search::certify;
 use crate::collision::certified::impact::moving_pair::{MovingPair, Seen};
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Body, DVec2, Side};
 
-/// The closest features of two cores, counted along the cores.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Nearest {
-    /// An edge of `owner` and a vertex of the other.
-    Edge {
-        /// The body whose edge it is.
-        owner: Side,
-        /// The edge.
-        edge: usize,
-        /// The other body's vertex.
-        vertex: usize,
-    },
-    /// A vertex of A and a vertex of B.
-    Vertices(usize, usize),
-}
-
 /// The closest features at time `t`, and the distance of the cores (negative inside), in scaled units. O(n + m).
-pub(crate) fn nearest(pair: &MovingPair, t: f64) -> (Nearest, f64) {
+pub(crate) fn nearest(pair: &MovingPair, t: f64) -> (DifferenceFeature, f64) {
     let seen = pair.seen(Side::A, t, &pair.view(Side::A, t));
     let center = DVec2::new(seen.offset[0], seen.offset[1]) / pair.unit;
     let (cos, sin) = (seen.cos, seen.sin);
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let mut best: Option<(Facing, f64)> = None;
+    let mut best: Option<(DifferenceEdge, f64)> = None;
     let mut visit = |source: Side, edge: usize, vertex: usize, gap: f64| {
         if best.is_none_or(|(_, widest)| gap > widest) {
-            best = Some((Facing { source, edge, vertex }, gap));
+            best = Some((DifferenceEdge { source, edge, vertex }, gap));
         }
     };
     pass(a, b, center, (cos, sin), |edge, vertex, gap| visit(Side::A, edge, vertex, gap));
     let back = DVec2::new(-cos * center.x - sin * center.y, sin * center.x - cos * center.y);
     pass(b, a, back, (cos, -sin), |edge, vertex, gap| visit(Side::B, edge, vertex, gap));
     let cores = Cores { pair, seen };
-    let Some((Facing { source: owner, edge, vertex }, gap)) = best else {
-        return (Nearest::Vertices(0, 0), cores.between(0, 0).length());
+    let Some((DifferenceEdge { source: owner, edge, vertex }, gap)) = best else {
+        return (DifferenceFeature::Vertex([0, 0]), cores.between(0, 0).length());
     };
     let gap = gap * pair.unit;
     if gap > 0.0
         && let Some(end) = cores.beyond(owner, edge, vertex)
     {
         return match end {
-            Beyond::Side(vertex) => (Nearest::Edge { owner, edge, vertex }, gap),
+            Beyond::Side(vertex) => {
+                (DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex }), gap)
+            }
             Beyond::End(end) if owner == Side::A => cores.descend(end, vertex),
             Beyond::End(end) => cores.descend(vertex, end),
         };
     }
-    (Nearest::Edge { owner, edge, vertex }, gap)
+    (DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex }), gap)
 }
 
 /// What is over an edge whose facing vertex is not.
@@ -111,7 +98,7 @@ impl Cores<'_, '_> {
     }
 
     /// From two vertices to the closest two, and their distance.
-    fn descend(&self, mut i: usize, mut j: usize) -> (Nearest, f64) {
+    fn descend(&self, mut i: usize, mut j: usize) -> (DifferenceFeature, f64) {
         let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
         let squared = |i: usize, j: usize| self.between(i, j).length_squared();
         let mut best = squared(i, j);
@@ -124,15 +111,11 @@ impl Cores<'_, '_> {
             };
             (i, j, best) = (k, l, closer);
         }
-        (Nearest::Vertices(i, j), best.sqrt())
+        (DifferenceFeature::Vertex([i, j]), best.sqrt())
     }
 }
 
 /// The certified separation at `t`, looked for at the given features first.
-pub(crate) fn certified(a: &Body, b: &Body, t: f64, near: Nearest) -> Separation {
-    let hint = match near {
-        Nearest::Edge { owner, edge, vertex } => Hint::Edge(Facing { source: owner, edge, vertex }),
-        Nearest::Vertices(i, j) => Hint::Vertices([i, j]),
-    };
-    certify(&Pair::at(a, b, t), Some(hint))
+pub(crate) fn certified(a: &Body, b: &Body, t: f64, near: DifferenceFeature) -> Separation {
+    certify(&Pair::at(a, b, t), Some(near))
 }

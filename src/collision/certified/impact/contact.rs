@@ -17,8 +17,9 @@ use crate::collision::Outcome;
 use crate::collision::Reason;
 use crate::collision::Separation;
 use crate::collision::certified::impact::axis::Axis;
-use crate::collision::certified::impact::closest::{Nearest, certified, nearest};
+use crate::collision::certified::impact::closest::{certified, nearest};
 use crate::collision::certified::impact::moving_pair::{MovingPair, Seen};
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, DVec2, Side, perp};
 
 /// What a separation at t = 0 that may be at most 0 says.
@@ -35,12 +36,12 @@ pub(crate) struct Before<'p, 'q> {
     pair: &'p MovingPair<'q>,
     lo: f64,
     /// The closest features at `lo`: where there is no interior, those at `hi` are on the other side.
-    near: Nearest,
+    near: DifferenceFeature,
 }
 
 impl<'p, 'q> Before<'p, 'q> {
     /// The pair at `lo`.
-    pub(crate) fn new(pair: &'p MovingPair<'q>, lo: f64, near: Nearest) -> Self {
+    pub(crate) fn new(pair: &'p MovingPair<'q>, lo: f64, near: DifferenceFeature) -> Self {
         Self { pair, lo, near }
     }
 
@@ -56,10 +57,10 @@ impl<'p, 'q> Before<'p, 'q> {
     }
 
     /// The proofs that look at two features only.
-    fn by_features(&self, near: Nearest, hi: f64) -> bool {
+    fn by_features(&self, near: DifferenceFeature, hi: f64) -> bool {
         match near {
-            Nearest::Vertices(i, j) => self.discs(i, j, hi),
-            Nearest::Edge { owner, edge, vertex } => {
+            DifferenceFeature::Vertex([i, j]) => self.discs(i, j, hi),
+            DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex }) => {
                 // A segment's two sides are one line: rounding may have taken the one that faces away.
                 let back = self.pair.hull(owner).next(edge);
                 self.crossing(owner, edge, vertex, hi)
@@ -105,16 +106,23 @@ impl<'p, 'q> Before<'p, 'q> {
 }
 
 /// The local proofs in doubles, given an axis that separates the pair at `lo`: the first stage.
-pub(crate) fn touches_plainly(pair: &MovingPair, axis: &Axis, near: Nearest, (lo, hi): (f64, f64)) -> bool {
+pub(crate) fn touches_plainly(
+    pair: &MovingPair,
+    axis: &Axis,
+    near: DifferenceFeature,
+    (lo, hi): (f64, f64),
+) -> bool {
     let error = pair.rounding;
     match near {
-        Nearest::Vertices(i, j) => {
+        DifferenceFeature::Vertex([i, j]) => {
             let seen = pair.seen(Side::A, hi, &pair.view(Side::A, hi));
             let apart = seen.point(pair.vertex(Side::B, j)) - pair.vertex(Side::A, i);
             apart.length() <= pair.radius.hi - error
         }
         // The axis is the edge's normal, so that every vertex is outside the edge's line at `lo`.
-        Nearest::Edge { owner, edge, vertex } if axis.owner == owner && axis.edge == Some(edge) => {
+        DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex })
+            if axis.owner == owner && axis.edge == Some(edge) =>
+        {
             let hull = pair.hull(owner);
             let (from, to) = (pair.vertex(owner, edge), pair.vertex(owner, hull.next(edge)));
             let seen = pair.seen(owner, hi, &pair.view(owner, hi));
@@ -141,7 +149,7 @@ pub(crate) fn touches_plainly(pair: &MovingPair, axis: &Axis, near: Nearest, (lo
                 || (other.vertices.len() > 1
                     && (shared(other.next(vertex)) || shared(other.previous(vertex))))
         }
-        Nearest::Edge { .. } => false,
+        DifferenceFeature::Edge(_) => false,
     }
 }
 

@@ -23,13 +23,14 @@ use crate::collision::Query;
 use crate::collision::Reason;
 use crate::collision::Separation;
 use crate::collision::certified::impact::axis::{Axis, Precision, Swept};
-use crate::collision::certified::impact::closest::{Nearest, certified, nearest};
+use crate::collision::certified::impact::closest::{certified, nearest};
 use crate::collision::certified::impact::contact::{self, Before, touches_plainly};
 use crate::collision::certified::impact::filter::certificate::Leg;
 use crate::collision::certified::impact::filter::touch;
 use crate::collision::certified::impact::filter::{Found, QuickImpact};
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::certified::sweep::ray;
+use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure};
 use crate::trace::{Event, NoTrace, Tracer};
 
@@ -188,7 +189,7 @@ impl<'p, 'q> Search<'p, 'q> {
     /// Follows an axis of the given features from `t`, the one that lasts longer if there are two; records it.
     fn sweep(
         &self,
-        near: Nearest,
+        near: DifferenceFeature,
         t: f64,
         precision: Precision,
         tracer: &mut impl Tracer,
@@ -220,7 +221,7 @@ impl<'p, 'q> Search<'p, 'q> {
     }
 
     /// Contact proved in doubles, where their rounding is within what the tolerance allows.
-    fn plain_contact(&self, (axis, swept): &(Axis, Swept), near: Nearest) -> Option<Outcome> {
+    fn plain_contact(&self, (axis, swept): &(Axis, Swept), near: DifferenceFeature) -> Option<Outcome> {
         let speed = -swept.slope;
         if swept.gap <= 0.0 || speed <= 0.0 {
             return None;
@@ -236,7 +237,7 @@ impl<'p, 'q> Search<'p, 'q> {
     }
 
     /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact.
-    fn close_in(&mut self, near: Nearest, from: f64, tracer: &mut impl Tracer) -> Closed {
+    fn close_in(&mut self, near: DifferenceFeature, from: f64, tracer: &mut impl Tracer) -> Closed {
         let (mut t, mut near) = (from, near);
         let still = Swept { until: from, at: from, gap: 0.0, slope: 0.0 };
         loop {
@@ -270,14 +271,14 @@ impl<'p, 'q> Search<'p, 'q> {
     }
 
     /// The closest features at `t` and the plain separation, in scaled units.
-    fn nearest(&mut self, t: f64) -> (Nearest, f64) {
+    fn nearest(&mut self, t: f64) -> (DifferenceFeature, f64) {
         self.queries += 1;
         let (features, distance) = nearest(self.pair, t);
         (features, distance - self.pair.radius.hi)
     }
 
     /// The certified separation at `t`, looked for at the given features first.
-    fn certified(&self, t: f64, near: Nearest) -> Separation {
+    fn certified(&self, t: f64, near: DifferenceFeature) -> Separation {
         let [a, b] = self.pair.bodies;
         certified(a, b, t, near)
     }
@@ -286,7 +287,7 @@ impl<'p, 'q> Search<'p, 'q> {
     fn prove_contact(
         &self,
         lo: f64,
-        near: Nearest,
+        near: DifferenceFeature,
         (gap, speed): (f64, f64),
         trials: usize,
     ) -> Option<Outcome> {
@@ -310,7 +311,7 @@ impl<'p, 'q> Search<'p, 'q> {
     }
 
     /// A graze: decided exactly where neither body turns.
-    fn undecided(&self, free_until: f64, near: Nearest, tracer: &mut impl Tracer) -> Outcome {
+    fn undecided(&self, free_until: f64, near: DifferenceFeature, tracer: &mut impl Tracer) -> Outcome {
         let unresolved = Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
         if !self.pair.is_linear() {
             return unresolved;

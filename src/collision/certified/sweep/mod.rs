@@ -12,11 +12,12 @@ use crate::collision::Outcome;
 use crate::collision::Reason;
 use crate::collision::Separation;
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::{Hint, certify, settle};
+use crate::collision::certified::distance::search::{certify, settle};
 use crate::collision::certified::distance::witnesses::{self, Proved};
 use crate::collision::certified::impact::search;
 use crate::collision::certified::sweep::filter::{Heading, Met, met};
-use crate::collision::certified::sweep::ray::{Entry, Piece, Ray};
+use crate::collision::certified::sweep::ray::{Entry, Ray};
+use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure};
 
 /// Two bodies that move and do not turn, over t in [0, 1].
@@ -117,7 +118,7 @@ impl<'s> Sweep<'s> {
     }
 
     /// The answer where the ray's line enters through `piece` between two moments.
-    fn between(&self, piece: Piece, lo: f64, hi: f64) -> Outcome {
+    fn between(&self, piece: DifferenceFeature, lo: f64, hi: f64) -> Outcome {
         if lo >= 1.0 {
             Outcome::Miss
         } else if lo < 0.0 {
@@ -143,12 +144,9 @@ impl<'s> Sweep<'s> {
     }
 
     /// The pair at `lo`, just before it touches: so near that the quick proof would hardly ever be tight enough.
-    fn contact(&self, piece: Piece, lo: f64) -> Separation {
+    fn contact(&self, piece: DifferenceFeature, lo: f64) -> Separation {
         let pair = self.pair.unturned_at(lo);
-        match piece {
-            Piece::Edge(facing) => settle(&pair, Some(Hint::Edge(facing))),
-            Piece::Disc(vertices) => settle(&pair, Some(Hint::Vertices(vertices))),
-        }
+        settle(&pair, Some(piece))
     }
 }
 

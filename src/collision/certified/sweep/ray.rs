@@ -25,10 +25,11 @@ use crate::collision::Query;
 use crate::collision::algorithm::outline::{self, walk};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, minus, reversed};
-use crate::collision::certified::distance::gaps::{Facing, pass};
+use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::sweep::Sweep;
 use crate::collision::certified::sweep::filter::Met;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Ball, Body, DVec2, Enclosure, Feature, Side};
 use crate::trace::{Culling, Event, Tracer};
 
@@ -51,15 +52,6 @@ pub(crate) fn first_contact(a: &Body, b: &Body) -> Outcome {
     Sweep::new(a, b).by_ray()
 }
 
-/// What the ray meets first.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Piece {
-    /// An edge of B ⊖ A, moved out by ρ.
-    Edge(Facing),
-    /// The disc at the vertex made of A's and B's: [i, j].
-    Disc([usize; 2]),
-}
-
 /// Whether, where and when the ray's line enters B ⊖ A.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Entry {
@@ -68,7 +60,7 @@ pub(crate) enum Entry {
     /// Never.
     Misses,
     /// Here, not before the first moment and not after the second; they may be negative or above 1.
-    At(Piece, Moment, Moment),
+    At(DifferenceFeature, Moment, Moment),
     /// As the first stage says.
     Quick(Met),
     /// The signs are not certain.
@@ -116,7 +108,7 @@ impl<'p, 's> Ray<'p, 's> {
             return Entry::Unsure;
         }
         match self.place(&fine, &way, moment.value()) {
-            Place::Over => Entry::At(Piece::Edge(way.facing), moment, moment),
+            Place::Over => Entry::At(DifferenceFeature::Edge(way.facing), moment, moment),
             Place::Beyond(vertex) => self.disc(&fine, vertex),
             Place::Unsure(vertex) => match self.disc(&fine, vertex) {
                 // The edge's line bounds the time from below, the disc from above.
@@ -129,7 +121,7 @@ impl<'p, 's> Ray<'p, 's> {
     /// When the ray meets the line of an edge, moved out by ρ; both sides of the quotient times the edge's length, which
     /// keeps them exact where the vertices are.
     fn line(&self, fine: &Fine, way: &Way) -> Moment {
-        let Facing { source, edge, vertex } = way.facing;
+        let DifferenceEdge { source, edge, vertex } = way.facing;
         let e = fine.side(source, edge);
         let (n, from) = match source {
             Side::A => ([e[1], -e[0]], fine.between(edge, vertex)),
@@ -148,7 +140,7 @@ impl<'p, 's> Ray<'p, 's> {
 
     /// Where the other body is along an edge at time `t`: its vertex, or its side that is parallel to the edge.
     fn place(&self, fine: &Fine, way: &Way, t: Ball) -> Place {
-        let Facing { source, edge, vertex } = way.facing;
+        let DifferenceEdge { source, edge, vertex } = way.facing;
         let other = self.pair.hull(source.other());
         let ends = way.partner.map_or([vertex; 2], |side| [side, other.next(side)]);
         let e = fine.side(source, edge);
@@ -159,7 +151,7 @@ impl<'p, 's> Ray<'p, 's> {
         let (p, q) = (along(ends[0]), along(ends[1]));
         let ((low, first), (high, last)) =
             if (p - q).value.hi <= 0.0 { ((p, ends[0]), (q, ends[1])) } else { ((q, ends[1]), (p, ends[0])) };
-        let vertex = |end: usize, k: usize| if source == Side::A { [end, k] } else { [k, end] };
+        let vertex = |end: usize, k: usize| a_then_b(source, end, k);
         let (start, end) = (vertex(edge, last), vertex(self.pair.hull(source).next(edge), first));
         match (high.sign(), (low - dot(&e, &e)).sign()) {
             (Some(-1), _) => Place::Beyond(start),
@@ -174,7 +166,7 @@ impl<'p, 's> Ray<'p, 's> {
     fn disc(&self, fine: &Fine, vertex: [usize; 2]) -> Entry {
         let (p, v) = (fine.between(vertex[0], vertex[1]), self.v);
         let (across, along, speed_squared) = (cross(&v, &p), dot(&v, &p), dot(&v, &v));
-        let piece = Piece::Disc(vertex);
+        let piece = DifferenceFeature::Vertex(vertex);
         let radius = Ball::exact(self.pair.radius);
         if self.pair.radius.hi == 0.0 {
             return match across.sign() {
@@ -244,7 +236,7 @@ fn tell(at: &Pair, entry: &Entry, outcome: &Outcome, tracer: &mut impl Tracer) {
         let [from, to] = p.ends(&pair);
         let outward = p.outward(&pair);
         let facing = v.perp_dot(to - from) < 0.0;
-        let hit = matches!(met, Some(Piece::Edge(f)) if (f.source, f.edge) == (p.source, p.edge));
+        let hit = matches!(met, Some(DifferenceFeature::Edge(f)) if (f.source, f.edge) == (p.source, p.edge));
         let culling = match (facing, hit) {
             (false, _) => Culling::BackFacing,
             (true, true) => Culling::Hit,
@@ -258,7 +250,7 @@ fn tell(at: &Pair, entry: &Entry, outcome: &Outcome, tracer: &mut impl Tracer) {
             time: facing.then(|| (outward.dot(from) + radius) / outward.dot(v)),
         });
     });
-    if let (Some(Piece::Disc([i, j])), Outcome::Hit { time, .. }) = (met, outcome) {
+    if let (Some(DifferenceFeature::Vertex([i, j])), Outcome::Hit { time, .. }) = (met, outcome) {
         let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
         let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
         let time = Some(time.lo);
@@ -295,13 +287,13 @@ impl Moment {
 }
 
 /// The facing edge whose line the ray meets last, in doubles.
-pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<Facing> {
+pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
     let Pair { center, b_turn, .. } = *pair;
     let radius = pair.radius.hi;
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let scale = pair.scale;
-    let mut last: Option<(Facing, f64)> = None;
-    let mut visit = |facing: Facing, gap: f64, closing: f64| {
+    let mut last: Option<(DifferenceEdge, f64)> = None;
+    let mut visit = |facing: DifferenceEdge, gap: f64, closing: f64| {
         // Compared as fractions with positive denominators would overflow sooner than as quotients.
         let time = (gap * scale - radius) / closing;
         if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
@@ -311,12 +303,12 @@ pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<Facing> {
     let c = center / scale;
     let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
     pass(a, b, c, (cos, sin), |edge, vertex, gap| {
-        visit(Facing { source: Side::A, edge, vertex }, gap, a.normals[edge].dot(v));
+        visit(DifferenceEdge { source: Side::A, edge, vertex }, gap, a.normals[edge].dot(v));
     });
     let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
     let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
     pass(b, a, back, (cos, -sin), |edge, vertex, gap| {
-        visit(Facing { source: Side::B, edge, vertex }, gap, b.normals[edge].dot(seen));
+        visit(DifferenceEdge { source: Side::B, edge, vertex }, gap, b.normals[edge].dot(seen));
     });
     last.map(|(facing, _)| facing)
 }

@@ -5,10 +5,9 @@
 //! tolerance, and on a triangle that holds the origin. Nothing that it says is trusted: [`crate::collision::certified::distance::filter`] proves it or
 //! asks for more.
 
-use crate::collision::certified::distance::filter::small::{self, End};
-use crate::collision::certified::distance::gaps::Facing;
+use crate::collision::certified::distance::filter::small;
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::Hint;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{DVec2, Hull, Side};
 
 /// What the bodies seem to be.
@@ -17,7 +16,7 @@ pub(crate) enum Guess {
     /// Apart, with vertices that are clearly the closest.
     Closest([usize; 2]),
     /// Apart, with these closest features.
-    Apart(Hint),
+    Apart(DifferenceFeature),
     /// Of few vertices, and not clearly apart.
     Crossing,
     /// One inside the other: the origin is in this triangle of vertices of B ⊖ A.
@@ -83,9 +82,9 @@ pub(crate) fn guess(pair: &Pair) -> Guess {
             return Guess::Crossing;
         }
         match small::walk(pair, [first.i, first.j]) {
-            End::Vertices(vertices) => return Guess::Closest(vertices),
-            End::Edge(facing) => return Guess::Apart(Hint::Edge(facing)),
-            End::Unclear => {}
+            Some(DifferenceFeature::Vertex(vertices)) => return Guess::Closest(vertices),
+            Some(edge) => return Guess::Apart(edge),
+            None => {}
         }
     }
     descend(&asked, first)
@@ -109,7 +108,7 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
     'vertex: loop {
         let mut y = asked.lowest(x.p, (x.i, x.j));
         if (y.i, y.j) == (x.i, x.j) {
-            return Guess::Apart(Hint::Vertices([x.i, x.j]));
+            return Guess::Apart(DifferenceFeature::Vertex([x.i, x.j]));
         }
         loop {
             steps += 1;
@@ -120,7 +119,7 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
             let along = y.p - x.p;
             if x.p.dot(along) >= 0.0 {
                 // Rounding led away from x: x it is.
-                return Guess::Apart(Hint::Vertices([x.i, x.j]));
+                return Guess::Apart(DifferenceFeature::Vertex([x.i, x.j]));
             }
             if y.p.dot(along) <= 0.0 {
                 x = y;
@@ -131,7 +130,8 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
             let n = if height < 0.0 { -across } else { across };
             let z = asked.lowest(n, (y.i, y.j));
             if (z.i, z.j) == (x.i, x.j) || (z.i, z.j) == (y.i, y.j) || n.dot(z.p) >= height.abs() {
-                return facing(a, b, x, y).map_or(Guess::Unclear, |facing| Guess::Apart(Hint::Edge(facing)));
+                return facing(a, b, x, y)
+                    .map_or(Guess::Unclear, |facing| Guess::Apart(DifferenceFeature::Edge(facing)));
             }
             // On which side of the way x → z → y the origin is: outside x z, outside z y, or inside all three.
             let side = if height < 0.0 { -1.0 } else { 1.0 };
@@ -161,13 +161,13 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
 
 /// The edge of B ⊖ A from vertex x to vertex y, or back.
 #[inline]
-pub(crate) fn facing(a: &Hull, b: &Hull, x: Vertex, y: Vertex) -> Option<Facing> {
+pub(crate) fn facing(a: &Hull, b: &Hull, x: Vertex, y: Vertex) -> Option<DifferenceEdge> {
     let edge = |hull: &Hull, from: usize, to: usize| {
         if hull.next(from) == to { Some(from) } else { (hull.next(to) == from).then_some(to) }
     };
     if x.i == y.i && x.j != y.j {
-        edge(b, x.j, y.j).map(|edge| Facing { source: Side::B, edge, vertex: x.i })
+        edge(b, x.j, y.j).map(|edge| DifferenceEdge { source: Side::B, edge, vertex: x.i })
     } else {
-        edge(a, x.i, y.i).map(|edge| Facing { source: Side::A, edge, vertex: x.j })
+        edge(a, x.i, y.i).map(|edge| DifferenceEdge { source: Side::A, edge, vertex: x.j })
     }
 }

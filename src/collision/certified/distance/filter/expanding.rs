@@ -11,8 +11,8 @@
 
 use crate::collision::certified::distance::filter::descent::{Asked, Vertex, facing};
 use crate::collision::certified::distance::filter::{Support, support};
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::Side;
 
 /// Sides of the polygon at most; more are needed only where many depths are nearly the same.
@@ -77,7 +77,7 @@ impl Inscribed {
 
 /// The edge of B ⊖ A that is nearest the origin, if it clearly is, from a triangle of vertices round the origin; None
 /// also where a look at every edge is quicker.
-pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<Facing> {
+pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<DifferenceEdge> {
     if pair.hull(Side::A).vertices.len() + pair.hull(Side::B).vertices.len() < WORTHWHILE {
         return None;
     }

@@ -16,12 +16,12 @@ pub(crate) mod expanding;
 pub(crate) mod small;
 
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, guess};
-use crate::collision::certified::distance::gaps::{self, Close, Facing, Widest};
+use crate::collision::certified::distance::gaps::{self, Close, Widest};
 use crate::collision::certified::distance::pair::{Pair, turned};
 pub(crate) use crate::collision::certified::distance::refine::{LAST_ERROR, along_normal, between};
 use crate::collision::certified::distance::refine::{Measured, along_side, between_vertices};
-use crate::collision::certified::distance::search::Hint;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Dd, Enclosure, Hull, Side};
 
 /// Largest error of a quick proof relative to the separation: with 1 ulp on either side of it the bounds are 18 ε wide
@@ -38,32 +38,23 @@ pub(crate) fn proved(pair: &Pair) -> Option<Proved> {
     if !pair.is_tame() {
         return None;
     }
-    let feature = match guess(pair) {
-        Guess::Closest(vertices) => Feature::Vertices(vertices),
+    let carrier = match guess(pair) {
+        Guess::Closest(vertices) => Carrier::Vertex(vertices),
         Guess::Apart(hint) => apart(pair, hint).or_else(|| again(pair))?,
         Guess::Crossing => crossing(pair, small::widest(pair)?)?,
         Guess::Overlapping(triangle) => match expanding::deepest(pair, triangle) {
-            Some(facing) => Feature::Edge(facing),
+            Some(facing) => Carrier::Edge(facing),
             None => deepest(pair, gaps::widest(pair)?)?,
         },
         Guess::Unclear => return None,
     };
-    measured(pair, feature).or_else(|| refined(pair, feature))
+    measured(pair, carrier).or_else(|| refined(pair, carrier))
 }
 
 /// [`measured`] of a pair that is nearer touching than its cosines are exact.
 #[cold]
-fn refined(pair: &Pair, feature: Feature) -> Option<Proved> {
-    measured(&pair.refined(), feature)
-}
-
-/// A feature whose conditions hold.
-#[derive(Clone, Copy)]
-enum Feature {
-    Edge(Facing),
-    /// The other body's side is exactly parallel.
-    Faces(Facing, usize),
-    Vertices([usize; 2]),
+fn refined(pair: &Pair, carrier: Carrier) -> Option<Proved> {
+    measured(&pair.refined(), carrier)
 }
 
 /// How the vertex of an edge of B ⊖ A supports it.
@@ -79,23 +70,22 @@ pub(crate) enum Support {
 
 /// The feature of a pair whose widest gap is known, whichever sign it has.
 #[inline]
-fn crossing(pair: &Pair, widest: Widest) -> Option<Feature> {
+fn crossing(pair: &Pair, widest: Widest) -> Option<Carrier> {
     if widest.gap < 0.0 {
         return deepest(pair, widest);
     }
-    let Facing { source, edge, vertex } = widest.facing;
+    let DifferenceEdge { source, edge, vertex } = widest.facing;
     let end = match span(pair, widest.facing, None) {
         Span::Before => edge,
         Span::After => pair.hull(source).next(edge),
-        _ => return apart(pair, Hint::Edge(widest.facing)),
+        _ => return apart(pair, DifferenceFeature::Edge(widest.facing)),
     };
-    let vertices = if source == Side::A { [end, vertex] } else { [vertex, end] };
-    apart(pair, Hint::Vertices(vertices)).or_else(|| again(pair))
+    apart(pair, DifferenceFeature::Vertex(a_then_b(source, end, vertex))).or_else(|| again(pair))
 }
 
 /// The feature of a pair of few vertices that is apart, where what is quicker did not find it.
 #[cold]
-fn again(pair: &Pair) -> Option<Feature> {
+fn again(pair: &Pair) -> Option<Carrier> {
     if !small::are_few(pair) {
         return None;
     }
@@ -107,15 +97,15 @@ fn again(pair: &Pair) -> Option<Feature> {
 
 /// The widest gap of all, if it is clearly negative and clearly the widest but for a parallel side's.
 #[inline]
-fn deepest(pair: &Pair, Widest { facing, gap, close }: Widest) -> Option<Feature> {
+fn deepest(pair: &Pair, Widest { facing, gap, close }: Widest) -> Option<Carrier> {
     if gap >= -pair.gap_error() {
         return None;
     }
     match (support(pair, facing), close) {
-        (Support::Vertex, Close::None) => Some(Feature::Edge(facing)),
-        (Support::Face(partner), Close::None) => Some(Feature::Faces(facing, partner)),
+        (Support::Vertex, Close::None) => Some(Carrier::Edge(facing)),
+        (Support::Face(partner), Close::None) => Some(Carrier::ParallelEdges(facing, partner)),
         (Support::Face(partner), Close::One(source, edge)) => {
-            (source != facing.source && edge == partner).then_some(Feature::Faces(facing, partner))
+            (source != facing.source && edge == partner).then_some(Carrier::ParallelEdges(facing, partner))
         }
         _ => None,
     }
@@ -123,19 +113,19 @@ fn deepest(pair: &Pair, Widest { facing, gap, close }: Widest) -> Option<Feature
 
 /// The guessed feature, if it is clearly the closest.
 #[inline]
-fn apart(pair: &Pair, hint: Hint) -> Option<Feature> {
+fn apart(pair: &Pair, hint: DifferenceFeature) -> Option<Carrier> {
     match hint {
-        Hint::Edge(facing) => match support(pair, facing) {
+        DifferenceFeature::Edge(facing) => match support(pair, facing) {
             Support::Vertex => {
-                matches!(span(pair, facing, None), Span::Within).then_some(Feature::Edge(facing))
+                matches!(span(pair, facing, None), Span::Within).then_some(Carrier::Edge(facing))
             }
             Support::Face(partner) => matches!(span(pair, facing, Some(partner)), Span::Within)
-                .then_some(Feature::Faces(facing, partner)),
+                .then_some(Carrier::ParallelEdges(facing, partner)),
             Support::Unclear => None,
         },
-        Hint::Vertices([i, j]) => {
+        DifferenceFeature::Vertex([i, j]) => {
             let d = vertex_b(pair, j) - pair.hull(Side::A).vertices[i];
-            are_closest(pair, [i, j], d).then_some(Feature::Vertices([i, j]))
+            are_closest(pair, [i, j], d).then_some(Carrier::Vertex([i, j]))
         }
     }
 }
@@ -154,7 +144,7 @@ fn vertex_b(pair: &Pair, j: usize) -> DVec2 {
 
 /// The normal of a side from A to B, in A's frame.
 #[inline]
-fn normal(pair: &Pair, facing: Facing) -> DVec2 {
+fn normal(pair: &Pair, facing: DifferenceEdge) -> DVec2 {
     let outward = pair.hull(facing.source).normals[facing.edge];
     match facing.source {
         Side::A => outward,
@@ -202,7 +192,7 @@ pub(crate) fn clearly_lowest(hull: &Hull, k: usize, down: DVec2, slack: f64) -> 
 
 /// How the vertex of an edge of B ⊖ A supports it.
 #[inline]
-pub(crate) fn support(pair: &Pair, facing: Facing) -> Support {
+pub(crate) fn support(pair: &Pair, facing: DifferenceEdge) -> Support {
     let other = facing.source.other();
     let n = normal(pair, facing);
     let hull = pair.hull(other);
@@ -249,7 +239,11 @@ enum Span {
 /// Whether the vertex (or with `partner` the parallel side) that faces a side is clearly outside its line, with its foot
 /// (or a part of its span) clearly inside the side.
 #[inline]
-fn span(pair: &Pair, Facing { source, edge, vertex }: Facing, partner: Option<usize>) -> Span {
+fn span(
+    pair: &Pair,
+    DifferenceEdge { source, edge, vertex }: DifferenceEdge,
+    partner: Option<usize>,
+) -> Span {
     let (hull, other) = (pair.hull(source), pair.hull(source.other()));
     let seen = |k: usize| match source {
         Side::A => vertex_b(pair, k),
@@ -283,11 +277,10 @@ fn span(pair: &Pair, Facing { source, edge, vertex }: Facing, partner: Option<us
 
 /// The feature's distance to twice the precision, if that is tight enough.
 #[inline]
-fn measured(pair: &Pair, feature: Feature) -> Option<Proved> {
-    let (Measured { core, normal, turning }, carrier) = match feature {
-        Feature::Edge(facing) => (along_side(pair, facing), Carrier::Edge(facing)),
-        Feature::Faces(facing, partner) => (along_side(pair, facing), Carrier::Faces(facing, partner)),
-        Feature::Vertices(vertices) => (between_vertices(pair, vertices)?, Carrier::Vertices(vertices)),
+fn measured(pair: &Pair, carrier: Carrier) -> Option<Proved> {
+    let Measured { core, normal, turning } = match carrier {
+        Carrier::Edge(facing) | Carrier::ParallelEdges(facing, _) => along_side(pair, facing),
+        Carrier::Vertex(vertices) => between_vertices(pair, vertices)?,
     };
     let separation = if pair.radius == Dd::ZERO { core } else { core - pair.radius };
     let error = pair.placing_error + turning + LAST_ERROR * (pair.magnitude + pair.radius.hi);

@@ -7,8 +7,9 @@
 //! [`crate::collision::certified::distance::filter`] proves.
 
 use crate::collision::certified::distance::filter::{self, clearly_lowest};
-use crate::collision::certified::distance::gaps::{self, Close, Facing, Widest};
+use crate::collision::certified::distance::gaps::{self, Close, Widest};
 use crate::collision::certified::distance::pair::{Pair, turned};
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Hull, Side};
 
 /// Vertices of a core that count as few.
@@ -36,19 +37,11 @@ fn descents(hull: &Hull, k: usize, down: DVec2) -> [f64; 2] {
     [-hull.edges[k].dot(down), hull.edges[hull.previous(k)].dot(down)]
 }
 
-/// How a walk ends.
-pub(crate) enum End {
-    /// At vertices i of A and j of B that are clearly the closest.
-    Vertices([usize; 2]),
-    /// At a side and a vertex that seem to be.
-    Edge(Facing),
-    /// Where the walk does not know better.
-    Unclear,
-}
-
 /// The closest features by a walk from vertices i of A and j of B.
+///
+/// A vertex of B ⊖ A only if it is clearly the closest, an edge if it seems to be; None where the walk ends without either.
 #[inline]
-pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> End {
+pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<DifferenceFeature> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let [cos, sin] = pair.b_turn;
     let into_b = |v: DVec2| DVec2::new(cos.hi * v.x + sin.hi * v.y, cos.hi * v.y - sin.hi * v.x);
@@ -60,7 +53,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> End {
         if of_a.max(of_b) < 0.0 {
             let slack = filter::slack(pair, d);
             let clear = clearly_lowest(a, i, down_a, slack) && clearly_lowest(b, j, down_b, slack);
-            return if clear { End::Vertices([i, j]) } else { End::Unclear };
+            return clear.then_some(DifferenceFeature::Vertex([i, j]));
         }
         let (source, descent, ahead) = if of_a >= of_b {
             (Side::A, of_a, ahead_a >= behind_a)
@@ -77,15 +70,15 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> End {
             let down = if source == Side::A { into_b(n) } else { turned(pair.b_turn, n) };
             let [ahead, behind] = descents(other, vertex, down);
             if ahead.max(behind) <= 0.0 {
-                return End::Edge(Facing { source, edge, vertex });
+                return Some(DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex }));
             }
             vertex = if ahead > behind { other.next(vertex) } else { other.previous(vertex) };
         } else {
             own = end;
         }
-        (i, j) = if source == Side::A { (own, vertex) } else { (vertex, own) };
+        [i, j] = a_then_b(source, own, vertex);
     }
-    End::Unclear
+    None
 }
 
 /// Vertices by coordinate, the first repeated to fill a block.
@@ -170,5 +163,9 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
     }
     let (own, seen) = if source == Side::A { (a, &of_b) } else { (b, &of_a) };
     let vertex = seen.lowest(own.normals[best.edge]);
-    Some(Widest { facing: Facing { source, edge: best.edge, vertex }, gap: best.gap, close: Close::None })
+    Some(Widest {
+        facing: DifferenceEdge { source, edge: best.edge, vertex },
+        gap: best.gap,
+        close: Close::None,
+    })
 }

@@ -16,14 +16,13 @@ pub(crate) mod gap_series;
 pub(crate) mod touch;
 
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, search};
-use crate::collision::certified::distance::search::Hint;
 use crate::collision::certified::impact::axis::Axis;
-use crate::collision::certified::impact::closest::Nearest;
 use crate::collision::certified::impact::filter::certificate::{AXES, Parted, Proof};
 use crate::collision::certified::impact::filter::gap_series::{
     Instant, TurnedGap, first_root, rounding, turned, turned_back,
 };
 use crate::collision::certified::impact::moving_pair::MovingPair;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Enclosure, Side, perp};
 
 /// Moments at which one axis is evaluated.
@@ -50,7 +49,7 @@ const GRAZE: f64 = 1e-6;
 /// What the first stage found.
 pub(crate) enum Found {
     /// A contact: the time bounds, and its features.
-    Hit(Enclosure, Nearest),
+    Hit(Enclosure, DifferenceFeature),
     /// None in [0, 1].
     Miss,
 }
@@ -129,11 +128,11 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
     /// The axis to follow at a moment, with its gap; looked for from another one on.
     fn ask(&mut self, at: &Instant, from: Option<&Parted>) -> Option<Parted> {
         let parted = match self.nearest(at, from)? {
-            Nearest::Edge { owner, edge, vertex } => {
+            DifferenceFeature::Edge(DifferenceEdge { source: owner, edge, vertex }) => {
                 let axis = self.square_to(owner, edge, vertex);
                 (axis, axis.turned_gap(self.pair, at, vertex)?)
             }
-            Nearest::Vertices(i, j) => self.of_vertices(i, j, at)?,
+            DifferenceFeature::Vertex([i, j]) => self.of_vertices(i, j, at)?,
         };
         (parted.1.value >= BAND.end * self.error).then_some(parted)
     }
@@ -159,7 +158,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
                 return (axis.edge != Some(k) && gap.value >= BAND.end * self.error).then_some((found, gap));
             };
             if way + step == 0 {
-                let (i, j) = if owner == Side::A { (met, vertex) } else { (vertex, met) };
+                let [i, j] = a_then_b(owner, met, vertex);
                 return self.of_vertices(i, j, at);
             }
             (k, way) = (next, step);
@@ -168,7 +167,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
     }
 
     /// The closest features, in doubles.
-    fn nearest(&mut self, at: &Instant, from: Option<&Parted>) -> Option<Nearest> {
+    fn nearest(&mut self, at: &Instant, from: Option<&Parted>) -> Option<DifferenceFeature> {
         if self.queries >= self.limit {
             return None;
         }
@@ -183,10 +182,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             None => (center, ANYWHERE),
         };
         match search(&asked, toward, vertices) {
-            Guess::Apart(Hint::Edge(facing)) => {
-                Some(Nearest::Edge { owner: facing.source, edge: facing.edge, vertex: facing.vertex })
-            }
-            Guess::Apart(Hint::Vertices([i, j])) => Some(Nearest::Vertices(i, j)),
+            Guess::Apart(feature) => Some(feature),
             _ => None,
         }
     }
@@ -254,7 +250,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             -along / squared
         };
         let hull = pair.hull(owner);
-        let (own, facing) = if owner == Side::A { (i, j) } else { (j, i) };
+        let [own, facing] = a_then_b(owner, i, j);
         [p, p + w * h].map(|toward| {
             let direction = toward / toward.length_squared().sqrt();
             let n =
@@ -346,7 +342,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
             && pair.acceleration(axis.owner) * length * length <= error
             && place >= from + margin
             && place <= to - margin;
-        let near = Nearest::Edge { owner: axis.owner, edge, vertex: gap.lowest };
+        let near = DifferenceFeature::Edge(DifferenceEdge { source: axis.owner, edge, vertex: gap.lowest });
         proved.then_some(Found::Hit(Enclosure { lo: gap.t, hi }, near))
     }
 }

@@ -6,10 +6,9 @@
 
 use crate::collision::Separation;
 use crate::collision::certified::distance::filter::{self, LAST_ERROR, Support};
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
-use crate::collision::certified::impact::closest::Nearest;
+use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure, Side};
 
 /// A separation below this many ε of the largest reach or radius may have an absolute error: S is not below 1/√2 of a
@@ -18,20 +17,18 @@ const NEAR: f64 = 448.0 * f64::EPSILON;
 
 /// The separation at `t`, where a vertex's foot is clearly inside the edge of `near` and the pair is apart; None where
 /// doubles leave open which vertex is lowest, or the separation is not small.
-pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: Nearest) -> Option<Separation> {
-    let Nearest::Edge { owner, edge, vertex } = near else { return None };
+pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: DifferenceFeature) -> Option<Separation> {
+    let DifferenceFeature::Edge(facing) = near else { return None };
     let pair = Pair::at(a, b, t);
-    let facing = Facing { source: owner, edge, vertex };
     if !pair.is_tame() || !matches!(filter::support(&pair, facing), Support::Vertex) {
         return None;
     }
-    let vertices = if owner == Side::A { [edge, vertex] } else { [vertex, edge] };
-    let d = filter::between(&pair, vertices);
+    let d = filter::between(&pair, facing.start());
     let (normal, core) = filter::along_normal(&pair, facing, d);
     let separation = core - pair.radius;
     // A side of B: its normal is turned as well.
     let turning =
-        if owner == Side::B { 2.0 * pair.turn_error * (d[0].hi.abs() + d[1].hi.abs()) } else { 0.0 };
+        if facing.source == Side::B { 2.0 * pair.turn_error * (d[0].hi.abs() + d[1].hi.abs()) } else { 0.0 };
     let error = pair.placing_error + turning + LAST_ERROR * (pair.magnitude + pair.radius.hi);
     let value = separation.hi;
     let size = a.shape.hull.reach.max(b.shape.hull.reach).max(pair.radius.hi);

@@ -15,8 +15,8 @@
 //!
 //! If the leftmost vertex is right of the line, or the rightmost left of it, by more than ρ |v|, the ray passes.
 
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Hull, Side};
 
 /// What seems to be on a ray's line first.
@@ -34,7 +34,7 @@ pub(crate) enum Crossed {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Edge {
     /// The edge.
-    pub(crate) facing: Facing,
+    pub(crate) facing: DifferenceEdge,
     /// The smaller of F at its start and −F at its end.
     pub(crate) inside: f64,
     /// Whether the other body's vertex clearly supports it, alone.
@@ -179,7 +179,7 @@ fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<
         return None;
     }
     Some(Edge {
-        facing: Facing { source: own.side, edge, vertex },
+        facing: DifferenceEdge { source: own.side, edge, vertex },
         inside: before.min(-behind),
         is_supported: other.is_lowest(vertex, turned),
     })

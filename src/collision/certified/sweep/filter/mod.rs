@@ -22,11 +22,10 @@
 pub(crate) mod crossed_edge;
 
 use crate::collision::certified::distance::filter::{self, LAST_ERROR};
-use crate::collision::certified::distance::gaps::Facing;
 use crate::collision::certified::distance::pair::{Pair, rotated_back, turned};
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
-use crate::collision::certified::sweep::ray::Piece;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, DVec2, Dd, Enclosure, Side, combined, two_product, two_sum};
 
 /// What is proved of the ray's line.
@@ -35,9 +34,9 @@ pub(crate) enum Met {
     /// It passes B ⊖ A.
     Nothing,
     /// It enters here, before 0 or after 1.
-    Outside(Piece, Enclosure),
+    Outside(DifferenceFeature, Enclosure),
     /// It enters here, between neighbouring doubles; and the pair at the first of them.
-    At(Piece, Enclosure, Proved),
+    At(DifferenceFeature, Enclosure, Proved),
 }
 
 /// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
@@ -111,7 +110,7 @@ impl Line<'_, '_> {
 
     /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
     #[inline]
-    fn edge(&self, facing: Facing) -> Option<Met> {
+    fn edge(&self, facing: DifferenceEdge) -> Option<Met> {
         let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let d = vertex(pair, facing);
         let n = normal(pair, facing);
@@ -141,7 +140,7 @@ impl Line<'_, '_> {
         let time = Dd { hi, lo: step - (hi - q) };
         let time = neighbours(time, rest_error / least + step_error)?;
         if time.lo >= 1.0 || time.hi < 0.0 {
-            return Some(Met::Outside(Piece::Edge(facing), time));
+            return Some(Met::Outside(DifferenceFeature::Edge(facing), time));
         }
         let separation = rest - (time.lo - q) * closing.hi;
         let proved = Proved {
@@ -152,7 +151,7 @@ impl Line<'_, '_> {
             bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
             ties: 1,
         };
-        Some(Met::At(Piece::Edge(facing), time, proved))
+        Some(Met::At(DifferenceFeature::Edge(facing), time, proved))
     }
 
     /// A vertex of B ⊖ A in doubles.
@@ -193,7 +192,7 @@ impl Line<'_, '_> {
         let time = self.time_of_disc(vertices).filter(|&time| self.is_met(vertices, time))?;
         let time = neighbours(time.value, time.radius)?;
         if time.lo >= 1.0 || time.hi < 0.0 {
-            return Some(Met::Outside(Piece::Disc(vertices), time));
+            return Some(Met::Outside(DifferenceFeature::Vertex(vertices), time));
         }
         let p = filter::between(pair, vertices);
         let at = [p[0] - v[0].scale(time.lo), p[1] - v[1].scale(time.lo)];
@@ -201,14 +200,14 @@ impl Line<'_, '_> {
         let separation = (core - pair.radius).to_f64();
         let size = pair.magnitude + pair.radius.hi + time.lo * speed;
         let proved = Proved {
-            carrier: Carrier::Vertices(vertices),
+            carrier: Carrier::Vertex(vertices),
             normal: Some(DVec2::new(at[0].hi, at[1].hi) / core.hi),
             core: core.hi,
             separation,
             bounds: around(separation, pair.placing_error + time.lo * error + LAST_ERROR * size),
             ties: 1,
         };
-        Some(Met::At(Piece::Disc(vertices), time, proved))
+        Some(Met::At(DifferenceFeature::Vertex(vertices), time, proved))
     }
 }
 
@@ -221,11 +220,8 @@ fn around(separation: f64, error: f64) -> Enclosure {
 
 /// The vertex of B ⊖ A where an edge starts. The low half is not rounded off the high one.
 #[inline]
-fn vertex(pair: &Pair, facing: Facing) -> [Dd; 2] {
-    let [i, j] = match facing.source {
-        Side::A => [facing.edge, facing.vertex],
-        Side::B => [facing.vertex, facing.edge],
-    };
+fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
+    let [i, j] = facing.start();
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
     let ([cos, sin], c) = (pair.b_turn, pair.fine_center);
     let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
@@ -254,7 +250,7 @@ fn along(n: [Dd; 2], x: [Dd; 2]) -> Dd {
 
 /// The unit normal of an edge, from A to B, in A's frame.
 #[inline]
-fn normal(pair: &Pair, facing: Facing) -> [Dd; 2] {
+fn normal(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let hull = pair.hull(facing.source);
     let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
