@@ -12,7 +12,7 @@ mod query;
 mod tests;
 
 pub use algorithm::outline::{Difference, OutlineEdge, difference};
-pub use algorithm::{ALGORITHMS, Algorithm};
+pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops};
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 pub use certified::distance::pair::Pair;
 pub use certified::impact::moving_pair::MovingPair;

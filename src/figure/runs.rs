@@ -113,8 +113,7 @@ impl Runs {
     /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's default.
     pub(crate) fn separation(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
-        let algorithm =
-            std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| takes(a, &query))?;
+        let algorithm = std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| a.takes(&query))?;
         Some(self.run(algorithm, &query))
     }
 
@@ -125,7 +124,7 @@ impl Runs {
         let tells = |run: &Run| run.events().any(tells_difference);
         std::iter::once(scene.query.algorithm)
             .chain(ALGORITHMS)
-            .filter(|a| takes(a, &query))
+            .filter(|a| a.takes(&query))
             .map(|a| self.run(a, &query))
             .find(|run| tells(run))
     }
@@ -180,8 +179,4 @@ pub(crate) fn tells_difference(event: &Event) -> bool {
 
 fn pairs(query: &Query) -> usize {
     query.a.shape.core.len() * query.b.map_or(1, |b| b.shape.core.len())
-}
-
-fn takes(algorithm: &Algorithm, query: &Query) -> bool {
-    algorithm.kinds.contains(&query.kind) && (algorithm.shapes)(query).is_ok()
 }

@@ -1,6 +1,6 @@
 //! Our own algorithms as contenders: every row of the table that answers a workload's question.
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, MovingPair, Outcome as End, Pair, QueryKind, Sweep};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, Outcome as End, QueryKind, Stops};
 use crate::trace::NoTrace;
 
 use super::contender::{Contender, Outcome, Preparation, Prepared};
@@ -8,9 +8,6 @@ use super::workload::Case;
 
 /// Tolerances of the algorithms that have one, coarse to fine, world units.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-
-/// Names of the algorithms whose answer depends on the tolerance.
-const ITERATIVE: [&str; 3] = ["ray-clipping", "conservative-advancement", "swept-axis"];
 
 /// Every algorithm of ours, as contenders.
 #[must_use]
@@ -20,34 +17,6 @@ pub fn contenders() -> Vec<Box<dyn Contender>> {
 
 struct Ours {
     algorithm: &'static Algorithm,
-}
-
-impl Ours {
-    /// Asks a pair that stands ready, where the library takes one for this question: places, cosines and sines are known,
-    /// for a sweep the relative velocity, for turning bodies their spins in radians; features, times and contacts are not.
-    fn ask_of_ready<'c>(
-        &self,
-        case: &'c Case,
-        kind: QueryKind,
-        tolerance: f64,
-    ) -> Option<Box<dyn FnMut() -> Outcome + 'c>> {
-        match (kind, self.algorithm.name) {
-            (QueryKind::Separation, "closest-features") => {
-                let pair = Pair::at(&case.a, &case.b, 0.0).refined();
-                Some(Box::new(move || Outcome::Value(pair.separation().separation)))
-            }
-            (QueryKind::TimeOfImpact, "swept-axis") => {
-                let pair = MovingPair::new(&case.a, &case.b);
-                let limit = case.query(kind, tolerance).max_iterations;
-                Some(Box::new(move || first_contact(&pair.first_contact(tolerance, limit).outcome)))
-            }
-            (QueryKind::LinearSweep, "ray-cast") => {
-                let sweep = Sweep::new(&case.a, &case.b);
-                Some(Box::new(move || first_contact(&sweep.first_contact())))
-            }
-            _ => None,
-        }
-    }
 }
 
 /// The number of an answer that the workload asks for.
@@ -78,12 +47,10 @@ impl Contender for Ours {
     }
 
     fn tolerances(&self, kind: QueryKind) -> Vec<f64> {
-        if !self.algorithm.kinds.contains(&kind) {
-            Vec::new()
-        } else if ITERATIVE.contains(&self.algorithm.name) {
-            TOLERANCES.to_vec()
-        } else {
-            vec![0.0]
+        match self.algorithm.stops {
+            _ if !self.algorithm.kinds.contains(&kind) => Vec::new(),
+            Stops::AtTolerance => TOLERANCES.to_vec(),
+            Stops::Exactly => vec![0.0],
         }
     }
 
@@ -95,11 +62,12 @@ impl Contender for Ours {
         preparation: Preparation,
     ) -> Option<Prepared<'c>> {
         let query = case.query(kind, tolerance);
-        if (self.algorithm.shapes)(&query).is_err() {
+        if !self.algorithm.takes(&query) {
             return None;
         }
         if preparation == Preparation::Prepared {
-            return self.ask_of_ready(case, kind, tolerance).map(|ask| Prepared { ask, steps: None });
+            let ready = self.algorithm.ready?(&query);
+            return Some(Prepared { ask: Box::new(move || outcome(&ready())), steps: None });
         }
         let ask = Box::new(move || outcome(&(self.algorithm.quiet)(&query, &mut NoTrace)));
         let steps = Box::new(move || match (self.algorithm.quiet)(&query, &mut NoTrace) {

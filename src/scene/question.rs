@@ -139,7 +139,7 @@ fn algorithm(
     table: &Checked<'_>,
     p: &mut Problems,
 ) -> Option<&'static Algorithm> {
-    let takes = |a: &&Algorithm| a.kinds.contains(&query.kind) && (a.shapes)(query).is_ok();
+    let takes = |a: &&Algorithm| a.takes(query);
     let Some(name) = table.text("algorithm") else {
         if node.get("algorithm").is_some() {
             // It was wrong, and that has been told.

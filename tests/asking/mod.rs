@@ -16,5 +16,5 @@ pub(crate) fn query<'s>(kind: QueryKind, a: &'s Body, b: &'s Body) -> Query<'s> 
 
 /// The algorithms that take a query.
 pub(crate) fn takers(query: &Query) -> Vec<&'static Algorithm> {
-    ALGORITHMS.iter().filter(|x| x.kinds.contains(&query.kind) && (x.shapes)(query).is_ok()).collect()
+    ALGORITHMS.iter().filter(|x| x.takes(query)).collect()
 }

@@ -16,11 +16,22 @@
 use crate::collision::Answer;
 use crate::collision::MotionBound;
 use crate::collision::Query;
+use crate::collision::QueryKind;
+use crate::collision::algorithm::{Algorithm, Stops};
 use crate::geometry::{Body, DVec2, Side};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "arc";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "arc",
+    about: "the arc of the extreme point, L = theta r (Mirtich 1996, 2.3.2)",
+    kinds: &[QueryKind::MotionBound],
+    shapes,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// The sum of at most three terms, each of at most 6 roundings (a difference, a root of two squares, a sum, π/180, two
 /// products), is too small by less than this part of itself.
@@ -35,15 +46,18 @@ const SAME_RADIUS: f64 = 1.0 - 4.0 * f64::EPSILON;
 
 /// One body or two, of any shape.
 #[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
-pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
+fn shapes(_: &Query) -> Result<(), &'static str> {
     Ok(())
 }
 
 /// Answers a query for a motion bound.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     tracer.record(|| {
         let angle_b = query.b.map_or(0.0, |b| b.angle.0);
-        Event::Started { algorithm: NAME, at: Moment { time: 0.0, angle_a: query.a.angle.0, angle_b } }
+        Event::Started {
+            algorithm: ALGORITHM.name,
+            at: Moment { time: 0.0, angle_a: query.a.angle.0, angle_b },
+        }
     });
     let relative = query.a.velocity - query.b.map_or(DVec2::ZERO, |b| b.velocity);
     let linear = crate::collision::algorithm::outline::length(relative);

@@ -20,14 +20,24 @@ use crate::collision::QueryKind;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
 use crate::geometry::{Enclosure, Side};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "circles";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "circles",
+    about: "circle against circle: squared early-out, p, N and P (Firth 2011, Circle vs circle)",
+    kinds: DISCRETE,
+    shapes,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Two circles, and no other shapes.
-pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+fn shapes(query: &Query) -> Result<(), &'static str> {
     let round = |body: &crate::geometry::Body| body.shape.core.len() == 1;
     match query.b {
         Some(b) if round(query.a) && round(b) => Ok(()),
@@ -36,9 +46,9 @@ pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
 }
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
     if query.kind == QueryKind::Overlap
         && let Some(settled) = squared_test(&pair, tracer)

@@ -21,14 +21,24 @@ use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
 use crate::geometry::{Body, DVec2, Side};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "clamp";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "clamp",
+    about: "circle against box: V clamped in the box's frame (Firth 2011, Circle vs AABB, Circle vs OBB)",
+    kinds: DISCRETE,
+    shapes,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// A circle and a box or AABB, in either order.
-pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+fn shapes(query: &Query) -> Result<(), &'static str> {
     let circle = |body: &Body| body.shape.core.len() == 1;
     let boxed = |body: &Body| body.shape.half_extents.is_some() && body.shape.core.len() == 4;
     match query.b {
@@ -38,9 +48,9 @@ pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
 }
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
     let body = if pair.count(Side::A) == 4 { Side::A } else { Side::B };
     // The box's own frame: that of A, or of the same pair with its bodies swapped.

@@ -8,19 +8,33 @@ use crate::collision::Separation;
 use crate::collision::algorithm::candidate;
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::search::certify;
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "closest-features";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "closest-features",
+    about: "closest features of B - A, proved by supports and witnesses in double-doubles (Toussaint 1983)",
+    kinds: DISCRETE,
+    shapes: convex_pair,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: Some(|query| {
+        let kind = query.kind;
+        let pair = Pair::at(query.a, query.b.unwrap_or(query.a), query.time).refined();
+        Box::new(move || candidate::answer(kind, pair.separation()))
+    }),
+};
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let found = Pair::at(query.a, query.b.unwrap_or(query.a), query.time).separation();
     if tracer.listens() {
         let pair = Relative::of(query);
-        tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+        tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
         outline::record(&pair, tracer);
         candidate::tell(&pair, &found, tracer);
     }

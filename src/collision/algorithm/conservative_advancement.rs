@@ -22,13 +22,24 @@
 
 use crate::collision::Answer;
 use crate::collision::Query;
+use crate::collision::QueryKind;
 use crate::collision::algorithm::advancement::{Flavor, advance};
+use crate::collision::algorithm::{Algorithm, Stops, convex_pair};
 use crate::trace::Tracer;
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "conservative-advancement";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "conservative-advancement",
+    about: "steps by the distance over a bound on the closing speed (Mirtich 1996, Coumans 2005)",
+    kinds: &[QueryKind::TimeOfImpact],
+    shapes: convex_pair,
+    stops: Stops::AtTolerance,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Answers a time of impact.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    Answer::Impact(advance(query, Flavor::Conservative, NAME, tracer))
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    Answer::Impact(advance(query, Flavor::Conservative, ALGORITHM.name, tracer))
 }

@@ -16,14 +16,24 @@ use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
 use crate::geometry::{Body, DVec2, Side};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "extents";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "extents",
+    about: "AABB against AABB: D by component and the minimum translation (Firth 2011, AABB vs AABB)",
+    kinds: DISCRETE,
+    shapes,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Two AABBs, and no other shapes.
-pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
+fn shapes(query: &Query) -> Result<(), &'static str> {
     let aabb = |body: &Body| body.shape.kind == "aabb" && body.shape.core.len() == 4;
     match query.b {
         Some(b) if aabb(query.a) && aabb(b) => Ok(()),
@@ -32,9 +42,9 @@ pub(crate) fn shapes(query: &Query) -> Result<(), &'static str> {
 }
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
     let half_extents = [Side::A, Side::B].map(|s| pair.vertex(s, 2) - pair.origin(s));
     let apart = pair.origin(Side::B);

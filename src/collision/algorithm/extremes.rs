@@ -16,24 +16,35 @@
 use crate::collision::Answer;
 use crate::collision::Bounds;
 use crate::collision::Query;
+use crate::collision::QueryKind;
+use crate::collision::algorithm::{Algorithm, Stops};
 use crate::geometry::{Ball, Body, DVec2, Pose, Side, Turn, taming_power, two_sum};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "extremes";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "extremes",
+    about: "smallest and largest coordinates of the vertices, and their union (Firth 2011, AABB vs AABB)",
+    kinds: &[QueryKind::Bounds],
+    shapes,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// One body or two, of any shape.
 #[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
-pub(crate) fn shapes(_: &Query) -> Result<(), &'static str> {
+fn shapes(_: &Query) -> Result<(), &'static str> {
     Ok(())
 }
 
 /// Answers a query for bounds.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     tracer.record(|| {
         let angle = |body: &Body| body.angle_at(query.time);
         let at = Moment { time: query.time, angle_a: angle(query.a), angle_b: query.b.map_or(0.0, angle) };
-        Event::Started { algorithm: NAME, at }
+        Event::Started { algorithm: ALGORITHM.name, at }
     });
     let [min, max] = extremes(Side::A, query.a, query.time, tracer);
     let Some(b) = query.b else {

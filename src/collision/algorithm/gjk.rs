@@ -26,12 +26,22 @@ use crate::collision::algorithm::epa;
 use crate::collision::algorithm::minkowski::is_better;
 use crate::collision::algorithm::outline::{self, Projection, length, walk};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "gjk";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "gjk",
+    about: "distance by GJK, depth by EPA (Gilbert et al. 1988; van den Bergen 2003, 4.3)",
+    kinds: DISCRETE,
+    shapes: convex_pair,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// A vertex b − a of B ⊖ A.
 #[derive(Clone, Copy, Debug)]
@@ -78,9 +88,9 @@ impl Vertex {
 }
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
     let candidate = match search(&pair, tracer) {
         Found::Vertex(v) => Some(Candidate::of_vertices(&pair, v.a, v.b)),

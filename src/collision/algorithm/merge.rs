@@ -20,15 +20,25 @@ use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::minkowski::{improved, is_better};
 use crate::collision::algorithm::outline::{Projection, record_rounding, walk};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "merge";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "merge",
+    about: "B - A with its edges merged by direction, O(n + m) (de Berg et al. 2008, 13.3)",
+    kinds: DISCRETE,
+    shapes: convex_pair,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     record_rounding(&pair, tracer);
     let mut best: Option<Projection> = None;
     walk(&pair, |pairing| {

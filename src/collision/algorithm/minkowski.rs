@@ -28,17 +28,27 @@ use crate::collision::Separation;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::outline::{Projection, record_rounding};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{Feature, Side};
 use crate::trace::{Event, Goal, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "minkowski";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "minkowski",
+    about: "B - A edge by edge with all supporting vertices, O(n m) (Firth 2011, OBB vs OBB)",
+    kinds: DISCRETE,
+    shapes: convex_pair,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     if query.kind == QueryKind::Overlap {
         Answer::Overlap(overlap(&pair, tracer))
     } else {

@@ -16,13 +16,24 @@
 
 use crate::collision::Answer;
 use crate::collision::Query;
+use crate::collision::QueryKind;
 use crate::collision::algorithm::advancement::{Flavor, advance};
+use crate::collision::algorithm::{Algorithm, Stops, unturning_pair};
 use crate::trace::Tracer;
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "ray-clipping";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "ray-clipping",
+    about: "the ray clipped to the tangent at the closest point, again and again (van den Bergen 2004)",
+    kinds: &[QueryKind::LinearSweep],
+    shapes: unturning_pair,
+    stops: Stops::AtTolerance,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Answers a linear sweep.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    Answer::Impact(advance(query, Flavor::RayClipping, NAME, tracer))
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    Answer::Impact(advance(query, Flavor::RayClipping, ALGORITHM.name, tracer))
 }

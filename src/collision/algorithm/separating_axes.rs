@@ -22,17 +22,27 @@ use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::minkowski::is_better;
 use crate::collision::algorithm::outline::{self, Projection};
 use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 use crate::trace::{Event, Tracer};
 
-/// Its word in a scene file.
-pub(crate) const NAME: &str = "separating-axes";
+/// Its row in the table of algorithms.
+pub(crate) const ALGORITHM: Algorithm = Algorithm {
+    name: "separating-axes",
+    about: "a gap along the normal of an edge (Gottschalk et al. 1996, section 5)",
+    kinds: DISCRETE,
+    shapes: convex_pair,
+    stops: Stops::Exactly,
+    quiet: answer,
+    traced: answer,
+    ready: None,
+};
 
 /// Answers a query for overlap or separation.
-pub(crate) fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: NAME, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
     let stop = match query.kind {
         QueryKind::Overlap => Stop::Beyond(pair.radius() + pair.gap_error()),
