@@ -3,7 +3,7 @@
 
 #![expect(clippy::print_stdout, reason = "a test prints what it measured")]
 
-use tracefig::geometry::{Ball, COS_SIN_ERROR, Dd, Degrees, Turn};
+use tracefig::geometry::{Ball, COS_SIN_ERROR, Dd, Degrees, Rotation, Turn};
 use tracefig_reference::float::Real;
 use tracefig_reference::placement::Rotation;
 use tracefig_reference::random::Random;
@@ -112,14 +112,14 @@ fn cosines_and_sines_are_within_their_errors() {
         let (spin, t) = (random.between(-720.0, 720.0), random.unit());
         let turn = Turn::at(Degrees(angle), Degrees(spin), t);
         let truth = Rotation::of_degrees(Real::from(angle) + Real::from(spin) * Real::from(t));
-        let (cos, sin) = turn.cos_sin_fine();
+        let Rotation { cos, sin } = turn.rotation_in_balls();
         for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
             let error = (truth - exact(ball.value)).abs();
             let part = if error.is_zero() { 0.0 } else { error.over(Real::from(ball.radius)).to_f64() };
             assert!(part <= 1.0, "{angle} + {spin} · {t}: {part} radii off");
             most = most.max(part);
         }
-        let plain = turn.cos_sin();
+        let plain = turn.rotation();
         for (value, truth) in [(plain.cos, truth.cos), (plain.sin, truth.sin)] {
             let error = (Real::from(value) - truth).abs();
             assert!(error <= Real::from(COS_SIN_ERROR), "{angle} + {spin} · {t}: off by {error}");

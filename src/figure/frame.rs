@@ -79,7 +79,7 @@ impl Frame {
 
     /// Angle of the shown body's frame in the world, radians; 0 in other panels.
     fn turn(&self) -> f64 {
-        self.pose.map_or(0.0, |pose| angle_of(DVec2::new(pose.cos, pose.sin)))
+        self.pose.map_or(0.0, |pose| angle_of(DVec2::new(pose.rotation.cos, pose.rotation.sin)))
     }
 }
 
@@ -87,10 +87,11 @@ impl Frame {
 mod tests {
     use super::*;
     use crate::figure::on_circle;
+    use crate::geometry::Rotation;
 
     fn frame() -> Frame {
         let panel = Rect { x0: 20.0, y0: 40.0, x1: 220.0, y1: 140.0 };
-        let pose = Pose { position: DVec2::new(1.0, -2.0), cos: 0.8, sin: 0.6 };
+        let pose = Pose { position: DVec2::new(1.0, -2.0), rotation: Rotation { cos: 0.8, sin: 0.6 } };
         Frame::fit(Some(pose), DVec2::new(-3.0, -1.0), DVec2::new(3.0, 1.0), panel)
     }
 

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use crate::geometry::Degrees;
+use crate::geometry::Rotation;
 use crate::geometry::Shape;
 use crate::geometry::Turn;
 
@@ -27,10 +28,8 @@ pub struct Body {
 pub struct Pose {
     /// World position of the body's origin.
     pub position: DVec2,
-    /// Cosine of the angle.
-    pub cos: f64,
-    /// Sine of the angle.
-    pub sin: f64,
+    /// From the body's frame to the world's.
+    pub rotation: Rotation<f64>,
 }
 
 /// A quarter turn counter-clockwise: (−y, x).
@@ -49,14 +48,13 @@ impl Pose {
     /// A vector of the body's frame, in the world.
     #[must_use]
     pub fn vector(&self, v: DVec2) -> DVec2 {
-        DVec2::new(self.cos * v.x - self.sin * v.y, self.sin * v.x + self.cos * v.y)
+        self.rotation.apply(v)
     }
 
     /// A world point in the body's frame.
     #[must_use]
     pub fn inverse_point(&self, world: DVec2) -> DVec2 {
-        let v = world - self.position;
-        DVec2::new(self.cos * v.x + self.sin * v.y, self.cos * v.y - self.sin * v.x)
+        self.rotation.undo(world - self.position)
     }
 }
 
@@ -64,8 +62,8 @@ impl Body {
     /// Where the body is at time `t`. The angle is reduced exactly, so that any number of turns is good to an ulp.
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
-        let turn = Turn::at(self.angle, self.spin, t).cos_sin();
-        Pose { position: self.position + self.velocity * t, cos: turn.cos, sin: turn.sin }
+        let rotation = Turn::at(self.angle, self.spin, t).rotation();
+        Pose { position: self.position + self.velocity * t, rotation }
     }
 
     /// The angle at time `t`, in degrees, rounded.

@@ -6,16 +6,18 @@
 mod body;
 mod hull;
 pub(crate) mod number;
+mod rotation;
 pub mod shape;
 
 pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
 pub use hull::Hull;
 pub use number::{
-    Ball, COMBINED_ERROR, COS_SIN_ERROR, CosSin, Dd, Degrees, TAILED_ERROR, Turn, combined, taming_power,
+    Ball, COMBINED_ERROR, COS_SIN_ERROR, Dd, Degrees, TAILED_ERROR, Turn, combined, taming_power,
     two_product, two_sum,
 };
 pub(crate) use number::{fast_two_sum, two_product_each, two_sum_each};
+pub use rotation::Rotation;
 pub use shape::Shape;
 
 use serde::Serialize;

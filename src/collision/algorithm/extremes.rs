@@ -18,7 +18,7 @@ use crate::collision::Bounds;
 use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::algorithm::{Algorithm, Stops};
-use crate::geometry::{Ball, Body, DVec2, Pose, Side, Turn, taming_power, two_sum};
+use crate::geometry::{Ball, Body, DVec2, Pose, Rotation, Side, Turn, taming_power, two_sum};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
 /// Its row in the table of algorithms.
@@ -96,8 +96,8 @@ struct Placing {
     error: f64,
     /// Position in balls.
     position: [Ball; 2],
-    /// Cosine and sine in balls.
-    turn: [Ball; 2],
+    /// From the body's frame to the world.
+    rotation: Rotation<Ball>,
     radius: f64,
     /// Power of two by which the balls are multiplied: 1 but for tiny scenes, whose products would underflow.
     unit: f64,
@@ -118,7 +118,6 @@ impl Placing {
         let size = moved.max_element() + reach + body.shape.radius;
         let unit = if size < TINY { taming_power(size) } else { 1.0 };
         let position = |at: f64, speed: f64| Ball::new(at * unit) + Ball::product(speed * unit, t);
-        let (cos, sin) = Turn::at(body.angle, body.spin, t).cos_sin_fine();
         Self {
             pose: body.pose_at(t),
             error: (moved.max_element() + reach) * PLACING + f64::MIN_POSITIVE,
@@ -126,7 +125,7 @@ impl Placing {
                 position(body.position.x, body.velocity.x),
                 position(body.position.y, body.velocity.y),
             ],
-            turn: [cos, sin],
+            rotation: Turn::at(body.angle, body.spin, t).rotation_in_balls(),
             radius: body.shape.radius * unit,
             unit,
         }
@@ -141,7 +140,7 @@ impl Placing {
 
     /// The same for one side, with the radius, not below the exact value.
     fn outermost(&self, side: usize, v: DVec2) -> f64 {
-        let ([cos, sin], v) = (self.turn, v * self.unit);
+        let (Rotation { cos, sin }, v) = (self.rotation, v * self.unit);
         let turned = if side.is_multiple_of(2) {
             cos.scale(v.x) - sin.scale(v.y)
         } else {

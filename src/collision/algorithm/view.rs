@@ -70,15 +70,15 @@ impl<'s> Relative<'s> {
         let at = Moment { time: t, angle_a: a.angle_at(t), angle_b: b.angle_at(t) };
         let certified = Pair::at(a, b, t);
         let (frame, angle) = (certified.pose(Side::A), certified.turn);
-        let [cos, sin] = certified.b_turn.map(|x| x.hi);
+        let rotation = certified.b_rotation.rounded();
         // Unscaled, which the pair is only where the scene is tame.
         let position = if certified.is_tame() {
             certified.center
         } else {
             let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
-            Pose { position: DVec2::ZERO, ..frame }.inverse_point(apart)
+            frame.rotation.undo(apart)
         };
-        Self { a, b, at, frame, turn: Pose { position, cos, sin }, angle, certified }
+        Self { a, b, at, frame, turn: Pose { position, rotation }, angle, certified }
     }
 
     /// One of the bodies.
@@ -195,8 +195,8 @@ impl<'s> Relative<'s> {
         // In A's frame, A's edge mirrored: the sign of −eₐ × R e_b.
         let (a, b) = if side == Side::A { (k, l) } else { (l, k) };
         let ([ax, ay], [bx, by]) = (edge(Side::A, a), edge(Side::B, b));
-        let (cos, sin) = self.angle.cos_sin_fine();
-        let cross = ay * (cos * bx - sin * by) - ax * (sin * bx + cos * by);
+        let [x, y] = self.angle.rotation_in_balls().apply([bx, by]);
+        let cross = ay * x - ax * y;
         let sign = cross.sign().unwrap_or(0).cmp(&0);
         if side == Side::A { sign } else { sign.reverse() }
     }
@@ -205,7 +205,7 @@ impl<'s> Relative<'s> {
     pub(crate) fn support(&self, side: Side, direction: DVec2) -> usize {
         let direction = match side {
             Side::A => direction,
-            Side::B => Pose { position: DVec2::ZERO, ..self.turn }.inverse_point(direction),
+            Side::B => self.turn.rotation.undo(direction),
         };
         let mut best = (0, f64::NEG_INFINITY);
         for (k, vertex) in self.hull(side).vertices.iter().enumerate() {
@@ -267,7 +267,7 @@ impl<'s> Relative<'s> {
 
     /// A world vector in A's frame.
     pub(crate) fn local_vector(&self, v: DVec2) -> DVec2 {
-        Pose { position: DVec2::ZERO, ..self.frame }.inverse_point(v)
+        self.frame.rotation.undo(v)
     }
 
     /// A core vertex as events tell it.

@@ -11,7 +11,7 @@
 //! δ, π/180 and their product are rounded by ε/2 each, 1.2 ε of x at most; the sums lose ε more. So each is within 3 ε,
 //! for any number of turns. [`Turn`] is six times as precise, and slower.
 
-use crate::geometry::{Degrees, Turn, two_product, two_sum};
+use crate::geometry::{Degrees, Rotation, Turn, two_product, two_sum};
 
 /// Above this the number of quarter turns would not be exact; [`Turn`] takes over.
 const MANY_DEGREES: f64 = 1e12;
@@ -24,25 +24,20 @@ const RADIANS: f64 = std::f64::consts::PI / 180.0;
 
 /// Cosine and sine of `angle` + `spin` t, each within 3 ε.
 #[inline]
-pub(crate) fn cos_sin(angle: Degrees, spin: Degrees, t: f64) -> (f64, f64) {
+pub(crate) fn cos_sin(angle: Degrees, spin: Degrees, t: f64) -> Rotation<f64> {
     let (p, e) = two_product(spin.0, t);
     let (sum, f) = two_sum(angle.0, p);
     if !(spin.0.abs() < MANY_DEGREES && angle.0.abs() < MANY_DEGREES) {
-        let c = Turn::at(angle, spin, t).cos_sin();
-        return (c.cos, c.sin);
+        return Turn::at(angle, spin, t).rotation();
     }
     let quarters = (sum * (1.0 / 90.0) + WHOLE) - WHOLE;
     let x = ((sum - 90.0 * quarters) + (e + f)) * RADIANS;
     let z = x * x;
     let sin = x - x * z * (S3 - z * (S5 - z * (S7 - z * (S9 - z * (S11 - z * (S13 - z * S15))))));
     let cos = 1.0 - z * (0.5 - z * (C4 - z * (C6 - z * (C8 - z * (C10 - z * (C12 - z * (C14 - z * C16)))))));
-    #[expect(clippy::cast_possible_truncation, reason = "whole, and below 2⁴⁰")]
-    match (quarters as i64) & 3 {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
+    #[expect(clippy::cast_possible_truncation, reason = "whole, and below 2⁴⁰; masked to 0 to 3")]
+    let quarters = (quarters as i64 & 3).unsigned_abs() as u8;
+    Rotation { cos, sin }.quarters_on(quarters)
 }
 
 const S3: f64 = 1.0 / 6.0;
@@ -70,8 +65,8 @@ mod tests {
         for k in -30_000..30_000 {
             let (angle, spin, t) =
                 (Degrees(f64::from(k) * 0.0137), Degrees(f64::from(k % 97) * 1111.1), 0.377);
-            let (cos, sin) = cos_sin(angle, spin, t);
-            let (c, s) = Turn::at(angle, spin, t).cos_sin_fine();
+            let Rotation { cos, sin } = cos_sin(angle, spin, t);
+            let Rotation { cos: c, sin: s } = Turn::at(angle, spin, t).rotation_in_balls();
             let off = |x: f64, y: crate::geometry::Ball| ((y.value.hi - x) + y.value.lo).abs();
             worst = worst.max(off(cos, c)).max(off(sin, s));
         }

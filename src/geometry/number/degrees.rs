@@ -17,6 +17,7 @@
 
 use crate::geometry::Ball;
 use crate::geometry::Dd;
+use crate::geometry::Rotation;
 use crate::geometry::number::series::{onto, series};
 use crate::geometry::number::sines::{RADIANS_PER_DEGREE, SINES};
 use crate::geometry::two_product;
@@ -29,11 +30,11 @@ pub struct Degrees(pub f64);
 /// An exact sum of angles, less whole quarter turns.
 ///
 /// ```
-/// use tracefig::geometry::{Degrees, Turn};
+/// use tracefig::geometry::{COS_SIN_ERROR, Degrees, Turn};
 /// // Fifty turns and a third: the cosine of 120°, not that of 18120 · π / 180.
 /// let turn = Turn::at(Degrees(18_000.0), Degrees(240.0), 0.5);
-/// let c = turn.cos_sin();
-/// assert!((c.cos + 0.5).abs() <= c.error && (c.sin - 3f64.sqrt() / 2.0).abs() <= 2.0 * c.error + 1e-16);
+/// let r = turn.rotation();
+/// assert!((r.cos + 0.5).abs() <= COS_SIN_ERROR && (r.sin - 3f64.sqrt() / 2.0).abs() <= 2.0 * COS_SIN_ERROR);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
@@ -47,22 +48,11 @@ pub struct Turn {
     error: f64,
 }
 
-/// Cosine and sine in doubles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CosSin {
-    /// The cosine.
-    pub cos: f64,
-    /// The sine.
-    pub sin: f64,
-    /// Bound on the error of each; 0 where both are exact.
-    pub error: f64,
-}
-
-/// Bound on the error of [`CosSin`], ε/2: half an ulp of a double below 1 is ε/4, and the correction in the bracket is
+/// Bound on the error of [`Turn::rotation`], ε/2: half an ulp of a double below 1 is ε/4, and the correction in the bracket is
 /// below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
 pub const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 
-/// Bound on the error of [`Turn::cos_sin_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
+/// Bound on the error of [`Turn::rotation_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
 /// roundings of ε/2 on its way, and the table's lower half comes with it.
 pub const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
 
@@ -150,21 +140,19 @@ impl Turn {
         self.whole == 0 && self.rest == Dd::ZERO && self.error == 0.0
     }
 
-    /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`].
+    /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`]; exact for quarter turns.
     #[must_use]
-    pub fn cos_sin(&self) -> CosSin {
-        let ([cos, sin], error) = self.cos_sin_tailed();
-        CosSin { cos: cos.hi, sin: sin.hi, error: if error == 0.0 { 0.0 } else { COS_SIN_ERROR } }
+    pub fn rotation(&self) -> Rotation<f64> {
+        self.rotation_tailed().0.rounded()
     }
 
     /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter turns, else
     /// [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
     #[inline]
     #[must_use]
-    pub fn cos_sin_tailed(&self) -> ([Dd; 2], f64) {
+    pub fn rotation_tailed(&self) -> (Rotation<Dd>, f64) {
         if self.is_quarter() {
-            let (cos, sin) = quarter((Dd::ONE, Dd::ZERO), self.quarters);
-            return ([cos, sin], 0.0);
+            return (Rotation { cos: Dd::ONE, sin: Dd::ZERO }.quarters_on(self.quarters), 0.0);
         }
         let (s, c) = table(self.whole);
         let x = self.rest.hi * RADIANS_PER_DEGREE.hi
@@ -174,21 +162,22 @@ impl Turn {
         let cos_x = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40_320.0))));
         let sin = Dd::sum(s.hi, s.lo + (c.hi * sin_x + s.hi * cos_x));
         let cos = Dd::sum(c.hi, c.lo + (c.hi * cos_x - s.hi * sin_x));
-        let (cos, sin) = quarter((cos, sin), self.quarters);
-        ([cos, sin], TAILED_ERROR)
+        (Rotation { cos, sin }.quarters_on(self.quarters), TAILED_ERROR)
     }
 
     /// Cosine and sine to twice the precision, with a proven radius; points where they are exact.
     #[must_use]
-    pub fn cos_sin_fine(&self) -> (Ball, Ball) {
+    pub fn rotation_in_balls(&self) -> Rotation<Ball> {
         let (s, c) = table(self.whole);
-        if self.rest == Dd::ZERO && self.error == 0.0 {
-            return quarter((entry(c), entry(s)), self.quarters);
-        }
-        let (sin_x, cos_x) = series(self.rest * RADIANS_PER_DEGREE);
-        let (sin, cos) = (onto(s, [(c, sin_x), (s, cos_x)]), onto(c, [(c, cos_x), (-s, sin_x)]));
-        let radius = FINE_ERROR + self.error * 0.02;
-        quarter((Ball::within(cos, radius), Ball::within(sin, radius)), self.quarters)
+        let (cos, sin) = if self.rest == Dd::ZERO && self.error == 0.0 {
+            (entry(c), entry(s))
+        } else {
+            let (sin_x, cos_x) = series(self.rest * RADIANS_PER_DEGREE);
+            let (sin, cos) = (onto(s, [(c, sin_x), (s, cos_x)]), onto(c, [(c, cos_x), (-s, sin_x)]));
+            let radius = FINE_ERROR + self.error * 0.02;
+            (Ball::within(cos, radius), Ball::within(sin, radius))
+        };
+        Rotation { cos, sin }.quarters_on(self.quarters)
     }
 }
 
@@ -269,16 +258,6 @@ fn entry(x: Dd) -> Ball {
     Ball::within(x, if rational { 0.0 } else { 0.125 * f64::EPSILON * f64::EPSILON })
 }
 
-/// (cos, sin) after `quarters` quarter turns more.
-fn quarter<T: std::ops::Neg<Output = T>>((cos, sin): (T, T), quarters: u8) -> (T, T) {
-    match quarters {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -289,19 +268,19 @@ mod tests {
             [(0.0, 1.0, 0.0), (90.0, 0.0, 1.0), (-180.0, -1.0, 0.0), (36_270.0, 0.0, -1.0)]
         {
             let turn = Turn::at(Degrees(degrees), Degrees(0.0), 0.0);
-            let c = turn.cos_sin();
-            assert_eq!((c.cos, c.sin, c.error), (cos, sin, 0.0), "{degrees}");
-            let (fc, fs) = turn.cos_sin_fine();
-            assert_eq!((fc, fs), (Ball::new(cos), Ball::new(sin)), "{degrees}");
+            assert_eq!(turn.rotation(), Rotation { cos, sin }, "{degrees}");
+            assert_eq!(turn.rotation_tailed().1, 0.0, "{degrees}");
+            let balls = Rotation { cos: Ball::new(cos), sin: Ball::new(sin) };
+            assert_eq!(turn.rotation_in_balls(), balls, "{degrees}");
         }
     }
 
     #[test]
     fn rational_cosines_are_points() {
-        let (c, _) = Turn::at(Degrees(60.0), Degrees(0.0), 0.0).cos_sin_fine();
-        assert_eq!(c, Ball::new(0.5));
-        let (_, s) = Turn::at(Degrees(0.0), Degrees(18_000.0 * 7.0 + 150.0), 1.0).cos_sin_fine();
-        assert_eq!(s, Ball::new(0.5));
+        let sixty = Turn::at(Degrees(60.0), Degrees(0.0), 0.0).rotation_in_balls();
+        assert_eq!(sixty.cos, Ball::new(0.5));
+        let many = Turn::at(Degrees(0.0), Degrees(18_000.0 * 7.0 + 150.0), 1.0).rotation_in_balls();
+        assert_eq!(many.sin, Ball::new(0.5));
     }
 
     #[test]
@@ -318,7 +297,7 @@ mod tests {
     fn one_degree_of_the_table_is_the_sum_of_the_series() {
         // sin 1° and cos 1° from the series at half a degree, doubled: anchors the table.
         let half = Turn::sum(&[0.5]);
-        let (c, s) = half.cos_sin_fine();
+        let Rotation { cos: c, sin: s } = half.rotation_in_balls();
         let (s1, c1) = table(1);
         assert!((s * c).scale(2.0).value.hi - s1.hi == 0.0);
         let error =
@@ -330,9 +309,9 @@ mod tests {
     fn both_precisions_agree_within_their_bounds() {
         for k in -4000..4000 {
             let turn = Turn::at(Degrees(f64::from(k) * 0.137), Degrees(f64::from(k) * 1e4), 0.37);
-            let (rough, (c, s)) = (turn.cos_sin(), turn.cos_sin_fine());
-            assert!((c - Ball::new(rough.cos)).value.hi.abs() <= rough.error, "{k}");
-            assert!((s - Ball::new(rough.sin)).value.hi.abs() <= rough.error, "{k}");
+            let (rough, Rotation { cos: c, sin: s }) = (turn.rotation(), turn.rotation_in_balls());
+            assert!((c - Ball::new(rough.cos)).value.hi.abs() <= COS_SIN_ERROR, "{k}");
+            assert!((s - Ball::new(rough.sin)).value.hi.abs() <= COS_SIN_ERROR, "{k}");
             assert!((c * c + s * s - Ball::ONE).value.hi.abs() <= 4.0 * FINE_ERROR, "{k}");
         }
     }
@@ -342,14 +321,14 @@ mod tests {
         let turn =
             Turn::between((Degrees(36.869_897), Degrees(1e7)), (Degrees(36.869_897), Degrees(1e7)), 0.123);
         assert!(turn.is_quarter());
-        assert_eq!(turn.cos_sin_fine().0, Ball::ONE);
+        assert_eq!(turn.rotation_in_balls().cos, Ball::ONE);
     }
 
     #[test]
     fn a_tiny_difference_of_angles_is_kept() {
         let turn =
             Turn::between((Degrees(30.0), Degrees(0.0)), (Degrees(30.0_f64.next_up()), Degrees(0.0)), 0.5);
-        let sine = turn.cos_sin().sin;
+        let sine = turn.rotation().sin;
         assert!((sine / (4.0 * f64::EPSILON * 4.0).to_radians() - 1.0).abs() < 1e-12 || sine > 0.0);
     }
 }

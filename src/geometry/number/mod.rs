@@ -9,7 +9,7 @@ mod sines;
 mod vector;
 
 pub use ball::Ball;
-pub use degrees::{COS_SIN_ERROR, CosSin, Degrees, TAILED_ERROR, Turn};
+pub use degrees::{COS_SIN_ERROR, Degrees, TAILED_ERROR, Turn};
 pub(crate) use double_double::fast_two_sum;
 pub use double_double::{COMBINED_ERROR, Dd, combined, taming_power, two_product, two_sum};
 pub(crate) use vector::{two_product_each, two_sum_each};

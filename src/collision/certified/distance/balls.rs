@@ -5,7 +5,7 @@
 
 use crate::collision::certified::distance::pair::{Pair, scaled};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{Ball, DVec2, Dd, Side};
+use crate::geometry::{Ball, DVec2, Dd, Rotation, Side};
 
 /// A vector of balls.
 pub(crate) type Vec2 = [Ball; 2];
@@ -16,8 +16,8 @@ pub(crate) struct Fine<'p, 's> {
     pair: &'p Pair<'s>,
     /// c, B's origin in A's frame.
     center: Vec2,
-    /// Cosine and sine of B's turn in A's frame.
-    turn: Vec2,
+    /// From B's frame to A's.
+    rotation: Rotation<Ball>,
 }
 
 /// An edge of B ⊖ A with its gap.
@@ -53,14 +53,6 @@ pub(crate) fn minus(x: &Vec2, y: &Vec2) -> Vec2 {
     [x[0] - y[0], x[1] - y[1]]
 }
 
-/// Turned by (cos, sin).
-fn turned(by: &Vec2, v: &Vec2) -> Vec2 {
-    if by[1] == Ball::ZERO && by[0] == Ball::ONE {
-        return *v;
-    }
-    [by[0] * v[0] - by[1] * v[1], by[1] * v[0] + by[0] * v[1]]
-}
-
 /// The doubles nearest to a vector of balls.
 pub(crate) fn rounded(v: &Vec2) -> DVec2 {
     DVec2::new(v[0].value.hi, v[1].value.hi)
@@ -69,10 +61,8 @@ pub(crate) fn rounded(v: &Vec2) -> DVec2 {
 impl<'p, 's> Fine<'p, 's> {
     /// Prepares the second stage.
     pub(crate) fn new(pair: &'p Pair<'s>) -> Self {
-        let (cos, sin) = pair.frame.cos_sin_fine();
-        let center = turned(&[cos, -sin], &pair.apart);
-        let (cos, sin) = pair.turn.cos_sin_fine();
-        Self { pair, center, turn: [cos, sin] }
+        let center = pair.frame.rotation_in_balls().undo(pair.apart);
+        Self { pair, center, rotation: pair.turn.rotation_in_balls() }
     }
 
     /// A vertex of a core, in A's frame.
@@ -82,7 +72,7 @@ impl<'p, 's> Fine<'p, 's> {
         match side {
             Side::A => local,
             Side::B => {
-                let v = turned(&self.turn, &local);
+                let v = self.rotation.apply(local);
                 [self.center[0] + v[0], self.center[1] + v[1]]
             }
         }
@@ -98,7 +88,7 @@ impl<'p, 's> Fine<'p, 's> {
         ];
         match side {
             Side::A => along,
-            Side::B => turned(&self.turn, &along),
+            Side::B => self.rotation.apply(along),
         }
     }
 
@@ -107,7 +97,7 @@ impl<'p, 's> Fine<'p, 's> {
         let outward = self.pair.hull(side).fine_normal(k);
         match side {
             Side::A => outward,
-            Side::B => reversed(&turned(&self.turn, &outward)),
+            Side::B => reversed(&self.rotation.apply(outward)),
         }
     }
 

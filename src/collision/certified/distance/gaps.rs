@@ -9,7 +9,7 @@
 
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{DVec2, Hull, Side};
+use crate::geometry::{DVec2, Hull, Rotation, Side};
 
 /// The edge of B ⊖ A with the widest gap.
 #[derive(Clone, Copy, Debug)]
@@ -60,33 +60,31 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
 /// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides first.
 #[inline]
 pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(DifferenceEdge, f64)) {
-    let (cos, sin) = (pair.b_turn[0].hi, pair.b_turn[1].hi);
+    let rotation = pair.b_rotation.rounded();
     let c = pair.center / pair.scale;
-    pass(pair.hull(Side::A), pair.hull(Side::B), c, (cos, sin), |edge, vertex, gap| {
+    pass(pair.hull(Side::A), pair.hull(Side::B), (c, rotation), |edge, vertex, gap| {
         visit(DifferenceEdge { source: Side::A, edge, vertex }, gap);
     });
-    let c = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
-    pass(pair.hull(Side::B), pair.hull(Side::A), c, (cos, -sin), |edge, vertex, gap| {
+    let back = (-rotation.undo(c), rotation.inverse());
+    pass(pair.hull(Side::B), pair.hull(Side::A), back, |edge, vertex, gap| {
         visit(DifferenceEdge { source: Side::B, edge, vertex }, gap);
     });
 }
 
-/// One body's sides against the other's vertices: `center` is the other's origin and (cos, sin) its turn, in the first
-/// one's frame.
+/// One body's edges against the other's vertices: `center` is the other's origin and `rotation` leads from its frame to
+/// the first one's.
 #[inline]
 pub(crate) fn pass(
     own: &Hull,
     other: &Hull,
-    center: DVec2,
-    (cos, sin): (f64, f64),
+    (center, rotation): (DVec2, Rotation<f64>),
     mut visit: impl FnMut(usize, usize, f64),
 ) {
     let Some(&first) = own.normals.first() else { return };
-    let into = |n: DVec2| DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
     let mut vertex = 0;
     let mut before = -first;
     for (edge, (&n, &offset)) in own.normals.iter().zip(&own.offsets).enumerate() {
-        let u = into(n);
+        let u = rotation.undo(n);
         if before.dot(n) <= 0.0 {
             // More than a quarter turn (three times at most, and at the start): after a half turn the pointer would
             // stand on the highest vertex, where rounding may take a level side for the bottom.

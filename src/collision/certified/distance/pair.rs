@@ -15,9 +15,7 @@
 //! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
 //! serve the first stage, [`crate::collision::certified::distance::balls::Fine`] is the second.
 
-use crate::geometry::{
-    Ball, Body, DVec2, Dd, Hull, Pose, Shape, Side, Turn, taming_power, two_product, two_sum,
-};
+use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Rotation, Shape, Side, Turn, taming_power};
 
 /// Two bodies at one moment.
 #[derive(Clone, Copy, Debug)]
@@ -38,19 +36,19 @@ pub struct Pair<'s> {
     pub(crate) turn: Turn,
     /// `p_B − p_A` in the world, scaled.
     pub(crate) apart: [Ball; 2],
-    /// Cosine and sine of `frame`, with their tails.
-    pub(crate) frame_turn: [Dd; 2],
-    /// Cosine and sine of `turn`, with their tails.
-    pub(crate) b_turn: [Dd; 2],
+    /// From A's frame to the world, with the tails of cosine and sine.
+    pub(crate) frame_rotation: Rotation<Dd>,
+    /// From B's frame to A's, with the tails of cosine and sine.
+    pub(crate) b_rotation: Rotation<Dd>,
     /// c, with its tail.
     pub(crate) fine_center: [Dd; 2],
     /// c in doubles.
     pub(crate) center: DVec2,
-    /// Bound on the error of `fine_center` and of a vertex turned by `b_turn`, as vectors, together.
+    /// Bound on the error of `fine_center` and of a vertex turned by `b_rotation`, as vectors, together.
     pub(crate) placing_error: f64,
-    /// Bound on the error of each of `frame_turn`.
+    /// Bound on the error of each of `frame_rotation`.
     frame_error: f64,
-    /// Bound on the error of each of `b_turn`.
+    /// Bound on the error of each of `b_rotation`.
     pub(crate) turn_error: f64,
     /// `r_A + r_B`, exactly, scaled.
     pub(crate) radius: Dd,
@@ -87,17 +85,17 @@ impl<'s> Pair<'s> {
     /// ```
     #[must_use]
     pub fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
-        Self::placed(a, b, t, Turn::cos_sin_tailed)
+        Self::placed(a, b, t, Turn::rotation_tailed)
     }
 
     /// The pair at time `t` as [`Self::refined`] leaves it, in one go.
     pub(crate) fn finely_at(a: &'s Body, b: &'s Body, t: f64) -> Self {
-        Self::placed(a, b, t, fine)
+        Self::placed(a, b, t, refined)
     }
 
-    /// The pair at time `t`, with cosines, sines and the bound on their errors as `cos_sin` gives them.
+    /// The pair at time `t`, with rotations and the bound on their errors as `rotation` gives them.
     #[inline]
-    fn placed(a: &'s Body, b: &'s Body, t: f64, cos_sin: impl Fn(&Turn) -> ([Dd; 2], f64)) -> Self {
+    fn placed(a: &'s Body, b: &'s Body, t: f64, rotation: impl Fn(&Turn) -> (Rotation<Dd>, f64)) -> Self {
         let rough = rough_distance(a, b, t)
             + (a.shape.hull.reach + b.shape.hull.reach)
             + (a.shape.radius + b.shape.radius);
@@ -108,9 +106,9 @@ impl<'s> Pair<'s> {
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
             apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
         ];
-        let (frame_turn, frame_error) = cos_sin(&frame);
-        let (b_turn, turn_error) = cos_sin(&turn);
-        let fine_center = turned_back(frame_turn, [apart[0].value, apart[1].value], frame_error);
+        let (frame_rotation, frame_error) = rotation(&frame);
+        let (b_rotation, turn_error) = rotation(&turn);
+        let fine_center = frame_rotation.undo([apart[0].value, apart[1].value]);
         let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
         let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
@@ -130,8 +128,8 @@ impl<'s> Pair<'s> {
             frame,
             turn,
             apart,
-            frame_turn,
-            b_turn,
+            frame_rotation,
+            b_rotation,
             fine_center,
             center,
             placing_error,
@@ -149,7 +147,7 @@ impl<'s> Pair<'s> {
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
             apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
         ];
-        let fine_center = turned_back(self.frame_turn, [apart[0].value, apart[1].value], self.frame_error);
+        let fine_center = self.frame_rotation.undo([apart[0].value, apart[1].value]);
         let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
         let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
@@ -164,8 +162,7 @@ impl<'s> Pair<'s> {
     #[inline]
     pub(crate) fn placed_at(&self, t: f64) -> Self {
         let v = self.a.velocity - self.b.velocity;
-        let [cos, sin] = self.frame_turn;
-        let seen = DVec2::new(cos.hi * v.x + sin.hi * v.y, cos.hi * v.y - sin.hi * v.x);
+        let seen = self.frame_rotation.rounded().undo(v);
         Self { time: t, center: self.center - seen * t, ..*self }
     }
 
@@ -174,11 +171,7 @@ impl<'s> Pair<'s> {
         let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);
         let (x, y) =
             (speed(self.a.velocity.x, self.b.velocity.x), speed(self.a.velocity.y, self.b.velocity.y));
-        if self.frame == Turn::NONE {
-            return [x, y];
-        }
-        let (cos, sin) = self.frame.cos_sin_fine();
-        [cos * x + sin * y, cos * y - sin * x]
+        self.frame.rotation_in_balls().undo([x, y])
     }
 
     /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the bound on its
@@ -189,7 +182,7 @@ impl<'s> Pair<'s> {
         let v = [Dd::difference(of_a.x, of_b.x), Dd::difference(of_a.y, of_b.y)];
         let size = v[0].hi.abs() + v[1].hi.abs();
         let error = 2.0 * self.frame_error * size + ROUNDED_ERROR * size;
-        TAME.contains(&size).then(|| (turned_back(self.frame_turn, v, self.frame_error), error))
+        TAME.contains(&size).then(|| (self.frame_rotation.undo(v), error))
     }
 
     /// A body's prepared core.
@@ -230,12 +223,12 @@ impl<'s> Pair<'s> {
     /// Worth its cost where the pair is asked more than once, or where it is near touching.
     #[must_use]
     pub fn refined(mut self) -> Self {
-        let (frame_turn, frame_error) = fine(&self.frame);
-        let (b_turn, turn_error) = fine(&self.turn);
+        let (frame_rotation, frame_error) = refined(&self.frame);
+        let (b_rotation, turn_error) = refined(&self.turn);
         let apart = self.apart.map(|x| x.value);
         let distance = apart[0].hi.abs() + apart[1].hi.abs();
-        self.fine_center = turned_back(frame_turn, apart, frame_error);
-        (self.frame_turn, self.b_turn) = (frame_turn, b_turn);
+        self.fine_center = frame_rotation.undo(apart);
+        (self.frame_rotation, self.b_rotation) = (frame_rotation, b_rotation);
         (self.frame_error, self.turn_error) = (frame_error, turn_error);
         self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
             + ROUNDED_ERROR * self.magnitude
@@ -246,80 +239,58 @@ impl<'s> Pair<'s> {
     /// A vector of A's frame, in the world.
     #[inline]
     pub(crate) fn world_vector(&self, v: DVec2) -> DVec2 {
-        turned(self.frame_turn, v)
+        self.frame_rotation.rounded().apply(v)
     }
 
     /// A point of B's frame in A's frame, scaled.
     #[inline]
     pub(crate) fn place_b(&self, q: DVec2) -> DVec2 {
-        self.center + turned(self.b_turn, q * self.scale)
+        self.center + self.vector_from_b(q * self.scale)
     }
 
     /// A point of A's frame, scaled, in B's frame, unscaled.
     #[inline]
     pub(crate) fn local_to_b(&self, p: DVec2) -> DVec2 {
-        let (cos, sin) = (self.b_turn[0].hi, self.b_turn[1].hi);
-        let v = p - self.center;
-        DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x) * self.unscale()
+        self.vector_to_b(p - self.center) * self.unscale()
+    }
+
+    /// A vector of B's frame in A's frame.
+    #[inline]
+    pub(crate) fn vector_from_b(&self, v: DVec2) -> DVec2 {
+        self.b_rotation.rounded().apply(v)
+    }
+
+    /// A vector of A's frame in B's frame.
+    #[inline]
+    pub(crate) fn vector_to_b(&self, v: DVec2) -> DVec2 {
+        self.b_rotation.rounded().undo(v)
     }
 
     /// Where a body is, in the world.
     #[inline]
     pub(crate) fn pose(&self, side: Side) -> Pose {
-        let [fc, fs] = self.frame_turn;
+        let frame = self.frame_rotation.rounded();
         match side {
             Side::A => {
                 let position = self.a.position + self.a.velocity * self.time;
-                Pose { position, cos: fc.hi, sin: fs.hi }
+                Pose { position, rotation: frame }
             }
             Side::B => {
                 let position = self.b.position + self.b.velocity * self.time;
-                let [c, s] = self.b_turn;
-                Pose { position, cos: fc.hi * c.hi - fs.hi * s.hi, sin: fs.hi * c.hi + fc.hi * s.hi }
+                Pose { position, rotation: frame.then(self.b_rotation.rounded()) }
             }
         }
     }
 }
 
-/// Rounding of a vertex placed by [`turned_back`] and [`combined`], as a multiple of the magnitude: two products of
+/// Rounding of a vertex placed by [`Rotation::undo`] and [`combined`], as a multiple of the magnitude: two products of
 /// vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each; rounded up.
 const ROUNDED_ERROR: f64 = 32.0 * f64::EPSILON * f64::EPSILON;
 
-/// A vector in double-doubles, turned back; without rounding where the turn is a quarter.
-#[inline]
-fn turned_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2], error: f64) -> [Dd; 2] {
-    if error == 0.0 && sin == Dd::ZERO && cos == Dd::ONE {
-        return [x, y];
-    }
-    rotated_back([cos, sin], [x, y])
-}
-
-/// (cos x + sin y, cos y − sin x), each as [`crate::geometry::combined`] has it; no factor is halved twice.
-#[inline]
-pub(crate) fn rotated_back([cos, sin]: [Dd; 2], [x, y]: [Dd; 2]) -> [Dd; 2] {
-    let (cx, cy) = (two_product(cos.hi, x.hi), two_product(cos.hi, y.hi));
-    let (sx, sy) = (two_product(sin.hi, x.hi), two_product(sin.hi, y.hi));
-    let sum = |(p, e): (f64, f64), (q, f): (f64, f64), low: f64| {
-        let (s, g) = two_sum(p, q);
-        let (hi, lo) = two_sum(s, g + ((e + f) + low));
-        Dd { hi, lo }
-    };
-    [
-        sum(cx, sy, (cos.hi * x.lo + cos.lo * x.hi) + (sin.hi * y.lo + sin.lo * y.hi)),
-        sum(cy, (-sx.0, -sx.1), (cos.hi * y.lo + cos.lo * y.hi) - (sin.hi * x.lo + sin.lo * x.hi)),
-    ]
-}
-
-/// Cosine and sine to twice the precision of a double, and the bound on the error of each.
-fn fine(turn: &Turn) -> ([Dd; 2], f64) {
-    let (cos, sin) = turn.cos_sin_fine();
-    ([cos.value, sin.value], cos.radius.max(sin.radius))
-}
-
-/// A vector, turned.
-#[inline]
-pub(crate) fn turned([cos, sin]: [Dd; 2], v: DVec2) -> DVec2 {
-    DVec2::new(cos.hi * v.x - sin.hi * v.y, sin.hi * v.x + cos.hi * v.y)
+/// A rotation to twice the precision of a double, and the bound on the error of its cosine and sine.
+fn refined(turn: &Turn) -> (Rotation<Dd>, f64) {
+    let Rotation { cos, sin } = turn.rotation_in_balls();
+    (Rotation { cos: cos.value, sin: sin.value }, cos.radius.max(sin.radius))
 }
 
 /// Angle of A's frame in the world, and of B in it.

@@ -11,10 +11,11 @@
 //!
 //! With ρ within 1.5ε of |d|, the root's next term is below ε² |d|.
 
-use crate::collision::certified::distance::pair::{Pair, turned};
+use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{
-    DVec2, Dd, Side, combined, fast_two_sum, perp, two_product, two_product_each, two_sum, two_sum_each,
+    DVec2, Dd, Rotation, Side, combined, fast_two_sum, perp, two_product, two_product_each, two_sum,
+    two_sum_each,
 };
 
 /// Rounding of the last dot product and sum, as a multiple of the magnitude M: the normal is within 7 ε² √2, the
@@ -46,7 +47,7 @@ pub(crate) fn along_side(pair: &Pair, DifferenceEdge { source, edge, vertex }: D
             let (d, size) = apart_seen_from_b(pair, [vertex, edge]);
             let d = d.components();
             let core = -combined(x, d[0], y, d[1]);
-            Measured { core, normal: -turned(pair.b_turn, hi), turning: 2.0 * pair.turn_error * size }
+            Measured { core, normal: -pair.vector_from_b(hi), turning: 2.0 * pair.turn_error * size }
         }
     }
 }
@@ -95,7 +96,7 @@ pub(crate) fn between(pair: &Pair, vertices: [usize; 2]) -> [Dd; 2] {
 #[inline(never)]
 fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let ([cos, sin], [x, y]) = (pair.b_turn, pair.fine_center);
+    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.fine_center);
     let across = perp(q);
     let (p, e) = two_product_each(q, DVec2::splat(cos.hi));
     let (r, f) = two_product_each(across, DVec2::splat(sin.hi));
@@ -111,7 +112,7 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
 #[inline(never)]
 fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let ([cos, sin], [x, y]) = (pair.b_turn, pair.fine_center);
+    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.fine_center);
     let (s, g) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
     let (from, low) = two_sum_each(s, g + DVec2::new(x.lo, y.lo));
     let (across, across_low) = (-perp(from), -perp(low));
@@ -132,10 +133,7 @@ pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
     let n = match facing.source {
         Side::A => local,
-        Side::B => {
-            let [cos, sin] = pair.b_turn;
-            [combined(sin, local[1], -cos, local[0]), -combined(sin, local[0], cos, local[1])]
-        }
+        Side::B => pair.b_rotation.apply(local).map(|x| -x),
     };
     (DVec2::new(n[0].hi, n[1].hi), combined(n[0], d[0], n[1], d[1]))
 }

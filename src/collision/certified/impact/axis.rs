@@ -200,8 +200,7 @@ impl Axis {
         let view = pair.view(owner, t);
         let (d, v) = pair.offset(owner, t);
         let (d, v) = (view.turned(d), view.turned(v));
-        let (cos, sin) = view.relative;
-        let m = DVec2::new(cos * n.x + sin * n.y, cos * n.y - sin * n.x);
+        let m = view.relative.undo(n);
         let common = Common::new(pair, self, t, (d, v));
         let fine = (precision == Precision::Fine).then(|| self.fine(pair, t));
         // However the other body turns, none of its vertices is farther down than its reach.
@@ -252,7 +251,7 @@ impl Axis {
     fn fine(&self, pair: &MovingPair, t: f64) -> FineGap {
         let n = self.n;
         let seen = pair.seen_fine(self.owner, t);
-        let m = [seen.cos.scale(n.x) + seen.sin.scale(n.y), seen.cos.scale(n.y) - seen.sin.scale(n.x)];
+        let m = seen.rotation.undo([Ball::new(n.x), Ball::new(n.y)]);
         let support = self.fine_support(pair);
         // |n| may exceed 1 by rounding: ρ |n| ≤ ρ (1 + 2ε) in exact terms, so ρ is scaled by the exact length.
         let length = (Ball::product(n.x, n.x) + Ball::product(n.y, n.y)).sqrt();

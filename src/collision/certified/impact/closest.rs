@@ -17,7 +17,7 @@ use crate::geometry::{Body, DVec2, Side};
 pub(crate) fn nearest(pair: &MovingPair, t: f64) -> (DifferenceFeature, f64) {
     let seen = pair.seen(Side::A, t, &pair.view(Side::A, t));
     let center = DVec2::new(seen.offset[0], seen.offset[1]) / pair.unit;
-    let (cos, sin) = (seen.cos, seen.sin);
+    let rotation = seen.rotation;
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let mut best: Option<(DifferenceEdge, f64)> = None;
     let mut visit = |source: Side, edge: usize, vertex: usize, gap: f64| {
@@ -25,9 +25,9 @@ pub(crate) fn nearest(pair: &MovingPair, t: f64) -> (DifferenceFeature, f64) {
             best = Some((DifferenceEdge { source, edge, vertex }, gap));
         }
     };
-    pass(a, b, center, (cos, sin), |edge, vertex, gap| visit(Side::A, edge, vertex, gap));
-    let back = DVec2::new(-cos * center.x - sin * center.y, sin * center.x - cos * center.y);
-    pass(b, a, back, (cos, -sin), |edge, vertex, gap| visit(Side::B, edge, vertex, gap));
+    pass(a, b, (center, rotation), |edge, vertex, gap| visit(Side::A, edge, vertex, gap));
+    let back = (-rotation.undo(center), rotation.inverse());
+    pass(b, a, back, |edge, vertex, gap| visit(Side::B, edge, vertex, gap));
     let cores = Cores { pair, seen };
     let Some((DifferenceEdge { source: owner, edge, vertex }, gap)) = best else {
         return (DifferenceFeature::Vertex([0, 0]), cores.between(0, 0).length());

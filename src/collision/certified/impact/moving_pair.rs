@@ -12,7 +12,7 @@
 //! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
 use crate::geometry::number::cos_sin;
-use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Side, Turn, perp};
+use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Rotation, Side, Turn, perp};
 
 /// Two bodies in relative motion, ready to be asked for their first contact: cosines and sines at t = 0, spins in radians,
 /// differences of positions and velocities.
@@ -31,8 +31,8 @@ pub struct MovingPair<'q> {
     /// Angle at t = 0 and spin; none for a body whose core is its own origin, which
     /// looks the same from all sides: its frame is the world's.
     turning: [(Degrees, Degrees); 2],
-    /// Cosine and sine of the angles at t = 0.
-    pub(crate) start: [(f64, f64); 2],
+    /// From the frames of A and B to the world, at t = 0.
+    pub(crate) start: [Rotation<f64>; 2],
     /// Whether both are turned alike at all times.
     aligned: bool,
     /// Spin in radians per unit of time.
@@ -50,19 +50,17 @@ pub struct MovingPair<'q> {
 pub(crate) struct Seen<N> {
     /// D in R's frame.
     pub(crate) offset: [N; 2],
-    /// cos(`θ_O` − `θ_R`).
-    pub(crate) cos: N,
-    /// sin(`θ_O` − `θ_R`).
-    pub(crate) sin: N,
+    /// From O's frame to R's, by `θ_O` − `θ_R`.
+    pub(crate) rotation: Rotation<N>,
 }
 
 /// How a body and the other one are turned at a moment, in doubles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct View {
-    /// Cosine and sine of the owner's angle.
-    own: (f64, f64),
-    /// Cosine and sine of the other body's angle, seen by the owner.
-    pub(crate) relative: (f64, f64),
+    /// From the owner's frame to the world.
+    own: Rotation<f64>,
+    /// From the other body's frame to the owner's.
+    pub(crate) relative: Rotation<f64>,
 }
 
 /// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (`reach_A` + `reach_B`) + ρ.
@@ -159,9 +157,9 @@ impl<'q> MovingPair<'q> {
         if owner == Side::A { (d, v) } else { (-d, -v) }
     }
 
-    /// Cosine and sine of a body's angle at `t`.
+    /// From a body's frame to the world at `t`.
     #[inline]
-    pub(crate) fn angle(&self, side: Side, t: f64) -> (f64, f64) {
+    pub(crate) fn rotation(&self, side: Side, t: f64) -> Rotation<f64> {
         let (angle, spin) = self.turning[side as usize];
         if spin.0 == 0.0 { self.start[side as usize] } else { cos_sin::cos_sin(angle, spin, t) }
     }
@@ -169,12 +167,11 @@ impl<'q> MovingPair<'q> {
     /// How the bodies are turned at `t`.
     #[inline]
     pub(crate) fn view(&self, owner: Side, t: f64) -> View {
-        let own = self.angle(owner, t);
+        let own = self.rotation(owner, t);
         let relative = if self.aligned {
-            (1.0, 0.0)
+            Rotation::<f64>::NONE
         } else {
-            let other = self.angle(owner.other(), t);
-            (other.0 * own.0 + other.1 * own.1, other.1 * own.0 - other.0 * own.1)
+            self.rotation(owner.other(), t).then(own.inverse())
         };
         View { own, relative }
     }
@@ -183,8 +180,7 @@ impl<'q> MovingPair<'q> {
     #[inline]
     pub(crate) fn seen(&self, owner: Side, t: f64, view: &View) -> Seen<f64> {
         let d = view.turned(self.offset(owner, t).0);
-        let (cos, sin) = view.relative;
-        Seen { offset: [d.x, d.y], cos, sin }
+        Seen { offset: [d.x, d.y], rotation: view.relative }
     }
 
     /// How fast `owner` sees vertex q of the other core move, in doubles.
@@ -192,7 +188,7 @@ impl<'q> MovingPair<'q> {
     /// x' = Rot(−`θ_R`) V − `ω_R` perp(x) + `ω_O` perp(Rot(`θ_O` − `θ_R`) q)
     pub(crate) fn velocity_of(&self, owner: Side, q: DVec2, (view, seen): (&View, &Seen<f64>)) -> DVec2 {
         let (_, v) = self.offset(owner, 0.0);
-        let turned = DVec2::new(seen.cos * q.x - seen.sin * q.y, seen.sin * q.x + seen.cos * q.y);
+        let turned = seen.rotation.apply(q);
         view.turned(v) - perp(seen.point(q)) * self.rate[owner as usize]
             + perp(turned) * self.rate[owner.other() as usize]
     }
@@ -200,15 +196,13 @@ impl<'q> MovingPair<'q> {
     /// What `owner` sees at `t`, in balls.
     pub(crate) fn seen_fine(&self, owner: Side, t: f64) -> Seen<Ball> {
         let (angle, spin) = self.turning[owner as usize];
-        let (c, s) = Turn::at(angle, spin, t).cos_sin_fine();
         let at = |k: usize| {
             let d = Ball::exact(self.apart[k]) + Ball::exact(self.velocity[k]).scale(t);
             if owner == Side::A { d } else { -d }
         };
-        let (x, y) = (at(0), at(1));
-        let (cos, sin) = Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t)
-            .cos_sin_fine();
-        Seen { offset: [c * x + s * y, c * y - s * x], cos, sin }
+        let offset = Turn::at(angle, spin, t).rotation_in_balls().undo([at(0), at(1)]);
+        let between = Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t);
+        Seen { offset, rotation: between.rotation_in_balls() }
     }
 
     /// Bound on the speed at which any point of the other core moves, seen from `owner`'s frame, at any time in
@@ -237,28 +231,22 @@ impl View {
     /// A world vector in the owner's frame.
     #[inline]
     pub(crate) fn turned(&self, v: DVec2) -> DVec2 {
-        let (c, s) = self.own;
-        DVec2::new(c * v.x + s * v.y, c * v.y - s * v.x)
+        self.own.undo(v)
     }
 }
 
 impl Seen<f64> {
     /// A point of the other body, in the owner's frame.
     pub(crate) fn point(&self, q: DVec2) -> DVec2 {
-        DVec2::new(
-            self.offset[0] + (self.cos * q.x - self.sin * q.y),
-            self.offset[1] + (self.sin * q.x + self.cos * q.y),
-        )
+        DVec2::from(self.offset) + self.rotation.apply(q)
     }
 }
 
 impl Seen<Ball> {
     /// A point of the other body, in the owner's frame.
     pub(crate) fn point(&self, q: [Ball; 2]) -> [Ball; 2] {
-        [
-            self.offset[0] + (self.cos * q[0] - self.sin * q[1]),
-            self.offset[1] + (self.sin * q[0] + self.cos * q[1]),
-        ]
+        let [x, y] = self.rotation.apply(q);
+        [self.offset[0] + x, self.offset[1] + y]
     }
 }
 

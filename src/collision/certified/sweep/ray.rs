@@ -288,7 +288,7 @@ impl Moment {
 
 /// The facing edge whose line the ray meets last, in doubles.
 pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
-    let Pair { center, b_turn, .. } = *pair;
+    let (center, rotation) = (pair.center, pair.b_rotation.rounded());
     let radius = pair.radius.hi;
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let scale = pair.scale;
@@ -301,13 +301,11 @@ pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
         }
     };
     let c = center / scale;
-    let (cos, sin) = (b_turn[0].hi, b_turn[1].hi);
-    pass(a, b, c, (cos, sin), |edge, vertex, gap| {
+    pass(a, b, (c, rotation), |edge, vertex, gap| {
         visit(DifferenceEdge { source: Side::A, edge, vertex }, gap, a.normals[edge].dot(v));
     });
-    let back = DVec2::new(-cos * c.x - sin * c.y, sin * c.x - cos * c.y);
-    let seen = DVec2::new(-cos * v.x - sin * v.y, sin * v.x - cos * v.y);
-    pass(b, a, back, (cos, -sin), |edge, vertex, gap| {
+    let seen = -rotation.undo(v);
+    pass(b, a, (-rotation.undo(c), rotation.inverse()), |edge, vertex, gap| {
         visit(DifferenceEdge { source: Side::B, edge, vertex }, gap, b.normals[edge].dot(seen));
     });
     last.map(|(facing, _)| facing)

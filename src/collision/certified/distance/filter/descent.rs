@@ -8,7 +8,7 @@
 use crate::collision::certified::distance::filter::small;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
-use crate::geometry::{DVec2, Hull, Side};
+use crate::geometry::{DVec2, Hull, Rotation, Side};
 
 /// What the bodies seem to be.
 #[derive(Clone, Copy, Debug)]
@@ -47,8 +47,8 @@ pub(crate) struct Asked<'p> {
     pub(crate) b: &'p Hull,
     /// B's origin.
     pub(crate) center: DVec2,
-    /// Cosine and sine of B's turn.
-    pub(crate) turn: (f64, f64),
+    /// From B's frame to A's.
+    pub(crate) rotation: Rotation<f64>,
 }
 
 impl<'p> Asked<'p> {
@@ -56,19 +56,15 @@ impl<'p> Asked<'p> {
     #[inline]
     pub(crate) fn of(pair: &Pair<'p>) -> Self {
         let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-        Self { a, b, center: pair.center, turn: (pair.b_turn[0].hi, pair.b_turn[1].hi) }
+        Self { a, b, center: pair.center, rotation: pair.b_rotation.rounded() }
     }
 
     /// The vertex of B ⊖ A lowest along `n`, searched from a vertex on.
     #[inline]
     pub(crate) fn lowest(&self, n: DVec2, from: (usize, usize)) -> Vertex {
-        let (cos, sin) = self.turn;
         let i = self.a.highest(n, from.0);
-        let down = DVec2::new(-(cos * n.x + sin * n.y), sin * n.x - cos * n.y);
-        let j = self.b.highest(down, from.1);
-        let q = self.b.vertices[j];
-        let turned = DVec2::new(cos * q.x - sin * q.y, sin * q.x + cos * q.y);
-        Vertex { p: self.center + turned - self.a.vertices[i], i, j }
+        let j = self.b.highest(-self.rotation.undo(n), from.1);
+        Vertex { p: self.center + self.rotation.apply(self.b.vertices[j]) - self.a.vertices[i], i, j }
     }
 }
 

@@ -17,7 +17,7 @@ pub(crate) mod small;
 
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, guess};
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
-use crate::collision::certified::distance::pair::{Pair, turned};
+use crate::collision::certified::distance::pair::Pair;
 pub(crate) use crate::collision::certified::distance::refine::{LAST_ERROR, along_normal, between};
 use crate::collision::certified::distance::refine::{Measured, along_side, between_vertices};
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
@@ -139,7 +139,7 @@ pub(crate) fn are_closest(pair: &Pair, [i, j]: [usize; 2], d: DVec2) -> bool {
 /// B's vertex in A's frame.
 #[inline]
 fn vertex_b(pair: &Pair, j: usize) -> DVec2 {
-    pair.center + turned(pair.b_turn, pair.hull(Side::B).vertices[j])
+    pair.center + pair.vector_from_b(pair.hull(Side::B).vertices[j])
 }
 
 /// The normal of a side from A to B, in A's frame.
@@ -148,7 +148,7 @@ fn normal(pair: &Pair, facing: DifferenceEdge) -> DVec2 {
     let outward = pair.hull(facing.source).normals[facing.edge];
     match facing.source {
         Side::A => outward,
-        Side::B => -turned(pair.b_turn, outward),
+        Side::B => -pair.vector_from_b(outward),
     }
 }
 
@@ -165,10 +165,7 @@ pub(crate) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool 
     let slack = slack(pair, down);
     let down = match side {
         Side::A => down,
-        Side::B => {
-            let [cos, sin] = pair.b_turn;
-            DVec2::new(cos.hi * down.x + sin.hi * down.y, cos.hi * down.y - sin.hi * down.x)
-        }
+        Side::B => pair.vector_to_b(down),
     };
     clearly_lowest(pair.hull(side), k, down, slack)
 }
@@ -201,10 +198,7 @@ pub(crate) fn support(pair: &Pair, facing: DifferenceEdge) -> Support {
     }
     let down = match other {
         Side::A => -n,
-        Side::B => {
-            let [cos, sin] = pair.b_turn;
-            DVec2::new(cos.hi * n.x + sin.hi * n.y, cos.hi * n.y - sin.hi * n.x)
-        }
+        Side::B => pair.vector_to_b(n),
     };
     let back = hull.previous(facing.vertex);
     let (ahead, behind) = (hull.edges[facing.vertex], hull.edges[back]);

@@ -8,7 +8,7 @@
 
 use crate::collision::certified::distance::filter::{self, clearly_lowest};
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
-use crate::collision::certified::distance::pair::{Pair, turned};
+use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Hull, Side};
 
@@ -43,11 +43,10 @@ fn descents(hull: &Hull, k: usize, down: DVec2) -> [f64; 2] {
 #[inline]
 pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<DifferenceFeature> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let [cos, sin] = pair.b_turn;
-    let into_b = |v: DVec2| DVec2::new(cos.hi * v.x + sin.hi * v.y, cos.hi * v.y - sin.hi * v.x);
+    let rotation = pair.b_rotation.rounded();
     for _ in 0..STEPS {
-        let d = pair.center + turned(pair.b_turn, b.vertices[j]) - a.vertices[i];
-        let (down_a, down_b) = (-d, into_b(d));
+        let d = pair.center + rotation.apply(b.vertices[j]) - a.vertices[i];
+        let (down_a, down_b) = (-d, rotation.undo(d));
         let ([ahead_a, behind_a], [ahead_b, behind_b]) = (descents(a, i, down_a), descents(b, j, down_b));
         let (of_a, of_b) = (ahead_a.max(behind_a), ahead_b.max(behind_b));
         if of_a.max(of_b) < 0.0 {
@@ -67,7 +66,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
         if descent < hull.edges[edge].length_squared() {
             // The foot is inside the side: the other vertex must be the nearest along its normal.
             let n = hull.normals[edge];
-            let down = if source == Side::A { into_b(n) } else { turned(pair.b_turn, n) };
+            let down = if source == Side::A { rotation.undo(n) } else { rotation.apply(n) };
             let [ahead, behind] = descents(other, vertex, down);
             if ahead.max(behind) <= 0.0 {
                 return Some(DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex }));
@@ -153,7 +152,7 @@ fn top(hull: &Hull, others: &Block) -> Top {
 #[inline]
 pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let of_b = Block::of(&b.vertices, |q| pair.center + turned(pair.b_turn, q));
+    let of_b = Block::of(&b.vertices, |q| pair.center + pair.vector_from_b(q));
     let of_a = Block::of(&a.vertices, |v| pair.local_to_b(v));
     let (along_a, along_b) = (top(a, &of_b), top(b, &of_a));
     let (source, best, other) =

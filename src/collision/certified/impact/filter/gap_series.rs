@@ -24,15 +24,15 @@
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
-use crate::geometry::{DVec2, Hull, Side, perp};
+use crate::geometry::{DVec2, Hull, Rotation, Side, perp};
 
 /// Both bodies at a moment: world axes, doubles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
     /// The moment.
     pub(crate) t: f64,
-    /// Cosine and sine of the angles of A and B.
-    pub(crate) turn: [(f64, f64); 2],
+    /// From the frames of A and B to the world.
+    pub(crate) rotations: [Rotation<f64>; 2],
     /// `c_B` − `c_A`.
     pub(crate) apart: DVec2,
 }
@@ -85,29 +85,21 @@ pub(crate) fn rounding(pair: &MovingPair) -> f64 {
     pair.rounding + 12.0 * f64::EPSILON * (pair.reach[0] + pair.reach[1])
 }
 
-/// v turned by (cos, sin).
-#[inline]
-pub(crate) fn turned((cos, sin): (f64, f64), v: DVec2) -> DVec2 {
-    DVec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
-}
-
-/// v turned back.
-#[inline]
-pub(crate) fn turned_back((cos, sin): (f64, f64), v: DVec2) -> DVec2 {
-    DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x)
-}
-
 impl Instant {
     /// The pair at t = 0.
     #[inline]
     pub(crate) fn start(pair: &MovingPair) -> Self {
-        Self { t: 0.0, turn: pair.start, apart: pair.offset(Side::A, 0.0).0 }
+        Self { t: 0.0, rotations: pair.start, apart: pair.offset(Side::A, 0.0).0 }
     }
 
     /// The pair at `t`.
     #[inline]
     pub(crate) fn new(pair: &MovingPair, t: f64) -> Self {
-        Self { t, turn: [pair.angle(Side::A, t), pair.angle(Side::B, t)], apart: pair.offset(Side::A, t).0 }
+        Self {
+            t,
+            rotations: [pair.rotation(Side::A, t), pair.rotation(Side::B, t)],
+            apart: pair.offset(Side::A, t).0,
+        }
     }
 }
 
@@ -116,8 +108,8 @@ impl Axis {
     #[inline]
     pub(crate) fn turned_gap(&self, pair: &MovingPair, at: &Instant, from: usize) -> Option<TurnedGap> {
         let (owner, other) = (self.owner, self.owner.other());
-        let n = turned(at.turn[owner as usize], self.n);
-        let m = turned_back(at.turn[other as usize], n);
+        let n = at.rotations[owner as usize].apply(self.n);
+        let m = at.rotations[other as usize].undo(n);
         let (_, v) = pair.offset(owner, 0.0);
         let d = if owner == Side::A { at.apart } else { -at.apart };
         let hull = pair.hull(other);

@@ -18,9 +18,7 @@ pub(crate) mod touch;
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, search};
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::filter::certificate::{AXES, Parted, Proof};
-use crate::collision::certified::impact::filter::gap_series::{
-    Instant, TurnedGap, first_root, rounding, turned, turned_back,
-};
+use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, first_root, rounding};
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Enclosure, Side, perp};
@@ -143,7 +141,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         let (owner, other) = (axis.owner, axis.owner.other());
         let (own, q) = (self.pair.hull(owner), self.pair.hull(other).vertices[vertex]);
         let d = if owner == Side::A { at.apart } else { -at.apart };
-        let x = turned_back(at.turn[owner as usize], d + turned(at.turn[other as usize], q));
+        let x = at.rotations[owner as usize].undo(d + at.rotations[other as usize].apply(q));
         let (mut k, mut way) = (axis.own, 0);
         for _ in 0..own.edges.len() / NEIGHBOURHOOD {
             let side = own.edges[k];
@@ -173,12 +171,12 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         }
         self.queries += 1;
         let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
-        let ((c, s), (cos, sin)) = (at.turn[0], at.turn[1]);
-        let center = turned_back(at.turn[0], at.apart);
-        let asked = Asked { a, b, center, turn: (cos * c + sin * s, sin * c - cos * s) };
+        let [of_a, of_b] = at.rotations;
+        let (center, rotation) = (of_a.undo(at.apart), of_b.then(of_a.inverse()));
+        let asked = Asked { a, b, center, rotation };
         let (toward, vertices) = match from {
             Some((axis, gap)) if axis.owner == Side::A => (axis.n, (axis.own, gap.lowest)),
-            Some((axis, gap)) => (-turned(asked.turn, axis.n), (gap.lowest, axis.own)),
+            Some((axis, gap)) => (-rotation.apply(axis.n), (gap.lowest, axis.own)),
             None => (center, ANYWHERE),
         };
         match search(&asked, toward, vertices) {
@@ -234,7 +232,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
     fn between(&self, i: usize, j: usize, at: &Instant) -> [Option<Axis>; 2] {
         let pair = self.pair;
         let owner = pair.calmer();
-        let arm = |side: Side, k: usize| turned(at.turn[side as usize], pair.hull(side).vertices[k]);
+        let arm = |side: Side, k: usize| at.rotations[side as usize].apply(pair.hull(side).vertices[k]);
         let (x, y) = (arm(Side::A, i), arm(Side::B, j));
         let (_, v) = pair.offset(Side::A, 0.0);
         let p = at.apart + y - x;
@@ -253,8 +251,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         let [own, facing] = a_then_b(owner, i, j);
         [p, p + w * h].map(|toward| {
             let direction = toward / toward.length_squared().sqrt();
-            let n =
-                turned_back(at.turn[owner as usize], if owner == Side::A { direction } else { -direction });
+            let n = at.rotations[owner as usize].undo(if owner == Side::A { direction } else { -direction });
             let own = hull.highest(n, own);
             let support = n.dot(hull.vertices[own]);
             n.is_finite().then_some(Axis { owner, n, support, own, facing, edge: None })

@@ -17,7 +17,7 @@
 
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{DVec2, Hull, Side};
+use crate::geometry::{DVec2, Hull, Rotation, Side};
 
 /// What seems to be on a ray's line first.
 #[derive(Clone, Copy, Debug)]
@@ -56,8 +56,8 @@ struct Chain<'h> {
     up: DVec2,
     /// The highest vertex, where the chain starts.
     first: usize,
-    /// Cosine and sine of the way from this body's frame to the other's.
-    turn: (f64, f64),
+    /// From this body's frame to the other's.
+    rotation: Rotation<f64>,
     /// The sides that are left: from this one of the chain,
     from: usize,
     /// to before this one.
@@ -67,10 +67,10 @@ struct Chain<'h> {
 impl<'h> Chain<'h> {
     /// The whole chain, with the heights of its first and its last vertex.
     #[inline]
-    fn new(side: Side, hull: &'h Hull, up: DVec2, turn: (f64, f64)) -> (Self, [f64; 2]) {
+    fn new(side: Side, hull: &'h Hull, up: DVec2, rotation: Rotation<f64>) -> (Self, [f64; 2]) {
         let ([first, last], heights) = ends(hull, up);
         let to = if last < first { last + hull.vertices.len() - first } else { last - first };
-        (Self { side, hull, up, first, turn, from: 0, to }, heights)
+        (Self { side, hull, up, first, rotation, from: 0, to }, heights)
     }
 
     /// The hull's number of the k-th vertex, and of the side that starts there.
@@ -135,11 +135,11 @@ fn ends(hull: &Hull, up: DVec2) -> ([usize; 2], [f64; 2]) {
 /// What the line along `v` from the origin (A's frame) seems to cross first.
 #[inline]
 pub(crate) fn crossed(pair: &Pair, v: DVec2) -> Crossed {
-    let (cos, sin) = (pair.b_turn[0].hi, pair.b_turn[1].hi);
+    let rotation = pair.b_rotation.rounded();
     let u = DVec2::new(-v.y, v.x);
-    let u_of_b = DVec2::new(cos * u.x + sin * u.y, cos * u.y - sin * u.x);
-    let (mut a, [top_of_a, bottom_of_a]) = Chain::new(Side::A, pair.hull(Side::A), -u, (cos, -sin));
-    let (mut b, [top_of_b, bottom_of_b]) = Chain::new(Side::B, pair.hull(Side::B), u_of_b, (cos, sin));
+    let (mut a, [top_of_a, bottom_of_a]) = Chain::new(Side::A, pair.hull(Side::A), -u, rotation.inverse());
+    let (mut b, [top_of_b, bottom_of_b]) =
+        Chain::new(Side::B, pair.hull(Side::B), rotation.undo(u), rotation);
     let (start, radius) = (u.dot(pair.center), pair.radius.hi);
     let (top, bottom) = (start + top_of_a + top_of_b, start + bottom_of_a + bottom_of_b);
     if top < 0.0 || bottom > 0.0 {
@@ -164,8 +164,8 @@ pub(crate) fn crossed(pair: &Pair, v: DVec2) -> Crossed {
 fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<Edge> {
     let middle = usize::midpoint(own.from, own.to);
     let edge = own.number(middle);
-    let (normal, (cos, sin)) = (own.hull.normals[edge], own.turn);
-    let turned = DVec2::new(cos * normal.x - sin * normal.y, sin * normal.x + cos * normal.y);
+    let normal = own.hull.normals[edge];
+    let turned = own.rotation.apply(normal);
     let facing = other.facing(turned);
     let vertex = other.number(facing);
     let before = start + own.height(edge) + other.height(vertex) + radius * own.up.dot(normal);

@@ -22,11 +22,11 @@
 pub(crate) mod crossed_edge;
 
 use crate::collision::certified::distance::filter::{self, LAST_ERROR};
-use crate::collision::certified::distance::pair::{Pair, rotated_back, turned};
+use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
-use crate::geometry::{Ball, DVec2, Dd, Enclosure, Side, combined, two_product, two_sum};
+use crate::geometry::{Ball, DVec2, Dd, Enclosure, Rotation, Side, combined, two_product, two_sum};
 
 /// What is proved of the ray's line.
 #[derive(Clone, Copy, Debug)]
@@ -157,7 +157,7 @@ impl Line<'_, '_> {
     /// A vertex of B ⊖ A in doubles.
     fn apart(&self, [i, j]: [usize; 2]) -> DVec2 {
         let pair = self.pair;
-        pair.center + turned(pair.b_turn, pair.hull(Side::B).vertices[j]) - pair.hull(Side::A).vertices[i]
+        pair.center + pair.vector_from_b(pair.hull(Side::B).vertices[j]) - pair.hull(Side::A).vertices[i]
     }
 
     /// When the ray enters the disc at a vertex; None where it may not.
@@ -223,7 +223,7 @@ fn around(separation: f64, error: f64) -> Enclosure {
 fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let [i, j] = facing.start();
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let ([cos, sin], c) = (pair.b_turn, pair.fine_center);
+    let (Rotation { cos, sin }, c) = (pair.b_rotation, pair.fine_center);
     let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
     let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
     let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
@@ -256,10 +256,7 @@ fn normal(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
     match facing.source {
         Side::A => local,
-        Side::B => {
-            let [cos, sin] = pair.b_turn;
-            rotated_back([-cos, sin], local)
-        }
+        Side::B => pair.b_rotation.apply(local).map(|x| -x),
     }
 }
 
