@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use tracefig::collision::{ALGORITHMS, QueryKind};
+use tracefig::collision::{ALGORITHMS, Bodies, QUERIES};
 use tracefig::figure::layer::{LAYERS, Layer};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, Takes, draw, plan};
@@ -221,16 +221,16 @@ fn random_scene(r: &mut Random) -> String {
         let kind = r.one(KINDS);
         text += &shape(r, kind, name);
     }
-    let kind = r.one(&QueryKind::ALL);
-    let single = matches!(kind, QueryKind::Bounds | QueryKind::MotionBound) && r.chance(2);
+    let question = r.one(QUERIES);
+    let single = question.bodies == Bodies::OneOrTwo && r.chance(2);
     write!(
         text,
         "[query]\nkind = \"{}\"\nof = {}\n",
-        kind.word(),
+        question.word,
         if single { "[\"A\"]" } else { "[\"A\", \"B\"]" }
     )
     .unwrap();
-    let suited: Vec<_> = ALGORITHMS.iter().filter(|a| a.kinds.contains(kind)).collect();
+    let suited: Vec<_> = ALGORITHMS.iter().filter(|a| a.kinds.contains(&question.kind)).collect();
     if r.chance(2) && !suited.is_empty() {
         writeln!(text, "algorithm = \"{}\"", r.one(&suited).name).unwrap();
     }

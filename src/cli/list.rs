@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::collision::{ALGORITHMS, QueryKind};
+use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
@@ -119,7 +119,7 @@ fn queries() -> Vec<(String, String)> {
         let fitting = ALGORITHMS.iter().filter(|a| a.kinds.contains(&kind)).map(|a| a.name);
         format!("by {}", fitting.collect::<Vec<_>>().join(", "))
     };
-    QueryKind::ALL.into_iter().map(|kind| (kind.word().to_owned(), names(kind))).collect()
+    QUERIES.iter().map(|query| (query.word.to_owned(), names(query.kind))).collect()
 }
 
 fn algorithms() -> Vec<(String, String)> {

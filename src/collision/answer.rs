@@ -1,26 +1,30 @@
-//! What the algorithms answer: one variant a kind of question, each number in world units, each with its proof.
+//! What the algorithms answer: one variant a kind of answer, each number in world units, each with its proof.
 //!
 //! Bounds enclose the exact value; `bounds.lo ≤ s ≤ bounds.hi`, s negative inside. Where rounding forbids a
 //! verdict, the answer says so instead of guessing: [`Overlap::overlap`] is None, a motion ends [`Outcome::Unresolved`].
+//!
+//! An answer also knows how it is written down: [`Answer::parts`] names its parts in the order of the format, so that
+//! whoever writes JSON or text needs to know kinds of values, not kinds of answers.
 
 use crate::geometry::{DVec2, Enclosure, Feature};
 
 /// What a query found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
-    /// To [`crate::collision::QueryKind::Bounds`].
+    /// A box: to [`crate::collision::QueryKind::Bounds`].
     Bounds(Bounds),
-    /// To [`crate::collision::QueryKind::Overlap`].
+    /// A verdict: to [`crate::collision::QueryKind::Overlap`].
     Overlap(Overlap),
-    /// To [`crate::collision::QueryKind::Separation`].
+    /// A signed distance: to [`crate::collision::QueryKind::Separation`].
     Separation(Separation),
-    /// To [`crate::collision::QueryKind::LinearSweep`] and [`crate::collision::QueryKind::TimeOfImpact`].
+    /// A time, or why there is none: to [`crate::collision::QueryKind::LinearSweep`] and
+    /// [`crate::collision::QueryKind::TimeOfImpact`].
     Impact(Impact),
-    /// To [`crate::collision::QueryKind::MotionBound`].
+    /// A length: to [`crate::collision::QueryKind::MotionBound`].
     MotionBound(MotionBound),
 }
 
-/// An axis-aligned bounding box, rounded outward.
+/// An axis-aligned bounding box in the world, rounded outward.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bounds {
     /// Smallest coordinates.
@@ -29,16 +33,16 @@ pub struct Bounds {
     pub max: DVec2,
     /// (min + max) / 2.
     pub center: DVec2,
-    /// Rounded up: center ± `half_extents` holds the body.
+    /// Half of the width and of the height, rounded up: center ± `half_extents` holds the body.
     pub half_extents: DVec2,
 }
 
 /// Whether two bodies overlap.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Overlap {
-    /// None where rounding forbids a verdict.
+    /// Whether they share a point, touching included; None where rounding forbids a verdict.
     pub overlap: Option<bool>,
-    /// Encloses the exact separation (or is one-sided: `hi` infinite after a separating axis).
+    /// Encloses the exact separation, world units; `hi` is infinite where the search ended at a separating axis.
     pub separation_bounds: Enclosure,
 }
 
@@ -47,15 +51,15 @@ pub struct Overlap {
 pub struct Separation {
     /// World units; the distance apart, or minus the penetration depth.
     pub separation: f64,
-    /// Encloses the exact value.
+    /// Encloses the exact separation, world units.
     pub bounds: Enclosure,
-    /// Unit vector from A to B along which B moves apart.
+    /// Unit vector in the world, from A to B, along which B moves apart.
     pub normal: DVec2,
     /// Directions with the same depth or distance within the bounds; 0 where all tie.
     pub ties: u32,
-    /// Witness points on A and B, world.
+    /// Witness points on A and B, in the world.
     pub points: [DVec2; 2],
-    /// The features of A and B that carry them.
+    /// The features of A and B that carry the witness points, numbered in the file's order.
     pub features: [Feature; 2],
 }
 
@@ -68,21 +72,8 @@ pub enum Reason {
     WithinTolerance,
     /// The step cap was reached.
     IterationLimit,
-    /// Steps no longer move t.
+    /// A step was too short to change the time t, a double.
     Stalled,
-}
-
-impl Reason {
-    /// Its word in answers.
-    #[must_use]
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::WithinRounding => "within-rounding",
-            Self::WithinTolerance => "within-tolerance",
-            Self::IterationLimit => "iteration-limit",
-            Self::Stalled => "stalled",
-        }
-    }
 }
 
 /// How a motion ends.
@@ -90,7 +81,7 @@ impl Reason {
 pub enum Outcome {
     /// First contact.
     Hit {
-        /// The last moment proved free (`lo`), and contact proved at or before (`hi`).
+        /// The last moment proved free (`lo`), and contact proved at or before (`hi`); t in [0, 1].
         time: Enclosure,
         /// The pair at `time.lo`.
         contact: Separation,
@@ -104,15 +95,163 @@ pub enum Outcome {
     },
     /// Not decided.
     Unresolved {
-        /// Why.
+        /// What kept it undecided.
         reason: Reason,
-        /// Proved free until here.
+        /// The bodies are proved free until this time in [0, 1].
         free_until: f64,
     },
 }
 
+/// Answer of a sweep or a time of impact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Impact {
+    /// How the motion ends.
+    pub outcome: Outcome,
+    /// The tolerance in force, world units; 0 where the answer is direct.
+    pub tolerance: f64,
+    /// Distance queries made.
+    pub iterations: usize,
+}
+
+/// How far any point of a body, or of two relative to each other, can move over t in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MotionBound {
+    /// World units, rounded up.
+    pub bound: f64,
+}
+
+/// The value of one part of an answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Part {
+    /// One of the words that an answer can give.
+    Word(&'static str),
+    /// Yes, no, or None: rounding forbids a verdict.
+    Verdict(Option<bool>),
+    /// How many.
+    Count(usize),
+    /// A length in world units, or a time.
+    Number(f64),
+    /// What encloses a length or a time; an end may be infinite.
+    Interval(Enclosure),
+    /// A point or a vector in the world.
+    Point(DVec2),
+    /// A point of A and one of B, in the world.
+    Points([DVec2; 2]),
+    /// A feature of A and one of B.
+    Features([Feature; 2]),
+}
+
+/// The parts of an answer, each with its name in answers, in their order.
+pub(crate) type Parts = Vec<(&'static str, Part)>;
+
+impl Answer {
+    /// Its parts, as `solve` writes them.
+    pub(crate) fn parts(&self) -> Parts {
+        match self {
+            Self::Bounds(bounds) => bounds.parts(),
+            Self::Overlap(overlap) => overlap.parts(),
+            Self::Separation(separation) => separation.parts(),
+            Self::Impact(impact) => impact.parts(),
+            Self::MotionBound(MotionBound { bound }) => vec![("bound", Part::Number(*bound))],
+        }
+    }
+}
+
+impl Bounds {
+    fn parts(&self) -> Parts {
+        vec![
+            ("min", Part::Point(self.min)),
+            ("max", Part::Point(self.max)),
+            ("center", Part::Point(self.center)),
+            ("half_extents", Part::Point(self.half_extents)),
+        ]
+    }
+}
+
+impl Overlap {
+    /// A word for the verdict, as events tell it.
+    pub(crate) fn word(&self) -> &'static str {
+        match self.overlap {
+            Some(true) => "overlapping",
+            Some(false) if self.separation_bounds.hi == f64::INFINITY => "separating axis",
+            Some(false) => "apart",
+            None => "undecided",
+        }
+    }
+
+    fn parts(&self) -> Parts {
+        vec![
+            ("overlap", Part::Verdict(self.overlap)),
+            ("separation_bounds", Part::Interval(self.separation_bounds)),
+        ]
+    }
+}
+
+/// The verdict that a separation allows; touching counts as overlap.
+impl From<&Separation> for Overlap {
+    fn from(s: &Separation) -> Self {
+        let overlap = if s.bounds.lo > 0.0 {
+            Some(false)
+        } else if s.bounds.hi <= 0.0 {
+            Some(true)
+        } else {
+            None
+        };
+        Self { overlap, separation_bounds: s.bounds }
+    }
+}
+
+impl Separation {
+    /// A word for how the pair stands, as events tell it.
+    pub(crate) fn word(&self) -> &'static str {
+        if self.separation > 0.0 {
+            "apart"
+        } else if self.separation < 0.0 {
+            "overlapping"
+        } else {
+            "touching"
+        }
+    }
+
+    fn parts(&self) -> Parts {
+        let [separation, bounds] = self.measures();
+        let ties = ("ties", Part::Count(self.ties as usize));
+        let [points, features] = self.witnesses();
+        vec![separation, bounds, ("normal", Part::Point(self.normal)), ties, points, features]
+    }
+
+    fn measures(&self) -> [(&'static str, Part); 2] {
+        [("separation", Part::Number(self.separation)), ("separation_bounds", Part::Interval(self.bounds))]
+    }
+
+    fn witnesses(&self) -> [(&'static str, Part); 2] {
+        [("points", Part::Points(self.points)), ("features", Part::Features(self.features))]
+    }
+}
+
+impl Reason {
+    /// Its word in answers.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::collision::Reason::WithinRounding.word(), "within-rounding");
+    /// ```
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::WithinRounding => "within-rounding",
+            Self::WithinTolerance => "within-tolerance",
+            Self::IterationLimit => "iteration-limit",
+            Self::Stalled => "stalled",
+        }
+    }
+}
+
 impl Outcome {
     /// Its word in answers.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::collision::Outcome::Miss.word(), "miss");
+    /// ```
     #[must_use]
     pub fn word(&self) -> &'static str {
         match self {
@@ -124,20 +263,31 @@ impl Outcome {
     }
 }
 
-/// Answer of a sweep or a time of impact.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Impact {
-    /// How it ends.
-    pub outcome: Outcome,
-    /// In force, world units; 0 for a linear sweep.
-    pub tolerance: f64,
-    /// Distance queries made.
-    pub iterations: usize,
-}
-
-/// How far any point of a body, or of two relative to each other, can move over t in [0, 1].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MotionBound {
-    /// World units, rounded up.
-    pub bound: f64,
+impl Impact {
+    fn parts(&self) -> Parts {
+        let mut parts = vec![("outcome", Part::Word(self.outcome.word()))];
+        let tolerance = ("tolerance", Part::Number(self.tolerance));
+        match &self.outcome {
+            Outcome::Hit { time, contact } => {
+                parts.push(("time", Part::Number(time.lo)));
+                parts.push(("time_bounds", Part::Interval(*time)));
+                parts.extend(contact.measures());
+                parts.push(tolerance);
+                parts.push(("normal", Part::Point(contact.normal)));
+                parts.extend(contact.witnesses());
+            }
+            Outcome::Miss => parts.push(tolerance),
+            Outcome::Overlapping { contact } => {
+                parts.extend(contact.measures());
+                parts.push(tolerance);
+            }
+            Outcome::Unresolved { reason, free_until } => {
+                parts.push(("reason", Part::Word(reason.word())));
+                parts.push(("time_bounds", Part::Interval(Enclosure { lo: *free_until, hi: 1.0 })));
+                parts.push(tolerance);
+            }
+        }
+        parts.push(("iterations", Part::Count(self.iterations)));
+        parts
+    }
 }

@@ -4,7 +4,7 @@
 //! proves the numbers, and knows neither query nor event.
 
 mod algorithm;
-mod answer;
+pub(crate) mod answer;
 mod certified;
 mod feature;
 mod query;
@@ -17,4 +17,4 @@ pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, 
 pub use certified::distance::pair::Pair;
 pub use certified::impact::moving_pair::MovingPair;
 pub use certified::sweep::Sweep;
-pub use query::{Query, QueryKind};
+pub use query::{Bodies, Motion, QUERIES, Query, QueryKind, Question, Shapes, When};

@@ -185,8 +185,8 @@ fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>
         };
         problems.push(other("no-such-moment", message, None, &when.span));
     }
-    let still =
-        scene.query.kind == crate::collision::QueryKind::LinearSweep && panel.space == Space::Configuration;
+    let unturning = scene.query.kind.question().motion == crate::collision::Motion::Unturning;
+    let still = unturning && panel.space == Space::Configuration;
     found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
 }
 

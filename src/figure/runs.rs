@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation, When};
 use crate::scene::{Problem, Scene};
 use crate::trace::{Event, MOST_EVENTS, Trace};
 
@@ -169,7 +169,7 @@ impl Runs {
 
 /// Whether a question is about one moment.
 pub(crate) fn is_static(kind: QueryKind) -> bool {
-    matches!(kind, QueryKind::Bounds | QueryKind::Overlap | QueryKind::Separation)
+    kind.question().when == When::AtAMoment
 }
 
 /// Whether an event tells of the shape of B ⊖ A.

@@ -1,6 +1,6 @@
 //! Our own algorithms as contenders: every row of the table that answers a workload's question.
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Outcome as End, QueryKind, Stops};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, Outcome as End, QueryKind, Stops, When};
 use crate::trace::NoTrace;
 
 use super::contender::{Contender, Outcome, Preparation, Prepared};
@@ -74,7 +74,7 @@ impl Contender for Ours {
             Answer::Impact(impact) => impact.iterations,
             _ => 1,
         });
-        let counted = matches!(kind, QueryKind::TimeOfImpact | QueryKind::LinearSweep);
+        let counted = kind.question().when == When::OverTheMotion;
         Some(Prepared { ask, steps: counted.then_some(steps as Box<dyn Fn() -> usize>) })
     }
 }

@@ -7,8 +7,9 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
-use crate::collision::{Answer, Bounds, Impact, Outcome, Overlap, QueryKind, Separation};
-use crate::geometry::{DVec2, Enclosure, Feature};
+use crate::collision::answer::Part;
+use crate::collision::{Answer, QueryKind};
+use crate::geometry::{Enclosure, Feature};
 
 use super::node::number;
 
@@ -24,40 +25,22 @@ use super::node::number;
 pub fn answer_json(kind: QueryKind, answer: &Answer) -> Value {
     let mut out = Map::new();
     out.insert("kind".to_owned(), json!(kind.word()));
-    match answer {
-        Answer::Bounds(b) => bounds(b, &mut out),
-        Answer::Overlap(Overlap { overlap, separation_bounds }) => {
-            put(&mut out, "overlap", json!(overlap));
-            put(&mut out, "separation_bounds", enclosure(*separation_bounds));
-        }
-        Answer::Separation(s) => {
-            put(&mut out, "separation", float(s.separation));
-            put(&mut out, "separation_bounds", enclosure(s.bounds));
-            put(&mut out, "normal", point(s.normal));
-            put(&mut out, "ties", json!(s.ties));
-            witnesses(s, &mut out);
-        }
-        Answer::Impact(i) => impact(i, &mut out),
-        Answer::MotionBound(m) => put(&mut out, "bound", float(m.bound)),
-    }
+    out.extend(answer.parts().into_iter().map(|(name, part)| (name.to_owned(), value(part))));
     Value::Object(out)
 }
 
-fn put(out: &mut Map<String, Value>, key: &str, value: Value) {
-    out.insert(key.to_owned(), value);
-}
-
-/// −0 is written as 0: the sign of a zero says nothing about a scene.
-fn float(x: f64) -> Value {
-    json!(x + 0.0)
-}
-
-fn point(p: DVec2) -> Value {
-    json!([p.x + 0.0, p.y + 0.0])
-}
-
-fn enclosure(e: Enclosure) -> Value {
-    json!([e.lo + 0.0, e.hi + 0.0])
+/// A part of an answer as JSON. −0 is written as 0: the sign of a zero says nothing about a scene.
+fn value(part: Part) -> Value {
+    match part {
+        Part::Word(word) => json!(word),
+        Part::Verdict(verdict) => json!(verdict),
+        Part::Count(n) => json!(n),
+        Part::Number(x) => json!(x + 0.0),
+        Part::Interval(Enclosure { lo, hi }) => json!([lo + 0.0, hi + 0.0]),
+        Part::Point(p) => json!([p.x + 0.0, p.y + 0.0]),
+        Part::Points([a, b]) => json!({ "A": value(Part::Point(a)), "B": value(Part::Point(b)) }),
+        Part::Features([a, b]) => json!({ "A": feature(a), "B": feature(b) }),
+    }
 }
 
 fn feature(f: Feature) -> Value {
@@ -65,50 +48,6 @@ fn feature(f: Feature) -> Value {
         Feature::Vertex(i) => json!({ "vertex": i }),
         Feature::Edge(i) => json!({ "edge": i }),
     }
-}
-
-fn bounds(b: &Bounds, out: &mut Map<String, Value>) {
-    put(out, "min", point(b.min));
-    put(out, "max", point(b.max));
-    put(out, "center", point(b.center));
-    put(out, "half_extents", point(b.half_extents));
-}
-
-fn witnesses(s: &Separation, out: &mut Map<String, Value>) {
-    put(out, "points", json!({ "A": point(s.points[0]), "B": point(s.points[1]) }));
-    put(out, "features", json!({ "A": feature(s.features[0]), "B": feature(s.features[1]) }));
-}
-
-fn impact(i: &Impact, out: &mut Map<String, Value>) {
-    match &i.outcome {
-        Outcome::Hit { time, contact } => {
-            put(out, "outcome", json!("hit"));
-            put(out, "time", float(time.lo));
-            put(out, "time_bounds", enclosure(*time));
-            put(out, "separation", float(contact.separation));
-            put(out, "separation_bounds", enclosure(contact.bounds));
-            put(out, "tolerance", float(i.tolerance));
-            put(out, "normal", point(contact.normal));
-            witnesses(contact, out);
-        }
-        Outcome::Miss => {
-            put(out, "outcome", json!("miss"));
-            put(out, "tolerance", float(i.tolerance));
-        }
-        Outcome::Overlapping { contact } => {
-            put(out, "outcome", json!("overlapping"));
-            put(out, "separation", float(contact.separation));
-            put(out, "separation_bounds", enclosure(contact.bounds));
-            put(out, "tolerance", float(i.tolerance));
-        }
-        Outcome::Unresolved { reason, free_until } => {
-            put(out, "outcome", json!("unresolved"));
-            put(out, "reason", json!(reason.word()));
-            put(out, "time_bounds", enclosure(Enclosure { lo: *free_until, hi: 1.0 }));
-            put(out, "tolerance", float(i.tolerance));
-        }
-    }
-    put(out, "iterations", json!(i.iterations));
 }
 
 /// The answer for people: a line for each part of it, the name of the part first.

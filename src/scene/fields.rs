@@ -3,7 +3,7 @@
 //! One row a key. The reader checks a table against its rows, messages list them, `tracefig list` prints them. The
 //! fields of the kinds of shape are in [`crate::geometry::shape::KINDS`] and become rows here by [`shape_rows`].
 
-use crate::collision::{ALGORITHMS, QueryKind};
+use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
 use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MAX_NUMBER, MIN_CANVAS};
@@ -220,7 +220,7 @@ fn kind_words() -> Vec<String> {
 }
 
 fn query_words() -> Vec<String> {
-    QueryKind::ALL.iter().map(|k| k.word().to_owned()).collect()
+    QUERIES.iter().map(|q| q.word.to_owned()).collect()
 }
 
 fn algorithm_words() -> Vec<String> {

@@ -1,8 +1,8 @@
 //! `[query]`: what is asked, of which shapes, and by which algorithm.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
-use crate::collision::{ALGORITHMS, Algorithm, Query, QueryKind};
+use crate::collision::{ALGORITHMS, Algorithm, Bodies, Motion, QUERIES, Query, Question, Shapes, When};
 use crate::geometry::Body;
 
 use super::SceneQuery;
@@ -16,32 +16,31 @@ use super::problem::{Fault, Problems};
 /// Reads the query. None where it, or a shape that it is of, is wrong.
 pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Option<SceneQuery> {
     let table = check(node, "query", QUERY.place, QUERY.fields, p)?;
-    let kind =
-        table.text("kind").and_then(|word| QueryKind::ALL.into_iter().find(|k| k.word() == word.value));
+    let question = table.text("kind").and_then(|word| QUERIES.iter().find(|q| q.word == word.value));
     let of = names(&table, shapes, p);
-    if let Some(kind) = kind {
-        count(kind, &table, p);
-        moment(kind, &table, p);
+    if let Some(question) = question {
+        count(question, &table, p);
+        moment(question, &table, p);
     }
-    let (kind, of) = (kind?, of?);
+    let (question, of) = (question?, of?);
     let bodies: Vec<(&str, &Body)> = of
         .iter()
         .map(|&i| shapes[i].body.as_ref().map(|body| (shapes[i].name.value.as_str(), body)))
         .collect::<Option<_>>()?;
     let (&(_, a), b) = (bodies.first()?, bodies.get(1).map(|&(_, b)| b));
     let query = Query {
-        kind,
+        kind: question.kind,
         a,
         b,
         time: table.number("time").map_or(0.0, |t| t.value),
         tolerance: table.number("tolerance").map_or(DEFAULT_TOLERANCE, |t| t.value),
         max_iterations: max_iterations(&bodies, &table, p),
     };
-    if !fits(&query, &bodies, &table, p) {
+    if !fits(question, &bodies, &table, p) {
         return None;
     }
     Some(SceneQuery {
-        kind,
+        kind: query.kind,
         algorithm: algorithm(&query, node, &table, p)?,
         time: query.time,
         tolerance: query.tolerance,
@@ -91,40 +90,50 @@ fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option
     all_known.then_some(found)
 }
 
-fn count(kind: QueryKind, table: &Checked<'_>, p: &mut Problems) {
+/// Complains where `of` names too few or too many shapes.
+fn count(question: &Question, table: &Checked<'_>, p: &mut Problems) {
     let Some(node) = table.get("of") else { return };
     let got = as_list(node).unwrap_or_default().len();
-    let (least, expected) = match kind {
-        QueryKind::Bounds | QueryKind::MotionBound => (1, "one or two shapes"),
-        _ => (2, "two shapes"),
-    };
-    if got < least || got > 2 {
-        p.add(Fault::WrongCount { kind: kind.word(), expected, got }, &node.span);
+    if !numbers(question.bodies).contains(&got) {
+        let expected = match question.bodies {
+            Bodies::OneOrTwo => "one or two shapes",
+            Bodies::Two => "two shapes",
+        };
+        p.add(Fault::WrongCount { kind: question.word, expected, got }, &node.span);
     }
 }
 
-fn moment(kind: QueryKind, table: &Checked<'_>, p: &mut Problems) {
-    let at_a_moment = matches!(kind, QueryKind::Bounds | QueryKind::Overlap | QueryKind::Separation);
-    if let Some(time) = table.number("time").filter(|_| !at_a_moment) {
-        let message = format!("`time` does not apply to a `{}`, which is about all of [0, 1]", kind.word());
+/// How many names `of` may have.
+fn numbers(bodies: Bodies) -> RangeInclusive<usize> {
+    match bodies {
+        Bodies::OneOrTwo => 1..=2,
+        Bodies::Two => 2..=2,
+    }
+}
+
+/// Complains where a time is given to a question about all of the motion.
+fn moment(question: &Question, table: &Checked<'_>, p: &mut Problems) {
+    if let Some(time) = table.number("time").filter(|_| question.when == When::OverTheMotion) {
+        let message = format!("`time` does not apply to a `{}`, which is about all of [0, 1]", question.word);
         p.add(Fault::Conflict { message }, &time.span);
     }
 }
 
 /// Whether the question can be asked of these shapes at all, by whatever algorithm.
-fn fits(query: &Query<'_>, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> bool {
-    let two = !matches!(query.kind, QueryKind::Bounds | QueryKind::MotionBound);
-    if bodies.len() > 2 || (two && bodies.len() < 2) {
+fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> bool {
+    if !numbers(question.bodies).contains(&bodies.len()) {
         return false;
     }
     let mut fits = true;
     for (name, body) in bodies {
-        if query.kind == QueryKind::LinearSweep && body.spin.0 != 0.0 {
+        if question.motion == Motion::Unturning && body.spin.0 != 0.0 {
             p.add(Fault::TurningBody { body: (*name).to_owned() }, &span_of(table, "kind"));
             fits = false;
         }
-        if query.kind != QueryKind::Bounds && body.shape.core.is_empty() {
-            let reason = format!("an `{}` is for `bounds` only", body.shape.kind);
+        if question.shapes == Shapes::Convex && body.shape.core.is_empty() {
+            let words = QUERIES.iter().filter(|q| q.shapes == Shapes::Any).map(|q| format!("`{}`", q.word));
+            let words = words.collect::<Vec<_>>().join(", ");
+            let reason = format!("an `{}` is for {words} only", body.shape.kind);
             p.add(Fault::UnsuitedShape { body: (*name).to_owned(), reason }, &span_of(table, "of"));
             fits = false;
         }

@@ -142,18 +142,6 @@ pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
     certify(&pair.certified, Some(hint))
 }
 
-/// The verdict that a separation allows; touching counts as overlap.
-pub(crate) fn overlap(s: &Separation) -> Overlap {
-    let overlap = if s.bounds.lo > 0.0 {
-        Some(false)
-    } else if s.bounds.hi <= 0.0 {
-        Some(true)
-    } else {
-        None
-    };
-    Overlap { overlap, separation_bounds: s.bounds }
-}
-
 /// The verdict of an axis whose gap is larger than its rounding: apart, by at least that.
 pub(crate) fn separated(pair: &Relative, p: &Projection) -> Overlap {
     let lo = ((p.line - pair.radius()) - pair.gap_error()).max(0.0);
@@ -162,26 +150,5 @@ pub(crate) fn separated(pair: &Relative, p: &Projection) -> Overlap {
 
 /// A separation as the answer to a query of either kind.
 pub(crate) fn answer(kind: QueryKind, s: Separation) -> Answer {
-    if kind == QueryKind::Overlap { Answer::Overlap(overlap(&s)) } else { Answer::Separation(s) }
-}
-
-/// A word for a verdict.
-pub(crate) fn verdict(o: &Overlap) -> &'static str {
-    match o.overlap {
-        Some(true) => "overlapping",
-        Some(false) if o.separation_bounds.hi == f64::INFINITY => "separating axis",
-        Some(false) => "apart",
-        None => "undecided",
-    }
-}
-
-/// A word for how the pair stands.
-pub(crate) fn word(separation: f64) -> &'static str {
-    if separation > 0.0 {
-        "apart"
-    } else if separation < 0.0 {
-        "overlapping"
-    } else {
-        "touching"
-    }
+    if kind == QueryKind::Overlap { Answer::Overlap(Overlap::from(&s)) } else { Answer::Separation(s) }
 }

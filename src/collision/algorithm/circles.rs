@@ -53,7 +53,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     if query.kind == QueryKind::Overlap
         && let Some(settled) = squared_test(&pair, tracer)
     {
-        tracer.record(|| Event::Finished { outcome: candidate::verdict(&settled) });
+        tracer.record(|| Event::Finished { outcome: settled.word() });
         return Answer::Overlap(settled);
     }
     if query.kind != QueryKind::Overlap {
@@ -66,7 +66,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         direction: -separation.normal,
         vector: -separation.normal * separation.separation,
     });
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }
 

@@ -71,7 +71,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     });
     let found = if body == Side::A { found } else { found.swapped(&seen, &pair) };
     let separation = candidate::conclude(&pair, &found, tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }
 

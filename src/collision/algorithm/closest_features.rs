@@ -38,7 +38,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         outline::record(&pair, tracer);
         candidate::tell(&pair, &found, tracer);
     }
-    tracer.record(|| Event::Finished { outcome: candidate::word(found.separation) });
+    tracer.record(|| Event::Finished { outcome: found.word() });
     candidate::answer(query.kind, found)
 }
 

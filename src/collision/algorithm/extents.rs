@@ -55,7 +55,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         gap,
     });
     let separation = candidate::conclude(&pair, &candidate(apart, gap), tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }
 

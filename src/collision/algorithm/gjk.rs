@@ -102,7 +102,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     };
     let candidate = candidate.unwrap_or_else(|| by_merging(&pair));
     let separation = candidate::conclude(&pair, &candidate, tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }
 

@@ -55,6 +55,6 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         None => Candidate::of_vertices(&pair, 0, 0),
     };
     let separation = candidate::conclude_rounding(&pair, &candidate, tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }

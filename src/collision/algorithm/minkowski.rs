@@ -60,7 +60,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
     let found = closest(pair, None, tracer).candidate(pair);
     let answer = candidate::conclude_rounding(pair, &found, tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(answer.separation) });
+    tracer.record(|| Event::Finished { outcome: answer.word() });
     answer
 }
 
@@ -68,9 +68,9 @@ pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separatio
 fn overlap(pair: &Relative, tracer: &mut impl Tracer) -> Overlap {
     let answer = match closest(pair, Some(Axis::certain(pair)), tracer) {
         Closest::Axis(p) => candidate::separated(pair, &p),
-        found => candidate::overlap(&candidate::conclude_rounding(pair, &found.candidate(pair), tracer)),
+        found => Overlap::from(&candidate::conclude_rounding(pair, &found.candidate(pair), tracer)),
     };
-    tracer.record(|| Event::Finished { outcome: candidate::verdict(&answer) });
+    tracer.record(|| Event::Finished { outcome: answer.word() });
     answer
 }
 

@@ -75,7 +75,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         record_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
     }
     let separation = candidate::conclude(&pair, &candidate, tracer);
-    tracer.record(|| Event::Finished { outcome: candidate::word(separation.separation) });
+    tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)
 }
 
@@ -97,7 +97,7 @@ fn separated(pair: &Relative, p: &Projection, tracer: &mut impl Tracer) -> crate
     let answer = candidate::separated(pair, p);
     let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
     tracer.record(|| Event::SeparatingAxisFound { normal, gap });
-    tracer.record(|| Event::Finished { outcome: candidate::verdict(&answer) });
+    tracer.record(|| Event::Finished { outcome: answer.word() });
     answer
 }
 
