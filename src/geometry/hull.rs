@@ -135,7 +135,7 @@ impl Hull {
     /// Outward unit normal of edge `i`, to twice the precision; exact where the edge is parallel to an axis.
     #[inline]
     #[must_use]
-    pub fn fine_normal(&self, i: usize) -> [Ball; 2] {
+    pub(crate) fn normal_in_balls(&self, i: usize) -> [Ball; 2] {
         let (hi, lo) = (self.normals[i], self.tails[i]);
         let radius = if hi.x == 0.0 || hi.y == 0.0 { 0.0 } else { NORMAL_ERROR };
         [Ball::within(Dd { hi: hi.x, lo: lo.x }, radius), Ball::within(Dd { hi: hi.y, lo: lo.y }, radius)]

@@ -12,11 +12,11 @@ pub mod shape;
 pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
 pub use hull::Hull;
-pub use number::{
-    Ball, COMBINED_ERROR, COS_SIN_ERROR, Dd, Degrees, TAILED_ERROR, Turn, combined, taming_power,
-    two_product, two_sum,
+pub use number::Degrees;
+pub(crate) use number::{
+    Ball, Dd, Turn, combined, fast_two_sum, taming_power, two_product, two_product_each, two_sum,
+    two_sum_each,
 };
-pub(crate) use number::{fast_two_sum, two_product_each, two_sum_each};
 pub use rotation::Rotation;
 pub use shape::Shape;
 

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! In doubles ([`f64`]) a component comes out within 1.5 ε of |x| + |y|, besides what cosine and sine are off by; in
-//! double-doubles ([`Dd`]) within [`crate::geometry::COMBINED_ERROR`] of it; in balls ([`Ball`]) the radius says it. No
+//! double-doubles ([`Dd`]) within [`crate::geometry::number::COMBINED_ERROR`] of it; in balls ([`Ball`]) the radius says it. No
 //! turn at all rounds nothing in any of them.
 
 use std::ops::Neg;

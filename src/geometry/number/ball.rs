@@ -19,11 +19,11 @@ use crate::geometry::Enclosure;
 
 /// A real within `radius` of `value`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Ball {
+pub(crate) struct Ball {
     /// The centre.
-    pub value: Dd,
+    pub(crate) value: Dd,
     /// Bound on |x − value|.
-    pub radius: f64,
+    pub(crate) radius: f64,
 }
 
 /// Below this a product may lose its low half to underflow (2⁻⁹⁶⁹ rounded up to 2⁻⁹⁰⁰): its ball widens by [`FLOOR`].
@@ -42,42 +42,42 @@ fn up(radius: f64) -> f64 {
 
 impl Ball {
     /// 0.
-    pub const ZERO: Self = Self { value: Dd::ZERO, radius: 0.0 };
+    pub(crate) const ZERO: Self = Self { value: Dd::ZERO, radius: 0.0 };
     /// 1.
-    pub const ONE: Self = Self { value: Dd::ONE, radius: 0.0 };
+    pub(crate) const ONE: Self = Self { value: Dd::ONE, radius: 0.0 };
 
     /// A double, exactly.
     #[inline]
     #[must_use]
-    pub const fn new(x: f64) -> Self {
+    pub(crate) const fn new(x: f64) -> Self {
         Self { value: Dd::new(x), radius: 0.0 }
     }
 
     /// A double-double, exactly.
     #[inline]
     #[must_use]
-    pub const fn exact(value: Dd) -> Self {
+    pub(crate) const fn exact(value: Dd) -> Self {
         Self { value, radius: 0.0 }
     }
 
     /// A real within `radius` of a double-double.
     #[inline]
     #[must_use]
-    pub const fn within(value: Dd, radius: f64) -> Self {
+    pub(crate) const fn within(value: Dd, radius: f64) -> Self {
         Self { value, radius }
     }
 
     /// a − b of two doubles, exactly.
     #[inline]
     #[must_use]
-    pub fn difference(a: f64, b: f64) -> Self {
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
         Self::exact(Dd::difference(a, b))
     }
 
     /// a · b of two doubles.
     #[inline]
     #[must_use]
-    pub fn product(a: f64, b: f64) -> Self {
+    pub(crate) fn product(a: f64, b: f64) -> Self {
         let value = Dd::product(a, b);
         Self { value, radius: underflow(value.hi, a, b) }
     }
@@ -85,7 +85,7 @@ impl Ball {
     /// x · y for a double y.
     #[inline]
     #[must_use]
-    pub fn scale(self, y: f64) -> Self {
+    pub(crate) fn scale(self, y: f64) -> Self {
         if self.value.lo == 0.0 && self.radius == 0.0 {
             return Self::product(self.value.hi, y);
         }
@@ -97,7 +97,7 @@ impl Ball {
     /// x / y. Infinite radius where y may be 0.
     #[inline]
     #[must_use]
-    pub fn over(self, y: Self) -> Self {
+    pub(crate) fn over(self, y: Self) -> Self {
         let least = y.value.hi.abs() * (1.0 - f64::EPSILON) - y.radius;
         if least <= 0.0 {
             return Self { value: Dd::ZERO, radius: f64::INFINITY };
@@ -111,7 +111,7 @@ impl Ball {
     /// √x; of the part of the ball that is not negative.
     #[inline]
     #[must_use]
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         let x = self.value.hi;
         if x <= 0.0 || self.radius >= x {
             // 0 ≤ √x ≤ √(value + radius)
@@ -123,38 +123,24 @@ impl Ball {
         Self { value, radius: up(self.radius / value.hi + Dd::ROUNDING * value.hi) }
     }
 
-    /// |x|.
-    #[inline]
-    #[must_use]
-    pub fn abs(self) -> Self {
-        if self.value.hi < 0.0 { -self } else { self }
-    }
-
     /// Widens by `by` ≥ 0.
     #[inline]
     #[must_use]
-    pub fn widen(self, by: f64) -> Self {
+    pub(crate) fn widen(self, by: f64) -> Self {
         Self { value: self.value, radius: if by == 0.0 { self.radius } else { up(self.radius + by) } }
     }
 
     /// Largest possible |x|.
     #[inline]
     #[must_use]
-    pub fn magnitude(self) -> f64 {
+    pub(crate) fn magnitude(self) -> f64 {
         up(self.value.hi.abs() + self.radius)
     }
 
     /// The sign of x, where the ball tells it: `Some(0)` only if x is exactly 0, `None` if the ball holds 0.
-    ///
-    /// ```
-    /// use tracefig::geometry::Ball;
-    /// assert_eq!(Ball::difference(0.5, 0.25).sign(), Some(1));
-    /// assert_eq!(Ball::difference(0.5, 0.5).sign(), Some(0));
-    /// assert_eq!(Ball::new(0.5).widen(1.0).sign(), None);
-    /// ```
     #[inline]
     #[must_use]
-    pub fn sign(self) -> Option<i8> {
+    pub(crate) fn sign(self) -> Option<i8> {
         let x = self.value.hi;
         // |lo| ≤ ε|hi|/2, so that |value| ≥ |hi| (1 − ε).
         if x.abs() * (1.0 - 2.0 * f64::EPSILON) > self.radius {
@@ -169,27 +155,27 @@ impl Ball {
     /// Whether x > 0 is certain.
     #[inline]
     #[must_use]
-    pub fn is_positive(self) -> bool {
+    pub(crate) fn is_positive(self) -> bool {
         self.sign() == Some(1)
     }
 
     /// Whether x < 0 is certain.
     #[inline]
     #[must_use]
-    pub fn is_negative(self) -> bool {
+    pub(crate) fn is_negative(self) -> bool {
         self.sign() == Some(-1)
     }
 
     /// Doubles around x, rounded outward; a point where x is a double.
     #[inline]
     #[must_use]
-    pub fn enclosure(self) -> Enclosure {
+    pub(crate) fn enclosure(self) -> Enclosure {
         self.enclosure_scaled(1.0)
     }
 
     /// Doubles around x · `factor` for a power of two, rounded outward.
     #[must_use]
-    pub fn enclosure_scaled(self, factor: f64) -> Enclosure {
+    pub(crate) fn enclosure_scaled(self, factor: f64) -> Enclosure {
         let Dd { hi, lo } = self.value;
         let centre = hi * factor;
         // x lies within `rest` ± `radius` of the centre; a denormal centre is itself rounded.
@@ -299,5 +285,12 @@ mod tests {
     fn an_underflowed_product_is_not_taken_for_zero() {
         assert_eq!(Ball::product(1e-200, 1e-200).sign(), None);
         assert_eq!(Ball::product(0.0, 1e-200).sign(), Some(0));
+    }
+
+    #[test]
+    fn a_sign_is_told_only_where_it_is_certain() {
+        assert_eq!(Ball::difference(0.5, 0.25).sign(), Some(1));
+        assert_eq!(Ball::difference(0.5, 0.5).sign(), Some(0));
+        assert_eq!(Ball::new(0.5).widen(1.0).sign(), None);
     }
 }

@@ -28,16 +28,8 @@ use crate::geometry::two_sum;
 pub struct Degrees(pub f64);
 
 /// An exact sum of angles, less whole quarter turns.
-///
-/// ```
-/// use tracefig::geometry::{COS_SIN_ERROR, Degrees, Turn};
-/// // Fifty turns and a third: the cosine of 120°, not that of 18120 · π / 180.
-/// let turn = Turn::at(Degrees(18_000.0), Degrees(240.0), 0.5);
-/// let r = turn.rotation();
-/// assert!((r.cos + 0.5).abs() <= COS_SIN_ERROR && (r.sin - 3f64.sqrt() / 2.0).abs() <= 2.0 * COS_SIN_ERROR);
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Turn {
+pub(crate) struct Turn {
     /// Quarter turns, 0 to 3.
     quarters: u8,
     /// Whole degrees, −45 to 45.
@@ -50,11 +42,12 @@ pub struct Turn {
 
 /// Bound on the error of [`Turn::rotation`], ε/2: half an ulp of a double below 1 is ε/4, and the correction in the bracket is
 /// below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
-pub const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
+#[cfg(test)]
+pub(crate) const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 
 /// Bound on the error of [`Turn::rotation_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
 /// roundings of ε/2 on its way, and the table's lower half comes with it.
-pub const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
+pub(crate) const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
 
 /// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below 0.0088, is off
 /// by 5ε² of itself; the series and the products with them lose less than ε²/10 (see [`crate::geometry::number::series`]); of the lower half of
@@ -63,11 +56,11 @@ const FINE_ERROR: f64 = 2.0 * f64::EPSILON * f64::EPSILON;
 
 impl Turn {
     /// No turn.
-    pub const NONE: Self = Self { quarters: 0, whole: 0, rest: Dd::ZERO, error: 0.0 };
+    pub(crate) const NONE: Self = Self { quarters: 0, whole: 0, rest: Dd::ZERO, error: 0.0 };
 
     /// `angle` + `spin` · `t`.
     #[must_use]
-    pub fn at(angle: Degrees, spin: Degrees, t: f64) -> Self {
+    pub(crate) fn at(angle: Degrees, spin: Degrees, t: f64) -> Self {
         if spin.0 == 0.0 || t == 0.0 {
             return Self::of_two(angle.0, 0.0);
         }
@@ -79,7 +72,7 @@ impl Turn {
 
     /// The angle of `to` less the angle of `from`, both at `t`; each is (angle, spin).
     #[must_use]
-    pub fn between(from: (Degrees, Degrees), to: (Degrees, Degrees), t: f64) -> Self {
+    pub(crate) fn between(from: (Degrees, Degrees), to: (Degrees, Degrees), t: f64) -> Self {
         if t == 0.0 || (from.1.0 == 0.0 && to.1.0 == 0.0) {
             return Self::of_two(to.0.0, -from.0.0);
         }
@@ -112,7 +105,7 @@ impl Turn {
 
     /// The exact sum of at most six angles, in degrees.
     #[must_use]
-    pub fn sum(terms: &[f64]) -> Self {
+    pub(crate) fn sum(terms: &[f64]) -> Self {
         let mut sum = Expansion::default();
         for &term in terms.iter().take(6) {
             sum.grow(if term.abs() < 360.0 { term } else { term % 360.0 });
@@ -136,13 +129,13 @@ impl Turn {
 
     /// Whether it is exactly a number of quarter turns.
     #[must_use]
-    pub fn is_quarter(&self) -> bool {
+    pub(crate) fn is_quarter(&self) -> bool {
         self.whole == 0 && self.rest == Dd::ZERO && self.error == 0.0
     }
 
     /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`]; exact for quarter turns.
     #[must_use]
-    pub fn rotation(&self) -> Rotation<f64> {
+    pub(crate) fn rotation(&self) -> Rotation<f64> {
         self.rotation_tailed().0.rounded()
     }
 
@@ -150,7 +143,7 @@ impl Turn {
     /// [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
     #[inline]
     #[must_use]
-    pub fn rotation_tailed(&self) -> (Rotation<Dd>, f64) {
+    pub(crate) fn rotation_tailed(&self) -> (Rotation<Dd>, f64) {
         if self.is_quarter() {
             return (Rotation { cos: Dd::ONE, sin: Dd::ZERO }.quarters_on(self.quarters), 0.0);
         }
@@ -167,7 +160,7 @@ impl Turn {
 
     /// Cosine and sine to twice the precision, with a proven radius; points where they are exact.
     #[must_use]
-    pub fn rotation_in_balls(&self) -> Rotation<Ball> {
+    pub(crate) fn rotation_in_balls(&self) -> Rotation<Ball> {
         let (s, c) = table(self.whole);
         let (cos, sin) = if self.rest == Dd::ZERO && self.error == 0.0 {
             (entry(c), entry(s))
@@ -330,5 +323,12 @@ mod tests {
             Turn::between((Degrees(30.0), Degrees(0.0)), (Degrees(30.0_f64.next_up()), Degrees(0.0)), 0.5);
         let sine = turn.rotation().sin;
         assert!((sine / (4.0 * f64::EPSILON * 4.0).to_radians() - 1.0).abs() < 1e-12 || sine > 0.0);
+    }
+
+    #[test]
+    fn fifty_turns_and_a_third_have_the_cosine_of_120_degrees() {
+        let turn = Turn::at(Degrees(18_000.0), Degrees(240.0), 0.5).rotation();
+        assert!((turn.cos + 0.5).abs() <= COS_SIN_ERROR);
+        assert!((turn.sin - 3_f64.sqrt() / 2.0).abs() <= 2.0 * COS_SIN_ERROR);
     }
 }

@@ -20,25 +20,20 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 /// The unevaluated sum hi + lo with |lo| ≤ ulp(hi)/2.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Dd {
+pub(crate) struct Dd {
     /// The double nearest to the number.
-    pub hi: f64,
+    pub(crate) hi: f64,
     /// What `hi` leaves out.
-    pub lo: f64,
+    pub(crate) lo: f64,
 }
 
 /// Dekker's splitter 2²⁷ + 1.
 pub(crate) const SPLITTER: f64 = 134_217_729.0;
 
 /// a + b = sum + error, exactly (Knuth).
-///
-/// ```
-/// use tracefig::geometry::two_sum;
-/// assert_eq!(two_sum(1.0, 1e-30), (1.0, 1e-30));
-/// ```
 #[inline]
 #[must_use]
-pub fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let bb = sum - a;
     (sum, (a - (sum - bb)) + (b - bb))
@@ -60,15 +55,9 @@ fn split(a: f64) -> (f64, f64) {
 }
 
 /// a · b = product + error, exactly (Dekker), where neither overflows and the product is 0 or above 2⁻⁹⁶⁹.
-///
-/// ```
-/// use tracefig::geometry::two_product;
-/// let (p, e) = two_product(0.1, 10.0);
-/// assert_eq!((p, e), (1.0, 5.551115123125783e-17));
-/// ```
 #[inline]
 #[must_use]
-pub fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let p = a * b;
     let (ah, al) = split(a);
     let (bh, bl) = split(b);
@@ -76,14 +65,9 @@ pub fn two_product(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// The power of two that brings `x` ≠ 0 into [1, 2) (denormals into [2⁻⁷⁴, 2⁻²²)); 1 for 0.
-///
-/// ```
-/// use tracefig::geometry::taming_power;
-/// assert_eq!(taming_power(-12.0), 0.125);
-/// ```
 #[inline]
 #[must_use]
-pub fn taming_power(x: f64) -> f64 {
+pub(crate) fn taming_power(x: f64) -> f64 {
     /// Exponent field of a double.
     const FIELD: u64 = 0x7ff;
     let exponent = (x.to_bits() >> 52) & FIELD;
@@ -98,23 +82,23 @@ pub fn taming_power(x: f64) -> f64 {
 
 impl Dd {
     /// 0.
-    pub const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
+    pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     /// 1.
-    pub const ONE: Self = Self { hi: 1.0, lo: 0.0 };
+    pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// Bound on the relative error of every operation here: 5 ε² = 20u². See the head of this file.
-    pub const ROUNDING: f64 = 5.0 * f64::EPSILON * f64::EPSILON;
+    pub(crate) const ROUNDING: f64 = 5.0 * f64::EPSILON * f64::EPSILON;
 
     /// A double, exactly.
     #[inline]
     #[must_use]
-    pub const fn new(x: f64) -> Self {
+    pub(crate) const fn new(x: f64) -> Self {
         Self { hi: x, lo: 0.0 }
     }
 
     /// a + b, exactly.
     #[inline]
     #[must_use]
-    pub fn sum(a: f64, b: f64) -> Self {
+    pub(crate) fn sum(a: f64, b: f64) -> Self {
         let (hi, lo) = two_sum(a, b);
         Self { hi, lo }
     }
@@ -122,14 +106,14 @@ impl Dd {
     /// a − b, exactly.
     #[inline]
     #[must_use]
-    pub fn difference(a: f64, b: f64) -> Self {
+    pub(crate) fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)
     }
 
     /// a · b, exactly (see [`two_product`] for when).
     #[inline]
     #[must_use]
-    pub fn product(a: f64, b: f64) -> Self {
+    pub(crate) fn product(a: f64, b: f64) -> Self {
         let (hi, lo) = two_product(a, b);
         Self { hi, lo }
     }
@@ -137,21 +121,14 @@ impl Dd {
     /// The nearest double.
     #[inline]
     #[must_use]
-    pub fn to_f64(self) -> f64 {
+    pub(crate) fn to_f64(self) -> f64 {
         self.hi + self.lo
-    }
-
-    /// |x|.
-    #[inline]
-    #[must_use]
-    pub fn abs(self) -> Self {
-        if self.hi < 0.0 { -self } else { self }
     }
 
     /// x · y for a double y.
     #[inline]
     #[must_use]
-    pub fn scale(self, y: f64) -> Self {
+    pub(crate) fn scale(self, y: f64) -> Self {
         let (p, e) = two_product(self.hi, y);
         let (hi, lo) = fast_two_sum(p, e + self.lo * y);
         Self { hi, lo }
@@ -160,30 +137,23 @@ impl Dd {
     /// x · 2ᵏ for `factor` = 2ᵏ, exactly where nothing underflows.
     #[inline]
     #[must_use]
-    pub fn scale_by_power_of_two(self, factor: f64) -> Self {
+    pub(crate) fn scale_by_power_of_two(self, factor: f64) -> Self {
         Self { hi: self.hi * factor, lo: self.lo * factor }
     }
 
     /// x + y for a double y.
     #[inline]
     #[must_use]
-    pub fn add_f64(self, y: f64) -> Self {
+    pub(crate) fn add_f64(self, y: f64) -> Self {
         let (s, e) = two_sum(self.hi, y);
         let (hi, lo) = fast_two_sum(s, e + self.lo);
         Self { hi, lo }
     }
 
     /// x / y.
-    ///
-    /// ```
-    /// use tracefig::geometry::Dd;
-    /// let third = Dd::ONE.div(Dd::new(3.0));
-    /// assert_eq!(third.scale(3.0).to_f64(), 1.0);
-    /// ```
     #[inline]
     #[must_use]
-    #[expect(clippy::should_implement_trait, reason = "a division in a certified path should be seen")]
-    pub fn div(self, y: Self) -> Self {
+    pub(crate) fn div(self, y: Self) -> Self {
         let q = self.hi / y.hi;
         let r = y.scale(q);
         let rest = (self.hi - r.hi) + (self.lo - r.lo);
@@ -192,15 +162,9 @@ impl Dd {
     }
 
     /// √x for x ≥ 0.
-    ///
-    /// ```
-    /// use tracefig::geometry::Dd;
-    /// let root = Dd::new(2.0).sqrt();
-    /// assert!(((root * root) - Dd::new(2.0)).to_f64().abs() < 1e-30);
-    /// ```
     #[inline]
     #[must_use]
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         if self.hi <= 0.0 {
             return Self::ZERO;
         }
@@ -213,16 +177,9 @@ impl Dd {
 }
 
 /// a x + b y, within [`COMBINED_ERROR`] · (|a x| + |b y|): one rounding of the lower halves instead of four.
-///
-/// ```
-/// use tracefig::geometry::{Dd, combined};
-/// let third = Dd::ONE.div(Dd::new(3.0));
-/// let whole = combined(third, Dd::new(2.0), third, Dd::ONE);
-/// assert!((whole - Dd::ONE).to_f64().abs() < 1e-31);
-/// ```
 #[inline]
 #[must_use]
-pub fn combined(a: Dd, x: Dd, b: Dd, y: Dd) -> Dd {
+pub(crate) fn combined(a: Dd, x: Dd, b: Dd, y: Dd) -> Dd {
     let (p, e) = two_product(a.hi, x.hi);
     let (q, f) = two_product(b.hi, y.hi);
     let (s, g) = two_sum(p, q);
@@ -233,7 +190,8 @@ pub fn combined(a: Dd, x: Dd, b: Dd, y: Dd) -> Dd {
 
 /// Error of [`combined`], relative to |a x| + |b y|: the lower terms are together below 2.5ε of it and meet at most four
 /// roundings of ε/2, and lo · lo, which is left out, is below ε²/2 for both: 6 ε².
-pub const COMBINED_ERROR: f64 = 6.0 * f64::EPSILON * f64::EPSILON;
+#[cfg(test)]
+pub(crate) const COMBINED_ERROR: f64 = 6.0 * f64::EPSILON * f64::EPSILON;
 
 impl Add for Dd {
     type Output = Self;
@@ -304,5 +262,22 @@ mod tests {
             let root = x.sqrt();
             assert!(relative(root * root, x) <= 3.0 * Dd::ROUNDING, "{k}");
         }
+    }
+
+    #[test]
+    fn sums_and_products_of_doubles_lose_nothing() {
+        assert_eq!(two_sum(1.0, 1e-30), (1.0, 1e-30));
+        assert_eq!(two_product(0.1, 10.0), (1.0, 5.551_115_123_125_783e-17));
+        assert_eq!(taming_power(-12.0), 0.125);
+    }
+
+    #[test]
+    fn thirds_and_roots_are_good_to_32_digits() {
+        let third = Dd::ONE.div(Dd::new(3.0));
+        assert_eq!(third.scale(3.0).to_f64(), 1.0);
+        let whole = combined(third, Dd::new(2.0), third, Dd::ONE);
+        assert!((whole - Dd::ONE).to_f64().abs() < 1e-31);
+        let root = Dd::new(2.0).sqrt();
+        assert!(((root * root) - Dd::new(2.0)).to_f64().abs() < 1e-30);
     }
 }

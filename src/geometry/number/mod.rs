@@ -4,12 +4,18 @@ mod ball;
 pub(crate) mod cos_sin;
 mod degrees;
 mod double_double;
+#[cfg(test)]
+mod roundings;
 mod series;
 mod sines;
 mod vector;
 
-pub use ball::Ball;
-pub use degrees::{COS_SIN_ERROR, Degrees, TAILED_ERROR, Turn};
-pub(crate) use double_double::fast_two_sum;
-pub use double_double::{COMBINED_ERROR, Dd, combined, taming_power, two_product, two_sum};
+pub(crate) use ball::Ball;
+#[cfg(test)]
+pub(crate) use degrees::COS_SIN_ERROR;
+pub use degrees::Degrees;
+pub(crate) use degrees::Turn;
+#[cfg(test)]
+pub(crate) use double_double::COMBINED_ERROR;
+pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
 pub(crate) use vector::{two_product_each, two_sum_each};

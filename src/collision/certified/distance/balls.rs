@@ -94,7 +94,7 @@ impl<'p, 's> Fine<'p, 's> {
 
     /// The unit normal of a side, from A to B.
     pub(crate) fn normal(&self, side: Side, k: usize) -> Vec2 {
-        let outward = self.pair.hull(side).fine_normal(k);
+        let outward = self.pair.hull(side).normal_in_balls(k);
         match side {
             Side::A => outward,
             Side::B => reversed(&self.rotation.apply(outward)),
