@@ -247,6 +247,15 @@ impl Reason {
 }
 
 impl Outcome {
+    /// What a separation at t = 0 says that is not certainly above 0.
+    pub(crate) fn at_start(near: &Separation) -> Self {
+        if near.bounds.hi <= 0.0 || near.separation <= 0.0 {
+            Self::Overlapping { contact: *near }
+        } else {
+            Self::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
+        }
+    }
+
     /// Its word in answers.
     ///
     /// ```

@@ -15,6 +15,6 @@ pub use algorithm::outline::{Difference, OutlineEdge, difference};
 pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops};
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 pub use certified::distance::pair::Pair;
-pub use certified::impact::moving_pair::MovingPair;
+pub use certified::impact::MovingPair;
 pub use certified::sweep::Sweep;
 pub use query::{Bodies, Motion, QUERIES, Query, QueryKind, Question, Shapes, When};

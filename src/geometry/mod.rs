@@ -14,7 +14,7 @@ pub use glam::DVec2;
 pub use hull::Hull;
 pub use number::Degrees;
 pub(crate) use number::{
-    Ball, Dd, Turn, combined, fast_two_sum, taming_power, two_product, two_product_each, two_sum,
+    Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_product_each, two_sum,
     two_sum_each,
 };
 pub use rotation::Rotation;

@@ -22,9 +22,7 @@ use crate::collision::Reason;
 use crate::collision::Separation;
 use crate::collision::algorithm::minkowski;
 use crate::collision::algorithm::view::Relative;
-use crate::collision::certified::impact::closest::nearest;
-use crate::collision::certified::impact::contact::{self, Before};
-use crate::collision::certified::impact::moving_pair::MovingPair;
+use crate::collision::certified::impact::MovingPair;
 use crate::geometry::{Body, DVec2, Enclosure, perp};
 use crate::trace::{Event, Moment, Tracer};
 
@@ -133,7 +131,7 @@ impl Advancement<'_> {
     /// What a distance query at `t` allows.
     fn verdict(&self, t: f64, near: &Separation, bound: f64) -> Step {
         if t == 0.0 && near.bounds.lo <= 0.0 {
-            return Step::Done(contact::at_start(near));
+            return Step::Done(Outcome::at_start(near));
         }
         if near.separation <= self.tolerance {
             return Step::Done(self.arrived(t, near));
@@ -158,9 +156,7 @@ impl Advancement<'_> {
     fn arrived(&self, t: f64, near: &Separation) -> Outcome {
         let speed = closing_speed(self.a, self.b, t, near);
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
-        let pair = MovingPair::new(self.a, self.b);
-        let features = nearest(&pair, t).0;
-        if Before::new(&pair, t, features).touches_by(later) {
+        if MovingPair::new(self.a, self.b).touches_between(t, later) {
             Outcome::Hit { time: Enclosure { lo: t, hi: later }, contact: *near }
         } else {
             Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t }

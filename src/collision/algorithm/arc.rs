@@ -18,7 +18,7 @@ use crate::collision::MotionBound;
 use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::algorithm::{Algorithm, Stops};
-use crate::geometry::{Body, DVec2, Side};
+use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
 /// Its row in the table of algorithms.
@@ -60,7 +60,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         }
     });
     let relative = query.a.velocity - query.b.map_or(DVec2::ZERO, |b| b.velocity);
-    let linear = crate::collision::algorithm::outline::length(relative);
+    let linear = length(relative);
     let mut sum = linear + arc(Side::A, query.a, linear, tracer);
     if let Some(b) = query.b {
         sum += arc(Side::B, b, linear, tracer);
@@ -81,7 +81,7 @@ fn is_at_rest(query: &Query, relative: DVec2) -> bool {
 /// θ r of one body.
 #[inline]
 fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
-    let far = |v: &DVec2| crate::collision::algorithm::outline::length(*v);
+    let far = |v: &DVec2| length(*v);
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
     let radius = reach + body.shape.radius;
     // Degrees first: a tiny angle in radians would lose its digits to underflow.

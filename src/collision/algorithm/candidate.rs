@@ -9,11 +9,11 @@ use crate::collision::Answer;
 use crate::collision::Overlap;
 use crate::collision::QueryKind;
 use crate::collision::Separation;
-use crate::collision::algorithm::outline::{Projection, Span, length};
+use crate::collision::algorithm::outline::{Projection, Span};
 use crate::collision::algorithm::view::{Relative, Turn};
 use crate::collision::certified::distance::search::certify;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
-use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::geometry::{DVec2, Enclosure, Feature, Side, length};
 use crate::trace::{Event, Goal, SupportVertex, Tracer};
 
 /// A part of a core: counted along the core, not the file.

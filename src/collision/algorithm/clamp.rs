@@ -22,7 +22,7 @@ use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
-use crate::geometry::{Body, DVec2, Side};
+use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -78,7 +78,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 /// The centre is outside: V was cut in x, in y (a side faces the circle), or in both (a vertex does).
 fn outside(v: DVec2, clamped: DVec2) -> Candidate {
     let d = v - clamped;
-    let distance = outline::length(d);
+    let distance = length(d);
     let (right, up) = (v.x > 0.0, v.y > 0.0);
     let facing = match (d.x != 0.0, d.y != 0.0) {
         (true, true) => CoreFeature::Vertex(match (right, up) {

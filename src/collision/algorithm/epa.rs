@@ -12,9 +12,8 @@
 //! interior, or a search that met the origin on its way.
 
 use crate::collision::algorithm::gjk::Vertex;
-use crate::collision::algorithm::outline::length;
 use crate::collision::algorithm::view::Relative;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, length};
 use crate::trace::{Event, Tracer};
 
 /// Most vertices that a polytope may have: it grows by one a step, and steps beyond this only come from bodies of

@@ -17,7 +17,7 @@ use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
-use crate::geometry::{Body, DVec2, Side};
+use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -63,7 +63,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 fn candidate(apart: DVec2, gap: DVec2) -> Candidate {
     let (right, up) = (apart.x >= 0.0, apart.y >= 0.0);
     if gap.x > 0.0 && gap.y > 0.0 {
-        let distance = outline::length(gap);
+        let distance = length(gap);
         let normal =
             DVec2::new(if right { gap.x } else { -gap.x }, if up { gap.y } else { -gap.y }) / distance;
         let features = [vertex(right, up), vertex(!right, !up)];

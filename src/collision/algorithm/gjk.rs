@@ -24,11 +24,11 @@ use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::epa;
 use crate::collision::algorithm::minkowski::is_better;
-use crate::collision::algorithm::outline::{self, Projection, length, walk};
+use crate::collision::algorithm::outline::{self, Projection, walk};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{DVec2, Side, perp};
+use crate::geometry::{DVec2, Side, length, perp};
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.

@@ -9,11 +9,8 @@
 
 use crate::collision::algorithm::view::{Relative, Turn};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{Body, DVec2, Side, perp};
+use crate::geometry::{Body, DVec2, Side, length, perp};
 use crate::trace::{Event, Tracer};
-
-/// Squares that neither overflowed nor lost digits to underflow, on either coordinate that counts.
-const SAFE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 
 /// An edge of B ⊖ A, in configuration space.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -220,10 +217,4 @@ pub fn difference(a: &Body, b: &Body, t: f64) -> Difference {
     let mut edges = Vec::new();
     walk(&pair, |pairing| edges.push(pairing.told(&pair)));
     Difference { edges, center: center(&pair), radius: pair.radius() }
-}
-
-/// Length of a vector to 2 ε; without overflow or underflow of its square.
-pub(crate) fn length(v: DVec2) -> f64 {
-    let squared = v.length_squared();
-    if SAFE_SQUARES.contains(&squared) { squared.sqrt() } else { libm::hypot(v.x, v.y) }
 }

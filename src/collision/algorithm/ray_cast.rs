@@ -1,13 +1,26 @@
-//! Linear sweep as one ray cast: the default for bodies that do not turn.
+//! Linear sweep as one ray against B ⊖ A: the default for bodies that do not turn.
 //!
-//! See [`crate::collision::certified::sweep::ray`] for the idea and its proof; here it meets queries.
+//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. It
+//! can do so only through an edge that faces it, v·n > 0 (n from A to B), and of those through the one whose line it meets
+//! last, or through the disc at one of that edge's ends. The numbers are proved by [`Sweep`]; what is told here is what
+//! the article draws: each edge of B ⊖ A, moved out by ρ = `r_A` + `r_B`, with the time at which the ray meets its line,
+//!
+//! ```text
+//! t = (g − ρ) / (v·n)         g: the gap of the cores along n at t = 0
+//! ```
+//!
+//! and whether it faces away, is missed, or is hit.
+//!
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
-use crate::collision::Answer;
-use crate::collision::Impact;
-use crate::collision::QueryKind;
-use crate::collision::Sweep;
+use crate::collision::algorithm::outline::{record, walk};
+use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, Stops, unturning_pair};
-use crate::collision::certified::sweep::ray::answer;
+use crate::collision::certified::sweep::Sweep;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
+use crate::collision::{Answer, Impact, Outcome, Query, QueryKind};
+use crate::geometry::{Feature, Side};
+use crate::trace::{Culling, Event, Tracer};
 
 /// Its row in the table of algorithms.
 pub(crate) const ALGORITHM: Algorithm = Algorithm {
@@ -19,9 +32,67 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     quiet: answer,
     traced: answer,
     ready: Some(|query| {
-        let sweep = Sweep::new(query.a, query.b.unwrap_or(query.a));
-        Box::new(move || {
-            Answer::Impact(Impact { outcome: sweep.first_contact(), tolerance: 0.0, iterations: 1 })
-        })
+        let sweep = sweep_of(query);
+        Box::new(move || impact(sweep.first_contact()))
     }),
 };
+
+/// Answers a linear sweep.
+fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
+    let sweep = sweep_of(query);
+    let outcome = sweep.first_contact();
+    if tracer.listens() {
+        tell(query, &sweep, &outcome, tracer);
+    }
+    tracer.record(|| Event::Finished { outcome: outcome.word() });
+    impact(outcome)
+}
+
+/// The sweep that a query asks for.
+fn sweep_of<'s>(query: &Query<'s>) -> Sweep<'s> {
+    Sweep::new(query.a, query.b.unwrap_or(query.a))
+}
+
+/// An outcome as the answer to a query.
+fn impact(outcome: Outcome) -> Answer {
+    Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 1 })
+}
+
+/// Records what became of each edge of B ⊖ A, and of the disc that is hit.
+fn tell(query: &Query, sweep: &Sweep, outcome: &Outcome, tracer: &mut impl Tracer) {
+    let (a, b) = (query.a, query.b.unwrap_or(query.a));
+    let pair = Relative::at(a, b, 0.0);
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
+    record(&pair, tracer);
+    let v = pair.local_vector(a.velocity - b.velocity);
+    let hit = if matches!(outcome, Outcome::Hit { .. }) { sweep.entered() } else { None };
+    let radius = pair.radius();
+    walk(&pair, |p| {
+        let [from, to] = p.ends(&pair);
+        let outward = p.outward(&pair);
+        let faces = v.perp_dot(to - from) < 0.0;
+        let culling = match faces {
+            false => Culling::BackFacing,
+            true if is_edge(hit, p) => Culling::Hit,
+            true => Culling::Missed,
+        };
+        tracer.record(|| Event::RayClipped {
+            source: (p.source, Feature::Edge(pair.file_edge(p.source, p.edge))),
+            from: pair.world_vector(from + outward * radius),
+            to: pair.world_vector(to + outward * radius),
+            outcome: culling,
+            time: faces.then(|| (outward.dot(from) + radius) / outward.dot(v)),
+        });
+    });
+    if let (Some(DifferenceFeature::Vertex([i, j])), Outcome::Hit { time, .. }) = (hit, outcome) {
+        let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
+        let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
+        let time = Some(time.lo);
+        tracer.record(|| Event::RayClipped { source, from: center, to: center, outcome: Culling::Hit, time });
+    }
+}
+
+/// Whether a feature of B ⊖ A is an edge made by the same edge of the same body.
+fn is_edge(feature: Option<DifferenceFeature>, edge: DifferenceEdge) -> bool {
+    matches!(feature, Some(DifferenceFeature::Edge(f)) if (f.source, f.edge) == (edge.source, edge.edge))
+}

@@ -4,6 +4,7 @@ mod ball;
 pub(crate) mod cos_sin;
 mod degrees;
 mod double_double;
+mod length;
 #[cfg(test)]
 mod roundings;
 mod series;
@@ -18,4 +19,5 @@ pub(crate) use degrees::Turn;
 #[cfg(test)]
 pub(crate) use double_double::COMBINED_ERROR;
 pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
+pub(crate) use length::length;
 pub(crate) use vector::{two_product_each, two_sum_each};

@@ -37,6 +37,17 @@ pub(crate) struct Axis {
     pub(crate) edge: Option<usize>,
 }
 
+/// An axis that is proved to separate the bodies over a span of time: a link of the certificate that nothing touches.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct AxisSpan {
+    /// The axis.
+    pub(crate) axis: Axis,
+    /// Start of the span.
+    pub(crate) from: f64,
+    /// End of the span.
+    pub(crate) to: f64,
+}
+
 /// How precisely a gap is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Precision {

@@ -13,23 +13,11 @@
 //! The last one needs no interior, and so settles points, segments and parallel segments, whose separation is never
 //! negative. All arithmetic is in balls, so that each fact holds for the exact reals.
 
-use crate::collision::Outcome;
-use crate::collision::Reason;
-use crate::collision::Separation;
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::closest::{certified, nearest};
 use crate::collision::certified::impact::moving_pair::{MovingPair, Seen};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, DVec2, Side, perp};
-
-/// What a separation at t = 0 that may be at most 0 says.
-pub(crate) fn at_start(near: &Separation) -> Outcome {
-    if near.bounds.hi <= 0.0 || near.separation <= 0.0 {
-        Outcome::Overlapping { contact: *near }
-    } else {
-        Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
-    }
-}
 
 /// Two bodies that are apart at a moment.
 pub(crate) struct Before<'p, 'q> {

@@ -1,9 +1,135 @@
-//! The first contact of two bodies that move and turn, proved.
+//! First contact of two bodies that move and turn, proved.
+//!
+//! A question goes to the [`filter`] first: doubles find the contact, and prove it and all before it afterwards. Where it
+//! leaves something open, the [`search`] proves its way forward from t = 0, step by step, in balls where needed. At a graze
+//! the search stands still; then the ray of [`crate::collision::certified::sweep`] decides, if neither body turns. The
+//! other way round, what the ray leaves open the search may decide. Both ways out are here and nowhere else.
+//!
+//! # Words
+//!
+//! ```text
+//! apart       at a moment: the separation is above 0
+//! touch       at a moment: it is not, the bodies share a point
+//! contact     the first moment in [0, 1] at which they touch; and the pair just before it
+//! hit         an outcome: contact, enclosed between a moment `lo` until which they are proved apart, and a moment `hi` by
+//!             which they are proved to have touched
+//! gap         along an axis: how far apart the bodies' shadows on it are; positive, the axis separates them
+//! used up     an axis, at the moment from which on its gap can no longer be proved positive
+//! close in    go on in balls, where the gap is within a few roundings of doubles
+//! graze       a contact, or a near miss, at which the gap hardly closes: its signs are below the rounding
+//! ```
 
-pub(crate) mod axis;
-pub(crate) mod closest;
-pub(crate) mod contact;
-pub(crate) mod filter;
-pub(crate) mod moving_pair;
-pub(crate) mod search;
-pub(crate) mod taylor;
+mod axis;
+mod closest;
+mod contact;
+mod filter;
+mod limits;
+mod moving_pair;
+mod search;
+mod taylor;
+
+pub(crate) use axis::AxisSpan;
+pub use moving_pair::MovingPair;
+
+use crate::collision::answer::{Impact, Outcome, Reason};
+use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::sweep;
+use crate::collision::feature::DifferenceFeature;
+use crate::geometry::{Body, Enclosure};
+use axis::Axis;
+use closest::{certified, nearest};
+use contact::Before;
+use limits::Limits;
+use search::{Ended, Search};
+
+/// Step cap of [`by_axes`]: without turning, each axis halves what is left of a graze.
+const UNTURNED_QUERIES: usize = 200;
+
+impl MovingPair<'_> {
+    /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a time-of-impact query,
+    /// with a `tolerance` in world units and at most about `max_iterations` distance queries. See [`MovingPair::new`] for
+    /// an example.
+    #[must_use]
+    pub fn first_contact(&self, tolerance: f64, max_iterations: usize) -> Impact {
+        self.first_contact_told(tolerance, max_iterations, |_| ())
+    }
+
+    /// [`Self::first_contact`], which reports each axis that separates the bodies, in order of time, as soon as it is
+    /// proved: together they cover all of the time before the first contact that axes can prove.
+    pub(crate) fn first_contact_told(
+        &self,
+        tolerance: f64,
+        max_iterations: usize,
+        mut report: impl FnMut(AxisSpan),
+    ) -> Impact {
+        let limits = Limits { tolerance, max_queries: max_iterations };
+        let filtered = filter::first_contact(self, limits, &mut report);
+        match filtered.outcome {
+            Some(outcome) => Impact { outcome, tolerance, iterations: filtered.queries },
+            None => self.first_contact_by_search(limits, filtered.queries, report),
+        }
+    }
+
+    /// The first contact without the filter, which has made so many distance queries.
+    fn first_contact_by_search(
+        &self,
+        limits: Limits,
+        queries: usize,
+        mut report: impl FnMut(AxisSpan),
+    ) -> Impact {
+        let (ended, iterations) = Search::new(self, limits, queries, &mut report).run();
+        let outcome = match ended {
+            Ended::Decided(outcome) => outcome,
+            Ended::Grazing { free_until, near } => self.by_ray(free_until, near, report),
+        };
+        Impact { outcome, tolerance: limits.tolerance, iterations }
+    }
+
+    /// Whether the bodies, which are apart at `lo`, are proved to touch at some moment in (lo, hi].
+    pub(crate) fn touches_between(&self, lo: f64, hi: f64) -> bool {
+        Before::new(self, lo, nearest(self, lo).0).touches_by(hi)
+    }
+
+    /// A graze: where neither body turns the ray decides it exactly.
+    #[cold]
+    fn by_ray(&self, free_until: f64, near: DifferenceFeature, mut report: impl FnMut(AxisSpan)) -> Outcome {
+        let unresolved = Outcome::Unresolved { reason: Reason::WithinRounding, free_until };
+        if !self.is_linear() {
+            return unresolved;
+        }
+        let [a, b] = self.bodies;
+        let pair = Pair::finely_at(a, b, 0.0);
+        match sweep::balls::entry(&pair).outcome(&pair) {
+            Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
+                let contact = certified(a, b, free_until, near);
+                Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }
+            }
+            Outcome::Unresolved { .. } => unresolved,
+            Outcome::Miss => {
+                let normal = certified(a, b, free_until, near).normal;
+                // Without turning, a gap along a fixed axis is linear in time: positive between if it is at both ends.
+                let axis = Axis::across(self, normal)
+                    .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(self, t)));
+                if let Some(axis) = axis
+                    && free_until < 1.0
+                {
+                    report(AxisSpan { axis, from: free_until, to: 1.0 });
+                }
+                Outcome::Miss
+            }
+            decided => decided,
+        }
+    }
+}
+
+/// First contact of two bodies of which neither turns, where the ray leaves it open: around a vertex that no digits tell
+/// from the ray, axes and proofs of contact need not tell. None where they leave it open too.
+#[cold]
+pub(crate) fn by_axes(a: &Body, b: &Body) -> Option<Outcome> {
+    let pair = MovingPair::new(a, b);
+    let limits = Limits { tolerance: 0.0, max_queries: UNTURNED_QUERIES };
+    match Search::new(&pair, limits, 0, |_| ()).run().0 {
+        Ended::Decided(Outcome::Unresolved { .. }) | Ended::Grazing { .. } => None,
+        Ended::Decided(outcome) => Some(outcome),
+    }
+}

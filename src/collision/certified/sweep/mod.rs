@@ -1,31 +1,33 @@
-//! Two bodies on their way without turning, ready to be asked when they meet.
+//! First contact of two bodies that do not turn, proved.
 //!
-//! What stands ready is what a relative pose and a relative velocity are made of: where B is and how it is turned in A's
-//! frame, and the ray's direction v = `v_A` − `v_B` there. Everything that is a search happens when the question is asked:
-//! [`crate::collision::certified::sweep::filter`] first, the balls of [`crate::collision::certified::sweep::ray`] where doubles do not tell, and where even they do not,
-//! separating axes and proofs of contact.
+//! What stands ready in a [`Sweep`] is what a relative pose and a relative velocity are made of: where B is and how it is
+//! turned in A's frame, and the ray's direction there. Everything that is a search happens when the question is asked, of
+//! three in this order:
+//!
+//! 1. [`filter`]: doubles find where the ray enters B ⊖ A and mostly prove it;
+//! 2. [`balls`]: else signs that are certain;
+//! 3. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no digits
+//!    ([`crate::collision::certified::impact::by_axes`]).
 
-pub(crate) mod filter;
-pub(crate) mod ray;
+pub(super) mod balls;
+mod filter;
+mod heading;
+pub(super) mod ray;
 
-use crate::collision::Outcome;
-use crate::collision::Reason;
-use crate::collision::Separation;
+use crate::collision::answer::Outcome;
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::{certify, settle};
-use crate::collision::certified::distance::witnesses::{self, Proved};
-use crate::collision::certified::impact::search;
-use crate::collision::certified::sweep::filter::{Heading, Met, met};
-use crate::collision::certified::sweep::ray::{Entry, Ray};
+use crate::collision::certified::impact;
 use crate::collision::feature::DifferenceFeature;
-use crate::geometry::{Body, Enclosure};
+use crate::geometry::Body;
+use heading::Heading;
+use ray::Entry;
 
 /// Two bodies that move and do not turn, over t in [0, 1].
 #[derive(Clone, Copy, Debug)]
 pub struct Sweep<'s> {
     /// Both at t = 0.
-    pub(crate) pair: Pair<'s>,
-    /// The ray, where doubles can cast it.
+    pair: Pair<'s>,
+    /// Where the ray goes; None where the filter can't be asked.
     heading: Option<Heading>,
 }
 
@@ -59,104 +61,33 @@ impl<'s> Sweep<'s> {
     /// neighbouring doubles. A contact is the pair at `time.lo`, in world units.
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
-        match self.quick() {
-            Some(Met::At(_, time, proved)) if time.lo >= 0.0 => self.hit(time, &proved),
-            Some(Met::Nothing) => Outcome::Miss,
-            quick => self.after_all(quick),
-        }
-    }
-
-    /// First contact by the ray alone.
-    pub(crate) fn by_ray(&self) -> Outcome {
-        self.outcome(&self.entry())
-    }
-
-    /// Around a vertex that no digits tell from the ray, axes and proofs of contact need not tell.
-    #[cold]
-    fn after_all(&self, quick: Option<Met>) -> Outcome {
-        let outcome = self.outcome(&self.or_by_balls(quick));
-        match outcome {
-            Outcome::Unresolved { .. } => search::of_unturned(self.pair.a, self.pair.b).unwrap_or(outcome),
+        match self.entry().outcome(&self.pair) {
+            open @ Outcome::Unresolved { .. } => impact::by_axes(self.pair.a, self.pair.b).unwrap_or(open),
             decided => decided,
         }
     }
 
-    /// Where the ray's line enters B ⊖ A, as far as doubles tell.
+    /// The edge or vertex of B ⊖ A through which the ray's line enters it, now or at any other time; None where it passes,
+    /// or that is not certain.
+    pub(crate) fn entered(&self) -> Option<DifferenceFeature> {
+        match self.entry() {
+            Entry::At { feature, .. } => Some(feature),
+            Entry::Still | Entry::Misses | Entry::Unsure => None,
+        }
+    }
+
+    /// Where the ray's line enters B ⊖ A.
     #[inline]
-    fn quick(&self) -> Option<Met> {
-        self.heading.as_ref().and_then(|heading| met(&self.pair, heading))
+    fn entry(&self) -> Entry {
+        let filtered = self.heading.as_ref().and_then(|heading| filter::entry(&self.pair, heading));
+        filtered.unwrap_or_else(|| balls::entry(&self.pair))
     }
-
-    /// Whether, where and when the ray's line enters B ⊖ A.
-    pub(crate) fn entry(&self) -> Entry {
-        self.or_by_balls(self.quick())
-    }
-
-    /// By balls where doubles do not tell.
-    fn or_by_balls(&self, quick: Option<Met>) -> Entry {
-        quick.map_or_else(|| Ray::new(&self.pair).entry(), Entry::Quick)
-    }
-
-    /// A hit that doubles proved.
-    #[inline]
-    fn hit(&self, time: Enclosure, proved: &Proved) -> Outcome {
-        Outcome::Hit { time, contact: witnesses::answer(&self.pair.placed_at(time.lo), proved) }
-    }
-
-    /// The answer that an entry gives.
-    fn outcome(&self, entry: &Entry) -> Outcome {
-        match *entry {
-            Entry::Quick(Met::At(_, time, ref proved)) if time.lo >= 0.0 => self.hit(time, proved),
-            Entry::Quick(
-                Met::At(piece, Enclosure { lo, hi }, _) | Met::Outside(piece, Enclosure { lo, hi }),
-            ) => self.between(piece, lo, hi),
-            Entry::Misses | Entry::Quick(Met::Nothing) => Outcome::Miss,
-            Entry::Still => self.at_start(Outcome::Miss),
-            Entry::Unsure => self.at_start(unsure(0.0)),
-            Entry::At(piece, first, last) => self.between(piece, first.doubles().0, last.doubles().1),
-        }
-    }
-
-    /// The answer where the ray's line enters through `piece` between two moments.
-    fn between(&self, piece: DifferenceFeature, lo: f64, hi: f64) -> Outcome {
-        if lo >= 1.0 {
-            Outcome::Miss
-        } else if lo < 0.0 {
-            // The line enters at or before t = 0: the bodies overlap, or have passed each other.
-            self.at_start(if hi < 0.0 { Outcome::Miss } else { unsure(0.0) })
-        } else if hi <= 1.0 {
-            Outcome::Hit { time: Enclosure { lo, hi }, contact: self.contact(piece, lo) }
-        } else {
-            unsure(lo)
-        }
-    }
-
-    /// Overlap at t = 0, or else what is given.
-    fn at_start(&self, apart: Outcome) -> Outcome {
-        let start = certify(&self.pair, None);
-        if start.bounds.hi <= 0.0 {
-            Outcome::Overlapping { contact: start }
-        } else if start.bounds.lo > 0.0 {
-            apart
-        } else {
-            Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
-        }
-    }
-
-    /// The pair at `lo`, just before it touches: so near that the quick proof would hardly ever be tight enough.
-    fn contact(&self, piece: DifferenceFeature, lo: f64) -> Separation {
-        let pair = self.pair.unturned_at(lo);
-        settle(&pair, Some(piece))
-    }
-}
-
-fn unsure(free_until: f64) -> Outcome {
-    Outcome::Unresolved { reason: Reason::WithinRounding, free_until }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::collision::certified::distance::search::settle;
     use crate::collision::tests::sweep_properties::Dice;
 
     #[test]

@@ -4,20 +4,9 @@
 //! often from t = 0 on. Where it does not, the axis before takes over: each parts the bodies at the moment at which it was
 //! found, so that between two such moments there is one at which both do.
 
-use crate::collision::certified::impact::axis::Axis;
+use crate::collision::certified::impact::axis::{Axis, AxisSpan};
 use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap};
 use crate::collision::certified::impact::moving_pair::MovingPair;
-
-/// An axis over a span of time.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Leg {
-    /// The axis.
-    pub(crate) axis: Axis,
-    /// From here.
-    pub(crate) from: f64,
-    /// To here.
-    pub(crate) to: f64,
-}
 
 /// An axis and its gap at the moment at which it was found.
 pub(crate) type Parted = (Axis, TurnedGap);
@@ -43,7 +32,7 @@ pub(crate) struct Proof<'p, 'q> {
     /// Bound on the error of a gap.
     error: f64,
     /// The last one first.
-    legs: [Option<Leg>; 2 * AXES],
+    legs: [Option<AxisSpan>; 2 * AXES],
     count: usize,
 }
 
@@ -78,8 +67,8 @@ impl<'p, 'q> Proof<'p, 'q> {
         Some(())
     }
 
-    /// The legs in order of time.
-    pub(crate) fn legs(&self) -> impl Iterator<Item = &Leg> {
+    /// The axes with their spans, in order of time.
+    pub(crate) fn spans(&self) -> impl Iterator<Item = &AxisSpan> {
         self.legs[..self.count].iter().rev().flatten()
     }
 
@@ -119,7 +108,7 @@ impl<'p, 'q> Proof<'p, 'q> {
         {
             next.from = from;
         } else if self.count < self.legs.len() {
-            self.legs[self.count] = Some(Leg { axis, from, to });
+            self.legs[self.count] = Some(AxisSpan { axis, from, to });
             self.count += 1;
         }
     }

@@ -11,14 +11,17 @@
 //! that meet in them are tried before the direction between them. Where the vertex comes down beside the side of a round
 //! body, the sides next to that are looked over, once, before a distance query is made.
 
-pub(crate) mod certificate;
-pub(crate) mod gap_series;
-pub(crate) mod touch;
+mod certificate;
+mod gap_series;
+mod touch;
 
+use crate::collision::answer::Outcome;
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, search};
-use crate::collision::certified::impact::axis::Axis;
+use crate::collision::certified::impact::axis::{Axis, AxisSpan};
+use crate::collision::certified::impact::closest::certified;
 use crate::collision::certified::impact::filter::certificate::{AXES, Parted, Proof};
 use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, first_root, rounding};
+use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Enclosure, Side, perp};
@@ -44,8 +47,35 @@ const NEIGHBOURHOOD: usize = 16;
 /// A closing speed below this part of the largest speed is a graze: above it, its rounding is below 1e-8 of it.
 const GRAZE: f64 = 1e-6;
 
+/// What the filter can say of a pair.
+pub(crate) struct Filtered {
+    /// The first contact or that there is none, proved; None where that is left to the search.
+    pub(crate) outcome: Option<Outcome>,
+    /// Distance queries made.
+    pub(crate) queries: usize,
+}
+
+/// The first contact of a pair, where doubles find it and prove it; the axes of the proof are reported in order of time.
+pub(crate) fn first_contact(pair: &MovingPair, limits: Limits, report: impl FnMut(AxisSpan)) -> Filtered {
+    let mut quick = QuickImpact::new(pair, limits.allowed(), limits.max_queries);
+    let found = quick.run();
+    if found.is_some() {
+        quick.proof.spans().copied().for_each(report);
+    }
+    let outcome = found.map(|found| match found {
+        Found::Miss => Outcome::Miss,
+        Found::Hit(time, near) => {
+            let [a, b] = pair.bodies;
+            let contact =
+                touch::separation(a, b, time.lo, near).unwrap_or_else(|| certified(a, b, time.lo, near));
+            Outcome::Hit { time, contact }
+        }
+    });
+    Filtered { outcome, queries: quick.queries }
+}
+
 /// What the first stage found.
-pub(crate) enum Found {
+enum Found {
     /// A contact: the time bounds, and its features.
     Hit(Enclosure, DifferenceFeature),
     /// None in [0, 1].
@@ -85,7 +115,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
     }
 
     /// The first contact, proved.
-    pub(crate) fn run(&mut self) -> Option<Found> {
+    fn run(&mut self) -> Option<Found> {
         if self.pair.unit != 1.0 || self.allowed < 2.0 * BAND.end * self.error {
             return None;
         }
@@ -343,3 +373,6 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
         proved.then_some(Found::Hit(Enclosure { lo: gap.t, hi }, near))
     }
 }
+
+#[cfg(test)]
+mod tests;

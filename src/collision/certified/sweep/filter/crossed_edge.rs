@@ -209,7 +209,7 @@ mod tests {
                 let (a, b) = (round(&mut dice, count), round(&mut dice, 7));
                 let pair = Pair::at(&a, &b, 0.0);
                 let v = DVec2::new(dice.roll() - 0.5, dice.roll() - 0.5);
-                let last = crate::collision::certified::sweep::ray::last_line(&pair, v).unwrap();
+                let last = crate::collision::certified::sweep::balls::last_line(&pair, v).unwrap();
                 match crossed(&pair, v) {
                     Crossed::Edge(edge) => {
                         assert!(edge.is_supported && edge.facing == last, "{count} {k}: {edge:?} {last:?}");

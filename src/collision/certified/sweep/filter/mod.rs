@@ -25,19 +25,10 @@ use crate::collision::certified::distance::filter::{self, LAST_ERROR};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
+use crate::collision::certified::sweep::heading::Heading;
+use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, DVec2, Dd, Enclosure, Rotation, Side, combined, two_product, two_sum};
-
-/// What is proved of the ray's line.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Met {
-    /// It passes B ⊖ A.
-    Nothing,
-    /// It enters here, before 0 or after 1.
-    Outside(DifferenceFeature, Enclosure),
-    /// It enters here, between neighbouring doubles; and the pair at the first of them.
-    At(DifferenceFeature, Enclosure, Proved),
-}
 
 /// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
 /// sums 6ε, ρ |v| 4ε, a vertex that rounding takes for the highest 6ε of the sides' lengths, 2 reaches at most, below it:
@@ -54,39 +45,12 @@ const REST_ERROR: f64 = 128.0 * f64::EPSILON * f64::EPSILON;
 /// [`Pair::gap_error`].
 const FAR: f64 = 4.0;
 
-/// Where the ray goes, in A's frame.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Heading {
-    /// v.
-    v: [Dd; 2],
-    /// |v|₁.
-    speed: f64,
-    /// Bound on the error of v, as a vector.
-    error: f64,
-}
-
-impl Heading {
-    /// Of a pair at t = 0; None where the first stage can't be trusted with it, or nothing moves.
-    #[inline]
-    pub(crate) fn of(pair: &Pair) -> Option<Self> {
-        let (v, error) = pair.closing_tailed()?;
-        let speed = v[0].hi.abs() + v[1].hi.abs();
-        pair.is_tame().then_some(Self { v, speed, error })
-    }
-
-    /// v in doubles.
-    #[inline]
-    fn direction(&self) -> DVec2 {
-        DVec2::new(self.v[0].hi, self.v[1].hi)
-    }
-}
-
-/// What the ray's line meets first, if that can be proved with little work.
+/// Where the ray's line enters B ⊖ A, if that can be proved with little work.
 #[inline]
-pub(crate) fn met(pair: &Pair, heading: &Heading) -> Option<Met> {
+pub(crate) fn entry(pair: &Pair, heading: &Heading) -> Option<Entry> {
     let line = Line { pair, heading };
     match crossed(pair, heading.direction()) {
-        Crossed::Nothing(past) => (past > line.slack()).then_some(Met::Nothing),
+        Crossed::Nothing(past) => (past > line.slack()).then_some(Entry::Misses),
         Crossed::Edge(edge) => {
             (edge.is_supported && edge.inside > line.slack()).then(|| line.edge(edge.facing)).flatten()
         }
@@ -110,7 +74,7 @@ impl Line<'_, '_> {
 
     /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
     #[inline]
-    fn edge(&self, facing: DifferenceEdge) -> Option<Met> {
+    fn edge(&self, facing: DifferenceEdge) -> Option<Entry> {
         let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let d = vertex(pair, facing);
         let n = normal(pair, facing);
@@ -139,8 +103,9 @@ impl Line<'_, '_> {
         let step_error = step.abs() * (closing_error / least + 8.0 * f64::EPSILON);
         let time = Dd { hi, lo: step - (hi - q) };
         let time = neighbours(time, rest_error / least + step_error)?;
+        let feature = DifferenceFeature::Edge(facing);
         if time.lo >= 1.0 || time.hi < 0.0 {
-            return Some(Met::Outside(DifferenceFeature::Edge(facing), time));
+            return Some(Entry::At { feature, time, contact: None });
         }
         let separation = rest - (time.lo - q) * closing.hi;
         let proved = Proved {
@@ -151,7 +116,7 @@ impl Line<'_, '_> {
             bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
             ties: 1,
         };
-        Some(Met::At(DifferenceFeature::Edge(facing), time, proved))
+        Some(Entry::At { feature, time, contact: Some(proved) })
     }
 
     /// A vertex of B ⊖ A in doubles.
@@ -187,12 +152,13 @@ impl Line<'_, '_> {
     }
 
     /// When the ray enters through the disc at a vertex, and the pair just before.
-    fn disc(&self, vertices: [usize; 2]) -> Option<Met> {
+    fn disc(&self, vertices: [usize; 2]) -> Option<Entry> {
         let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let time = self.time_of_disc(vertices).filter(|&time| self.is_met(vertices, time))?;
         let time = neighbours(time.value, time.radius)?;
+        let feature = DifferenceFeature::Vertex(vertices);
         if time.lo >= 1.0 || time.hi < 0.0 {
-            return Some(Met::Outside(DifferenceFeature::Vertex(vertices), time));
+            return Some(Entry::At { feature, time, contact: None });
         }
         let p = filter::between(pair, vertices);
         let at = [p[0] - v[0].scale(time.lo), p[1] - v[1].scale(time.lo)];
@@ -207,7 +173,7 @@ impl Line<'_, '_> {
             bounds: around(separation, pair.placing_error + time.lo * error + LAST_ERROR * size),
             ties: 1,
         };
-        Some(Met::At(DifferenceFeature::Vertex(vertices), time, proved))
+        Some(Entry::At { feature, time, contact: Some(proved) })
     }
 }
 
@@ -273,3 +239,6 @@ fn neighbours(x: Dd, error: f64) -> Option<Enclosure> {
         None
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,13 +1,13 @@
-//! What must hold of the first stage of the time of impact on pairs that nobody chose.
+//! What must hold of the filter of the time of impact: on pairs that nobody chose, and on hard ones.
 
-use crate::collision::Outcome;
+use crate::collision::answer::{Impact, Outcome};
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::closest::nearest;
 use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, rounding};
-use crate::collision::certified::impact::moving_pair::MovingPair;
-use crate::collision::certified::impact::search::Search;
+use crate::collision::certified::impact::limits::Limits;
+use crate::collision::certified::impact::{MovingPair, filter};
+use crate::collision::tests::hard_pairs::{hard_pairs, span};
 use crate::collision::tests::sweep_properties::Dice;
-use crate::trace::NoTrace;
 
 /// Calls `visit` with pairs, the axis of their closest features at some moment, and that moment.
 fn each_axis(seed: u64, most: f64, mut visit: impl FnMut(&MovingPair, Axis, f64, &mut Dice)) {
@@ -79,29 +79,52 @@ fn a_gap_that_is_proved_open_is_open_between() {
     assert!(proved > 400 && 3 * proved > 2 * open, "the proof would be idle: {proved} of {open}");
 }
 
-/// The last moment proved free, and the first with proved contact.
-fn span(outcome: &Outcome) -> (f64, f64) {
-    match outcome {
-        Outcome::Hit { time, .. } => (time.lo, time.hi),
-        Outcome::Miss => (1.0, f64::INFINITY),
-        Outcome::Overlapping { .. } => (0.0, 0.0),
-        Outcome::Unresolved { free_until, .. } => (*free_until, f64::INFINITY),
-    }
+/// A pair asked with the filter and without it, at the tolerance of scenes that name none.
+fn both_ways(pair: &MovingPair) -> [Impact; 2] {
+    let limits = Limits { tolerance: 1e-12, max_queries: 10_000 };
+    [pair.first_contact(1e-12, 10_000), pair.first_contact_by_search(limits, 0, |_| ())]
+}
+
+/// Whether the filter alone decides a pair.
+fn is_filtered(pair: &MovingPair) -> bool {
+    let limits = Limits { tolerance: 1e-12, max_queries: 10_000 };
+    filter::first_contact(pair, limits, |_| ()).outcome.is_some()
+}
+
+fn assert_the_same(name: &str, [with, without]: &[Outcome; 2]) {
+    assert_eq!(with.word(), without.word(), "{name}: {with:?} {without:?}");
+    let ((lo, hi), (from, to)) = (span(with), span(without));
+    assert!(lo <= to && from <= hi, "{name}: {with:?} {without:?}");
 }
 
 #[test]
-fn both_stages_agree_and_the_first_decides_most() {
+fn without_the_filter_verdicts_are_the_same_and_bounds_overlap() {
     let mut dice = Dice(13);
-    let (mut first, mut hits) = (0, 0);
-    for _ in 0..1_000 {
-        let (a, b) = (dice.flying(500.0), dice.flying(500.0));
+    let (mut decided, mut hits) = (0, 0);
+    for k in 0..2_000 {
+        let most = if k % 4 == 0 { 3_000.0 } else { 500.0 };
+        let (a, b) = (dice.flying(most), dice.flying(most));
         let pair = MovingPair::new(&a, &b);
-        let steps = Search::new(&pair, 1e-12, 10_000).step_by_step(&mut NoTrace);
-        let Some(quick) = Search::new(&pair, 1e-12, 10_000).quickly(&mut NoTrace) else { continue };
-        let ((lo, hi), (from, to)) = (span(&steps), span(&quick));
-        assert!(lo <= to && from <= hi, "{steps:?} {quick:?}");
-        first += 1;
-        hits += i32::from(to.is_finite());
+        let outcomes = both_ways(&pair).map(|impact| impact.outcome);
+        assert_the_same(&format!("{a:?} {b:?}"), &outcomes);
+        decided += i32::from(is_filtered(&pair));
+        hits += i32::from(matches!(outcomes[0], Outcome::Hit { .. }));
     }
-    assert!(first > 600 && hits > 100, "{first} {hits}");
+    assert!(decided > 1_200 && hits > 200, "the filter would be idle: {decided} {hits}");
+}
+
+#[test]
+fn without_the_filter_hard_cases_are_answered_as_truly() {
+    let (mut cases, mut decided) = (0, 0);
+    for case in hard_pairs(29, 800).filter(|case| !case.is_linear) {
+        let pair = MovingPair::new(&case.a, &case.b);
+        let outcomes = both_ways(&pair).map(|impact| impact.outcome);
+        assert_the_same(&case.name, &outcomes);
+        assert!(case.bears_out(&outcomes[1]), "{}: {outcomes:?}", case.name);
+        let is_another = span(&outcomes[0]) != span(&outcomes[1]);
+        assert!(!is_another || case.bears_out(&outcomes[0]), "{}: {outcomes:?}", case.name);
+        cases += 1;
+        decided += i32::from(is_filtered(&pair));
+    }
+    assert!(decided > 50 && cases > 300, "{decided} of {cases}");
 }

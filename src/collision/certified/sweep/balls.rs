@@ -1,0 +1,247 @@
+//! The ray against B ⊖ A in balls: where it enters, decided by signs that are certain.
+//!
+//! Along the normal n of an edge (from A to B) let g be the gap of the cores at t = 0, p a vertex of B ⊖ A, and
+//! ρ = `r_A` + `r_B`. Then
+//!
+//! ```text
+//! v·n > 0                                   the edge faces the ray; the others are skipped
+//! t = (g − ρ) / (v·n)                       where the ray meets the edge's line, moved out by ρ
+//! t = c / (v·p + √(ρ² |v|² − cross(v, p)²)),  c = |p|² − ρ²        where it meets the disc at a vertex p
+//! ```
+//!
+//! A ray enters a convex polygon through the facing edge whose line it meets last. Where that is within the edge, it is
+//! the answer; beyond its end only the disc at that vertex is left, and where ρ = 0 a ray that passes. Every sign is that
+//! of a ball, so that a graze is a hit exactly if the signs say so; a sign that 106 bits do not tell is
+//! [`Entry::Unsure`].
+//!
+//! Source: the line that is met last is Cyrus and Beck, *Generalized two- and three-dimensional clipping*, 1978; the root
+//! without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
+
+use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, minus, reversed};
+use crate::collision::certified::distance::gaps::pass;
+use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::sweep::ray::Entry;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
+use crate::geometry::{Ball, DVec2, Enclosure, Side, length};
+
+/// Where the ray's line enters B ⊖ A, of a pair at t = 0.
+#[cold]
+pub(crate) fn entry(pair: &Pair) -> Entry {
+    let v = pair.closing_fine();
+    if dot(&v, &v).sign() == Some(0) { Entry::Still } else { Ray { pair, fine: Fine::new(pair), v }.entry() }
+}
+
+/// A ray and B ⊖ A in balls, in A's frame and the units of `pair`.
+struct Ray<'p, 's> {
+    /// Both bodies at t = 0, in doubles.
+    pair: &'p Pair<'s>,
+    /// Both bodies at t = 0, in balls.
+    fine: Fine<'p, 's>,
+    /// The closing velocity `v_A` − `v_B`, along which the ray runs; not 0.
+    v: Vec2,
+}
+
+/// A time as a quotient of two balls, kept apart so that it can be told whether it is a double exactly.
+#[derive(Clone, Copy, Debug)]
+struct TimeQuotient {
+    /// How far off a line or a disc is.
+    numerator: Ball,
+    /// How fast it comes nearer.
+    denominator: Ball,
+}
+
+/// Where the ray meets the line of an edge of B ⊖ A.
+enum MeetingPoint {
+    /// On the edge.
+    Within,
+    /// Beyond the edge's end that is this vertex of B ⊖ A: [i, j].
+    Beyond([usize; 2]),
+    /// At that vertex, as far as 106 bits tell: on the edge or beyond its end.
+    Undecided([usize; 2]),
+}
+
+impl TimeQuotient {
+    /// The last double surely before the time, and the first surely not before it.
+    fn doubles(self) -> Enclosure {
+        let value = self.value();
+        let nearest = value.value.to_f64();
+        if (self.numerator - self.denominator.scale(nearest)).sign() == Some(0) {
+            // Exactly this double.
+            return Enclosure { lo: nearest.next_down(), hi: nearest };
+        }
+        value.enclosure()
+    }
+
+    fn value(self) -> Ball {
+        self.numerator.over(self.denominator)
+    }
+}
+
+impl Ray<'_, '_> {
+    /// v in doubles.
+    fn direction(&self) -> DVec2 {
+        DVec2::new(self.v[0].value.hi, self.v[1].value.hi)
+    }
+
+    /// Where the ray's line enters B ⊖ A.
+    fn entry(&self) -> Entry {
+        let Some(facing) = last_line(self.pair, self.direction()) else {
+            return self.entry_by_disc([0, 0]);
+        };
+        let way = self.fine.measure(facing);
+        let when = self.meets_line(&way);
+        if !when.denominator.is_positive() {
+            return Entry::Unsure;
+        }
+        match self.meeting_point(&way, when.value()) {
+            MeetingPoint::Within => {
+                let (feature, time) = (DifferenceFeature::Edge(way.facing), when.doubles());
+                Entry::At { feature, time, contact: None }
+            }
+            MeetingPoint::Beyond(vertex) => self.entry_by_disc(vertex),
+            MeetingPoint::Undecided(vertex) => match self.entry_by_disc(vertex) {
+                Entry::At { feature, time, contact } => {
+                    // The edge's line bounds the time from below, the disc from above.
+                    let time = Enclosure { lo: when.doubles().lo, hi: time.hi };
+                    Entry::At { feature, time, contact }
+                }
+                other => other,
+            },
+        }
+    }
+
+    /// When the ray meets the line of an edge, moved out by ρ.
+    ///
+    /// Both parts of the quotient are times the edge's length, which keeps them exact where the vertices are.
+    fn meets_line(&self, way: &Way) -> TimeQuotient {
+        let DifferenceEdge { source, edge, vertex } = way.facing;
+        let e = self.fine.side(source, edge);
+        let [i, j] = way.facing.start();
+        let n = match source {
+            Side::A => [e[1], -e[0]],
+            Side::B => [-e[1], e[0]],
+        };
+        let mut gap = dot(&n, &self.fine.between(i, j));
+        if self.pair.radius.hi > 0.0 {
+            gap = gap - Ball::exact(self.pair.radius) * dot(&e, &e).sqrt();
+        }
+        if way.partner.is_some() {
+            let down = if source == Side::A { n } else { reversed(&n) };
+            gap = gap.widen(self.fine.drop_below(source.other(), vertex, &down));
+        }
+        TimeQuotient { numerator: gap, denominator: dot(&n, &self.v) }
+    }
+
+    /// Where along an edge of B ⊖ A the ray is at time `t`: of a parallel edge of the other body, all counts that is over
+    /// the edge.
+    fn meeting_point(&self, way: &Way, t: Ball) -> MeetingPoint {
+        let DifferenceEdge { source, edge, vertex } = way.facing;
+        let (own, other) = (self.pair.hull(source), self.pair.hull(source.other()));
+        let ends = way.partner.map_or([vertex; 2], |parallel| [parallel, other.next(parallel)]);
+        let e = self.fine.side(source, edge);
+        let run = scaled(&self.v, t);
+        let along = |k: usize| match source {
+            Side::A => dot(&minus(&self.fine.between(edge, k), &run), &e),
+            Side::B => dot(&minus(&run, &self.fine.between(k, edge)), &e),
+        };
+        let (p, q) = (along(ends[0]), along(ends[1]));
+        let ((low, first), (high, last)) =
+            if (p - q).value.hi <= 0.0 { ((p, ends[0]), (q, ends[1])) } else { ((q, ends[1]), (p, ends[0])) };
+        let (start, end) = (a_then_b(source, edge, last), a_then_b(source, own.next(edge), first));
+        match (high.sign(), (low - dot(&e, &e)).sign()) {
+            (Some(-1), _) => MeetingPoint::Beyond(start),
+            (_, Some(1)) => MeetingPoint::Beyond(end),
+            (Some(_), Some(_)) => MeetingPoint::Within,
+            (None, _) => MeetingPoint::Undecided(start),
+            (_, None) => MeetingPoint::Undecided(end),
+        }
+    }
+
+    /// Where the ray enters, if that is at the disc at a vertex of B ⊖ A or nowhere.
+    fn entry_by_disc(&self, vertex: [usize; 2]) -> Entry {
+        let (p, v) = (self.fine.between(vertex[0], vertex[1]), self.v);
+        let (across, along, speed_squared) = (cross(&v, &p), dot(&v, &p), dot(&v, &v));
+        let feature = DifferenceFeature::Vertex(vertex);
+        let radius = Ball::exact(self.pair.radius);
+        if self.pair.radius.hi == 0.0 {
+            return match across.sign() {
+                Some(0) => {
+                    let when = TimeQuotient { numerator: along, denominator: speed_squared };
+                    Entry::At { feature, time: when.doubles(), contact: None }
+                }
+                Some(side) => self.passes(vertex, side),
+                None => Entry::Unsure,
+            };
+        }
+        let discriminant = radius * radius * speed_squared - across * across;
+        match discriminant.sign() {
+            Some(touches @ (0 | 1)) => {
+                let c = dot(&p, &p) - radius * radius;
+                let last = TimeQuotient { numerator: c, denominator: along + discriminant.sqrt() };
+                let first = if touches == 0 { None } else { self.meets_tangent(vertex, last) };
+                let time = Enclosure { lo: first.unwrap_or(last).doubles().lo, hi: last.doubles().hi };
+                Entry::At { feature, time, contact: None }
+            }
+            Some(_) => self.passes(vertex, across.sign().unwrap_or(0)),
+            None => Entry::Unsure,
+        }
+    }
+
+    /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than it meets
+    /// B ⊖ A itself.
+    fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> Option<TimeQuotient> {
+        let (p, v, t) = (self.fine.between(i, j), self.direction(), entry.value().value.hi);
+        let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
+        let n = n / length(n);
+        if !n.is_finite() {
+            return None;
+        }
+        let n = [Ball::new(n.x), Ball::new(n.y)];
+        let drop = self.fine.drop_below(Side::B, j, &n) + self.fine.drop_below(Side::A, i, &reversed(&n));
+        let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
+        let closing = dot(&n, &self.v);
+        closing.is_positive().then(|| TimeQuotient { numerator: gap.widen(drop), denominator: closing })
+    }
+
+    /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side of it
+    /// (1: left).
+    fn passes(&self, [i, j]: [usize; 2], side: i8) -> Entry {
+        let left = [-self.v[1], self.v[0]];
+        let away = if side > 0 { left } else { reversed(&left) };
+        let drop =
+            self.fine.drop_below(Side::B, j, &away) + self.fine.drop_below(Side::A, i, &reversed(&away));
+        let reach = Ball::exact(self.pair.radius) * dot(&self.v, &self.v).sqrt();
+        let clear = dot(&away, &self.fine.between(i, j)) - reach - Ball::new(drop);
+        if clear.is_positive() { Entry::Misses } else { Entry::Unsure }
+    }
+}
+
+/// The edge of B ⊖ A facing a ray along v whose line, moved out by ρ, the ray meets last; in doubles.
+pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
+    let (center, rotation) = (pair.center, pair.b_rotation.rounded());
+    let radius = pair.radius.hi;
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
+    let scale = pair.scale;
+    let mut last: Option<(DifferenceEdge, f64)> = None;
+    let mut visit = |facing: DifferenceEdge, gap: f64, closing: f64| {
+        // Compared as fractions with positive denominators would overflow sooner than as quotients.
+        let time = (gap * scale - radius) / closing;
+        if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
+            last = Some((facing, time));
+        }
+    };
+    let c = center / scale;
+    pass(a, b, (c, rotation), |edge, vertex, gap| {
+        visit(DifferenceEdge { source: Side::A, edge, vertex }, gap, a.normals[edge].dot(v));
+    });
+    let seen = -rotation.undo(v);
+    pass(b, a, (-rotation.undo(c), rotation.inverse()), |edge, vertex, gap| {
+        visit(DifferenceEdge { source: Side::B, edge, vertex }, gap, b.normals[edge].dot(seen));
+    });
+    last.map(|(facing, _)| facing)
+}
+
+/// x · y.
+fn scaled(x: &Vec2, y: Ball) -> Vec2 {
+    [x[0] * y, x[1] * y]
+}

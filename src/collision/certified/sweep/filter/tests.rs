@@ -1,0 +1,81 @@
+//! What must hold of the filter of sweeps: on pairs that nobody chose, and on hard ones.
+
+use crate::collision::answer::Outcome;
+use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::sweep::heading::Heading;
+use crate::collision::certified::sweep::ray::Entry;
+use crate::collision::certified::sweep::{Sweep, balls, filter};
+use crate::collision::tests::hard_pairs::{hard_pairs, span};
+use crate::collision::tests::sweep_properties::Dice;
+
+/// What the filter alone says of a pair at t = 0.
+fn filtered(pair: &Pair) -> Option<Entry> {
+    Heading::of(pair).and_then(|heading| filter::entry(pair, &heading))
+}
+
+#[test]
+fn doubles_prove_most_rays_and_say_what_balls_say() {
+    let (mut dice, mut decided, count) = (Dice(11), 0, 3000);
+    for k in 0..count {
+        let (a, b) = (dice.flying(0.0), dice.flying(0.0));
+        let pair = Pair::finely_at(&a, &b, 0.0);
+        let Some(entry) = filtered(&pair) else { continue };
+        match (entry, balls::entry(&pair)) {
+            (Entry::Misses, Entry::Misses) => {}
+            (Entry::At { feature, time, .. }, Entry::At { feature: same, time: proved, .. }) => {
+                assert_eq!(feature, same, "{k}");
+                let is_outside = time.hi < 0.0 || time.lo >= 1.0;
+                let holds = time.lo <= proved.lo && proved.hi <= time.hi;
+                assert!(time == proved || (is_outside && holds), "{k}: {feature:?}");
+            }
+            (entry, proved) => panic!("{k}: {entry:?}, but {proved:?}"),
+        }
+        decided += 1;
+    }
+    assert!(decided * 10 >= count * 9, "{decided} of {count}");
+}
+
+/// A pair asked with the filter and without it.
+fn both_ways(sweep: &Sweep) -> [Outcome; 2] {
+    [sweep.first_contact(), Sweep { heading: None, ..*sweep }.first_contact()]
+}
+
+fn assert_the_same(name: &str, [with, without]: &[Outcome; 2]) {
+    assert_eq!(with.word(), without.word(), "{name}: {with:?} {without:?}");
+    let ((lo, hi), (from, to)) = (span(with), span(without));
+    assert!(lo <= to && from <= hi, "{name}: {with:?} {without:?}");
+    if let (Outcome::Hit { time, contact: x }, Outcome::Hit { time: same, contact: y }) = (with, without)
+        && time == same
+    {
+        let overlap = x.bounds.lo <= y.bounds.hi && y.bounds.lo <= x.bounds.hi;
+        assert!(overlap, "{name}: {with:?} {without:?}");
+    }
+}
+
+#[test]
+fn without_the_filter_verdicts_are_the_same_and_bounds_overlap() {
+    let (mut dice, mut hits) = (Dice(31), 0);
+    for _ in 0..3_000 {
+        let (a, b) = (dice.flying(0.0), dice.flying(0.0));
+        let outcomes = both_ways(&Sweep::new(&a, &b));
+        assert_the_same(&format!("{a:?} {b:?}"), &outcomes);
+        hits += i32::from(matches!(outcomes[0], Outcome::Hit { .. }));
+    }
+    assert!(hits > 300, "{hits}");
+}
+
+#[test]
+fn without_the_filter_hard_cases_are_answered_as_truly() {
+    let (mut cases, mut decided) = (0, 0);
+    for case in hard_pairs(37, 1_600).filter(|case| case.is_linear) {
+        let sweep = Sweep::new(&case.a, &case.b);
+        let outcomes = both_ways(&sweep);
+        assert_the_same(&case.name, &outcomes);
+        assert!(case.bears_out(&outcomes[1]), "{}: {outcomes:?}", case.name);
+        let is_another = span(&outcomes[0]) != span(&outcomes[1]);
+        assert!(!is_another || case.bears_out(&outcomes[0]), "{}: {outcomes:?}", case.name);
+        cases += 1;
+        decided += i32::from(filtered(&sweep.pair).is_some());
+    }
+    assert!(cases > 300 && decided > 100, "{decided} of {cases}");
+}
