@@ -3,6 +3,10 @@
 //! Every path of every source file is read with `syn`: `use` trees, paths in expressions, types and patterns, paths
 //! inside macro calls, `super::` chains from nested modules. A room re-exports only what is its own, so that no arrow
 //! can go round through a neighbour, and nothing but `cli` speaks to the library's root.
+//!
+//! A room may have rooms within it, with rows of their own. A module obeys the longest row that it is in: an inner row
+//! forbids what the outer one allows, the outer room's own items included. A room may always use what lies within it.
+//! Test code, modules named `tests`, obeys the outermost row alone.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -13,8 +17,11 @@ use proc_macro2::{TokenStream, TokenTree};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-/// A room and the rooms that it may use. These are all the arrows there are.
-const ROOMS: &[(&str, &[&str])] = &[
+/// A room, as its path below `src/`, and the rooms that it may use with all that is within them.
+type Row = (&'static str, &'static [&'static str]);
+
+/// The rooms of the house. These are all the arrows there are.
+const ROOMS: &[Row] = &[
     ("geometry", &[]),
     ("trace", &["geometry"]),
     ("collision", &["geometry", "trace"]),
@@ -29,6 +36,19 @@ const ROOMS: &[(&str, &[&str])] = &[
     ("cli", &[]),
 ];
 
+/// Whether a module or an item, given as the segments of its path, is a room or lies within it.
+fn is_within(path: &[String], room: &str) -> bool {
+    let mut at = path.iter();
+    room.split('/').all(|segment| at.next().is_some_and(|own| own == segment))
+}
+
+/// The row that a module obeys.
+fn row_of(module: &[String]) -> Option<&'static Row> {
+    let is_test = module.iter().any(|segment| segment == "tests");
+    let rows = ROOMS.iter().filter(|(room, _)| is_within(module, room) && !(is_test && room.contains('/')));
+    rows.max_by_key(|(room, _)| room.len())
+}
+
 /// A path that leaves its room.
 #[derive(Debug, PartialEq)]
 struct Wrong {
@@ -37,34 +57,38 @@ struct Wrong {
 }
 
 /// Reads the paths of one file.
-struct Reader<'a> {
-    room: &'a str,
-    allowed: &'a [&'a str],
+struct Reader {
     /// Module path from the crate root, inline modules included.
     module: Vec<String>,
     wrong: Vec<Wrong>,
 }
 
-impl Reader<'_> {
+impl Reader {
     /// Judges a path given as its segments. `public` marks a re-export.
     fn judge(&mut self, segments: &[String], line: usize, public: bool) {
-        let Some(resolved) = self.resolve(segments) else { return };
-        let shown = segments.join("::");
-        let Some(target) = resolved.first() else {
-            self.wrong.push(Wrong { line, what: format!("`{shown}` takes in the crate's root") });
-            return;
-        };
-        if target == self.room {
-            return;
+        let Some(what) = self.what_is_wrong_with(segments, public) else { return };
+        self.wrong.push(Wrong { line, what: format!("`{}`{what}", segments.join("::")) });
+    }
+
+    /// What a path does against the design, if anything.
+    fn what_is_wrong_with(&self, segments: &[String], public: bool) -> Option<String> {
+        let path = self.resolve(segments)?;
+        if path.is_empty() {
+            return Some(" takes in the crate's root".into());
         }
-        let known = ROOMS.iter().any(|(name, _)| name == target);
-        if !known {
-            self.wrong.push(Wrong { line, what: format!("`{shown}` goes through the crate's root") });
-        } else if !self.allowed.contains(&target.as_str()) {
-            self.wrong.push(Wrong { line, what: format!("`{shown}`: {} may not use {target}", self.room) });
+        let Some((room, allowed)) = row_of(&self.module) else {
+            return Some(" is used outside any room".into());
+        };
+        if is_within(&path, room) {
+            return None;
+        }
+        let Some((target, _)) = row_of(&path) else { return Some(" goes through the crate's root".into()) };
+        if !allowed.iter().any(|other| is_within(&path, other)) {
+            Some(format!(": {room} may not use {target}"))
         } else if public {
-            let what = format!("`{shown}`: {} re-exports what is {target}'s", self.room);
-            self.wrong.push(Wrong { line, what });
+            Some(format!(": {room} re-exports what is {target}'s"))
+        } else {
+            None
         }
     }
 
@@ -72,7 +96,7 @@ impl Reader<'_> {
     fn resolve(&self, segments: &[String]) -> Option<Vec<String>> {
         let mut rest = segments;
         let mut base = match rest.first()?.as_str() {
-            "tracefig" if self.room == "cli" => return None,
+            "tracefig" if is_within(&self.module, "cli") => return None,
             "crate" | "tracefig" => {
                 rest = &rest[1..];
                 Vec::new()
@@ -157,7 +181,7 @@ impl Reader<'_> {
     }
 }
 
-impl<'ast> Visit<'ast> for Reader<'_> {
+impl<'ast> Visit<'ast> for Reader {
     fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
         self.module.push(item.ident.to_string());
         visit::visit_item_mod(self, item);
@@ -198,15 +222,14 @@ fn module_of(relative: &Path) -> Vec<String> {
 /// What is wrong with one source file of a room.
 fn wrong_arrows(relative: &Path, source: &str) -> Vec<Wrong> {
     let module = module_of(relative);
-    let room = module[0].clone();
-    let Some((_, allowed)) = ROOMS.iter().find(|(name, _)| *name == room) else {
+    if row_of(&module).is_none() {
         return vec![Wrong { line: 1, what: format!("{} is in no room of the design", relative.display()) }];
-    };
+    }
     let file = match syn::parse_file(source) {
         Ok(file) => file,
         Err(error) => return vec![Wrong { line: error.span().start().line, what: error.to_string() }],
     };
-    let mut reader = Reader { room: &room, allowed, module, wrong: Vec::new() };
+    let mut reader = Reader { module, wrong: Vec::new() };
     reader.visit_file(&file);
     reader.wrong
 }
@@ -254,9 +277,53 @@ fn the_rooms_of_the_design_are_the_folders_of_src() {
         .map(|e| e.file_name().to_string_lossy().into_owned())
         .collect();
     folders.sort();
-    let mut rooms: Vec<&str> = ROOMS.iter().map(|(name, _)| *name).collect();
+    let mut rooms: Vec<&str> =
+        ROOMS.iter().map(|(room, _)| *room).filter(|room| !room.contains('/')).collect();
     rooms.sort_unstable();
     assert_eq!(folders, rooms);
+}
+
+#[test]
+fn every_room_that_a_row_names_is_there_and_has_one_row_at_most() {
+    for (k, (room, allowed)) in ROOMS.iter().enumerate() {
+        for named in allowed.iter().chain([room]) {
+            let path = src().join(named);
+            assert!(path.is_dir() || path.with_extension("rs").is_file(), "{room}: no {named} in src/");
+        }
+        assert!(ROOMS[..k].iter().all(|(other, _)| other != room), "{room} has two rows");
+    }
+}
+
+#[test]
+fn a_module_named_tests_is_compiled_for_tests_only() {
+    let mut files = Vec::new();
+    rust_files(&src(), &mut files);
+    for file in files {
+        let source = fs::read_to_string(&file).unwrap();
+        let wrong = modules_of_tests_for_all(&source);
+        assert_eq!(wrong, 0, "{}: `mod tests` without `#[cfg(test)]`", file.display());
+    }
+    assert_eq!(modules_of_tests_for_all("#[cfg(test)] mod tests; mod a { #[cfg(test)] mod tests {} }"), 0);
+    assert_eq!(modules_of_tests_for_all("mod tests; mod a { pub mod tests {} }"), 2);
+}
+
+/// How many modules named `tests` a file has that are part of the library.
+fn modules_of_tests_for_all(source: &str) -> usize {
+    struct Modules(usize);
+    impl<'ast> Visit<'ast> for Modules {
+        fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+            let is_for_tests = |attribute: &syn::Attribute| {
+                attribute.path().is_ident("cfg")
+                    && attribute.parse_args::<syn::Path>().is_ok_and(|flag| flag.is_ident("test"))
+            };
+            let is_part = item.ident == "tests" && !item.attrs.iter().any(is_for_tests);
+            self.0 += usize::from(is_part);
+            visit::visit_item_mod(self, item);
+        }
+    }
+    let mut modules = Modules(0);
+    modules.visit_file(&syn::parse_file(source).unwrap());
+    modules.0
 }
 
 #[test]
