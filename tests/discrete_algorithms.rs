@@ -110,7 +110,7 @@ fn the_normal_is_a_unit_vector_that_carries_the_separation() {
             assert!((s.normal.length() - 1.0).abs() <= ROUNDING, "{}", context());
             let carried = s.points[1] - s.points[0] - s.normal * s.separation;
             assert!(carried.length() <= 4.0 * slack, "{}", context());
-            assert!((gap_along(&a, &b, s.normal) - s.separation).abs() <= 4.0 * slack, "{}", context());
+            assert!((gap_along(&a, &b, *s.normal) - s.separation).abs() <= 4.0 * slack, "{}", context());
         }
     }
 }
@@ -335,7 +335,7 @@ fn what_an_algorithm_tells_amounts_to_its_answer() {
 /// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same normal.
 fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
     let meet = s.bounds.lo <= other.bounds.hi + slack && other.bounds.lo <= s.bounds.hi + slack;
-    meet && (s.ties != 1 || s.separation.abs() < 1e-6 || (other.normal - normal).length() < 1e-6)
+    meet && (s.ties != 1 || s.separation.abs() < 1e-6 || (*other.normal - normal).length() < 1e-6)
 }
 
 #[test]
@@ -344,7 +344,7 @@ fn exchanging_the_bodies_turns_the_normal_around() {
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
             let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &b, &a));
             let context = format!("seed {seed}, {}: {s:?} {t:?}", algorithm.name);
-            assert!(same(&s, &t, -s.normal, ROUNDING * scale(&a, &b)), "{context}");
+            assert!(same(&s, &t, -*s.normal, ROUNDING * scale(&a, &b)), "{context}");
         }
     }
 }
@@ -362,7 +362,7 @@ fn a_rigid_motion_of_the_pair_turns_the_answer_with_it() {
         let (c, d) = (moved(&a), moved(&b));
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {
             let (s, t) = (separation(algorithm, &a, &b), separation(algorithm, &c, &d));
-            let normal = if angle == 0.0 { s.normal } else { DVec2::new(-s.normal.y, s.normal.x) };
+            let normal = if angle == 0.0 { *s.normal } else { DVec2::new(-s.normal.y, s.normal.x) };
             let context = format!("seed {seed}, {}: {s:?} {t:?}", algorithm.name);
             assert!(same(&s, &t, normal, ROUNDING * scale(&c, &d)), "{context}");
         }

@@ -6,7 +6,7 @@
 //! An answer also knows how it is written down: [`Answer::parts`] names its parts in the order of the format, so that
 //! whoever writes JSON or text needs to know kinds of values, not kinds of answers.
 
-use crate::geometry::{DVec2, Enclosure, Feature};
+use crate::geometry::{DVec2, Enclosure, Feature, UnitVector};
 
 /// What a query found.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,7 +54,7 @@ pub struct Separation {
     /// Encloses the exact separation, world units.
     pub bounds: Enclosure,
     /// Unit vector in the world, from A to B, along which B moves apart.
-    pub normal: DVec2,
+    pub normal: UnitVector,
     /// Directions with the same depth or distance within the bounds; 0 where all tie.
     pub ties: u32,
     /// Witness points on A and B, in the world.
@@ -217,7 +217,7 @@ impl Separation {
         let [separation, bounds] = self.measures();
         let ties = ("ties", Part::Count(self.ties as usize));
         let [points, features] = self.witnesses();
-        vec![separation, bounds, ("normal", Part::Point(self.normal)), ties, points, features]
+        vec![separation, bounds, ("normal", Part::Point(*self.normal)), ties, points, features]
     }
 
     fn measures(&self) -> [(&'static str, Part); 2] {
@@ -282,7 +282,7 @@ impl Impact {
                 parts.push(("time_bounds", Part::Interval(*time)));
                 parts.extend(contact.measures());
                 parts.push(tolerance);
-                parts.push(("normal", Part::Point(contact.normal)));
+                parts.push(("normal", Part::Point(*contact.normal)));
                 parts.extend(contact.witnesses());
             }
             Outcome::Miss => parts.push(tolerance),

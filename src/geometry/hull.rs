@@ -7,6 +7,7 @@ use glam::DVec2;
 
 use crate::geometry::Ball;
 use crate::geometry::Dd;
+use crate::geometry::UnitVector;
 use crate::geometry::taming_power;
 
 /// The vertices of a convex core in counter-clockwise order, and what follows from them.
@@ -17,7 +18,7 @@ pub struct Hull {
     /// Edge i runs from vertex i to vertex i + 1: their difference, each component within ε/2 of itself.
     pub edges: Vec<DVec2>,
     /// Outward unit normals of the edges; each component within ε/2.
-    pub normals: Vec<DVec2>,
+    pub normals: Vec<UnitVector>,
     /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component.
     pub tails: Vec<DVec2>,
     /// Normal · vertex, the edge's distance from the body's origin: within 2ε of the reach.
@@ -58,11 +59,11 @@ impl Hull {
         let following = |i: usize| vertices[(i + 1) % n];
         let count = if n < 2 { 0 } else { n };
         let edges: Vec<DVec2> = (0..count).map(|i| following(i) - vertices[i]).collect();
-        let (normals, tails): (Vec<DVec2>, Vec<DVec2>) =
+        let (normals, tails): (Vec<UnitVector>, Vec<DVec2>) =
             (0..count).map(|i| outward(vertices[i], following(i))).unzip();
         let offsets = normals.iter().zip(&vertices).map(|(normal, vertex)| normal.dot(*vertex)).collect();
         let reach = vertices.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
-        let angle = |i: &usize| diamond(normals[*i]);
+        let angle = |i: &usize| diamond(*normals[*i]);
         let first = (0..count).min_by(|i, j| angle(i).total_cmp(&angle(j))).unwrap_or(0);
         let mut angles: Vec<f64> = (0..count).map(|i| angle(&((first + i) % n))).collect();
         // Nearly parallel edges may come out of order by rounding.
@@ -152,20 +153,20 @@ fn length(v: DVec2) -> f64 {
 }
 
 /// The unit normal to the right of an edge, outward where vertices run counter-clockwise: its doubles and their tails.
-fn outward(from: DVec2, to: DVec2) -> (DVec2, DVec2) {
+fn outward(from: DVec2, to: DVec2) -> (UnitVector, DVec2) {
     let rough = to - from;
     let factor = taming_power(rough.x.abs().max(rough.y.abs()));
     if rough.x == 0.0 {
-        return (DVec2::new(rough.y.signum(), 0.0), DVec2::ZERO);
+        return (UnitVector::normalized(DVec2::new(rough.y.signum(), 0.0)), DVec2::ZERO);
     }
     if rough.y == 0.0 {
-        return (DVec2::new(0.0, -rough.x.signum()), DVec2::ZERO);
+        return (UnitVector::normalized(DVec2::new(0.0, -rough.x.signum())), DVec2::ZERO);
     }
     let x = Dd::difference(to.x, from.x).scale_by_power_of_two(factor);
     let y = Dd::difference(to.y, from.y).scale_by_power_of_two(factor);
     let length = (x * x + y * y).sqrt();
     let (nx, ny) = (y.div(length), -x.div(length));
-    (DVec2::new(nx.hi, ny.hi), DVec2::new(nx.lo, ny.lo))
+    (UnitVector::normalized(DVec2::new(nx.hi, ny.hi)), DVec2::new(nx.lo, ny.lo))
 }
 
 #[cfg(test)]

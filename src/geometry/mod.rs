@@ -8,6 +8,7 @@ mod hull;
 pub(crate) mod number;
 mod rotation;
 pub mod shape;
+mod unit_vector;
 
 pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
@@ -19,6 +20,7 @@ pub(crate) use number::{
 };
 pub use rotation::Rotation;
 pub use shape::Shape;
+pub use unit_vector::UnitVector;
 
 use serde::Serialize;
 

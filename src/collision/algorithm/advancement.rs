@@ -99,7 +99,7 @@ impl Advancement<'_> {
             let at = moment(self.a, self.b, t);
             tracer.record(|| Event::Started { algorithm: name, at });
             let near = minkowski::separation(&Relative::at(self.a, self.b, t), tracer);
-            let closing = self.v.dot(near.normal);
+            let closing = self.v.dot(*near.normal);
             let bound = closing + self.arms;
             let verdict = self.verdict(t, &near, bound);
             tracer.record(|| {
@@ -111,7 +111,7 @@ impl Advancement<'_> {
                     step,
                     at,
                     separation: near.separation,
-                    normal: near.normal,
+                    normal: *near.normal,
                     points: near.points,
                     closest: estimate + (near.points[1] - near.points[0]),
                     estimate,
@@ -170,7 +170,7 @@ pub(crate) fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f6
     let at = |body: &Body, p: DVec2| {
         body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.0.to_radians()
     };
-    (at(a, near.points[0]) - at(b, near.points[1])).dot(near.normal)
+    (at(a, near.points[0]) - at(b, near.points[1])).dot(*near.normal)
 }
 
 /// The moment of time `t`, as events tell it.

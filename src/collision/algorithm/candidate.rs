@@ -94,7 +94,11 @@ pub(crate) fn tell(pair: &Relative, answer: &Separation, tracer: &mut impl Trace
         _ => None,
     };
     if let Some((body, direction, feature)) = faces {
-        tracer.record(|| Event::SupportFound { body, direction, vertices: ends(pair, body, feature) });
+        tracer.record(|| Event::SupportFound {
+            body,
+            direction: *direction,
+            vertices: ends(pair, body, feature),
+        });
     }
     let (foot, distance) = (answer.normal * answer.separation, answer.separation);
     tracer.record(|| Event::OriginProjected { foot, distance });

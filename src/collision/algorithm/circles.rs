@@ -63,7 +63,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let separation = candidate::conclude(&pair, &candidate, tracer);
     tracer.record(|| Event::PenetrationMeasured {
         p: separation.separation,
-        direction: -separation.normal,
+        direction: -*separation.normal,
         vector: -separation.normal * separation.separation,
     });
     tracer.record(|| Event::Finished { outcome: separation.word() });

@@ -119,7 +119,7 @@ mod tests {
         let mut trace = Trace::default();
         let Answer::Separation(s) = answer(&query, &mut trace) else { panic!("{trace:?}") };
         let clamped = trace.events.into_iter().find(|e| matches!(e, Event::Clamped { .. }));
-        (s.separation, s.normal, clamped.unwrap())
+        (s.separation, *s.normal, clamped.unwrap())
     }
 
     #[test]

@@ -82,7 +82,7 @@ mod tests {
         let (a, b) = (body(square(0.5), (0.0, 0.0), 0.0), body(square(0.5), (1.0, 0.25), 0.0));
         let found = Pair::at(&a, &b, 0.0).separation();
         assert_eq!((found.separation, found.bounds.lo, found.bounds.hi), (0.0, 0.0, 0.0));
-        assert_eq!((found.normal, found.features), (DVec2::X, [Feature::Edge(1), Feature::Edge(3)]));
+        assert_eq!((*found.normal, found.features), (DVec2::X, [Feature::Edge(1), Feature::Edge(3)]));
         assert_eq!(found.points, [DVec2::new(0.5, 0.125); 2]);
     }
 
@@ -97,7 +97,7 @@ mod tests {
     fn concentric_circles_tie_in_all_directions() {
         let (a, b) = (body(circle(2.0), (1.0, 1.0), 0.0), body(circle(3.0), (1.0, 1.0), 7.0));
         let found = Pair::at(&a, &b, 0.0).separation();
-        assert_eq!((found.separation, found.ties, found.normal), (-5.0, 0, DVec2::X));
+        assert_eq!((found.separation, found.ties, *found.normal), (-5.0, 0, DVec2::X));
     }
 
     /// Random bodies: a polygon on an ellipse, a box, a capsule or a circle, rounded or not.
@@ -171,7 +171,7 @@ mod tests {
             assert!(meet(&one, &two, 1.0), "{round}: {one:?} {two:?}");
             assert_eq!(one.ties, two.ties, "{round}");
             if one.ties == 1 {
-                assert!((one.normal + two.normal).length() < 1e-14, "{round}: {one:?} {two:?}");
+                assert!((*one.normal + *two.normal).length() < 1e-14, "{round}: {one:?} {two:?}");
             }
         }
     }

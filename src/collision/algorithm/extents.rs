@@ -113,7 +113,7 @@ mod tests {
         let a = boxed("aabb", 4., 2.);
         let s = extents(&a, &placed(boxed("aabb", 1., 1.), -1., 2.5, 0.));
         // D = (1, 2.5) − (5, 3) = (−4, −0.5): up by 0.5.
-        assert_eq!((s.separation, s.normal), (-0.5, DVec2::Y));
+        assert_eq!((s.separation, *s.normal), (-0.5, DVec2::Y));
         assert_eq!(s.features, [Feature::Edge(2), Feature::Edge(0)]);
     }
 
@@ -121,7 +121,7 @@ mod tests {
     fn apart_on_both_axes_vertices_face_each_other() {
         let a = boxed("aabb", 1., 1.);
         let s = extents(&a, &placed(boxed("aabb", 2., 1.), -6., 6., 0.));
-        assert_eq!((s.separation, s.normal), (5.0, DVec2::new(-0.6, 0.8)));
+        assert_eq!((s.separation, *s.normal), (5.0, DVec2::new(-0.6, 0.8)));
         assert_eq!(s.features, [Feature::Vertex(3), Feature::Vertex(1)]);
     }
 }

@@ -157,7 +157,7 @@ impl<'s> Relative<'s> {
 
     /// Outward unit normal of core edge k, in A's frame.
     pub(crate) fn outward(&self, side: Side, k: usize) -> DVec2 {
-        let normal = self.hull(side).normals.get(k).copied().unwrap_or(DVec2::ZERO);
+        let normal = self.hull(side).normals.get(k).map_or(DVec2::ZERO, |n| **n);
         match side {
             Side::A => normal,
             Side::B => self.turn.vector(normal),

@@ -152,7 +152,7 @@ impl QueryKind {
 /// let default = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
 /// let Answer::Separation(found) = default.answer(&query) else { panic!() };
 /// // The centres are 5 apart, the radii 1 each.
-/// assert_eq!((found.separation, found.normal), (3.0, DVec2::new(0.6, 0.8)));
+/// assert_eq!((found.separation, *found.normal), (3.0, DVec2::new(0.6, 0.8)));
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Query<'s> {

@@ -78,7 +78,7 @@ fn every(a: &Body, b: &Body, s: f64, n: [f64; 2], p_a: [f64; 2], p_b: [f64; 2]) 
     for (name, found) in answers {
         assert!((found.separation - s).abs() < 4e-15, "{name}: {found:?}");
         assert!(found.bounds.lo <= s && s <= found.bounds.hi, "{name}: {found:?}");
-        near(found.normal, n);
+        near(*found.normal, n);
         near(found.points[0], p_a);
         near(found.points[1], p_b);
     }

@@ -61,7 +61,7 @@ fn figure_five_is_hit_at_half_time() {
         let (impact, _) = ask(name, &a, &b, 1e-12);
         let (time, contact) = hit(&impact);
         holds(time, 0.5, if name == "ray-cast" { 1e-16 } else { 1e-12 });
-        near(contact.normal, [0.8, 0.6], 1e-15);
+        near(*contact.normal, [0.8, 0.6], 1e-15);
         near(contact.points[0], [1.5, 0.0], 1e-11);
         near(contact.points[1], [1.5, 0.0], 1e-11);
     }
@@ -74,7 +74,7 @@ fn the_linear_demo_skips_the_six_edges_that_face_away() {
     let (impact, trace) = ask("ray-cast", &a, &b, 0.0);
     let (time, contact) = hit(&impact);
     holds(time, 0.4, 1.2e-16);
-    near(contact.normal, [-0.8, -0.6], 1e-15);
+    near(*contact.normal, [-0.8, -0.6], 1e-15);
     near(contact.points[1], [-2.5, 0.0], 1e-15);
     assert_eq!(impact.tolerance, 0.0);
     let mut told: Vec<_> = trace
@@ -106,7 +106,7 @@ fn figure_six_steps_as_computed_by_hand() {
     let (impact, trace) = ask("ray-clipping", &a, &b, 1e-9);
     let (time, contact) = hit(&impact);
     holds(time, 5.0 / 6.0, 1e-9);
-    near(contact.normal, [0.28, 0.96], 1e-8);
+    near(*contact.normal, [0.28, 0.96], 1e-8);
     let expected = [
         (0.0, 3.75, [3.0, 2.25], [0.8, 0.6]),
         (0.625, 0.603_660, [4.979_260, 0.528_471], [0.483_318, 0.875_445]),
@@ -134,7 +134,7 @@ fn figure_seven_is_hit_after_a_quarter_turn_of_both() {
     let (impact, _) = ask("swept-axis", &a, &b, 0.0);
     let (time, contact) = hit(&impact);
     holds(time, 0.5, 1e-14);
-    near(contact.normal, [1.0, 0.0], 1e-13);
+    near(*contact.normal, [1.0, 0.0], 1e-13);
     near(contact.points[0], [1.0, 2.0], 1e-12);
     let (impact, trace) = ask("conservative-advancement", &a, &b, 0.01);
     holds(hit(&impact).0, 0.5, 0.01);
@@ -195,6 +195,6 @@ fn a_predicted_frame_touches_at_seven_tenths() {
         let (time, contact) = hit(&ask(name, &a, &b, 0.0).0);
         holds(time, 0.7, 1e-14);
         near(contact.points[0], [2.1, -0.2], 1e-14);
-        near(contact.normal, [0.8, -0.6], 1e-14);
+        near(*contact.normal, [0.8, -0.6], 1e-14);
     }
 }

@@ -110,7 +110,7 @@ fn swapping_the_bodies_keeps_the_time() {
         if let (Outcome::Hit { contact: x, .. }, Outcome::Hit { contact: y, .. }) =
             (there.outcome, back.outcome)
         {
-            assert!((x.normal + y.normal).length() < 1e-6, "{x:?} {y:?}");
+            assert!((*x.normal + *y.normal).length() < 1e-6, "{x:?} {y:?}");
         }
     }
 }

@@ -123,12 +123,12 @@ fn result(scene: &Scene, run: &Run) -> String {
         Answer::Separation(s) => {
             let (lo, hi) = (s.bounds.lo, s.bounds.hi);
             if lo > 0.0 {
-                format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(s.normal))
+                format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
             } else if hi < 0.0 {
                 let depth = number(-hi, -lo);
                 format!(
                     "{a} and {b} overlap; the shortest push that parts them is {depth} along {}.",
-                    point(s.normal)
+                    point(*s.normal)
                 )
             } else {
                 format!("{a} and {b} touch.")

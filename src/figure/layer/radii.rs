@@ -106,7 +106,7 @@ fn direction(context: &Context, options: &Options) -> DVec2 {
     }
     context
         .separation_at(context.time)
-        .and_then(|run| run.separation().map(|s| -perp(s.normal)))
+        .and_then(|run| run.separation().map(|s| -perp(*s.normal)))
         .unwrap_or(DVec2::X)
 }
 
@@ -123,7 +123,7 @@ struct Length {
 fn lengths(sketch: &mut Sketch, context: &Context) {
     let Some((centers, radii, answer)) = compared(context) else { return };
     let n = answer.normal;
-    let side = perp(n);
+    let side = perp(*n);
     let down = if side.y > 0.0 { -side } else { side };
     let tracks = tracks(centers, radii, &answer);
     for (i, length) in tracks.iter().enumerate() {

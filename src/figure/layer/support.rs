@@ -43,7 +43,7 @@ fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
             Event::SupportFound { body, direction, vertices }
                 if *body == side
                     && vertices.len() == count
-                    && direction.distance(toward) < SAME_DIRECTION =>
+                    && direction.distance(*toward) < SAME_DIRECTION =>
             {
                 Some((side, vertices.clone()))
             }

@@ -136,7 +136,7 @@ fn time(context: &Context) -> Option<Quantity> {
 
 fn normal(context: &Context) -> Option<DVec2> {
     let run = context.run();
-    Some(run.separation()?.normal)
+    Some(*run.separation()?.normal)
 }
 
 /// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion bound
@@ -158,7 +158,7 @@ fn first_step(context: &Context) -> Option<f64> {
         let farthest = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius;
         farthest * body.spin.0.to_radians().abs()
     };
-    let approach = (a.velocity - b.velocity).dot(contact.normal) + turning(a) + turning(b);
+    let approach = (a.velocity - b.velocity).dot(*contact.normal) + turning(a) + turning(b);
     (approach > 0.0 && contact.separation > 0.0).then(|| contact.separation / approach)
 }
 

@@ -84,8 +84,8 @@ pub(crate) fn pass(
     let mut vertex = 0;
     let mut before = -first;
     for (edge, (&n, &offset)) in own.normals.iter().zip(&own.offsets).enumerate() {
-        let u = rotation.undo(n);
-        if before.dot(n) <= 0.0 {
+        let u = rotation.undo(*n);
+        if before.dot(*n) <= 0.0 {
             // More than a quarter turn (three times at most, and at the start): after a half turn the pointer would
             // stand on the highest vertex, where rounding may take a level side for the bottom.
             vertex = lowest(other, u);

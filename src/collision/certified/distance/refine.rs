@@ -14,8 +14,8 @@
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{
-    DVec2, Dd, Rotation, Side, combined, fast_two_sum, perp, two_product, two_product_each, two_sum,
-    two_sum_each,
+    DVec2, Dd, Rotation, Side, UnitVector, combined, fast_two_sum, perp, two_product, two_product_each,
+    two_sum, two_sum_each,
 };
 
 /// Rounding of the last dot product and sum, as a multiple of the magnitude M: the normal is within 7 ε² √2, the
@@ -27,7 +27,7 @@ pub(crate) struct Measured {
     /// Along the normal, or between the vertices.
     pub(crate) core: Dd,
     /// Unit vector from A to B, in A's frame.
-    pub(crate) normal: DVec2,
+    pub(crate) normal: UnitVector,
     /// Bound on the error besides [`Pair::placing_error`] and [`LAST_ERROR`].
     pub(crate) turning: f64,
 }
@@ -47,7 +47,11 @@ pub(crate) fn along_side(pair: &Pair, DifferenceEdge { source, edge, vertex }: D
             let (d, size) = apart_seen_from_b(pair, [vertex, edge]);
             let d = d.components();
             let core = -combined(x, d[0], y, d[1]);
-            Measured { core, normal: -pair.vector_from_b(hi), turning: 2.0 * pair.turn_error * size }
+            Measured {
+                core,
+                normal: -hi.turned(pair.b_rotation.rounded()),
+                turning: 2.0 * pair.turn_error * size,
+            }
         }
     }
 }
@@ -66,7 +70,11 @@ pub(crate) fn between_vertices(pair: &Pair, vertices: [usize; 2]) -> Option<Meas
     // s − r is exact: they are within a few ε of each other.
     let rest = (s - r) + ((h + ((e + f) - g)) + 2.0 * (x.hi * x.lo + y.hi * y.lo));
     let (hi, lo) = fast_two_sum(rough, rest * (0.5 / rough));
-    Some(Measured { core: Dd { hi, lo }, normal: DVec2::new(x.hi / hi, y.hi / hi), turning: 0.0 })
+    Some(Measured {
+        core: Dd { hi, lo },
+        normal: UnitVector::normalized(DVec2::new(x.hi / hi, y.hi / hi)),
+        turning: 0.0,
+    })
 }
 
 /// A vector in double-doubles, upper and lower halves apart.
@@ -127,7 +135,7 @@ fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
 
 /// A side's normal from A to B in A's frame, and the gap along it of vertices `d` apart.
 #[inline]
-pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (DVec2, Dd) {
+pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (UnitVector, Dd) {
     let hull = pair.hull(facing.source);
     let (hi, lo) = (hull.normals[facing.edge], hull.tails[facing.edge]);
     let local = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
@@ -135,5 +143,5 @@ pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (
         Side::A => local,
         Side::B => pair.b_rotation.apply(local).map(|x| -x),
     };
-    (DVec2::new(n[0].hi, n[1].hi), combined(n[0], d[0], n[1], d[1]))
+    (UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi)), combined(n[0], d[0], n[1], d[1]))
 }

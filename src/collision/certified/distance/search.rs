@@ -19,7 +19,7 @@ use crate::collision::certified::distance::gaps::every_gap;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
 use crate::collision::feature::DifferenceFeature;
-use crate::geometry::{Ball, DVec2, Side};
+use crate::geometry::{Ball, Side, UnitVector};
 
 /// What was found, in A's frame and scaled.
 #[derive(Clone, Copy, Debug)]
@@ -210,12 +210,14 @@ fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
 }
 
 /// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
-fn normal_of(contact: &Contact) -> Option<DVec2> {
+fn normal_of(contact: &Contact) -> Option<UnitVector> {
     match contact {
-        Contact::Edge(way) => Some(rounded(&way.normal)),
+        Contact::Edge(way) => Some(UnitVector::normalized(rounded(&way.normal))),
         Contact::Vertex(_, p) => {
             let length = dot(p, p).sqrt();
-            length.is_positive().then(|| rounded(&[p[0].over(length), p[1].over(length)]))
+            length
+                .is_positive()
+                .then(|| UnitVector::normalized(rounded(&[p[0].over(length), p[1].over(length)])))
         }
     }
 }

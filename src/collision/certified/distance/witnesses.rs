@@ -12,7 +12,7 @@
 use crate::collision::Separation;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, a_then_b};
-use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
+use crate::geometry::{DVec2, Enclosure, Feature, Side, UnitVector, perp};
 
 /// What carries a separation: the nearest feature of B ⊖ A, counted along the cores.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ pub(crate) struct Proved {
     /// What carries it.
     pub(crate) carrier: Carrier,
     /// Unit vector from A to B; None where points coincide.
-    pub(crate) normal: Option<DVec2>,
+    pub(crate) normal: Option<UnitVector>,
     /// Signed distance of the cores.
     pub(crate) core: f64,
     /// Signed separation, not scaled.
@@ -50,8 +50,8 @@ type Witnesses = ([DVec2; 2], [Feature; 2]);
 pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
     let Proved { carrier, normal: local, core, separation, bounds, ties } = *proved;
     // Points that coincide: every direction is as good; the world's x axis is taken.
-    let normal = local.map_or(DVec2::X, |n| pair.world_vector(n));
-    let n = local.unwrap_or(DVec2::X);
+    let normal = local.map_or(UnitVector::X, |n| n.turned(pair.frame_rotation.rounded()));
+    let n = *local.unwrap_or(UnitVector::X);
     let (cores, features) = match carrier {
         Carrier::Vertex([i, j]) => vertices(pair, i, j),
         Carrier::Edge(facing) => edge_and_vertex(pair, facing, n, core),

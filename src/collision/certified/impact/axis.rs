@@ -106,7 +106,7 @@ impl Axis {
                 let hull = pair.hull(owner);
                 let &n = hull.normals.get(edge)?;
                 let support = n.dot(*hull.vertices.get(edge)?) * pair.unit;
-                Some(Self { owner, n, support, own: edge, facing: vertex, edge: Some(edge) })
+                Some(Self { owner, n: *n, support, own: edge, facing: vertex, edge: Some(edge) })
             }
             DifferenceFeature::Vertex([a, b]) => {
                 let owner = pair.calmer();

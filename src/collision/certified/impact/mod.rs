@@ -108,7 +108,7 @@ impl MovingPair<'_> {
             Outcome::Miss => {
                 let normal = certified(a, b, free_until, near).normal;
                 // Without turning, a gap along a fixed axis is linear in time: positive between if it is at both ends.
-                let axis = Axis::across(self, normal)
+                let axis = Axis::across(self, *normal)
                     .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(self, t)));
                 if let Some(axis) = axis
                     && free_until < 1.0

@@ -168,7 +168,7 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
             if swept.until <= t {
                 let proved = self.certified(t, near);
                 if proved.bounds.lo * self.pair.unit > self.pair.rounding {
-                    let axis = Axis::along(self.pair, proved.normal, t);
+                    let axis = Axis::along(self.pair, *proved.normal, t);
                     let followed = self.follow(axis, t, Precision::Fine);
                     swept = self.reported(followed, t).map_or(still, |(_, swept)| swept);
                 }

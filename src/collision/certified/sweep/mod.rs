@@ -98,7 +98,7 @@ mod tests {
             let Outcome::Hit { time, contact } = Sweep::new(&a, &b).first_contact() else { continue };
             let at = settle(&Pair::at(&a, &b, time.lo), None);
             assert!(contact.bounds.lo <= at.bounds.hi && at.bounds.lo <= contact.bounds.hi, "{k}");
-            assert!((contact.normal - at.normal).length() < 1e-9, "{k}: {contact:?} {at:?}");
+            assert!((*contact.normal - *at.normal).length() < 1e-9, "{k}: {contact:?} {at:?}");
             let apart =
                 (contact.points[0] - at.points[0]).length() + (contact.points[1] - at.points[1]).length();
             assert!(apart < 1e-9 || contact.features != at.features, "{k}: {contact:?} {at:?}");

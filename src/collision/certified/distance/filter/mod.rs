@@ -147,8 +147,8 @@ fn vertex_b(pair: &Pair, j: usize) -> DVec2 {
 fn normal(pair: &Pair, facing: DifferenceEdge) -> DVec2 {
     let outward = pair.hull(facing.source).normals[facing.edge];
     match facing.source {
-        Side::A => outward,
-        Side::B => -pair.vector_from_b(outward),
+        Side::A => *outward,
+        Side::B => -pair.vector_from_b(*outward),
     }
 }
 

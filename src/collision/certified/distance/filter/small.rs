@@ -66,7 +66,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
         if descent < hull.edges[edge].length_squared() {
             // The foot is inside the side: the other vertex must be the nearest along its normal.
             let n = hull.normals[edge];
-            let down = if source == Side::A { rotation.undo(n) } else { rotation.apply(n) };
+            let down = if source == Side::A { rotation.undo(*n) } else { rotation.apply(*n) };
             let [ahead, behind] = descents(other, vertex, down);
             if ahead.max(behind) <= 0.0 {
                 return Some(DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex }));
@@ -139,7 +139,7 @@ struct Top {
 fn top(hull: &Hull, others: &Block) -> Top {
     let mut top = Top { gap: f64::NEG_INFINITY, edge: 0, second: f64::NEG_INFINITY };
     for (edge, (n, offset)) in hull.normals.iter().zip(&hull.offsets).enumerate() {
-        let gap = others.least(*n) - offset;
+        let gap = others.least(**n) - offset;
         let lower = if gap < top.gap { gap } else { top.gap };
         top.second = if lower > top.second { lower } else { top.second };
         top.edge = if gap > top.gap { edge } else { top.edge };
@@ -161,7 +161,7 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
         return gaps::widest(pair);
     }
     let (own, seen) = if source == Side::A { (a, &of_b) } else { (b, &of_a) };
-    let vertex = seen.lowest(own.normals[best.edge]);
+    let vertex = seen.lowest(*own.normals[best.edge]);
     Some(Widest {
         facing: DifferenceEdge { source, edge: best.edge, vertex },
         gap: best.gap,

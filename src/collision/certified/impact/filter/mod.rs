@@ -219,7 +219,7 @@ impl<'p, 'q> QuickImpact<'p, 'q> {
     fn square_to(&self, owner: Side, edge: usize, facing: usize) -> Axis {
         let hull = self.pair.hull(owner);
         let n = hull.normals[edge];
-        Axis { owner, n, support: n.dot(hull.vertices[edge]), own: edge, facing, edge: Some(edge) }
+        Axis { owner, n: *n, support: n.dot(hull.vertices[edge]), own: edge, facing, edge: Some(edge) }
     }
 
     /// Of the axes of two vertices that are closest, the one that seems to last longest: where bodies are sharp the sides'

@@ -165,10 +165,10 @@ fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<
     let middle = usize::midpoint(own.from, own.to);
     let edge = own.number(middle);
     let normal = own.hull.normals[edge];
-    let turned = own.rotation.apply(normal);
+    let turned = own.rotation.apply(*normal);
     let facing = other.facing(turned);
     let vertex = other.number(facing);
-    let before = start + own.height(edge) + other.height(vertex) + radius * own.up.dot(normal);
+    let before = start + own.height(edge) + other.height(vertex) + radius * own.up.dot(*normal);
     if before < 0.0 {
         (own.to, other.to) = (middle, facing);
         return None;

@@ -28,7 +28,9 @@ use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed}
 use crate::collision::certified::sweep::heading::Heading;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
-use crate::geometry::{Ball, DVec2, Dd, Enclosure, Rotation, Side, combined, two_product, two_sum};
+use crate::geometry::{
+    Ball, DVec2, Dd, Enclosure, Rotation, Side, UnitVector, combined, two_product, two_sum,
+};
 
 /// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
 /// sums 6ε, ρ |v| 4ε, a vertex that rounding takes for the highest 6ε of the sides' lengths, 2 reaches at most, below it:
@@ -110,7 +112,7 @@ impl Line<'_, '_> {
         let separation = rest - (time.lo - q) * closing.hi;
         let proved = Proved {
             carrier: Carrier::Edge(facing),
-            normal: Some(DVec2::new(n[0].hi, n[1].hi)),
+            normal: Some(UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi))),
             core: separation + pair.radius.hi,
             separation,
             bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
@@ -167,7 +169,7 @@ impl Line<'_, '_> {
         let size = pair.magnitude + pair.radius.hi + time.lo * speed;
         let proved = Proved {
             carrier: Carrier::Vertex(vertices),
-            normal: Some(DVec2::new(at[0].hi, at[1].hi) / core.hi),
+            normal: Some(UnitVector::normalized(DVec2::new(at[0].hi, at[1].hi) / core.hi)),
             core: core.hi,
             separation,
             bounds: around(separation, pair.placing_error + time.lo * error + LAST_ERROR * size),
