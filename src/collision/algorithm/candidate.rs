@@ -13,7 +13,7 @@ use crate::collision::algorithm::outline::{Projection, Span};
 use crate::collision::algorithm::view::{Relative, Turn};
 use crate::collision::certified::distance::search::certify;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
-use crate::geometry::{DVec2, Enclosure, Feature, Side, length};
+use crate::geometry::{DVec2, Feature, Side, length};
 use crate::trace::{Event, Goal, SupportVertex, Tracer};
 
 /// A part of a core: counted along the core, not the file.
@@ -34,6 +34,33 @@ pub(crate) struct Candidate {
     pub(crate) normal: DVec2,
     /// The features of A and B.
     pub(crate) features: [CoreFeature; 2],
+}
+
+impl CoreFeature {
+    /// The vertex of a box that lies in the quadrant of `direction`, in the box's frame.
+    pub(crate) fn box_vertex(direction: DVec2) -> Self {
+        // They count counter-clockwise from (−, −).
+        Self::Vertex(match (direction.x >= 0.0, direction.y >= 0.0) {
+            (false, false) => 0,
+            (true, false) => 1,
+            (true, true) => 2,
+            (false, true) => 3,
+        })
+    }
+
+    /// The edge of a box whose outward normal points as `direction` does, along an axis of the box's frame.
+    pub(crate) fn box_edge(direction: DVec2) -> Self {
+        // Edge k runs from vertex k: bottom, right, top, left.
+        Self::Edge(if direction.x > 0.0 {
+            1
+        } else if direction.x < 0.0 {
+            3
+        } else if direction.y > 0.0 {
+            2
+        } else {
+            0
+        })
+    }
 }
 
 impl Candidate {
@@ -144,12 +171,6 @@ pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
         [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] => DifferenceFeature::Vertex([a, b]),
     };
     certify(&pair.certified, Some(hint))
-}
-
-/// The verdict of an axis whose gap is larger than its rounding: apart, by at least that.
-pub(crate) fn separated(pair: &Relative, p: &Projection) -> Overlap {
-    let lo = ((p.line - pair.radius()) - pair.gap_error()).max(0.0);
-    Overlap { overlap: Some(false), separation_bounds: Enclosure { lo, hi: f64::INFINITY } }
 }
 
 /// A separation as the answer to a query of either kind.

@@ -75,34 +75,23 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     candidate::answer(query.kind, separation)
 }
 
-/// The centre is outside: V was cut in x, in y (a side faces the circle), or in both (a vertex does).
+/// The centre is outside: V was cut in x or in y (an edge faces the circle), or in both (a vertex does).
 fn outside(v: DVec2, clamped: DVec2) -> Candidate {
     let d = v - clamped;
     let distance = length(d);
-    let (right, up) = (v.x > 0.0, v.y > 0.0);
-    let facing = match (d.x != 0.0, d.y != 0.0) {
-        (true, true) => CoreFeature::Vertex(match (right, up) {
-            (false, false) => 0,
-            (true, false) => 1,
-            (true, true) => 2,
-            (false, true) => 3,
-        }),
-        (true, false) => CoreFeature::Edge(if right { 1 } else { 3 }),
-        _ => CoreFeature::Edge(if up { 2 } else { 0 }),
-    };
+    let facing = if d.x != 0.0 && d.y != 0.0 { CoreFeature::box_vertex(d) } else { CoreFeature::box_edge(d) };
     Candidate { distance, normal: d / distance, features: [facing, CoreFeature::Vertex(0)] }
 }
 
-/// The centre is inside or on the boundary: the nearest side, a vertical one of two as near.
+/// The centre is inside or on the boundary: the nearest edge, a vertical one of two as near.
 fn inside(v: DVec2, half: DVec2) -> Candidate {
     let depth = half - v.abs();
-    let (right, up) = (v.x >= 0.0, v.y >= 0.0);
-    let (distance, normal, side) = if depth.x <= depth.y {
-        (-depth.x, if right { DVec2::X } else { DVec2::NEG_X }, if right { 1 } else { 3 })
+    let (distance, normal) = if depth.x <= depth.y {
+        (-depth.x, if v.x >= 0.0 { DVec2::X } else { DVec2::NEG_X })
     } else {
-        (-depth.y, if up { DVec2::Y } else { DVec2::NEG_Y }, if up { 2 } else { 0 })
+        (-depth.y, if v.y >= 0.0 { DVec2::Y } else { DVec2::NEG_Y })
     };
-    Candidate { distance, normal, features: [CoreFeature::Edge(side), CoreFeature::Vertex(0)] }
+    Candidate { distance, normal, features: [CoreFeature::box_edge(normal), CoreFeature::Vertex(0)] }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@
 //! It may start from a segment, which is a polytope of two edges, there and back, with no inside: a body without
 //! interior, or a search that met the origin on its way.
 
-use crate::collision::algorithm::gjk::Vertex;
+use crate::collision::algorithm::simplex::Vertex;
 use crate::collision::algorithm::view::Relative;
 use crate::geometry::{DVec2, length};
 use crate::trace::{Event, Tracer};

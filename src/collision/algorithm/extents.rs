@@ -59,35 +59,18 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     candidate::answer(query.kind, separation)
 }
 
-/// The vertices or the sides that face each other.
+/// The vertices or the edges that face each other.
 fn candidate(apart: DVec2, gap: DVec2) -> Candidate {
-    let (right, up) = (apart.x >= 0.0, apart.y >= 0.0);
+    // Towards B on each axis; where the centres coincide, towards + .
+    let toward = DVec2::new(if apart.x >= 0.0 { 1.0 } else { -1.0 }, if apart.y >= 0.0 { 1.0 } else { -1.0 });
     if gap.x > 0.0 && gap.y > 0.0 {
         let distance = length(gap);
-        let normal =
-            DVec2::new(if right { gap.x } else { -gap.x }, if up { gap.y } else { -gap.y }) / distance;
-        let features = [vertex(right, up), vertex(!right, !up)];
-        return Candidate { distance, normal, features };
+        let features = [toward, -toward].map(CoreFeature::box_vertex);
+        return Candidate { distance, normal: gap * toward / distance, features };
     }
-    if gap.x >= gap.y {
-        let normal = if right { DVec2::X } else { DVec2::NEG_X };
-        let sides = if right { [1, 3] } else { [3, 1] };
-        Candidate { distance: gap.x, normal, features: sides.map(CoreFeature::Edge) }
-    } else {
-        let normal = if up { DVec2::Y } else { DVec2::NEG_Y };
-        let sides = if up { [2, 0] } else { [0, 2] };
-        Candidate { distance: gap.y, normal, features: sides.map(CoreFeature::Edge) }
-    }
-}
-
-/// The vertex of a box in a quadrant; vertices count counter-clockwise from (−, −).
-fn vertex(right: bool, up: bool) -> CoreFeature {
-    CoreFeature::Vertex(match (right, up) {
-        (false, false) => 0,
-        (true, false) => 1,
-        (true, true) => 2,
-        (false, true) => 3,
-    })
+    let (distance, normal) =
+        if gap.x >= gap.y { (gap.x, DVec2::new(toward.x, 0.0)) } else { (gap.y, DVec2::new(0.0, toward.y)) };
+    Candidate { distance, normal, features: [normal, -normal].map(CoreFeature::box_edge) }
 }
 
 #[cfg(test)]

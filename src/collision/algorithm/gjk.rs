@@ -23,12 +23,13 @@ use crate::collision::Answer;
 use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::epa;
-use crate::collision::algorithm::minkowski::is_better;
-use crate::collision::algorithm::outline::{self, Projection, walk};
+use crate::collision::algorithm::nearest_edge::NearestEdge;
+use crate::collision::algorithm::outline::{self, walk};
+use crate::collision::algorithm::simplex::{Simplex, Vertex};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{DVec2, Side, length, perp};
+use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -43,24 +44,6 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// A vertex b − a of B ⊖ A.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Vertex {
-    /// A's core vertex.
-    pub(crate) a: usize,
-    /// B's core vertex.
-    pub(crate) b: usize,
-    /// In A's frame.
-    pub(crate) point: DVec2,
-}
-
-/// Up to three vertices.
-#[derive(Clone, Copy, Debug)]
-struct Simplex {
-    vertices: [Vertex; 3],
-    count: usize,
-}
-
 /// How the search for the origin ended.
 #[derive(Clone, Copy, Debug)]
 enum Found {
@@ -74,19 +57,6 @@ enum Found {
     Stalled,
 }
 
-impl Vertex {
-    /// The vertex of B ⊖ A farthest along a direction (A's frame).
-    pub(crate) fn farthest(pair: &Relative, direction: DVec2) -> Self {
-        let (a, b) = (pair.support(Side::A, -direction), pair.support(Side::B, direction));
-        Self { a, b, point: pair.vertex(Side::B, b) - pair.vertex(Side::A, a) }
-    }
-
-    /// Whether both are made of the same core vertices.
-    pub(crate) fn is(&self, other: &Self) -> bool {
-        self.a == other.a && self.b == other.b
-    }
-}
-
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
@@ -96,7 +66,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         Found::Vertex(v) => Some(Candidate::of_vertices(&pair, v.a, v.b)),
         Found::Edge(p, q) => of_edge(&pair, p, q),
         Found::Inside(simplex) => {
-            epa::expand(&pair, simplex.slice(), tracer).and_then(|[p, q]| of_edge(&pair, p, q))
+            epa::expand(&pair, simplex.vertices(), tracer).and_then(|[p, q]| of_edge(&pair, p, q))
         }
         Found::Stalled => None,
     };
@@ -110,7 +80,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
     // Any vertex of B ⊖ A would do, but it must be one: EPA's polytope has to be convex.
     let first = Vertex::farthest(pair, DVec2::X);
-    let mut simplex = Simplex { vertices: [first; 3], count: 1 };
+    let mut simplex = Simplex::point(first);
     // Each step takes a vertex closer to the origin, and there are n + m.
     for _ in 0..2 * (pair.count(Side::A) + pair.count(Side::B)) + 2 {
         let Some((reduced, v)) = simplex.closest() else {
@@ -123,78 +93,18 @@ fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
             return Found::Inside(simplex);
         }
         let w = Vertex::farthest(pair, -v);
-        let old = simplex.slice().iter().any(|u| u.is(&w));
+        let old = simplex.vertices().iter().any(|u| u.is(&w));
         if old || v.dot(v - w.point) <= 0.0 {
-            return match *simplex.slice() {
+            return match *simplex.vertices() {
                 // Counter-clockwise: the origin is to the right.
                 [p, q] if (q.point - p.point).perp_dot(p.point) > 0.0 => Found::Edge(p, q),
                 [p, q] => Found::Edge(q, p),
-                _ => Found::Vertex(simplex.vertices[0]),
+                _ => Found::Vertex(simplex.first()),
             };
         }
-        simplex.vertices[simplex.count.min(2)] = w;
-        simplex.count = (simplex.count + 1).min(3);
+        simplex.push(w);
     }
     Found::Stalled
-}
-
-impl Simplex {
-    fn slice(&self) -> &[Vertex] {
-        &self.vertices[..self.count]
-    }
-
-    fn of(kept: &[Vertex]) -> Self {
-        let mut vertices = [kept[0]; 3];
-        vertices[..kept.len()].copy_from_slice(kept);
-        Self { vertices, count: kept.len() }
-    }
-
-    /// The smallest part of the simplex that holds its point closest to the origin, and that point; None where a
-    /// triangle holds the origin.
-    fn closest(&self) -> Option<(Self, DVec2)> {
-        match *self.slice() {
-            [p, q] => Some(on_segment(p, q)),
-            [p, q, r] => {
-                let area = (q.point - p.point).perp_dot(r.point - p.point);
-                let outside = |u: Vertex, v: Vertex| {
-                    let side = (v.point - u.point).perp_dot(-u.point);
-                    if area > 0.0 { side < 0.0 } else { side > 0.0 || area == 0.0 }
-                };
-                let sides = [(p, q), (q, r), (r, p)];
-                let nearest = |best: Option<(Self, DVec2)>, (u, v): (Vertex, Vertex)| {
-                    if !outside(u, v) {
-                        return best;
-                    }
-                    let found = on_segment(u, v);
-                    match best {
-                        Some(b) if length(b.1) <= length(found.1) => best,
-                        _ => Some(found),
-                    }
-                };
-                sides.into_iter().fold(None, nearest)
-            }
-            _ => Some((*self, self.vertices[0].point)),
-        }
-    }
-}
-
-/// The part of a segment closest to the origin, and the point.
-fn on_segment(p: Vertex, q: Vertex) -> (Simplex, DVec2) {
-    let along = q.point - p.point;
-    let len = length(along);
-    if len == 0.0 {
-        return (Simplex::of(&[p]), p.point);
-    }
-    let d = along / len;
-    let at = -p.point.dot(d);
-    if at <= 0.0 {
-        (Simplex::of(&[p]), p.point)
-    } else if at >= len {
-        (Simplex::of(&[q]), q.point)
-    } else {
-        let normal = perp(d);
-        (Simplex::of(&[p, q]), normal * normal.dot(p.point))
-    }
 }
 
 /// The candidate of an edge of B ⊖ A from one of its vertices to another, counter-clockwise: the edges of one body or,
@@ -205,33 +115,30 @@ fn of_edge(pair: &Relative, p: Vertex, q: Vertex) -> Option<Candidate> {
     let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
     let edge_of_a = |vertex| of_a.then_some(DifferenceEdge { source: Side::A, edge: p.a, vertex });
     let edge_of_b = |vertex| of_b.then_some(DifferenceEdge { source: Side::B, edge: p.b, vertex });
-    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)]
-        .into_iter()
-        .flatten()
-        .map(|pairing| pairing.project(pair))
-        .reduce(|best, p| if is_better(p.distance, best.distance) { p } else { best })
-        .map(|p| Candidate::of_projection(pair, &p))
+    let mut nearest = NearestEdge::default();
+    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)].into_iter().flatten().for_each(
+        |pairing| {
+            let p = pairing.project(pair);
+            nearest.offer(p.distance, p);
+        },
+    );
+    nearest.found().map(|p| Candidate::of_projection(pair, &p))
 }
 
 /// The answer by walking the whole outline.
 fn by_merging(pair: &Relative) -> Candidate {
-    let mut best: Option<Projection> = None;
+    let mut nearest = NearestEdge::default();
     walk(pair, |pairing| {
         let p = pairing.project(pair);
-        if best.is_none_or(|b| is_better(p.distance, b.distance)) {
-            best = Some(p);
-        }
+        nearest.offer(p.distance, p);
     });
-    match best {
-        Some(p) => Candidate::of_projection(pair, &p),
-        None => Candidate::of_vertices(pair, 0, 0),
-    }
+    nearest.candidate(pair)
 }
 
 /// Tells a simplex, its closest point, and where the walk looks next.
 fn record(pair: &Relative, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer) {
     tracer.record(|| Event::SimplexUpdated {
-        vertices: simplex.slice().iter().map(|u| pair.world_vector(u.point)).collect(),
+        vertices: simplex.vertices().iter().map(|u| pair.world_vector(u.point)).collect(),
         closest: pair.world_vector(v),
         direction: pair.world_vector(-v),
     });
@@ -244,6 +151,7 @@ mod tests {
     use crate::collision::QueryKind;
     use crate::collision::tests::storyboard::{boxed, placed, polygon};
     use crate::geometry::Body;
+    use crate::geometry::length;
     use crate::trace::Trace;
 
     fn gjk(a: &Body, b: &Body) -> (f64, Vec<Event>) {

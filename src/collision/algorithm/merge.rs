@@ -16,9 +16,9 @@
 
 use crate::collision::Answer;
 use crate::collision::Query;
-use crate::collision::algorithm::candidate::{self, Candidate};
-use crate::collision::algorithm::minkowski::{improved, is_better};
-use crate::collision::algorithm::outline::{Projection, record_rounding, walk};
+use crate::collision::algorithm::candidate;
+use crate::collision::algorithm::nearest_edge::{NearestEdge, Offer, improved};
+use crate::collision::algorithm::outline::{record_rounding, walk};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::trace::{Event, Tracer};
@@ -40,20 +40,16 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
     tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     record_rounding(&pair, tracer);
-    let mut best: Option<Projection> = None;
+    let mut nearest = NearestEdge::default();
     walk(&pair, |pairing| {
         tracer.record(|| pairing.found(&pair));
         let p = pairing.project(&pair);
         tracer.record(|| Event::OriginProjected { foot: pair.world_vector(p.foot), distance: p.distance });
-        if best.is_none_or(|b| is_better(p.distance, b.distance)) {
+        if nearest.offer(p.distance, p) == Offer::Improves {
             tracer.record(|| improved(&pair, &p));
-            best = Some(p);
         }
     });
-    let candidate = match best {
-        Some(p) => Candidate::of_projection(&pair, &p),
-        None => Candidate::of_vertices(&pair, 0, 0),
-    };
+    let candidate = nearest.candidate(&pair);
     let separation = candidate::conclude_rounding(&pair, &candidate, tracer);
     tracer.record(|| Event::Finished { outcome: separation.word() });
     candidate::answer(query.kind, separation)

@@ -26,12 +26,14 @@ use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::Separation;
 use crate::collision::algorithm::candidate::{self, Candidate};
+use crate::collision::algorithm::early_out::{self, EarlyOut};
+use crate::collision::algorithm::nearest_edge::{NearestEdge, Offer, improved};
 use crate::collision::algorithm::outline::{Projection, record_rounding};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{Feature, Side};
-use crate::trace::{Event, Goal, Tracer};
+use crate::geometry::Side;
+use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
 pub(crate) const ALGORITHM: Algorithm = Algorithm {
@@ -58,7 +60,10 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 
 /// Signed separation of a pair.
 pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
-    let found = closest(pair, None, tracer).candidate(pair);
+    let found = match closest(pair, EarlyOut::Never, tracer) {
+        Closest::Separates(edge) => Candidate::of_projection(pair, &edge),
+        Closest::Nearest(edge) => edge.candidate(pair),
+    };
     let answer = candidate::conclude_rounding(pair, &found, tracer);
     tracer.record(|| Event::Finished { outcome: answer.word() });
     answer
@@ -66,52 +71,28 @@ pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separatio
 
 /// Whether a pair overlaps: the search ends at the first edge that separates.
 fn overlap(pair: &Relative, tracer: &mut impl Tracer) -> Overlap {
-    let answer = match closest(pair, Some(Axis::certain(pair)), tracer) {
-        Closest::Axis(p) => candidate::separated(pair, &p),
-        found => Overlap::from(&candidate::conclude_rounding(pair, &found.candidate(pair), tracer)),
-    };
-    tracer.record(|| Event::Finished { outcome: answer.word() });
-    answer
-}
-
-/// What ends a search that only asks for overlap.
-#[derive(Clone, Copy, Debug)]
-struct Axis {
-    /// A line of B ⊖ A that is farther from the origin separates, whatever was rounded.
-    beyond: f64,
-}
-
-impl Axis {
-    fn certain(pair: &Relative) -> Self {
-        Self { beyond: pair.radius() + pair.gap_error() }
-    }
-}
-
-/// What the loop found.
-enum Closest {
-    /// The nearest edge.
-    Edge(Projection),
-    /// An edge that separates, where that is all that was asked.
-    Axis(Projection),
-    /// Both cores are points: there is no edge.
-    Points,
-}
-
-impl Closest {
-    /// The features that it found facing each other.
-    fn candidate(&self, pair: &Relative) -> Candidate {
-        match self {
-            Self::Axis(p) | Self::Edge(p) => Candidate::of_projection(pair, p),
-            Self::Points => Candidate::of_vertices(pair, 0, 0),
+    match closest(pair, EarlyOut::of(QueryKind::Overlap, pair), tracer) {
+        Closest::Separates(edge) => early_out::separated(pair, &edge, tracer),
+        Closest::Nearest(edge) => {
+            let answer = Overlap::from(&candidate::conclude_rounding(pair, &edge.candidate(pair), tracer));
+            tracer.record(|| Event::Finished { outcome: answer.word() });
+            answer
         }
     }
 }
 
-/// The edge of B ⊖ A nearest the origin: least positive if the origin is outside any, else least penetrating. With
-/// `axis` the first edge whose line is beyond that ends the search.
-fn closest(pair: &Relative, axis: Option<Axis>, tracer: &mut impl Tracer) -> Closest {
+/// What the loop over the edges found.
+enum Closest {
+    /// An edge that separates, where that is all that was asked.
+    Separates(Projection),
+    /// The nearest edge.
+    Nearest(NearestEdge),
+}
+
+/// The edge of B ⊖ A nearest the origin, unless an edge before the last ends the search.
+fn closest(pair: &Relative, early_out: EarlyOut, tracer: &mut impl Tracer) -> Closest {
     record_rounding(pair, tracer);
-    let mut best: Option<Projection> = None;
+    let mut nearest = NearestEdge::default();
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
             for pairing in pairings(pair, source, edge, tracer).into_iter().flatten() {
@@ -120,38 +101,16 @@ fn closest(pair: &Relative, axis: Option<Axis>, tracer: &mut impl Tracer) -> Clo
                     foot: pair.world_vector(p.foot),
                     distance: p.distance,
                 });
-                if axis.is_some_and(|axis| p.line > axis.beyond) {
-                    let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
-                    tracer.record(|| Event::SeparatingAxisFound { normal, gap });
-                    return Closest::Axis(p);
+                if early_out.is_reached(&p) {
+                    return Closest::Separates(p);
                 }
-                if best.is_none_or(|b| is_better(p.distance, b.distance)) {
+                if nearest.offer(p.distance, p) == Offer::Improves {
                     tracer.record(|| improved(pair, &p));
-                    best = Some(p);
                 }
             }
         }
     }
-    match best {
-        Some(p) => Closest::Edge(p),
-        None => Closest::Points,
-    }
-}
-
-/// Whether a signed distance beats another: any outside beats inside, then the nearer one wins.
-pub(crate) fn is_better(distance: f64, than: f64) -> bool {
-    match (distance >= 0.0, than >= 0.0) {
-        (true, true) => distance < than,
-        (outside, true) => outside,
-        (_, false) => distance > than,
-    }
-}
-
-/// A better candidate, as an event.
-pub(crate) fn improved(pair: &Relative, p: &Projection) -> Event {
-    let goal = if p.distance < 0.0 { Goal::LeastPenetrating } else { Goal::LeastPositive };
-    let source = (p.pairing.source, Feature::Edge(pair.file_edge(p.pairing.source, p.pairing.edge)));
-    Event::CandidateImproved { goal, distance: p.distance, foot: pair.world_vector(p.foot), source }
+    Closest::Nearest(nearest)
 }
 
 /// The edge with each vertex of the other body that supports it. The first, which is told as an edge of B ⊖ A, is the one

@@ -17,9 +17,9 @@
 
 use crate::collision::Answer;
 use crate::collision::Query;
-use crate::collision::QueryKind;
-use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
-use crate::collision::algorithm::minkowski::is_better;
+use crate::collision::algorithm::candidate::{self, CoreFeature};
+use crate::collision::algorithm::early_out::{self, EarlyOut};
+use crate::collision::algorithm::nearest_edge::NearestEdge;
 use crate::collision::algorithm::outline::{self, Projection};
 use crate::collision::algorithm::view::Relative;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
@@ -44,32 +44,24 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = Relative::of(query);
     tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
     outline::record(&pair, tracer);
-    let stop = match query.kind {
-        QueryKind::Overlap => Stop::Beyond(pair.radius() + pair.gap_error()),
-        _ => Stop::Never,
-    };
-    let mut best: Option<Projection> = None;
+    let early_out = EarlyOut::of(query.kind, &pair);
+    let mut nearest = NearestEdge::default();
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
             let (first, second) = pair.supports_of_edge(source, edge);
             let p = DifferenceEdge { source, edge, vertex: first }.project(&pair);
             let feature = Feature::Edge(pair.file_edge(source, edge));
             record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
-            if matches!(stop, Stop::Beyond(line) if p.line > line) {
-                return Answer::Overlap(separated(&pair, &p, tracer));
+            if early_out.is_reached(&p) {
+                return Answer::Overlap(early_out::separated(&pair, &p, tracer));
             }
             let beside = second.map(|vertex| DifferenceEdge { source, edge, vertex }.project(&pair));
             for p in [Some(p), beside].into_iter().flatten() {
-                if best.is_none_or(|b| is_better(gap(&p), gap(&b))) {
-                    best = Some(p);
-                }
+                nearest.offer(gap(&p), p);
             }
         }
     }
-    let candidate = match best {
-        Some(p) => Candidate::of_projection(&pair, &p),
-        None => Candidate::of_vertices(&pair, 0, 0),
-    };
+    let candidate = nearest.candidate(&pair);
     if let [CoreFeature::Vertex(a), CoreFeature::Vertex(_)] = candidate.features {
         let feature = Feature::Vertex(pair.file_vertex(Side::A, a));
         record_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
@@ -82,23 +74,6 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 /// The gap along an axis; where there is one, the distance of the vertex from the edge.
 fn gap(p: &Projection) -> f64 {
     if p.line < 0.0 { p.line } else { p.distance }
-}
-
-/// Whether a separating axis ends the search.
-#[derive(Clone, Copy)]
-enum Stop {
-    /// The first whose gap, before the radii come off, is certainly beyond this.
-    Beyond(f64),
-    Never,
-}
-
-/// The verdict of a separating axis.
-fn separated(pair: &Relative, p: &Projection, tracer: &mut impl Tracer) -> crate::collision::Overlap {
-    let answer = candidate::separated(pair, p);
-    let (normal, gap) = (pair.world_vector(-p.outward), p.line - pair.radius());
-    tracer.record(|| Event::SeparatingAxisFound { normal, gap });
-    tracer.record(|| Event::Finished { outcome: answer.word() });
-    answer
 }
 
 /// Tells the intervals of both bodies along an axis (A's frame), in world coordinates along it.
