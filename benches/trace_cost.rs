@@ -126,8 +126,8 @@ fn copy_room(from: &Path, to: &Path, recording: Recording) -> Result<(), Box<dyn
             continue;
         }
         let source = fs::read_to_string(&path)?;
-        let is_algorithm = from.ends_with("collision");
-        let cut = recording == Recording::Cut && is_algorithm;
+        let records = from.components().any(|part| part.as_os_str() == "collision");
+        let cut = recording == Recording::Cut && records;
         fs::write(target, if cut { without_recordings(&source)? } else { source })?;
     }
     Ok(())

@@ -6,6 +6,7 @@ use glam::DVec2;
 const SAFE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 
 /// Length of a vector, to 2 ε of itself, however large or small its coordinates are.
+#[inline]
 pub(crate) fn length(v: DVec2) -> f64 {
     let squared = v.length_squared();
     if SAFE_SQUARES.contains(&squared) { squared.sqrt() } else { libm::hypot(v.x, v.y) }
