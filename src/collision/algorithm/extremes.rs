@@ -18,6 +18,7 @@ use crate::collision::Bounds;
 use crate::collision::Query;
 use crate::collision::QueryKind;
 use crate::collision::algorithm::{Algorithm, Stops};
+use crate::collision::certified::rounding::{EXTREME_ERROR, TAME};
 use crate::geometry::{Ball, Body, DVec2, Pose, Rotation, Side, Turn, taming_power, two_sum};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
@@ -103,24 +104,17 @@ struct Placing {
     unit: f64,
 }
 
-/// Scenes below this are scaled.
-const TINY: f64 = 1e-60;
-
-/// Error of a coordinate placed in doubles, as a multiple of ε and of the sum of the magnitudes that make it: cosine
-/// and sine ½, their products ½, three sums ½ each; position + velocity · t one more. Rounded up to a power of two.
-const PLACING: f64 = 4.0 * f64::EPSILON;
-
 impl Placing {
     fn new(body: &Body, t: f64) -> Self {
         let moved = body.position.abs() + (body.velocity * t).abs();
         // An outline has no core to give its reach.
         let reach = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));
         let size = moved.max_element() + reach + body.shape.radius;
-        let unit = if size < TINY { taming_power(size) } else { 1.0 };
+        let unit = if size < TAME.start { taming_power(size) } else { 1.0 };
         let position = |at: f64, speed: f64| Ball::new(at * unit) + Ball::product(speed * unit, t);
         Self {
             pose: body.pose_at(t),
-            error: (moved.max_element() + reach) * PLACING + f64::MIN_POSITIVE,
+            error: (moved.max_element() + reach) * EXTREME_ERROR + f64::MIN_POSITIVE,
             position: [
                 position(body.position.x, body.velocity.x),
                 position(body.position.y, body.velocity.y),

@@ -11,21 +11,9 @@ use std::cmp::Ordering;
 
 use crate::collision::Pair;
 use crate::collision::Query;
+use crate::collision::certified::rounding::{CROSS_ERROR, TAME, VIEW_GAP_ERROR};
 use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn as Angle};
 use crate::trace::{Moment, SupportVertex};
-
-/// Half-width of the band in which a cross product of doubles says nothing about its sign, as a multiple of ε and of
-/// the sum of the magnitudes of its two products: each component of an edge carries at most 4 roundings (a
-/// difference, two products, a sum) and two cosines within ε/2, and the cross product adds 2.
-const CROSS_BAND: f64 = 12.0 * f64::EPSILON;
-
-/// Error of a gap along a side's normal in doubles, as a multiple of ε and of the sum of the magnitudes that make it: the
-/// place of B's origin 4 roundings, a vertex turned there 3, a normal 3 and its turn 3, dot products of those 3, the
-/// radii and the last differences 3; 19 of ε/2 or less each, rounded up.
-const GAP_ERROR: f64 = 16.0;
-
-/// Pairs of this size lose nothing to overflow or underflow, in squares too.
-const TAME: std::ops::Range<f64> = 1e-100..1e100;
 
 /// A pair at one moment, in A's frame.
 #[derive(Clone, Copy, Debug)]
@@ -116,7 +104,7 @@ impl<'s> Relative<'s> {
             + ((self.b.velocity - self.a.velocity) * self.at.time).abs();
         let reaches = self.hull(Side::A).reach + self.hull(Side::B).reach;
         let size = placed.x + placed.y + reaches + self.radius();
-        if TAME.contains(&size) { GAP_ERROR * f64::EPSILON * size } else { f64::INFINITY }
+        if TAME.contains(&size) { VIEW_GAP_ERROR * size } else { f64::INFINITY }
     }
 
     /// The next vertex or edge of a core, counter-clockwise.
@@ -285,5 +273,5 @@ fn vertex(hull: &Hull, k: usize) -> DVec2 {
 fn sign_of_cross(u: DVec2, v: DVec2) -> Option<Ordering> {
     let (p, q) = (u.x * v.y, u.y * v.x);
     let cross = p - q;
-    if cross.abs() > CROSS_BAND * (p.abs() + q.abs()) { cross.partial_cmp(&0.0) } else { None }
+    if cross.abs() > CROSS_ERROR * (p.abs() + q.abs()) { cross.partial_cmp(&0.0) } else { None }
 }

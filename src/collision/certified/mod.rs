@@ -2,4 +2,5 @@
 
 pub(crate) mod distance;
 pub(crate) mod impact;
+pub(crate) mod rounding;
 pub(crate) mod sweep;

@@ -15,6 +15,7 @@
 //! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
 //! serve the first stage, [`crate::collision::certified::distance::balls::Fine`] is the second.
 
+use crate::collision::certified::rounding::{GAP_ERROR, LOSSY, PLACING_ERROR, TAME};
 use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Rotation, Shape, Side, Turn, taming_power};
 
 /// Two bodies at one moment.
@@ -55,18 +56,6 @@ pub struct Pair<'s> {
     /// |c| + both reaches: no coordinate difference of the pair is larger. Rounded up; scaled.
     pub(crate) magnitude: f64,
 }
-
-/// Below and above this a scene is scaled: 2^±200.
-const TAME: std::ops::Range<f64> = f64::from_bits((1023 - 200) << 52)..f64::from_bits((1023 + 200) << 52);
-
-/// Error of a gap along a side's normal as computed by [`crate::collision::certified::distance::gaps`], as a multiple of ε and the magnitude M.
-///
-/// With unit letters for what is multiplied: c is off by 2.5ε (difference ½, cosine and sine ½ each, products and sum);
-/// the normal by ½√2 ε, which all terms share; its turn by 2ε; three dot products by 1.5ε each; the side's offset by
-/// 2ε; the last two sums by ½ε each: 14ε together. A support that rounding missed lies, side by side, less than 6ε of
-/// the sides' lengths below the true one; such sides are all but parallel, so that they are 2 reaches long at most:
-/// 12ε. Rounded up to a power of two.
-const GAP_ERROR: f64 = 32.0;
 
 impl<'s> Pair<'s> {
     /// The pair at time `t`.
@@ -117,7 +106,7 @@ impl<'s> Pair<'s> {
         let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
         // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
         let placing_error = 2.0 * (frame_error * (x + y) + turn_error * reaches)
-            + ROUNDED_ERROR * magnitude
+            + PLACING_ERROR * magnitude
             + (apart[0].radius + apart[1].radius);
         Self {
             a,
@@ -153,7 +142,7 @@ impl<'s> Pair<'s> {
         let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
         let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
         let placing_error = 2.0 * (self.frame_error * (x + y) + self.turn_error * reaches)
-            + ROUNDED_ERROR * magnitude
+            + PLACING_ERROR * magnitude
             + (apart[0].radius + apart[1].radius);
         Self { time: t, apart, fine_center, center, magnitude, placing_error, ..*self }
     }
@@ -181,7 +170,7 @@ impl<'s> Pair<'s> {
         let (of_a, of_b) = (self.a.velocity, self.b.velocity);
         let v = [Dd::difference(of_a.x, of_b.x), Dd::difference(of_a.y, of_b.y)];
         let size = v[0].hi.abs() + v[1].hi.abs();
-        let error = 2.0 * self.frame_error * size + ROUNDED_ERROR * size;
+        let error = 2.0 * self.frame_error * size + PLACING_ERROR * size;
         TAME.contains(&size).then(|| (self.frame_rotation.undo(v), error))
     }
 
@@ -215,7 +204,7 @@ impl<'s> Pair<'s> {
     /// Bound on the error of a gap of the first stage.
     #[inline]
     pub(crate) fn gap_error(&self) -> f64 {
-        if self.is_tame() { GAP_ERROR * f64::EPSILON * self.magnitude } else { f64::INFINITY }
+        if self.is_tame() { GAP_ERROR * self.magnitude } else { f64::INFINITY }
     }
 
     /// The same pair with cosines and sines to twice the precision of a double.
@@ -231,7 +220,7 @@ impl<'s> Pair<'s> {
         (self.frame_rotation, self.b_rotation) = (frame_rotation, b_rotation);
         (self.frame_error, self.turn_error) = (frame_error, turn_error);
         self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
-            + ROUNDED_ERROR * self.magnitude
+            + PLACING_ERROR * self.magnitude
             + (self.apart[0].radius + self.apart[1].radius);
         self
     }
@@ -282,10 +271,6 @@ impl<'s> Pair<'s> {
         }
     }
 }
-
-/// Rounding of a vertex placed by [`Rotation::undo`] and [`combined`], as a multiple of the magnitude: two products of
-/// vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each; rounded up.
-const ROUNDED_ERROR: f64 = 32.0 * f64::EPSILON * f64::EPSILON;
 
 /// A rotation to twice the precision of a double, and the bound on the error of its cosine and sine.
 fn refined(turn: &Turn) -> (Rotation<Dd>, f64) {
@@ -338,6 +323,3 @@ pub(crate) fn scaled(x: Dd, scale: f64) -> Ball {
     let radius = if lost(y.hi, x.hi) || lost(y.lo, x.lo) { LOSSY } else { 0.0 };
     Ball::within(y, radius)
 }
-
-/// 2⁻⁹⁶⁰: a scaled number below it may have lost bits. The scene itself is scaled to about 1.
-const LOSSY: f64 = f64::from_bits((1023 - 960) << 52);

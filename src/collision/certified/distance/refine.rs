@@ -18,17 +18,13 @@ use crate::geometry::{
     two_sum, two_sum_each,
 };
 
-/// Rounding of the last dot product and sum, as a multiple of the magnitude M: the normal is within 7 ε² √2, the
-/// product 6 ε² √2, two sums; a length is within 5 ε².
-pub(crate) const LAST_ERROR: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
-
 /// A distance of cores, its direction and what the turning of a side adds to the pair's placing error.
 pub(crate) struct Measured {
     /// Along the normal, or between the vertices.
     pub(crate) core: Dd,
     /// Unit vector from A to B, in A's frame.
     pub(crate) normal: UnitVector,
-    /// Bound on the error besides [`Pair::placing_error`] and [`LAST_ERROR`].
+    /// Bound on the error besides [`Pair::placing_error`] and [`crate::collision::certified::rounding::LAST_ERROR`].
     pub(crate) turning: f64,
 }
 

@@ -17,6 +17,7 @@
 
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::certified::impact::taylor::{Taylor, positive_until};
+use crate::collision::certified::rounding::DERIVATIVE_ERROR;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Ball, DVec2, Hull, Side, perp};
 
@@ -89,10 +90,6 @@ const USED_UP: f64 = 16.0;
 /// In balls, it is used up below this part of a rounding, about 2 ε·S: the derivatives are rounded in doubles, so that
 /// what they could still prove are steps that move nothing by an ulp.
 const EXHAUSTED: f64 = 1.0 / 64.0;
-
-/// Relative rounding of the derivatives, of the sums of their magnitudes: ω loses 2ε in its conversion, Δω in its
-/// difference, and the products and turned vectors lose less than 8ε more.
-const DERIVATIVE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Evaluations along one axis before the closest features are asked for again. Convergence is cubic: six suffice unless
 /// many turns are covered, where each covers about a radian.
@@ -337,18 +334,18 @@ impl Common {
         let one_norm = |a: DVec2| a.x.abs() + a.y.abs();
         let (d1, v1) = (one_norm(d), one_norm(v));
         let far = d1 + v1 * (1.0 - t);
-        let up = 1.0 + DERIVATIVE_ROUNDING;
+        let up = 1.0 + DERIVATIVE_ERROR;
         Self {
             value: n.dot(d) - axis.support - pair.radius.hi,
-            slope: omega * perp(n).dot(d) + n.dot(v) - DERIVATIVE_ROUNDING * (w * d1 + v1),
+            slope: omega * perp(n).dot(d) + n.dot(v) - DERIVATIVE_ERROR * (w * d1 + v1),
             curvature: -w * w * n.dot(d) + 2.0 * omega * perp(n).dot(v)
-                - DERIVATIVE_ROUNDING * (w * w * d1 + 2.0 * w * v1),
+                - DERIVATIVE_ERROR * (w * w * d1 + 2.0 * w * v1),
             third: (w * w * w * far + 3.0 * w * w * v1) * up,
             spin,
             third_of_turning: rates_cubed(spin, rates) * reach * up,
             turning_rounding: [
-                2.0 * DERIVATIVE_ROUNDING * rates * reach,
-                2.0 * DERIVATIVE_ROUNDING * rates * rates * reach,
+                2.0 * DERIVATIVE_ERROR * rates * reach,
+                2.0 * DERIVATIVE_ERROR * rates * rates * reach,
             ],
         }
     }
@@ -369,7 +366,7 @@ impl Common {
         let curvature = self.curvature - self.spin * self.spin * reach - self.turning_rounding[1];
         let third = self.third + self.third_of_turning;
         let fall = (-slope).max(0.0) + h * (0.5 * (-curvature).max(0.0) + h * third / 6.0);
-        h * fall * (1.0 + DERIVATIVE_ROUNDING)
+        h * fall * (1.0 + DERIVATIVE_ERROR)
     }
 
     /// The polynomial of `n_w·D − h − ρ − reach`, in which the other body's turning does not occur.
@@ -397,6 +394,6 @@ fn descend(hull: &Hull, start: usize, height: impl Fn(usize) -> f64) -> usize {
 
 /// At least |Δω|³, where Δω is a rounded difference of rates whose magnitudes sum to `rates`.
 fn rates_cubed(spin: f64, rates: f64) -> f64 {
-    let w = spin.abs() + DERIVATIVE_ROUNDING * rates;
+    let w = spin.abs() + DERIVATIVE_ERROR * rates;
     w * w * w
 }

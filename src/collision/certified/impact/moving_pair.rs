@@ -11,6 +11,7 @@
 //! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
 //! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
+use crate::collision::certified::rounding::{MOVING_GAP_ERROR, TAME};
 use crate::geometry::number::cos_sin;
 use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Rotation, Side, Turn, perp};
 
@@ -63,14 +64,6 @@ pub(crate) struct View {
     pub(crate) relative: Rotation<f64>,
 }
 
-/// Rounding of a gap f = n·D + n·x − h − ρ in doubles, in units of ε times Σ = |D₀|₁ + |V|₁ + 3/2 (`reach_A` + `reach_B`) + ρ.
-///
-/// Cosine and sine are within 3 ε ([`crate::geometry::number::cos_sin`]), so that a turn is within 4.3 ε as an operator, and a
-/// difference of two turns within 10 ε. D loses 2 ε of |D₀| + |V| on its way to doubles; a turned vector 1.5 ε more, a dot
-/// product with n 1.5 ε more; h is that of an edge whose normal is rounded, 3.5 ε of the reach; the three sums 1.5 ε
-/// of Σ. That is below 11 of |D₀|₁ + |V|₁ and below 15 of each reach.
-const GAP_ROUNDING: f64 = 12.0 * f64::EPSILON;
-
 impl<'q> MovingPair<'q> {
     /// The pair with its motions ready.
     ///
@@ -111,7 +104,7 @@ impl<'q> MovingPair<'q> {
             rate: [turning[0].1.0.to_radians(), turning[1].1.0.to_radians()],
             reach,
             radius,
-            rounding: GAP_ROUNDING * sum * (1.0 + GAP_ROUNDING),
+            rounding: MOVING_GAP_ERROR * sum * (1.0 + MOVING_GAP_ERROR),
         }
     }
 
@@ -212,7 +205,7 @@ impl<'q> MovingPair<'q> {
         let norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
         let (d, v) = (norm(&self.apart) + norm(&self.velocity), norm(&self.velocity));
         let speed = v + self.rate[r].abs() * (d + self.reach[o]) + self.rate[o].abs() * self.reach[o];
-        speed * (1.0 + GAP_ROUNDING)
+        speed * (1.0 + MOVING_GAP_ERROR)
     }
 
     /// Bound on the second derivative of a gap of an axis of `owner`, at any time in [0, 1].
@@ -223,7 +216,7 @@ impl<'q> MovingPair<'q> {
         let spin = w + o;
         let sum =
             w * w * (norm(&self.apart) + v) + 2.0 * w * v + spin * spin * self.reach[owner.other() as usize];
-        sum * (1.0 + GAP_ROUNDING)
+        sum * (1.0 + MOVING_GAP_ERROR)
     }
 }
 
@@ -260,14 +253,12 @@ const UNTURNED: (Degrees, Degrees) = (Degrees(0.0), Degrees(0.0));
 
 /// A power of two that brings the largest length of a pair near 1; 1 where that is harmless as it is.
 fn unit_of(a: &Body, b: &Body) -> f64 {
-    /// Within these, no product of three lengths or quotient leaves the range of doubles.
-    const COMFORT: std::ops::Range<f64> = 1e-40..1e40;
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
     let extent = |body: &Body| body.shape.hull.reach.max(body.shape.radius);
     let apart =
         largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
     let size = extent(a).max(extent(b)).max(2.0 * apart);
-    if COMFORT.contains(&size) || size == 0.0 {
+    if TAME.contains(&size) || size == 0.0 {
         return 1.0;
     }
     let (_, exponent) = libm::frexp(size.min(f64::MAX));

@@ -11,6 +11,8 @@
 //! cancellation, r = 2a / (−b + √(b² − 2aq)), and f is positive on [0, min(r, H)). Trying H near r itself makes
 //! the parabola as good as the cubic: the order is three at a crossing, 3/2 at a graze.
 
+use crate::collision::certified::rounding::ROOT_ERROR;
+
 /// Value and derivatives of a quantity at one moment, each a lower bound, and a bound on the third derivative over the
 /// whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,16 +33,9 @@ impl Taylor {
     #[inline]
     pub(crate) fn stays_positive(&self, limit: f64) -> bool {
         let fall = self.slope.min(0.0) + limit * (0.5 * self.curvature.min(0.0) - limit * self.third / 6.0);
-        self.value + limit * fall > ROUNDING * self.value
+        self.value + limit * fall > ROOT_ERROR * self.value
     }
 }
-
-/// Relative allowance for the rounding of the root formula.
-///
-/// A computed root is the exact root of a parabola whose coefficients differ by at most 4 ε each. At a first root
-/// |b h| ≤ 2a and ½ |q| h² ≤ a where b < 0 < q; there 16 ε of a pays for both. Where q < 0 the root is simple with slope
-/// ≥ ½ |q| h, and 16 ε of h pays.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// H is first tried this much beyond the root of the tangent.
 const BEYOND_TANGENT: f64 = 1.25;
@@ -66,13 +61,13 @@ pub(crate) fn positive_until(f: Taylor, limit: f64) -> f64 {
 
 /// First root of a + b h + ½ q h², less its rounding; infinite where there is none.
 fn parabola_root(a: f64, b: f64, q: f64) -> f64 {
-    let a = a * (1.0 - ROUNDING);
+    let a = a * (1.0 - ROOT_ERROR);
     let discriminant = b * b - 2.0 * a * q;
     if discriminant < 0.0 {
         return f64::INFINITY;
     }
     let denominator = discriminant.sqrt() - b;
-    if denominator > 0.0 { 2.0 * a / denominator * (1.0 - ROUNDING) } else { f64::INFINITY }
+    if denominator > 0.0 { 2.0 * a / denominator * (1.0 - ROOT_ERROR) } else { f64::INFINITY }
 }
 
 #[cfg(test)]

@@ -18,19 +18,16 @@ pub(crate) mod small;
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, guess};
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
 use crate::collision::certified::distance::pair::Pair;
-pub(crate) use crate::collision::certified::distance::refine::{LAST_ERROR, along_normal, between};
 use crate::collision::certified::distance::refine::{Measured, along_side, between_vertices};
+pub(crate) use crate::collision::certified::distance::refine::{along_normal, between};
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
+use crate::collision::certified::rounding::{DOT_ERROR, LAST_ERROR, LEVEL_ERROR};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Dd, Enclosure, Hull, Side};
 
 /// Largest error of a quick proof relative to the separation: with 1 ulp on either side of it the bounds are 18 ε wide
 /// at most, far below the 450 ε (1e-13) that are promised, and the error is below 45 ε (1e-14).
 const TIGHT: f64 = 8.0 * f64::EPSILON;
-
-/// Error of a dot product of two vectors of the first stage, relative to the product of their 1-norms: vertices,
-/// sides and normals are within 4ε of theirs, the product adds 1.5ε.
-const DOT_ERROR: f64 = 8.0 * f64::EPSILON;
 
 /// A separation that can be proved with little work.
 #[inline]
@@ -203,7 +200,7 @@ pub(crate) fn support(pair: &Pair, facing: DifferenceEdge) -> Support {
     let back = hull.previous(facing.vertex);
     let (ahead, behind) = (hull.edges[facing.vertex], hull.edges[back]);
     let (rise, fall) = (ahead.dot(down), behind.dot(down));
-    let (rises, falls) = (rise > 2.0 * DOT_ERROR * size(ahead), fall < -2.0 * DOT_ERROR * size(behind));
+    let (rises, falls) = (rise > LEVEL_ERROR * size(ahead), fall < -LEVEL_ERROR * size(behind));
     // With a direction along an axis, and no turn or quarter turns only, the dot product is a coordinate's difference:
     // its 0 is exact.
     let exact = pair.turn_error == 0.0 && (down.x == 0.0 || down.y == 0.0);

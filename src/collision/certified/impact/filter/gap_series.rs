@@ -24,6 +24,7 @@
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
+use crate::collision::certified::rounding::{DERIVATIVE_ERROR, LEVEL_ERROR, MISSED_ERROR};
 use crate::geometry::{DVec2, Hull, Rotation, Side, perp};
 
 /// Both bodies at a moment: world axes, doubles.
@@ -62,10 +63,6 @@ pub(crate) struct TurnedGap {
     far: f64,
 }
 
-/// Error of a dot product with a side of a core, relative to the product of their 1-norms: a normal turned twice is
-/// within 12 ε, a side within ε/2, products and a sum 1.5 ε.
-const LEVEL: f64 = 16.0 * f64::EPSILON;
-
 /// Newton steps on a series.
 const NEWTON: usize = 4;
 
@@ -82,7 +79,7 @@ const UP: f64 = 1.0 + 64.0 * f64::EPSILON;
 /// O's reach too high: the sides that it does not tell from level ones are all but parallel, at most two reaches long
 /// together, and level to 6 ε.
 pub(crate) fn rounding(pair: &MovingPair) -> f64 {
-    pair.rounding + 12.0 * f64::EPSILON * (pair.reach[0] + pair.reach[1])
+    pair.rounding + MISSED_ERROR * (pair.reach[0] + pair.reach[1])
 }
 
 impl Instant {
@@ -172,14 +169,15 @@ impl TurnedGap {
     pub(crate) fn curvature(&self, later: &Self, pair: &MovingPair, owner: Side) -> f64 {
         let w = pair.rate[owner as usize];
         let (w1, w2) = (w.abs(), w * w);
-        let spin = (pair.rate[0] - pair.rate[1]).abs() + LEVEL * (pair.rate[0].abs() + pair.rate[1].abs());
+        let spin = (pair.rate[0] - pair.rate[1]).abs()
+            + DERIVATIVE_ERROR * (pair.rate[0].abs() + pair.rate[1].abs());
         let (length, far) = (later.t - self.t, self.far.max(later.far));
         let speed = self.speed.abs() + self.aside_speed.abs();
         let bend = 0.125 * length * length;
         let offset = self.offset.min(later.offset) - bend * (w2 * far + 2.0 * w1 * speed);
         let aside = (w * self.aside_speed).max(w * later.aside_speed) + bend * w2 * w1 * speed;
         let reach = pair.reach[owner.other() as usize];
-        let rounding = LEVEL * (w2 * far + w1 * speed + spin * spin * reach);
+        let rounding = DERIVATIVE_ERROR * (w2 * far + w1 * speed + spin * spin * reach);
         (2.0 * aside - w2 * offset + spin * spin * reach) + 4.0 * rounding
     }
 
@@ -245,6 +243,6 @@ fn lowest(hull: &Hull, m: DVec2, from: usize) -> Option<usize> {
         k = hull.highest(-m, k);
         (ahead, behind) = slopes(k);
     }
-    let level = LEVEL * (m.x.abs() + m.y.abs()) * 2.0 * hull.reach;
+    let level = LEVEL_ERROR * (m.x.abs() + m.y.abs()) * 2.0 * hull.reach;
     (ahead.max(behind) > level).then_some(k)
 }

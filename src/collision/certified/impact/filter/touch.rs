@@ -5,9 +5,10 @@
 //! as no more is asked of a separation below 1e3 ε·S.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::filter::{self, LAST_ERROR, Support};
+use crate::collision::certified::distance::filter::{self, Support};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
+use crate::collision::certified::rounding::LAST_ERROR;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure, Side};
 

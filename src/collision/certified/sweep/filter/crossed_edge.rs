@@ -16,6 +16,7 @@
 //! If the leftmost vertex is right of the line, or the rightmost left of it, by more than ρ |v|, the ray passes.
 
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::rounding::LEVEL_ERROR;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Hull, Rotation, Side};
 
@@ -43,10 +44,6 @@ pub(crate) struct Edge {
 
 /// Up to this many vertices it is quicker to look at all than to search.
 const FEW: usize = 8;
-
-/// Error of the dot product of a normal, turned into the other body's frame, and a side there, relative to the side's
-/// 1-norm: the normal is within ε/2, its turn 2ε, the side ε/2, the product 1.5ε; doubled, and rounded up.
-const LEVEL: f64 = 16.0 * f64::EPSILON;
 
 /// The sides of one body that face the ray, in the order in which F falls; what is left of them.
 struct Chain<'h> {
@@ -108,7 +105,7 @@ impl<'h> Chain<'h> {
             return true;
         }
         let (ahead, behind) = (self.hull.edges[vertex], self.hull.edges[self.hull.previous(vertex)]);
-        let slack = |side: DVec2| LEVEL * (side.x.abs() + side.y.abs());
+        let slack = |side: DVec2| LEVEL_ERROR * (side.x.abs() + side.y.abs());
         normal.dot(ahead) > slack(ahead) && normal.dot(behind) < -slack(behind)
     }
 }

@@ -21,9 +21,10 @@
 
 pub(crate) mod crossed_edge;
 
-use crate::collision::certified::distance::filter::{self, LAST_ERROR};
+use crate::collision::certified::distance::filter;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
+use crate::collision::certified::rounding::{LAST_ERROR, OFFSET_ERROR, REST_ERROR};
 use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
 use crate::collision::certified::sweep::heading::Heading;
 use crate::collision::certified::sweep::ray::Entry;
@@ -31,16 +32,6 @@ use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{
     Ball, DVec2, Dd, Enclosure, Rotation, Side, UnitVector, combined, two_product, two_sum,
 };
-
-/// Error of an offset from the ray's line, as a multiple of ε, |v|₁ and M + ρ: center 2.5ε, v and its turn 4ε, products and
-/// sums 6ε, ρ |v| 4ε, a vertex that rounding takes for the highest 6ε of the sides' lengths, 2 reaches at most, below it:
-/// 29ε; √2 for norms. Rounded up.
-const OFFSET_ERROR: f64 = 64.0 * f64::EPSILON;
-
-/// Rounding of g − q k, as a multiple of ε² and M + ρ, and of |q| |v|₁: a vertex 17, its low half being below 3ε M with
-/// seven sums; its product with the normal 21, the normal itself 16√2, and turned 6√2 more; the low half is then below 6ε M
-/// and meets three sums, 9. Rounded up; k is as good.
-const REST_ERROR: f64 = 128.0 * f64::EPSILON * f64::EPSILON;
 
 /// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`] to know the error of p − t v: p is within
 /// 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and t itself may add 4ε M: 17ε M, of the 32ε M of
@@ -67,6 +58,24 @@ struct Line<'p, 's> {
     heading: &'p Heading,
 }
 
+/// A gap that a ray closes, at the time q that doubles give for its end.
+struct Rest {
+    /// The edge's unit normal, from A to B in A's frame.
+    normal: UnitVector,
+    /// q ≈ g / k.
+    q: f64,
+    /// k, the closing speed along the normal.
+    closing: f64,
+    /// Lower bound of k.
+    least: f64,
+    /// Bound on the error of k.
+    closing_error: f64,
+    /// g − q k.
+    rest: f64,
+    /// Bound on the error of that.
+    error: f64,
+}
+
 impl Line<'_, '_> {
     /// Bound on the error of an offset from the line, in units of |v|.
     #[inline]
@@ -74,9 +83,9 @@ impl Line<'_, '_> {
         OFFSET_ERROR * (self.pair.magnitude + self.pair.radius.hi) * self.heading.speed
     }
 
-    /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
+    /// What a ray that enters through an edge leaves of the gap there; None where it hardly closes.
     #[inline]
-    fn edge(&self, facing: DifferenceEdge) -> Option<Entry> {
+    fn rest(&self, facing: DifferenceEdge) -> Option<Rest> {
         let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let d = vertex(pair, facing);
         let n = normal(pair, facing);
@@ -85,7 +94,7 @@ impl Line<'_, '_> {
             gap = gap - pair.radius;
         }
         let closing = along(n, v);
-        // A side of B: its normal is turned as well.
+        // An edge of B: its normal is turned as well.
         let turning = if facing.source == Side::B { 2.0 * pair.turn_error } else { 0.0 };
         let far = d[0].hi.abs() + d[1].hi.abs();
         let gap_error = pair.placing_error + turning * far + REST_ERROR * (pair.magnitude + pair.radius.hi);
@@ -98,24 +107,32 @@ impl Line<'_, '_> {
         let (run, tail) = two_product(closing.hi, q);
         // The first difference is exact: the two are within a few ulp of each other.
         let rest = (gap.hi - run) + ((gap.lo - q * closing.lo) - tail);
-        let rest_error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
-        let step = rest / closing.hi;
+        let error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
+        let normal = UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi));
+        Some(Rest { normal, q, closing: closing.hi, least, closing_error, rest, error })
+    }
+
+    /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
+    #[inline]
+    fn edge(&self, facing: DifferenceEdge) -> Option<Entry> {
+        let Rest { normal, q, closing, least, closing_error, rest, error } = self.rest(facing)?;
+        let step = rest / closing;
         let hi = q + step;
         // Roundings of the step, and of k, which it is a quotient by.
         let step_error = step.abs() * (closing_error / least + 8.0 * f64::EPSILON);
         let time = Dd { hi, lo: step - (hi - q) };
-        let time = neighbours(time, rest_error / least + step_error)?;
+        let time = neighbours(time, error / least + step_error)?;
         let feature = DifferenceFeature::Edge(facing);
         if time.lo >= 1.0 || time.hi < 0.0 {
             return Some(Entry::At { feature, time, contact: None });
         }
-        let separation = rest - (time.lo - q) * closing.hi;
+        let separation = rest - (time.lo - q) * closing;
         let proved = Proved {
             carrier: Carrier::Edge(facing),
-            normal: Some(UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi))),
-            core: separation + pair.radius.hi,
+            normal: Some(normal),
+            core: separation + self.pair.radius.hi,
             separation,
-            bounds: around(separation, rest_error + 8.0 * f64::EPSILON * rest.abs()),
+            bounds: around(separation, error + 8.0 * f64::EPSILON * rest.abs()),
             ties: 1,
         };
         Some(Entry::At { feature, time, contact: Some(proved) })
