@@ -11,7 +11,6 @@ mod query;
 #[cfg(test)]
 mod tests;
 
-pub use algorithm::outline::{Difference, OutlineEdge, difference};
 pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops};
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 pub use certified::distance::pair::Pair;

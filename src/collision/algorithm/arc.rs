@@ -101,7 +101,7 @@ mod tests {
     use super::*;
     use crate::collision::Answer;
     use crate::collision::QueryKind;
-    use crate::collision::tests::storyboard::{boxed, polygon};
+    use crate::collision::tests::bodies::{boxed, polygon};
     use crate::geometry::Degrees;
     use crate::trace::{NoTrace, Trace};
 

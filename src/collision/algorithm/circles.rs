@@ -110,7 +110,7 @@ fn record_comparison(pair: &Relative, early_out: bool, tracer: &mut impl Tracer)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::tests::storyboard::{placed, polygon};
+    use crate::collision::tests::bodies::{placed, polygon};
     use crate::trace::Trace;
 
     /// The verdict on two circles of radius 1, and whether the squares settled it.

@@ -99,7 +99,7 @@ mod tests {
     use super::*;
     use crate::collision::Answer;
     use crate::collision::QueryKind;
-    use crate::collision::tests::storyboard::{boxed, placed, polygon};
+    use crate::collision::tests::bodies::{boxed, placed, polygon};
     use crate::trace::Trace;
 
     fn clamp(a: &Body, b: &Body) -> (f64, DVec2, Event) {

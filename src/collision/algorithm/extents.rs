@@ -78,7 +78,7 @@ mod tests {
     use super::*;
     use crate::collision::QueryKind;
     use crate::collision::Separation;
-    use crate::collision::tests::storyboard::{boxed, placed};
+    use crate::collision::tests::bodies::{boxed, placed};
     use crate::geometry::Feature;
     use crate::trace::NoTrace;
 

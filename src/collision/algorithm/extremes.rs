@@ -166,7 +166,7 @@ mod tests {
     use crate::collision::Answer;
     use crate::collision::Bounds;
     use crate::collision::QueryKind;
-    use crate::collision::tests::storyboard::{TILT, boxed, placed, polygon};
+    use crate::collision::tests::bodies::{TILT, boxed, placed, polygon};
     use crate::trace::{NoTrace, Trace};
 
     fn ask(a: &Body, b: Option<&Body>, tracer: &mut impl Tracer) -> Bounds {

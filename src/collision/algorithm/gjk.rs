@@ -149,7 +149,7 @@ mod tests {
     use super::*;
     use crate::collision::Answer;
     use crate::collision::QueryKind;
-    use crate::collision::tests::storyboard::{boxed, placed, polygon};
+    use crate::collision::tests::bodies::{boxed, placed, polygon};
     use crate::geometry::Body;
     use crate::geometry::length;
     use crate::trace::Trace;

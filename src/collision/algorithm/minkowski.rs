@@ -140,7 +140,7 @@ fn pairings(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::tests::storyboard::{boxed, placed};
+    use crate::collision::tests::bodies::{boxed, placed};
     use crate::trace::Trace;
 
     #[test]

@@ -9,35 +9,8 @@
 
 use crate::collision::algorithm::view::{Relative, Turn};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{Body, DVec2, Side, length, perp};
+use crate::geometry::{DVec2, Side, length, perp};
 use crate::trace::{Event, Tracer};
-
-/// An edge of B ⊖ A, in configuration space.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OutlineEdge {
-    /// The body whose edge it is.
-    pub source: Side,
-    /// That edge's index in its file's order.
-    pub edge: usize,
-    /// The supporting vertex of the other body, in its file's order.
-    pub vertex: usize,
-    /// Start, counter-clockwise.
-    pub from: DVec2,
-    /// End.
-    pub to: DVec2,
-}
-
-/// B ⊖ A at one moment: a polygon (or segment, or point) and the radius of the disc that sweeps it.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
-    /// The edges, counter-clockwise; where edges of both bodies are parallel, B's comes first. Two (there and back)
-    /// where both cores lie on parallel lines, none where both are points.
-    pub edges: Vec<OutlineEdge>,
-    /// The one point of a core without edges.
-    pub center: Option<DVec2>,
-    /// `r_A` + `r_B`, in world units.
-    pub radius: f64,
-}
 
 /// Where the origin lies from one edge of B ⊖ A, in A's frame.
 #[derive(Clone, Copy, Debug)]
@@ -112,31 +85,18 @@ impl DifferenceEdge {
         Projection { pairing: self, outward, line, foot, distance, along: along.clamp(0.0, 1.0), span }
     }
 
-    /// The edge in configuration space, with the file's numbers.
-    pub(crate) fn told(self, pair: &Relative) -> OutlineEdge {
+    /// The edge as an event: in configuration space, with the file's numbers.
+    pub(crate) fn found(self, pair: &Relative) -> Event {
         let [from, to] = self.ends(pair);
-        OutlineEdge {
+        let outward = self.outward(pair);
+        Event::DifferenceEdgeFound {
             source: self.source,
             edge: pair.file_edge(self.source, self.edge),
             vertex: pair.file_vertex(self.source.other(), self.vertex),
             from: pair.world_vector(from),
             to: pair.world_vector(to),
-        }
-    }
-
-    /// The edge as an event.
-    pub(crate) fn found(self, pair: &Relative) -> Event {
-        let OutlineEdge { source, edge, vertex, from, to } = self.told(pair);
-        let outward = self.outward(pair);
-        let distance = -outward.dot(self.ends(pair)[0]);
-        Event::DifferenceEdgeFound {
-            source,
-            edge,
-            vertex,
-            from,
-            to,
             normal: pair.world_vector(outward),
-            distance,
+            distance: -outward.dot(from),
         }
     }
 }
@@ -190,31 +150,4 @@ pub(crate) fn record_rounding(pair: &Relative, tracer: &mut impl Tracer) {
 fn center(pair: &Relative) -> Option<DVec2> {
     let point = pair.edges(Side::A) == 0 && pair.edges(Side::B) == 0;
     point.then(|| pair.world_vector(pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0)))
-}
-
-/// B ⊖ A of two bodies at time `t` in [0, 1], by merging their edges, O(n + m).
-///
-/// Coordinates are in configuration space (world axes, world units), in plain doubles.
-///
-/// ```
-/// use tracefig::collision::difference;
-/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, Side, shape::FieldValue};
-/// let still = |kind, fields: &[(&str, FieldValue)], x| Body {
-///     shape: Shape::of_kind(kind, fields).unwrap(),
-///     position: DVec2::new(x, 0.0), angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0),
-/// };
-/// let a = still("box", &[("half_extents", FieldValue::Point(DVec2::new(1.0, 2.0)))], 0.0);
-/// let b = still("circle", &[("radius", FieldValue::Number(0.5))], 3.0);
-/// let found = difference(&a, &b, 0.0);
-/// assert_eq!((found.edges.len(), found.radius), (4, 0.5));
-/// assert!(found.edges.iter().all(|edge| edge.source == Side::A));
-/// // The circle's centre less A's right side: the left side of the difference, running down.
-/// assert_eq!((found.edges[1].from, found.edges[1].to), (DVec2::new(2.0, 2.0), DVec2::new(2.0, -2.0)));
-/// ```
-#[must_use]
-pub fn difference(a: &Body, b: &Body, t: f64) -> Difference {
-    let pair = Relative::at(a, b, t);
-    let mut edges = Vec::new();
-    walk(&pair, |pairing| edges.push(pairing.told(&pair)));
-    Difference { edges, center: center(&pair), radius: pair.radius() }
 }

@@ -1,70 +1,16 @@
 //! The discrete pairs of the figures, with answers that were computed with 256 bits: what the algorithms must find.
 
-use crate::collision::ALGORITHMS;
-use crate::collision::Answer;
-use crate::collision::Query;
-use crate::collision::QueryKind;
-use crate::collision::Separation;
-use crate::collision::algorithm::outline::difference;
-use crate::geometry::{Body, DVec2, Degrees, Feature, Hull, Shape, Side};
-use crate::trace::{Event, NoTrace, Trace};
-
-/// 3-4-5 in degrees: cos 0.8, sin 0.6.
-pub(crate) const TILT: f64 = 36.869_897_645_844_02;
-
-/// A counter-clockwise, strictly convex polygon (or a segment, or a point) with a radius.
-pub(crate) fn polygon(vertices: &[[f64; 2]], radius: f64) -> Body {
-    body(Shape {
-        kind: if vertices.len() == 1 { "circle" } else { "polygon" },
-        vertices: vertices.iter().copied().map(DVec2::from).collect(),
-        radius,
-        half_extents: None,
-        core: (0..vertices.len()).collect(),
-        hull: Hull::new(vertices.iter().copied().map(DVec2::from).collect()),
-    })
-}
-
-/// A box (or `aabb`) about its origin.
-pub(crate) fn boxed(kind: &'static str, x: f64, y: f64) -> Body {
-    let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]];
-    let mut body = polygon(&vertices, 0.0);
-    body.shape.kind = kind;
-    body.shape.half_extents = Some(DVec2::new(x, y));
-    body
-}
-
-/// The body elsewhere.
-pub(crate) fn placed(mut body: Body, x: f64, y: f64, angle: f64) -> Body {
-    body.position = DVec2::new(x, y);
-    body.angle = Degrees(angle);
-    body
-}
-
-fn body(shape: Shape) -> Body {
-    Body { shape, position: DVec2::ZERO, angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0) }
-}
-
-fn ask(name: &str, a: &Body, b: &Body) -> (Separation, Trace) {
-    let query =
-        Query { kind: QueryKind::Separation, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-    let algorithm = ALGORITHMS.iter().find(|x| x.name == name).expect("in the table");
-    assert_eq!((algorithm.shapes)(&query), Ok(()), "{name}");
-    let mut trace = Trace::default();
-    let answer = (algorithm.traced)(&query, &mut trace);
-    assert_eq!(answer, (algorithm.quiet)(&query, &mut NoTrace), "listening changed the answer of {name}");
-    match answer {
-        Answer::Separation(s) => (s, trace),
-        other => panic!("{other:?}"),
-    }
-}
+use crate::collision::tests::asking::{query, separation as ask};
+use crate::collision::tests::bodies::{TILT, boxed, placed, polygon};
+use crate::collision::{ALGORITHMS, QueryKind, Separation};
+use crate::geometry::{Body, DVec2, Feature, Side};
+use crate::trace::{Event, Trace};
 
 /// The default and every algorithm that takes a pair, each with its answer.
 fn all(a: &Body, b: &Body) -> Vec<(&'static str, Separation)> {
-    let query =
-        Query { kind: QueryKind::Separation, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-    let takes =
-        |x: &&crate::collision::Algorithm| x.kinds.contains(&query.kind) && (x.shapes)(&query).is_ok();
-    ALGORITHMS.iter().filter(takes).map(|x| (x.name, ask(x.name, a, b).0)).collect()
+    let query = query(QueryKind::Separation, a, b);
+    let takers = ALGORITHMS.iter().filter(|algorithm| algorithm.takes(&query));
+    takers.map(|algorithm| (algorithm.name, ask(algorithm.name, a, b).0)).collect()
 }
 
 fn near(found: DVec2, expected: [f64; 2]) {
@@ -86,33 +32,43 @@ fn every(a: &Body, b: &Body, s: f64, n: [f64; 2], p_a: [f64; 2], p_b: [f64; 2]) 
 
 /// The outline of B ⊖ A as the storyboard writes it: start of each edge, source and its index.
 fn outline(a: &Body, b: &Body, expected: &[([f64; 2], Side, usize)]) {
-    let d = difference(a, b, 0.0);
-    let start =
-        d.edges.iter().position(|e| (e.from - DVec2::from(expected[0].0)).abs().max_element() < 4e-15);
-    let start = start.expect("the first vertex is there");
-    assert_eq!(d.edges.len(), expected.len());
+    // The merge tells the edges in their order.
+    let merged = edges(&ask("merge", a, b).1);
+    let at_start = |e: &Told| (e.from - DVec2::from(expected[0].0)).abs().max_element() < 4e-15;
+    let start = merged.iter().position(at_start).expect("the first vertex is there");
+    assert_eq!(merged.len(), expected.len());
     for (k, &(from, source, edge)) in expected.iter().enumerate() {
-        let found = &d.edges[(start + k) % d.edges.len()];
+        let found = &merged[(start + k) % merged.len()];
         near(found.from, from);
         assert_eq!((found.source, found.edge), (source, edge));
     }
-    for (k, e) in d.edges.iter().enumerate() {
-        assert_eq!(e.to, d.edges[(k + 1) % d.edges.len()].from);
+    for (k, e) in merged.iter().enumerate() {
+        assert_eq!(e.to, merged[(k + 1) % merged.len()].from);
     }
     // The article's loop finds the same edges, bit for bit, in its own order.
-    let (_, trace) = ask("minkowski", a, b);
-    let found: Vec<_> = trace.events.iter().filter_map(told).collect();
-    assert_eq!(found.len(), d.edges.len());
-    assert!(found.iter().all(|e| d.edges.contains(e)), "{found:?} is not {:?}", d.edges);
+    let looped = edges(&ask("minkowski", a, b).1);
+    assert_eq!(looped.len(), merged.len());
+    assert!(looped.iter().all(|e| merged.contains(e)), "{looped:?} is not {merged:?}");
 }
 
-fn told(event: &Event) -> Option<crate::collision::OutlineEdge> {
-    match *event {
+/// An edge of B ⊖ A as it was told: the body whose edge it is, that edge, the other body's vertex, start and end.
+#[derive(Debug, PartialEq)]
+struct Told {
+    source: Side,
+    edge: usize,
+    vertex: usize,
+    from: DVec2,
+    to: DVec2,
+}
+
+fn edges(trace: &Trace) -> Vec<Told> {
+    let edge = |event: &Event| match *event {
         Event::DifferenceEdgeFound { source, edge, vertex, from, to, .. } => {
-            Some(crate::collision::OutlineEdge { source, edge, vertex, from, to })
+            Some(Told { source, edge, vertex, from, to })
         }
         _ => None,
-    }
+    };
+    trace.events.iter().filter_map(edge).collect()
 }
 
 use Side::{A, B};

@@ -1,36 +1,10 @@
 //! The moving pairs of the figures, with answers that were computed with 256 bits: what the sweeps must find.
 
-use crate::collision::ALGORITHMS;
-use crate::collision::Answer;
-use crate::collision::Impact;
-use crate::collision::Outcome;
-use crate::collision::Query;
-use crate::collision::Separation;
-use crate::collision::tests::storyboard::{boxed, placed, polygon};
-use crate::geometry::{Body, DVec2, Degrees, Enclosure, Side};
-use crate::trace::{Culling, Event, NoTrace, Trace};
-
-/// The body with velocities.
-pub(crate) fn moving(mut body: Body, velocity: [f64; 2], spin: f64) -> Body {
-    body.velocity = DVec2::from(velocity);
-    body.spin = Degrees(spin);
-    body
-}
-
-/// Asks one algorithm, traced and untraced.
-pub(crate) fn ask(name: &str, a: &Body, b: &Body, tolerance: f64) -> (Impact, Trace) {
-    let algorithm = ALGORITHMS.iter().find(|x| x.name == name).expect("in the table");
-    let query =
-        Query { kind: algorithm.kinds[0], a, b: Some(b), time: 0.0, tolerance, max_iterations: 20_000 };
-    assert_eq!((algorithm.shapes)(&query), Ok(()), "{name}");
-    let mut trace = Trace::default();
-    let answer = (algorithm.traced)(&query, &mut trace);
-    assert_eq!(answer, (algorithm.quiet)(&query, &mut NoTrace), "listening changed the answer of {name}");
-    match answer {
-        Answer::Impact(impact) => (impact, trace),
-        other => panic!("{other:?}"),
-    }
-}
+use crate::collision::tests::asking::impact as ask;
+use crate::collision::tests::bodies::{boxed, moving, placed, polygon};
+use crate::collision::{Impact, Outcome, Separation};
+use crate::geometry::{Body, DVec2, Enclosure, Side};
+use crate::trace::{Culling, Event, Trace};
 
 fn hit(impact: &Impact) -> (Enclosure, Separation) {
     match impact.outcome {

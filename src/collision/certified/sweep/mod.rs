@@ -88,13 +88,13 @@ impl<'s> Sweep<'s> {
 mod tests {
     use super::*;
     use crate::collision::certified::distance::search::settle;
-    use crate::collision::tests::sweep_properties::Dice;
+    use crate::collision::tests::bodies::Bodies;
 
     #[test]
     fn a_contact_of_doubles_is_the_certified_separation_at_its_time() {
-        let mut dice = Dice(17);
+        let mut bodies = Bodies::new(17);
         for k in 0..1000 {
-            let (a, b) = (dice.flying(0.0), dice.flying(0.0));
+            let (a, b) = bodies.flying_pair(0.0);
             let Outcome::Hit { time, contact } = Sweep::new(&a, &b).first_contact() else { continue };
             let at = settle(&Pair::at(&a, &b, time.lo), None);
             assert!(contact.bounds.lo <= at.bounds.hi && at.bounds.lo <= contact.bounds.hi, "{k}");

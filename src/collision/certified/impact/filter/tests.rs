@@ -6,18 +6,18 @@ use crate::collision::certified::impact::closest::nearest;
 use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, rounding};
 use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::{MovingPair, filter};
+use crate::collision::tests::bodies::Bodies;
 use crate::collision::tests::hard_pairs::{hard_pairs, span};
-use crate::collision::tests::sweep_properties::Dice;
 
 /// Calls `visit` with pairs, the axis of their closest features at some moment, and that moment.
-fn each_axis(seed: u64, most: f64, mut visit: impl FnMut(&MovingPair, Axis, f64, &mut Dice)) {
-    let mut dice = Dice(seed);
+fn each_axis(seed: u64, most: f64, mut visit: impl FnMut(&MovingPair, Axis, f64, &mut Bodies)) {
+    let mut bodies = Bodies::new(seed);
     for _ in 0..2_000 {
-        let (a, b) = (dice.flying(most), dice.flying(most));
+        let (a, b) = bodies.flying_pair(most);
         let pair = MovingPair::new(&a, &b);
-        let t = dice.roll();
+        let t = bodies.roll();
         if let Some(axis) = Axis::through(&pair, nearest(&pair, t).0, t) {
-            visit(&pair, axis, t, &mut dice);
+            visit(&pair, axis, t, &mut bodies);
         }
     }
 }
@@ -29,9 +29,9 @@ fn gap(pair: &MovingPair, axis: &Axis, t: f64) -> Option<TurnedGap> {
 #[test]
 fn the_series_follows_the_gap_to_the_fifth_order() {
     let (mut seen, mut worst) = (0, 0.0_f64);
-    each_axis(11, 400.0, |pair, axis, t, dice| {
+    each_axis(11, 400.0, |pair, axis, t, bodies| {
         let rates = pair.rate[0].abs() + pair.rate[1].abs();
-        let h = 0.01 * (dice.roll() - 0.5) / rates.max(1.0);
+        let h = 0.01 * (bodies.roll() - 0.5) / rates.max(1.0);
         let (Some(now), Some(then)) = (gap(pair, &axis, t), gap(pair, &axis, t + h)) else { return };
         if now.lowest != then.lowest {
             return;
@@ -47,8 +47,8 @@ fn the_series_follows_the_gap_to_the_fifth_order() {
 #[test]
 fn no_gap_bends_more_than_its_bound_and_some_as_much() {
     let mut most = 0.0_f64;
-    each_axis(14, 200.0, |pair, axis, t, dice| {
-        let later = (t + 0.1 * dice.roll()).min(1.0);
+    each_axis(14, 200.0, |pair, axis, t, bodies| {
+        let later = (t + 0.1 * bodies.roll()).min(1.0);
         let (Some(from), Some(to)) = (gap(pair, &axis, t), gap(pair, &axis, later)) else { return };
         let bound = from.curvature(&to, pair, axis.owner);
         for now in (0..=20).filter_map(|k| gap(pair, &axis, t + (later - t) * f64::from(k) / 20.0)) {
@@ -63,8 +63,8 @@ fn no_gap_bends_more_than_its_bound_and_some_as_much() {
 #[test]
 fn a_gap_that_is_proved_open_is_open_between() {
     let (mut proved, mut open) = (0, 0);
-    each_axis(12, 200.0, |pair, axis, t, dice| {
-        let later = (t + 0.3 * dice.roll()).min(1.0);
+    each_axis(12, 200.0, |pair, axis, t, bodies| {
+        let later = (t + 0.3 * bodies.roll()).min(1.0);
         let (Some(from), Some(to)) = (gap(pair, &axis, t), gap(pair, &axis, later)) else { return };
         let least = (0..=200)
             .filter_map(|k| gap(pair, &axis, t + (later - t) * f64::from(k) / 200.0))
@@ -99,11 +99,11 @@ fn assert_the_same(name: &str, [with, without]: &[Outcome; 2]) {
 
 #[test]
 fn without_the_filter_verdicts_are_the_same_and_bounds_overlap() {
-    let mut dice = Dice(13);
+    let mut bodies = Bodies::new(13);
     let (mut decided, mut hits) = (0, 0);
     for k in 0..2_000 {
         let most = if k % 4 == 0 { 3_000.0 } else { 500.0 };
-        let (a, b) = (dice.flying(most), dice.flying(most));
+        let (a, b) = bodies.flying_pair(most);
         let pair = MovingPair::new(&a, &b);
         let outcomes = both_ways(&pair).map(|impact| impact.outcome);
         assert_the_same(&format!("{a:?} {b:?}"), &outcomes);

@@ -185,27 +185,17 @@ fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::tests::storyboard::{placed, polygon};
-    use crate::collision::tests::sweep_properties::Dice;
-
-    /// A polygon of many vertices, which is searched and not looked at.
-    fn round(dice: &mut Dice, count: u32) -> crate::geometry::Body {
-        let vertices: Vec<[f64; 2]> = (0..count)
-            .map(|k| (f64::from(k) + 0.7 * dice.roll()) * std::f64::consts::TAU / f64::from(count))
-            .map(|angle| [2.0 * libm::cos(angle), libm::sin(angle)])
-            .collect();
-        placed(polygon(&vertices, 0.0), 8.0 * dice.roll(), 8.0 * dice.roll(), 360.0 * dice.roll())
-    }
+    use crate::collision::tests::bodies::Bodies;
 
     #[test]
     fn the_edge_crossed_is_the_facing_one_whose_line_is_met_last() {
-        let mut dice = Dice(3);
+        let mut bodies = Bodies::new(3);
         let mut edges = 0;
         for count in [3, 8, 9, 40, 300] {
             for k in 0..100 {
-                let (a, b) = (round(&mut dice, count), round(&mut dice, 7));
+                let (a, b) = (bodies.of_many_vertices(count), bodies.of_many_vertices(7));
                 let pair = Pair::at(&a, &b, 0.0);
-                let v = DVec2::new(dice.roll() - 0.5, dice.roll() - 0.5);
+                let v = DVec2::new(bodies.roll() - 0.5, bodies.roll() - 0.5);
                 let last = crate::collision::certified::sweep::balls::last_line(&pair, v).unwrap();
                 match crossed(&pair, v) {
                     Crossed::Edge(edge) => {

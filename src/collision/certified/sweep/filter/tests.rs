@@ -5,8 +5,8 @@ use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::sweep::heading::Heading;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::certified::sweep::{Sweep, balls, filter};
+use crate::collision::tests::bodies::Bodies;
 use crate::collision::tests::hard_pairs::{hard_pairs, span};
-use crate::collision::tests::sweep_properties::Dice;
 
 /// What the filter alone says of a pair at t = 0.
 fn filtered(pair: &Pair) -> Option<Entry> {
@@ -15,9 +15,9 @@ fn filtered(pair: &Pair) -> Option<Entry> {
 
 #[test]
 fn doubles_prove_most_rays_and_say_what_balls_say() {
-    let (mut dice, mut decided, count) = (Dice(11), 0, 3000);
+    let (mut bodies, mut decided, count) = (Bodies::new(11), 0, 3000);
     for k in 0..count {
-        let (a, b) = (dice.flying(0.0), dice.flying(0.0));
+        let (a, b) = bodies.flying_pair(0.0);
         let pair = Pair::finely_at(&a, &b, 0.0);
         let Some(entry) = filtered(&pair) else { continue };
         match (entry, balls::entry(&pair)) {
@@ -54,9 +54,9 @@ fn assert_the_same(name: &str, [with, without]: &[Outcome; 2]) {
 
 #[test]
 fn without_the_filter_verdicts_are_the_same_and_bounds_overlap() {
-    let (mut dice, mut hits) = (Dice(31), 0);
+    let (mut bodies, mut hits) = (Bodies::new(31), 0);
     for _ in 0..3_000 {
-        let (a, b) = (dice.flying(0.0), dice.flying(0.0));
+        let (a, b) = bodies.flying_pair(0.0);
         let outcomes = both_ways(&Sweep::new(&a, &b));
         assert_the_same(&format!("{a:?} {b:?}"), &outcomes);
         hits += i32::from(matches!(outcomes[0], Outcome::Hit { .. }));
