@@ -1,30 +1,31 @@
 //! Contrast of two colours as WCAG 2.2 defines it: (L₁ + 0.05) / (L₂ + 0.05) of their relative luminances.
 //!
-//! Source: Web Content Accessibility Guidelines 2.2, "relative luminance" and "contrast ratio". Text needs 4.5 : 1.
+//! Source: Web Content Accessibility Guidelines 2.2, "relative luminance" and "contrast ratio". Text needs 4.5 : 1. The
+//! guidelines round the weights of luminance to four digits; `palette` has them in seven, which would move one printed
+//! ratio in 400, so the weights stand here.
+
+use palette::{LinSrgb, Srgb};
 
 use crate::drawing::Color;
 
-/// Linear light of the three channels, from 0 to 1.
-#[must_use]
-pub fn linear(color: Color) -> [f64; 3] {
-    [color.r, color.g, color.b].map(|c| {
-        let c = f64::from(c) / 255.0;
-        if c <= 0.040_45 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) }
-    })
+/// The linear light of a colour, channels from 0 to 1.
+pub(super) fn linear(Color { r, g, b }: Color) -> LinSrgb<f64> {
+    Srgb::new(r, g, b).into_linear()
 }
 
 /// Relative luminance, from 0 (black) to 1 (white).
-#[must_use]
-pub fn luminance(color: Color) -> f64 {
-    let [r, g, b] = linear(color);
-    0.2126 * r + 0.7152 * g + 0.0722 * b
+fn luminance(color: Color) -> f64 {
+    let LinSrgb { red, green, blue, .. } = linear(color);
+    0.2126 * red + 0.7152 * green + 0.0722 * blue
 }
 
-/// Contrast ratio, from 1 to 21.
+/// Contrast ratio, from 1 to 21, whichever of the two is lighter.
 ///
 /// ```
 /// use tracefig::{drawing::Color, figure::theme::contrast::contrast};
-/// assert!((contrast(Color::hex(0xFFFFFF), Color::hex(0)) - 21.0).abs() < 1e-9);
+/// let (black, white) = (Color::hex(0), Color::hex(0xFFFFFF));
+/// assert!((contrast(white, black) - 21.0).abs() < 1e-9);
+/// assert_eq!(contrast(black, black), 1.0);
 /// ```
 #[must_use]
 pub fn contrast(a: Color, b: Color) -> f64 {
@@ -33,8 +34,7 @@ pub fn contrast(a: Color, b: Color) -> f64 {
 }
 
 /// `over` at `opacity` on `under`, blended in sRGB as every renderer of ours does.
-#[must_use]
-pub fn blend(over: Color, opacity: f64, under: Color) -> Color {
+pub(super) fn blend(over: Color, opacity: f64, under: Color) -> Color {
     let mix = |o: u8, u: u8| {
         let value = (opacity * f64::from(o) + (1.0 - opacity) * f64::from(u)).round().clamp(0.0, 255.0);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255")]

@@ -2,9 +2,13 @@
 //!
 //! Colour blindness is simulated by the matrices of Machado, Oliveira, Fernandes, "A Physiologically-based Model for
 //! Simulation of Color Vision Deficiency", IEEE TVCG 15(6), 2009, severity 1, on linear light. The difference is
-//! CIEDE2000 (Sharma, Wu, Dalal, "The CIEDE2000 Color-Difference Formula", Color Research and Application 30(1), 2005).
+//! CIEDE2000 (Sharma, Wu, Dalal, "The CIEDE2000 Color-Difference Formula", Color Research and Application 30(1), 2005)
+//! in CIELAB under D65, both by the crate `palette`.
 
-use std::f64::consts::TAU;
+use palette::color_difference::Ciede2000;
+use palette::convert::FromColorUnclamped;
+use palette::white_point::D65;
+use palette::{Lab, LinSrgb};
 
 use crate::drawing::Color;
 
@@ -12,8 +16,8 @@ use super::contrast::linear;
 
 /// A reader's colour vision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Vision {
-    /// Of most.
+enum Vision {
+    /// Trichromatic vision, as most readers have.
     Normal,
     /// Without red cones.
     Protan,
@@ -25,7 +29,7 @@ pub enum Vision {
 
 impl Vision {
     /// All four.
-    pub const ALL: [Self; 4] = [Self::Normal, Self::Protan, Self::Deutan, Self::Tritan];
+    const ALL: [Self; 4] = [Self::Normal, Self::Protan, Self::Deutan, Self::Tritan];
 
     /// Machado 2009, table 1, severity 1.0.
     fn matrix(self) -> [[f64; 3]; 3] {
@@ -50,75 +54,24 @@ impl Vision {
     }
 }
 
-/// The difference of two colours (ΔE2000) for the worst of the four visions.
+/// The difference of two colours (ΔE2000) for the reader to whom they look most alike; 1 is just noticeable.
+///
+/// ```
+/// use tracefig::{drawing::Color, figure::theme::vision::worst_difference};
+/// let [red, green, blue] = [0xC0_00_00, 0x00_80_00, 0x00_00_C0].map(Color::hex);
+/// assert!(worst_difference(red, green) < 30.0 && worst_difference(red, blue) > 30.0);
+/// ```
 #[must_use]
 pub fn worst_difference(a: Color, b: Color) -> f64 {
-    Vision::ALL.into_iter().map(|v| difference(a, b, v)).fold(f64::INFINITY, f64::min)
+    Vision::ALL.into_iter().map(|v| seen(a, v).difference(seen(b, v))).fold(f64::INFINITY, f64::min)
 }
 
-/// The difference of two colours (ΔE2000) as one vision sees them; 1 is just noticeable.
-#[must_use]
-pub fn difference(a: Color, b: Color, vision: Vision) -> f64 {
-    delta_e(lab(a, vision), lab(b, vision))
-}
-
-/// CIELAB, D65.
-fn lab(color: Color, vision: Vision) -> [f64; 3] {
-    let [r, g, b] = linear(color);
-    let seen = vision.matrix().map(|row| (row[0] * r + row[1] * g + row[2] * b).clamp(0.0, 1.0));
-    let [r, g, b] = seen;
-    let xyz = [
-        (0.412_456_4 * r + 0.357_576_1 * g + 0.180_437_5 * b) / 0.950_47,
-        0.212_672_9 * r + 0.715_152_2 * g + 0.072_175_0 * b,
-        (0.019_333_9 * r + 0.119_192_0 * g + 0.950_304_1 * b) / 1.088_83,
-    ];
-    let f =
-        xyz.map(|t| if t > 216.0 / 24389.0 { libm::cbrt(t) } else { (24389.0 / 27.0 * t + 16.0) / 116.0 });
-    [116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])]
-}
-
-/// √(x⁷ / (x⁷ + 25⁷)).
-fn chroma_share(x: f64) -> f64 {
-    let seventh = libm::pow(x, 7.0);
-    libm::sqrt(seventh / (seventh + libm::pow(25.0, 7.0)))
-}
-
-/// Mean hue and hue difference, radians; the paper's equations 10 and 14.
-fn hues(h1: f64, h2: f64, grey: bool) -> (f64, f64) {
-    if grey {
-        return (h1 + h2, 0.0);
-    }
-    let (turn, sum) = (h2 - h1, h1 + h2);
-    if turn.abs() <= 0.5 * TAU {
-        return (0.5 * sum, turn);
-    }
-    let mean = if sum < TAU { 0.5 * (sum + TAU) } else { 0.5 * (sum - TAU) };
-    (mean, if turn > 0.0 { turn - TAU } else { turn + TAU })
-}
-
-/// CIEDE2000, with the paper's letters.
-fn delta_e(p: [f64; 3], q: [f64; 3]) -> f64 {
-    let c_mean = 0.5 * (libm::hypot(p[1], p[2]) + libm::hypot(q[1], q[2]));
-    let g = 0.5 * (1.0 - chroma_share(c_mean));
-    let polar = |lab: [f64; 3]| {
-        let a = (1.0 + g) * lab[1];
-        let angle = libm::atan2(lab[2], a);
-        (libm::hypot(a, lab[2]), if angle < 0.0 { angle + TAU } else { angle })
-    };
-    let ((c1, h1), (c2, h2)) = (polar(p), polar(q));
-    let (h, dh) = hues(h1, h2, c1 * c2 == 0.0);
-    let (l, c) = (0.5 * (p[0] + q[0]), 0.5 * (c1 + c2));
-    let cos = |k: f64, degrees: f64| libm::cos(k * h + degrees.to_radians());
-    let t =
-        1.0 - 0.17 * cos(1.0, -30.0) + 0.24 * cos(2.0, 0.0) + 0.32 * cos(3.0, 6.0) - 0.20 * cos(4.0, -63.0);
-    let bump = (h.to_degrees() - 275.0) / 25.0;
-    let theta = 30.0_f64.to_radians() * libm::exp(-bump * bump);
-    let l50 = (l - 50.0) * (l - 50.0);
-    let dl = (q[0] - p[0]) / (1.0 + 0.015 * l50 / libm::sqrt(20.0 + l50));
-    let dc = (c2 - c1) / (1.0 + 0.045 * c);
-    let dh = 2.0 * libm::sqrt(c1 * c2) * libm::sin(0.5 * dh) / (1.0 + 0.015 * c * t);
-    let rt = -libm::sin(2.0 * theta) * 2.0 * chroma_share(c);
-    libm::sqrt(dl * dl + dc * dc + dh * dh + rt * dc * dh)
+/// A colour as one vision sees it.
+fn seen(color: Color, vision: Vision) -> Lab<D65, f64> {
+    let LinSrgb { red, green, blue, .. } = linear(color);
+    let [red, green, blue] =
+        vision.matrix().map(|row| (row[0] * red + row[1] * green + row[2] * blue).clamp(0.0, 1.0));
+    Lab::from_color_unclamped(LinSrgb::new(red, green, blue))
 }
 
 #[cfg(test)]
@@ -144,19 +97,39 @@ mod tests {
     #[test]
     fn the_formula_gives_the_published_differences() {
         // Sharma, Wu, Dalal 2005, table 1, rows 1, 7, 15, 17, 25.
-        for (p, q, expected) in [
+        for ([l1, a1, b1], [l2, a2, b2], expected) in [
             ([50.0, 2.6772, -79.7751], [50.0, 0.0, -82.7485], 2.0425),
             ([50.0, 0.0, 0.0], [50.0, -1.0, 2.0], 2.3669),
             ([50.0, -0.001, 2.49], [50.0, 0.0011, -2.49], 4.7461),
             ([50.0, 2.5, 0.0], [73.0, 25.0, -18.0], 27.1492),
             ([60.2574, -34.0099, 36.2677], [60.4626, -34.1751, 39.4387], 1.2644),
         ] {
-            assert!(
-                (delta_e(p, q) - expected).abs() < 1e-4,
-                "{p:?} {q:?}: {} is not {expected}",
-                delta_e(p, q)
-            );
+            let lab = |l, a, b| Lab::<D65, f64>::new(l, a, b);
+            let got = lab(l1, a1, b1).difference(lab(l2, a2, b2));
+            assert!((got - expected).abs() < 1e-4, "{got} is not {expected}");
         }
+    }
+
+    #[test]
+    fn the_printed_digits_of_a_refused_theme_stay() {
+        let colors = "a = '#C02A1E'\nb = '#8A5A00'\ndifference = '#7B4FA3'\nnow = '#2E6FD0'\n\
+            translation = '#E088C0'\nink = '#7C7C7C'\nmuted = '#9A9A9A'\nbackground = '#D0D8F0'";
+        let refused = crate::figure::theme::parse(&format!("[colors]\n{colors}")).unwrap_err();
+        let expected = [
+            "a and background: contrast 4.1, at least 4.5",
+            "b and background: contrast 4.2, at least 4.5",
+            "difference and background: contrast 4.2, at least 4.5",
+            "now and background: contrast 3.4, at least 4.5",
+            "translation and background: contrast 1.7, at least 4.5",
+            "ink and background: contrast 2.9, at least 4.5",
+            "muted and background: contrast 2.0, at least 4.5",
+            "ink and a: contrast 2.4, at least 4.5",
+            "ink and b: contrast 2.5, at least 4.5",
+            "ink and difference: contrast 2.5, at least 4.5",
+            "a and b: ΔE2000 3.1, at least 20",
+            "difference and now: ΔE2000 6.8, at least 9",
+        ];
+        assert_eq!(refused.to_string().lines().skip(1).map(str::trim).collect::<Vec<_>>(), expected);
     }
 
     #[test]
