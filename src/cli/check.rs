@@ -6,7 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use tracefig::drawing::Rect;
 use tracefig::drift::report::{Finding, html, json, junit, markdown, tally};
-use tracefig::drift::{Change, PixelDrift, Rendered, State, compare, elements_in, triptych, what_moved};
+use tracefig::drift::{
+    Change, PixelDrift, Rendered, State, TRIPTYCH_FORMAT, compare, elements_in, triptych, what_moved,
+};
+use tracefig::output::Format;
 
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
@@ -177,7 +180,7 @@ impl Check {
             Err(error) => return checked.fail(&name, &format!("error: can't read {name}: {error}\n")),
         };
         let scale = self.files.scale();
-        let rendered = Rendered { extension: file.format.name, bytes: &encoded.bytes, scale };
+        let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
         let state = compare(on_disk.as_deref(), rendered);
         let mut finding =
             Finding { file: name.clone(), state: state.word(), details: Vec::new(), picture: None };
@@ -189,8 +192,8 @@ impl Check {
             }
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
-                finding.details = self.details(change, &old, encoded);
-                if let Some(image) = triptych(&old, &encoded.bytes, scale) {
+                finding.details = self.details(change, &old, file.format, encoded);
+                if let Some(image) = triptych(file.format, &old, &encoded.bytes, scale) {
                     let path = self.output.join(picture_name(path));
                     let written =
                         std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, &image));
@@ -212,8 +215,8 @@ impl Check {
     }
 
     /// How a file differs, in lines.
-    fn details(&self, change: &Change, old: &[u8], encoded: &Encoded) -> Vec<String> {
-        let mut lines = what_moved(old, &encoded.bytes);
+    fn details(&self, change: &Change, old: &[u8], format: &Format, encoded: &Encoded) -> Vec<String> {
+        let mut lines = what_moved(format, old, &encoded.bytes);
         lines.push(change.to_string());
         if let Some(drift) = change.pixels() {
             lines.push(drift.under_tolerances());
@@ -233,11 +236,14 @@ impl Check {
     }
 }
 
-/// The name of the picture that shows how a file differs: a PNG's own, and after an SVG's name `.png`.
+/// The name of the picture that shows how a file differs: the file's own where the two have one format, else with the
+/// picture's extension after it.
 fn picture_name(path: &Path) -> PathBuf {
+    let extension = TRIPTYCH_FORMAT.name;
     let mut name = path.file_name().unwrap_or_default().to_owned();
-    if path.extension().is_some_and(|e| e != "png") {
-        name.push(".png");
+    if path.extension().is_some_and(|e| e != extension) {
+        name.push(".");
+        name.push(extension);
     }
     name.into()
 }

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::thread::available_parallelism;
 
 use clap::Args;
@@ -20,6 +20,12 @@ use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
 use super::times::Times;
 
+/// The formats that are written where none is asked for, separated by commas.
+static USUAL_FORMATS: LazyLock<String> = LazyLock::new(|| {
+    let usual: Vec<&str> = FORMATS.iter().filter(|format| format.usual).map(|format| format.name).collect();
+    usual.join(",")
+});
+
 /// Which scenes, and how they are drawn.
 #[derive(Args)]
 pub(crate) struct Files {
@@ -27,7 +33,7 @@ pub(crate) struct Files {
     #[arg(value_name = "SCENE")]
     scenes: Vec<PathBuf>,
     /// Formats, separated by commas
-    #[arg(long, value_delimiter = ',', default_value = "svg,png", value_name = "FORMAT",
+    #[arg(long, value_delimiter = ',', default_value = USUAL_FORMATS.as_str(), value_name = "FORMAT",
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
     format: Vec<String>,
     /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files are
@@ -38,7 +44,8 @@ pub(crate) struct Files {
     #[arg(long, default_value_t = 2.0, value_parser = scale)]
     scale: f64,
     /// How a PNG is packed: fast, or small (slower, the same pixels)
-    #[arg(long, default_value = "fast", value_parser = ["fast", "small"])]
+    #[arg(long, default_value = PngEffort::default().word(),
+        value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
     png: String,
     /// A label that finds no free place is an error
     #[arg(long)]
@@ -146,7 +153,8 @@ impl Files {
             let Target::File(path) = &planned.target else { return false };
             let theme = self.chosen(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
             let hash = self.hash(&file, planned.format, theme);
-            std::fs::read(path).is_ok_and(|bytes| Stamp::read(&bytes).is_some_and(|stamp| stamp.is_of(&hash)))
+            let stamp = std::fs::read(path).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
+            stamp.is_some_and(|stamp| stamp.is_of(&hash))
         })
     }
 
@@ -155,7 +163,7 @@ impl Files {
     }
 
     fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
-        fingerprint(&file.source.text, &self.options_of(format, theme))
+        fingerprint(&file.source.text, &format.key(theme, &self.options()))
     }
 
     fn encoded(
@@ -202,17 +210,13 @@ impl Files {
         Ok(files)
     }
 
-    /// All that the bytes of a file depend on besides the scene.
-    fn options_of(&self, format: &Format, theme: &str) -> String {
-        match format.name {
-            "svg" => format!("svg theme={theme}"),
-            name => format!("{name} theme={theme} scale={} png={}", self.scale, self.png),
-        }
+    fn options(&self) -> Options {
+        let png = PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png);
+        Options { scale: self.scale, png: png.unwrap_or_default() }
     }
 
     fn encode(&self, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
-        let png = if self.png == "small" { PngEffort::Small } else { PngEffort::Fast };
-        let options = Options { scale: self.scale, png };
+        let options = self.options();
         match format.write {
             Writer::One(write) => write(drawing, &options),
             Writer::Sequence(write) => write(&[drawing], &options),

@@ -35,9 +35,13 @@ pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
 fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = folder.read_dir() else { return Vec::new() };
     let paths = entries.filter_map(|entry| entry.ok().map(|e| e.path()));
-    let is_format = |path: &PathBuf| path.extension().is_some_and(|e| format(&e.to_string_lossy()).is_some());
-    let is_ours = |path: &PathBuf| std::fs::read(path).is_ok_and(|bytes| Stamp::read(&bytes).is_some());
-    paths.filter(|path| is_format(path) && is_ours(path)).collect()
+    paths.filter(|path| is_ours(path)).collect()
+}
+
+/// Whether a file says of itself that it is a figure of ours.
+fn is_ours(path: &Path) -> bool {
+    let Some(format) = path.extension().and_then(|e| format(&e.to_string_lossy())) else { return false };
+    std::fs::read(path).is_ok_and(|bytes| Stamp::read(format, &bytes).is_some())
 }
 
 /// Whether `STEM.EXT` or `STEM.THEME.EXT` belongs to a scene.

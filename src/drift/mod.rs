@@ -1,13 +1,13 @@
 //! Whether a figure is still what lies on disk, and if not, where it differs.
 //!
-//! A [`Rendered`] file is compared with the bytes that are there. A PNG is compared by its pixels, and so is an SVG of ours: it
-//! is read again and drawn; other files are texts, of which the first differing line is said. Where pixels differ there is
-//! a picture of *expected · difference · actual*. What both files say of themselves (a [`Stamp`]) tells whether the scene
-//! changed or what tracefig makes of it, and which numbers moved; two SVGs also tell which of their elements did.
+//! A [`Rendered`] file is compared with the bytes that are there. Each [`Format`] says how its files are read again: an
+//! image is compared by its pixels, and so is a page of outlines, which is drawn; other files are texts, of which the
+//! first differing line is said. Where pixels differ there is a picture of *expected · difference · actual*. What both
+//! files say of themselves (a [`Stamp`]) tells whether the scene changed or what tracefig makes of it, and which numbers
+//! moved; two pages of outlines also tell which of their elements did.
 
 mod elements;
 mod moved;
-mod picture;
 mod pixels;
 pub mod report;
 mod shown;
@@ -16,20 +16,22 @@ mod text;
 mod visible;
 
 pub use elements::elements_in;
-pub use moved::moved;
-pub use pixels::{PixelDrift, TOLERANCES, triptych};
+pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, triptych};
 pub use stamp::{STAMP_FORMAT, Stamp, facts, fingerprint, metadata, text_chunk};
 pub use text::LineDrift;
-pub use visible::seen;
+
+use crate::output::{Format, Picture, sheets_apart};
+use moved::moved;
+use visible::seen;
 
 /// A file that the scene gives now.
 #[derive(Clone, Copy, Debug)]
 pub struct Rendered<'b> {
-    /// The end of its name: "svg", "png", …
-    pub extension: &'b str,
-    /// Its bytes.
+    /// What it is written as.
+    pub format: &'static Format,
+    /// The file, byte for byte.
     pub bytes: &'b [u8],
-    /// Pixels for a page pixel, at which SVGs are drawn to be compared.
+    /// Pixels for a page pixel, at which outlines are drawn to be compared.
     pub scale: f64,
 }
 
@@ -49,21 +51,21 @@ pub enum State {
 /// How two files differ.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// PNGs with different pixels.
+    /// Images with different pixels.
     Pixels(PixelDrift),
-    /// PNGs with the same pixels in other bytes: packed otherwise, or with another text inside.
+    /// Images with the same pixels in other bytes: packed otherwise, or with another text inside.
     Packing,
-    /// SVGs of ours.
+    /// Pages of outlines, as SVG.
     Picture {
-        /// How they differ when drawn; None where they do not.
+        /// How they differ when drawn; `None` where they do not.
         pixels: Option<PixelDrift>,
         /// The first difference of their texts.
         line: LineDrift,
-        /// Largest difference of a colour of their style sheets, in levels; None where anything else that is read or
-        /// followed, title, description or rule, is another one.
+        /// Largest difference of a colour of their style sheets, in levels of 255; `None` where anything else that is
+        /// read or followed, title, description or rule, is another one.
         sheet: Option<u8>,
     },
-    /// Texts.
+    /// Texts that are no pictures of ours; their first difference.
     Line(LineDrift),
     /// Files of other kinds, or that can't be read as what they should be.
     Bytes {
@@ -102,8 +104,8 @@ impl State {
     /// Its word: "identical", "changed", "stale" or "missing".
     ///
     /// ```
-    /// use tracefig::drift::{Rendered, State, compare};
-    /// let now = Rendered { extension: "svg", bytes: b"<svg/>", scale: 2.0 };
+    /// use tracefig::{drift::{Rendered, State, compare}, output::format};
+    /// let now = Rendered { format: format("svg").unwrap(), bytes: b"<svg/>", scale: 2.0 };
     /// assert_eq!(compare(Some(b"<svg/>"), now).word(), "identical");
     /// assert_eq!(compare(None, now).word(), "missing");
     /// assert_eq!(compare(Some(b"<svg />"), now).word(), "changed");
@@ -119,7 +121,14 @@ impl State {
     }
 }
 
-/// Compares a file with what lies in its place; `on_disk` is None where nothing does.
+/// Compares a file with what lies in its place; `on_disk` is `None` where nothing does.
+///
+/// ```
+/// use tracefig::{drift::{Change, Rendered, State, compare}, output::format};
+/// let now = Rendered { format: format("svg").unwrap(), bytes: b"<svg/>", scale: 2.0 };
+/// let State::Changed(Change::Line(drift)) = compare(Some(b"<svg />"), now) else { panic!("another text") };
+/// assert_eq!((drift.line, drift.column), (1, 5));
+/// ```
 #[must_use]
 pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
     match on_disk {
@@ -127,7 +136,8 @@ pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
         Some(old) if old == rendered.bytes => State::Identical,
         Some(old) => {
             let change = change(old, rendered);
-            match (Stamp::read(old), Stamp::read(rendered.bytes)) {
+            let stamp = |bytes| Stamp::read(rendered.format, bytes);
+            match (stamp(old), stamp(rendered.bytes)) {
                 (Some(then), Some(now)) if then.hash != now.hash => State::Stale(change),
                 _ => State::Changed(change),
             }
@@ -135,45 +145,78 @@ pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
     }
 }
 
-/// What moved between two files of a figure, in words: numbers of the answer and of the trace, then what is seen. Empty
-/// where they do not say.
+/// What moved between two files of a figure, of one format, in words: numbers of the answer and of the trace, then what
+/// is seen. Empty where they do not say.
+///
+/// ```
+/// use tracefig::{drift::{metadata, what_moved}, output::format};
+/// let svg = |separation: f64| {
+///     let facts = format!("\"answer\":{{\"separation\":{separation}}}");
+///     format!("<svg><metadata>{}</metadata></svg>", metadata("00ff", &facts))
+/// };
+/// let lines = what_moved(format("svg").unwrap(), svg(1.42).as_bytes(), svg(1.37).as_bytes());
+/// assert_eq!(lines, ["separation: 1.42 → 1.37"]);
+/// ```
 #[must_use]
-pub fn what_moved(old: &[u8], new: &[u8]) -> Vec<String> {
-    let facts = |bytes| Stamp::read(bytes).and_then(|stamp| stamp.facts);
+pub fn what_moved(format: &Format, old: &[u8], new: &[u8]) -> Vec<String> {
+    let facts = |bytes| Stamp::read(format, bytes).and_then(|stamp| stamp.facts);
     let mut lines = match (facts(old), facts(new)) {
         (Some(old), Some(new)) => moved(&old, &new),
         _ => Vec::new(),
     };
-    if let (Some(old), Some(new)) = (picture::read(old), picture::read(new)) {
-        lines.extend(seen(&old.drawing, &new.drawing));
-        if old.sheet != new.sheet {
+    if let (
+        Some(Picture::Drawing { drawing: old, sheet: old_sheet }),
+        Some(Picture::Drawing { drawing: new, sheet: new_sheet }),
+    ) = (shows(format, old), shows(format, new))
+    {
+        lines.extend(seen(&old, &new));
+        if old_sheet != new_sheet {
             lines.push("the style sheet, which pages and dark systems follow, is another one".to_owned());
         }
     }
     lines
 }
 
+/// What a file of a format shows; `None` where it can't be read, or the format can't be.
+fn shows(format: &Format, bytes: &[u8]) -> Option<Picture> {
+    (format.read?.picture?)(bytes)
+}
+
 fn change(old: &[u8], rendered: Rendered<'_>) -> Change {
-    let new = rendered.bytes;
-    let image = |bytes| pixels::image(bytes, rendered.scale);
-    let drift = match (image(old), image(new)) {
-        (Some(old), Some(new)) => Some(pixels::drift(&old, &new)),
-        _ => None,
-    };
-    let texts = (std::str::from_utf8(old), std::str::from_utf8(new));
-    let line = if let (Ok(old), Ok(new)) = texts { text::drift(old, new) } else { None };
-    match (drift, line) {
-        (Some(pixels), Some(line)) => {
-            Change::Picture { pixels, line, sheet: picture::sheets_apart(old, new) }
-        }
-        (Some(Some(drift)), None) => Change::Pixels(drift),
-        (Some(None), None) => Change::Packing,
-        (None, Some(line)) => Change::Line(line),
-        (None, None) => {
-            let at = old.iter().zip(new).position(|(a, b)| a != b);
-            Change::Bytes { at: at.unwrap_or(old.len().min(new.len())) }
-        }
+    let (new, read) = (rendered.bytes, |bytes| shows(rendered.format, bytes));
+    if let (Some(a), Some(b)) = (read(old), read(new))
+        && let Some(change) = picture_change(&a, &b, rendered.scale, lines(old, new))
+    {
+        return change;
     }
+    lines(old, new).map_or_else(|| Change::Bytes { at: first_other_byte(old, new) }, Change::Line)
+}
+
+/// Offset of the first byte that differs; where one file is the beginning of the other, its length.
+fn first_other_byte(old: &[u8], new: &[u8]) -> usize {
+    old.iter().zip(new).position(|(a, b)| a != b).unwrap_or(old.len().min(new.len()))
+}
+
+/// How two pictures differ; `None` where they can't be drawn, or are none of the same kind.
+fn picture_change(old: &Picture, new: &Picture, scale: f64, line: Option<LineDrift>) -> Option<Change> {
+    let drift = pixels::drift(&pixels::image(old, scale)?, &pixels::image(new, scale)?);
+    match (old, new) {
+        (Picture::Pixels(_), Picture::Pixels(_)) => Some(drift.map_or(Change::Packing, Change::Pixels)),
+        (
+            Picture::Drawing { drawing: a, sheet: old_sheet },
+            Picture::Drawing { drawing: b, sheet: new_sheet },
+        ) => {
+            let same_words = a.title == b.title && a.desc == b.desc;
+            let sheet = if same_words { sheets_apart(old_sheet, new_sheet) } else { None };
+            Some(Change::Picture { pixels: drift, line: line?, sheet })
+        }
+        _ => None,
+    }
+}
+
+/// The first difference of two files as texts; `None` where one is no text.
+fn lines(old: &[u8], new: &[u8]) -> Option<LineDrift> {
+    text::drift(std::str::from_utf8(old).ok()?, std::str::from_utf8(new).ok()?)
 }
 
 impl std::fmt::Display for Change {

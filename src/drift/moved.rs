@@ -26,17 +26,7 @@ const NOUNS: [(&str, &str); 12] = [
 ];
 
 /// Differences of the answer and of the events, the answer first: `separation: 1.42 → 1.37`.
-///
-/// ```
-/// use serde_json::json;
-/// let support = |index| json!([["support-found", ["body", "vertices"], ["B", [{"index": index}]]]]);
-/// let old = json!({"answer": {"separation": 1.42}, "trace": support(2)});
-/// let new = json!({"answer": {"separation": 1.37}, "trace": support(0)});
-/// let words = tracefig::drift::moved(&old, &new);
-/// assert_eq!(words, ["separation: 1.42 → 1.37", "support vertex of B: 2 → 0"]);
-/// ```
-#[must_use]
-pub fn moved(old: &Value, new: &Value) -> Vec<String> {
+pub(super) fn moved(old: &Value, new: &Value) -> Vec<String> {
     let mut lines = Vec::new();
     for key in ["algorithm", "answer"] {
         let path = if key == "answer" { "" } else { key };
@@ -209,6 +199,14 @@ fn number(v: f64) -> String {
 mod tests {
     use super::*;
     use serde_json::json;
+
+    #[test]
+    fn the_answer_comes_first_and_an_event_says_of_whom_it_tells() {
+        let support = |index| json!([["support-found", ["body", "vertices"], ["B", [{"index": index}]]]]);
+        let old = json!({"answer": {"separation": 1.42}, "trace": support(2)});
+        let new = json!({"answer": {"separation": 1.37}, "trace": support(0)});
+        assert_eq!(moved(&old, &new), ["separation: 1.42 → 1.37", "support vertex of B: 2 → 0"]);
+    }
 
     #[test]
     fn the_same_says_nothing() {

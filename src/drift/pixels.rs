@@ -1,18 +1,9 @@
 //! Where two images differ, as numbers and as a picture.
 
 use std::fmt;
-use std::io::Cursor;
 
-use super::picture;
-use crate::output::{Pixels, rasterize};
-
-/// An image in memory: rows of red, green, blue, alpha.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Image {
-    width: u32,
-    height: u32,
-    rgba: Vec<u8>,
-}
+use super::shows;
+use crate::output::{Format, IMAGE, Picture, Pixels, encode_pixels, rasterize};
 
 /// How the pixels of two images differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -64,57 +55,43 @@ impl fmt::Display for PixelDrift {
     }
 }
 
-/// Pixels between the three pictures of a [`triptych`].
+/// The format of a [`triptych`].
+pub const TRIPTYCH_FORMAT: &Format = &IMAGE;
+
+/// Grey columns between the three pictures of a [`triptych`].
 const GAP: u32 = 16;
 
-/// Of a pixel's darkness, in the middle picture, so many parts of 255 remain: enough to see where one is.
+/// How dark an unchanged pixel stays in the difference picture, out of 255: enough to recognise the figure. At twice it
+/// competes with the marks; at half a thin line is gone.
 const FADED: u32 = 60;
 
-/// The colour of a pixel that differs; no theme has it.
+/// The colour of a pixel that differs, a pink that no theme has.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
-/// The picture of a PNG, or of an SVG of ours at so many pixels a page pixel; None where the bytes are neither.
-pub(super) fn image(bytes: &[u8], scale: f64) -> Option<Image> {
-    if bytes.starts_with(b"\x89PNG") {
-        return decode(bytes);
-    }
-    let Pixels { width, height, rgba } = rasterize(&picture::read(bytes)?.drawing, scale).ok()?;
-    Some(Image { width, height, rgba })
-}
-
-/// None where the bytes are no PNG.
-fn decode(bytes: &[u8]) -> Option<Image> {
-    let mut decoder = png::Decoder::new(Cursor::new(bytes));
-    decoder.set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
-    let mut reader = decoder.read_info().ok()?;
-    let mut buffer = vec![0; reader.output_buffer_size()?];
-    let info = reader.next_frame(&mut buffer).ok()?;
-    let rgba = match info.color_type {
-        png::ColorType::Rgba => buffer,
-        png::ColorType::GrayscaleAlpha => {
-            buffer.chunks_exact(2).flat_map(|p| [p[0], p[0], p[0], p[1]]).collect()
-        }
-        _ => return None,
-    };
-    Some(Image { width: info.width, height: info.height, rgba })
-}
-
-impl Image {
-    fn at(&self, x: u32, y: u32) -> Option<[u8; 4]> {
-        if x >= self.width || y >= self.height {
-            return None;
-        }
-        let i = 4 * (y as usize * self.width as usize + x as usize);
-        self.rgba.get(i..i + 4)?.try_into().ok()
+/// The pixels of a picture; outlines are drawn at `scale` pixels for a page pixel. `None` where that is more than an
+/// image may have.
+pub(super) fn image(picture: &Picture, scale: f64) -> Option<Pixels> {
+    match picture {
+        Picture::Pixels(pixels) => Some(pixels.clone()),
+        Picture::Drawing { drawing, .. } => rasterize(drawing, scale).ok(),
     }
 }
 
-/// None where all pixels are the same.
-pub(super) fn drift(old: &Image, new: &Image) -> Option<PixelDrift> {
+/// A pixel of an image; `None` outside it.
+fn at(image: &Pixels, x: u32, y: u32) -> Option<[u8; 4]> {
+    if x >= image.width || y >= image.height {
+        return None;
+    }
+    let i = 4 * (y as usize * image.width as usize + x as usize);
+    image.rgba.get(i..i + 4)?.try_into().ok()
+}
+
+/// How two images differ; `None` where all pixels are the same.
+pub(super) fn drift(old: &Pixels, new: &Pixels) -> Option<PixelDrift> {
     let (mut beyond, mut worst, mut area) = ([0; TOLERANCES.len()], 0, None::<[u32; 4]>);
     for y in 0..old.height.min(new.height) {
         for x in 0..old.width.min(new.width) {
-            let (Some(a), Some(b)) = (old.at(x, y), new.at(x, y)) else { continue };
+            let (Some(a), Some(b)) = (at(old, x, y), at(new, x, y)) else { continue };
             if a == b {
                 continue;
             }
@@ -139,29 +116,40 @@ pub(super) fn drift(old: &Image, new: &Image) -> Option<PixelDrift> {
     })
 }
 
-/// A PNG of expected · difference · actual beside one another; in the middle the new image faded, with every pixel
-/// that differs marked. None where one of them is neither a PNG nor an SVG of ours, which is drawn at `scale`, or where no
-/// pixel differs.
+/// An image of expected · difference · actual beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the new image
+/// faded, with every pixel that differs marked. `expected` and `actual` are files of one format; outlines are drawn at
+/// `scale` pixels for a page pixel. `None` where a file can't be read as a picture, or where no pixel differs.
+///
+/// ```
+/// use tracefig::{drift::triptych, output::format};
+/// let svg = format("svg").unwrap();
+/// assert_eq!(triptych(svg, b"<svg/>", b"<svg />", 1.0), None);
+/// ```
 #[must_use]
-pub fn triptych(expected: &[u8], actual: &[u8], scale: f64) -> Option<Vec<u8>> {
-    let (old, new) = (image(expected, scale)?, image(actual, scale)?);
-    drift(&old, &new)?;
-    let (width, height) = (old.width.max(new.width), old.height.max(new.height));
-    let total = width.checked_mul(3)?.checked_add(2 * GAP)?;
-    let mut rgba = Vec::with_capacity(4 * total as usize * height as usize);
+pub fn triptych(format: &Format, expected: &[u8], actual: &[u8], scale: f64) -> Option<Vec<u8>> {
+    let read = |bytes| image(&shows(format, bytes)?, scale);
+    encode_pixels(&beside(&read(expected)?, &read(actual)?)?)
+}
+
+/// The three pictures in one; `None` where no pixel differs.
+fn beside(old: &Pixels, new: &Pixels) -> Option<Pixels> {
+    drift(old, new)?;
+    let (each, height) = (old.width.max(new.width), old.height.max(new.height));
+    let width = each.checked_mul(3)?.checked_add(2 * GAP)?;
+    let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
     let nothing = [128, 128, 128, 255];
     for y in 0..height {
-        rgba.extend((0..width).flat_map(|x| old.at(x, y).unwrap_or(nothing)));
+        rgba.extend((0..each).flat_map(|x| at(old, x, y).unwrap_or(nothing)));
         rgba.extend((0..GAP).flat_map(|_| nothing));
-        rgba.extend((0..width).flat_map(|x| match (old.at(x, y), new.at(x, y)) {
+        rgba.extend((0..each).flat_map(|x| match (at(old, x, y), at(new, x, y)) {
             (a, Some(b)) if a == Some(b) => faded(b),
             (None, None) => nothing,
             _ => MARK,
         }));
         rgba.extend((0..GAP).flat_map(|_| nothing));
-        rgba.extend((0..width).flat_map(|x| new.at(x, y).unwrap_or(nothing)));
+        rgba.extend((0..each).flat_map(|x| at(new, x, y).unwrap_or(nothing)));
     }
-    encode(total, height, &rgba)
+    Some(Pixels { width, height, rgba })
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a weighted mean of bytes is a byte")]
@@ -170,31 +158,18 @@ fn faded(pixel: [u8; 4]) -> [u8; 4] {
     [fade(pixel[0]), fade(pixel[1]), fade(pixel[2]), 255]
 }
 
-fn encode(width: u32, height: u32, rgba: &[u8]) -> Option<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, width, height);
-    encoder.set_color(png::ColorType::Rgba);
-    encoder.set_depth(png::BitDepth::Eight);
-    encoder.set_compression(png::Compression::Fast);
-    let mut writer = encoder.write_header().ok()?;
-    writer.write_image_data(rgba).ok()?;
-    writer.finish().ok()?;
-    Some(bytes)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn plain(width: u32, height: u32, dot: Option<(u32, u32)>) -> Vec<u8> {
+    fn plain(width: u32, height: u32, dot: Option<(u32, u32)>) -> Pixels {
         let pixel = |i: u32| if dot == Some((i % width, i / width)) { [0, 90, 0, 255] } else { [255; 4] };
-        let rgba: Vec<u8> = (0..width * height).flat_map(pixel).collect();
-        encode(width, height, &rgba).unwrap()
+        Pixels { width, height, rgba: (0..width * height).flat_map(pixel).collect() }
     }
 
     #[test]
     fn a_dot_is_found_where_it_is() {
-        let (old, new) = (decode(&plain(9, 5, None)).unwrap(), decode(&plain(9, 5, Some((7, 2)))).unwrap());
+        let (old, new) = (plain(9, 5, None), plain(9, 5, Some((7, 2))));
         let got = drift(&old, &new).unwrap();
         assert_eq!((got.changed, got.worst, got.area), (1, 255, Some([7, 2, 8, 3])));
         assert_eq!(drift(&old, &old), None);
@@ -202,17 +177,18 @@ mod tests {
 
     #[test]
     fn another_size_is_a_difference() {
-        let (old, new) = (decode(&plain(9, 5, None)).unwrap(), decode(&plain(9, 6, None)).unwrap());
-        let got = drift(&old, &new).unwrap();
+        let got = drift(&plain(9, 5, None), &plain(9, 6, None)).unwrap();
         assert_eq!((got.changed, got.area), (0, None));
         assert!(got.to_string().starts_with("expected 9 × 5 pixels, got 9 × 6"));
     }
 
     #[test]
     fn the_picture_marks_what_differs_and_nothing_else() {
-        let image = decode(&triptych(&plain(9, 5, None), &plain(9, 5, Some((7, 2))), 1.0).unwrap()).unwrap();
+        let files = [None, Some((7, 2))].map(|dot| encode_pixels(&plain(9, 5, dot)).unwrap());
+        let bytes = triptych(TRIPTYCH_FORMAT, &files[0], &files[1], 1.0).unwrap();
+        let image = image(&shows(TRIPTYCH_FORMAT, &bytes).unwrap(), 1.0).unwrap();
         assert_eq!((image.width, image.height), (3 * 9 + 2 * GAP, 5));
-        let marked = |&(x, y): &(u32, u32)| image.at(x, y) == Some(MARK);
+        let marked = |&(x, y): &(u32, u32)| at(&image, x, y) == Some(MARK);
         let all = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));
         assert_eq!(all.filter(marked).collect::<Vec<_>>(), [(9 + GAP + 7, 2)]);
     }

@@ -17,8 +17,7 @@ const MAX_NAMES: usize = 6;
 const ROUNDED: f64 = 0.015;
 
 /// Differences of what two drawings show: `body-B: moved by (12, 0) px`.
-#[must_use]
-pub fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
+pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
     let mut changes = Changes::default();
     let size = |d: &Drawing| format!("{} × {} px", d.width, d.height);
     if size(old) != size(new) {

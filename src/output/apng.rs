@@ -4,12 +4,19 @@
 //! in moving shapes, and what stays is cheap (see [`super::png`]).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
-use super::png::{SIGNATURE, chunk, draw, pack_rgb};
-use super::{Format, Options, OutputError, Writer, raster};
+use super::png::{READER, SIGNATURE, chunk, draw, pack_rgb};
+use super::{Depends, Format, Options, OutputError, Writer, raster};
 use crate::drawing::Drawing;
 
-pub(super) const FORMAT: Format =
-    Format { name: "apng", about: "animated PNG of a sequence of drawings", write: Writer::Sequence(write) };
+/// The row of the table. Its files are read as any viewer of PNG shows them: by the first frame.
+pub(super) const FORMAT: Format = Format {
+    name: "apng",
+    about: "animated PNG of a sequence of drawings",
+    usual: false,
+    depends: Depends::Pixels,
+    write: Writer::Sequence(write),
+    read: Some(READER),
+};
 
 /// How long a frame is shown, in milliseconds.
 const FRAME: u16 = 80;

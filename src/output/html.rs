@@ -3,20 +3,30 @@
 //! The SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone, as what is drawn
 //! is for some only there. Nothing is loaded from elsewhere and nothing runs.
 
-use super::svg::{Sheet, document};
+use super::svg::{Sheet, document, read};
 use super::xml::escape;
-use super::{Format, Options, OutputError, Writer, check};
+use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, check};
 use crate::drawing::Drawing;
 
+/// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "html",
     about: "self-contained page: the picture inline, its description below",
+    usual: false,
+    depends: Depends::Page,
     write: Writer::One(write),
+    // The words around the picture count too, so pages are compared as texts.
+    read: Some(Reader { stamp, picture: None }),
 };
 
 /// The page around the picture: it may shrink to a narrow window but not grow.
 const STYLE: &str = "body{margin:0 auto;padding:1rem;font:1rem/1.5 system-ui,sans-serif}\
                      figure{margin:0}svg{max-width:100%;height:auto}figcaption{max-width:45rem}";
+
+/// What the picture inside a page says of itself.
+fn stamp(bytes: &[u8]) -> Option<Stamped> {
+    read::stamp(read::inside(bytes)?)
+}
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     check::page(drawing)?;

@@ -1,7 +1,8 @@
-//! One format a file: a [`Drawing`], or a sequence of them, to bytes.
+//! One format a file: a [`Drawing`], or a sequence of them, to bytes, and bytes back to what they show.
 //!
-//! A format is a row in [`FORMATS`] and sees nothing but the display list, so every format shows the same. The same
-//! drawing gives the same bytes on every machine.
+//! A format is a row in [`FORMATS`] and sees nothing but the display list, so every format shows the same. The row says
+//! what else the bytes depend on and how they are read again, so that no other room knows a format by its name or by its
+//! first bytes. The same drawing gives the same bytes on every machine.
 
 mod apng;
 mod check;
@@ -18,7 +19,9 @@ use std::fmt;
 
 use crate::drawing::Drawing;
 
+pub(crate) use png::encode_pixels;
 pub use raster::{Pixels, rasterize};
+pub(crate) use svg::read::sheets_apart;
 
 /// A row in the table of formats.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +30,14 @@ pub struct Format {
     pub name: &'static str,
     /// One line for `tracefig list`.
     pub about: &'static str,
-    /// Writes it.
+    /// Whether it is written where nobody says which formats.
+    pub usual: bool,
+    /// Which options its bytes depend on.
+    pub(crate) depends: Depends,
+    /// How a drawing becomes its bytes.
     pub write: Writer,
+    /// How its files are read again; `None` where they say nothing of themselves and are compared byte by byte.
+    pub(crate) read: Option<Reader>,
 }
 
 /// What a format makes a file of.
@@ -40,8 +49,57 @@ pub enum Writer {
     Sequence(fn(&[&Drawing], &Options) -> Result<Vec<u8>, OutputError>),
 }
 
+/// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Depends {
+    /// None of them: a page of outlines has no pixels.
+    Page,
+    /// The scale.
+    Pixels,
+    /// The scale, and how the pixels are packed.
+    Packing,
+}
+
+/// How the files of a format are read again.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reader {
+    /// What a file says of itself; `None` where it is of another format or says nothing.
+    pub(crate) stamp: Reads<Stamped>,
+    /// What a file shows; `None` where it can't be read. A format without it is compared as text.
+    pub(crate) picture: Option<Reads<Picture>>,
+}
+
+/// Finds something in the bytes of a file; `None` where they do not hold it.
+pub(crate) type Reads<T> = fn(&[u8]) -> Option<T>;
+
+/// What a file says of itself, as the drawing had it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Stamped {
+    /// [`Drawing::metadata`].
+    Metadata(String),
+    /// [`Drawing::hash`], where the format has no place for more.
+    Hash(String),
+}
+
+/// What a file shows, ready to be compared.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Picture {
+    /// An image.
+    Pixels(Pixels),
+    /// A page of outlines.
+    Drawing {
+        /// What the page shows. Texts are outlines.
+        drawing: Box<Drawing>,
+        /// The style sheet, which other pages and dark systems follow and no image does.
+        sheet: String,
+    },
+}
+
 /// Every format.
 pub const FORMATS: [Format; 5] = [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT];
+
+/// The format of an image that is no drawing, as [`crate::drift::triptych`] gives.
+pub(crate) const IMAGE: Format = png::FORMAT;
 
 /// The format of that name.
 ///
@@ -52,6 +110,30 @@ pub const FORMATS: [Format; 5] = [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::F
 #[must_use]
 pub fn format(name: &str) -> Option<&'static Format> {
     FORMATS.iter().find(|format| format.name == name)
+}
+
+impl Format {
+    /// What the bytes of a file depend on besides its scene: the format, the theme's word and those options that make a
+    /// difference to this format. Two calls give the same text exactly where the same scene gives the same bytes.
+    ///
+    /// ```
+    /// use tracefig::output::{Options, format};
+    /// let (twice, thrice) = (Options::default(), Options { scale: 3.0, ..Options::default() });
+    /// let key = |name: &str, options| format(name).unwrap().key("dark", options);
+    /// assert_eq!(key("png", &twice), "png theme=dark scale=2 png=fast");
+    /// assert_eq!(key("svg", &twice), key("svg", &thrice));
+    /// assert_ne!(key("apng", &twice), key("apng", &thrice));
+    /// ```
+    #[must_use]
+    pub fn key(&self, theme: &str, options: &Options) -> String {
+        let Options { scale, png } = options;
+        let page = format!("{} theme={theme}", self.name);
+        match self.depends {
+            Depends::Page => page,
+            Depends::Pixels => format!("{page} scale={scale}"),
+            Depends::Packing => format!("{page} scale={scale} png={}", png.word()),
+        }
+    }
 }
 
 /// What may be asked of a format; those that it does not concern it ignores.
@@ -78,6 +160,25 @@ pub enum PngEffort {
     Fast,
     /// As small as is worth tenths of a second.
     Small,
+}
+
+impl PngEffort {
+    /// Every effort, the least first.
+    pub const ALL: [Self; 2] = [Self::Fast, Self::Small];
+
+    /// Its word on the command line: "fast" or "small".
+    ///
+    /// ```
+    /// use tracefig::output::PngEffort;
+    /// assert_eq!(PngEffort::ALL.map(PngEffort::word), ["fast", "small"]);
+    /// ```
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Fast => "fast",
+            Self::Small => "small",
+        }
+    }
 }
 
 /// Pixels of the largest image: 2²⁶, of which four bytes each are kept.

@@ -31,10 +31,8 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
     let look = &theme::THEMES[0];
     let color = |role: Role| look.color(role);
     for plot in plots(report, &color).map_err(io::Error::other)? {
-        for format in FORMATS {
-            if let Writer::One(bytes) = format.write
-                && ["svg", "png"].contains(&format.name)
-            {
+        for format in FORMATS.iter().filter(|format| format.usual) {
+            if let Writer::One(bytes) = format.write {
                 let bytes = bytes(&plot.drawing, &Options::default()).map_err(io::Error::other)?;
                 put(format!("{}.{}", plot.stem, format.name), &bytes)?;
             }

@@ -162,3 +162,17 @@ fn an_svg_is_compared_by_what_it_shows() {
     assert_eq!(check(&["--tolerance", "2"]).code, Some(1));
     assert_eq!(check(&["--tolerance", "8"]).code, Some(0));
 }
+
+#[test]
+fn a_file_is_out_of_date_only_by_an_option_that_its_format_depends_on() {
+    let folder = folder_with("s.toml", &drawn());
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments)).code;
+    assert_eq!(run(&["render", "s.toml", "--format", "svg,png,pdf,html,apng", "--scale", "0.5"]), Some(0));
+    let cases = [("svg", [0, 0]), ("html", [0, 0]), ("pdf", [0, 0]), ("apng", [1, 0]), ("png", [1, 1])];
+    for (format, codes) in cases {
+        let check = |options: &[&str]| run(&[&["check", "s.toml", "--format", format][..], options].concat());
+        let with_other_options = [check(&["--scale", "0.25"]), check(&["--scale", "0.5", "--png", "small"])];
+        assert_eq!(with_other_options, codes.map(Some), "{format}");
+        assert_eq!(check(&["--scale", "0.5"]), Some(0), "{format}");
+    }
+}

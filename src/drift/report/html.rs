@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Finding, escape, tally};
+use crate::drift::TRIPTYCH_FORMAT;
 
 /// Follows the reader's light or dark system.
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:120rem;margin:2rem auto;padding:0 1rem;\
@@ -31,12 +32,14 @@ pub fn html(findings: &[Finding]) -> String {
             let _ = writeln!(out, "<li>{}</li>", escape(line));
         }
         out.push_str("</ul>\n");
-        if let Some((_, png)) = &finding.picture {
-            let data = base64(png);
+        if let Some((_, image)) = &finding.picture {
+            let (kind, data) = (TRIPTYCH_FORMAT.name, base64(image));
             let _ = writeln!(
                 out,
-                "<figure><img src=\"data:image/png;base64,{data}\" alt=\"expected, difference and actual image of {name}\">\
-                 <figcaption><span>expected: on disk</span><span>difference: what changed is pink</span><span>actual: drawn now</span></figcaption></figure>"
+                "<figure><img src=\"data:image/{kind};base64,{data}\" \
+                 alt=\"expected, difference and actual image of {name}\">\
+                 <figcaption><span>expected: on disk</span><span>difference: what changed is pink</span>\
+                 <span>actual: drawn now</span></figcaption></figure>"
             );
         }
         out.push_str("</section>\n");

@@ -11,15 +11,22 @@ mod object;
 use std::collections::BTreeSet;
 
 use super::number::{push, push_factor};
-use super::{Format, Options, OutputError, Writer, check, curves};
+use super::{Depends, Format, Options, OutputError, Writer, check, curves};
 use crate::drawing::{
     Cap, Contour, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Segment, Stroke, Text,
 };
 use crate::typeset::{Glyph, OutlineSegment, Rule, UNITS_PER_EM};
 use object::{Objects, Packing};
 
-pub(super) const FORMAT: Format =
-    Format { name: "pdf", about: "one vector page, text as outlines", write: Writer::One(write) };
+/// The row of the table.
+pub(super) const FORMAT: Format = Format {
+    name: "pdf",
+    about: "one vector page, text as outlines",
+    usual: false,
+    depends: Depends::Page,
+    write: Writer::One(write),
+    read: None,
+};
 
 /// Points a page pixel.
 const POINTS: f64 = 0.75;

@@ -7,21 +7,28 @@
 mod changes;
 pub(super) mod deflate;
 mod huffman;
+mod image;
 mod palette;
 mod rows;
 mod small;
 
-use super::{Format, Options, OutputError, PngEffort, Writer, raster};
+use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 use palette::Palette;
 use raster::Pixel;
 
 pub(super) use changes::Changes;
+pub(super) use image::READER;
+pub(crate) use image::encode as encode_pixels;
 
+/// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "png",
     about: "opaque image at --scale pixels for a page pixel",
+    usual: true,
+    depends: Depends::Packing,
     write: Writer::One(write),
+    read: Some(READER),
 };
 
 /// First bytes of every PNG.

@@ -6,20 +6,25 @@
 //! Nothing is loaded from elsewhere and nothing runs.
 
 mod contour;
+pub(super) mod read;
 mod style;
 mod text;
 
 use std::collections::BTreeSet;
 
 use super::xml::Xml;
-use super::{Format, Options, OutputError, Writer, number};
+use super::{Depends, Format, Options, OutputError, Reader, Writer, number};
 use crate::drawing::{Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Stroke};
 use style::Property;
 
+/// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "svg",
     about: "scalable picture with alternative text, its colours open to the page",
+    usual: true,
+    depends: Depends::Page,
     write: Writer::One(write),
+    read: Some(Reader { stamp: read::stamp, picture: Some(read::picture) }),
 };
 
 /// Bytes that a figure takes at least; saves growing the buffer step by step.

@@ -1,14 +1,22 @@
-//! Path data of an SVG of ours as a contour: the letters M L H V Q C A Z, and m h v l q t c z in outlines of glyphs.
+//! Path data of an SVG of ours as a contour.
+//!
+//! `svgtypes` reads the letters and the numbers. Ours is what becomes of them: pieces in page pixels, an arc as an arc
+//! about its centre, and refusal of what our writer never writes (`S`).
 
 use std::f64::consts::{PI, TAU};
+
+use svgtypes::{PathParser, PathSegment, Transform};
 
 use crate::drawing::{Contour, Point, Segment};
 
 /// From an element's coordinates to the page: scaled, then moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Map {
+    /// Page x of the element's origin, in pixels.
     pub(super) x: f64,
+    /// Page y of the element's origin, in pixels.
     pub(super) y: f64,
+    /// Page pixels for a unit of the element.
     pub(super) scale: f64,
 }
 
@@ -19,11 +27,10 @@ impl Default for Map {
 }
 
 impl Map {
-    /// `translate(x y)scale(f)`.
+    /// A `transform` that moves and scales; `None` for one that turns, skews or stretches, which we do not write.
     pub(super) fn read(text: &str) -> Option<Self> {
-        let (place, scale) = text.strip_prefix("translate(")?.strip_suffix(')')?.split_once(")scale(")?;
-        let (x, y) = place.split_once(' ')?;
-        Some(Self { x: x.parse().ok()?, y: y.parse().ok()?, scale: scale.parse().ok()? })
+        let Transform { a, b, c, d, e, f } = text.parse().ok()?;
+        (a == d && b == 0.0 && c == 0.0).then_some(Self { x: e, y: f, scale: a })
     }
 
     /// What comes of an inner map, then this one.
@@ -32,65 +39,26 @@ impl Map {
         Self { x, y, scale: self.scale * inner.scale }
     }
 
+    /// The page point of an element's point.
     pub(super) fn point(self, x: f64, y: f64) -> Point {
         Point::new(self.x + self.scale * x, self.y + self.scale * y)
     }
 }
 
-/// The contour of path data.
+/// The contour of path data; `None` where it is broken, or has a piece that we do not write.
 pub(super) fn contour(data: &str, map: Map) -> Option<Contour> {
     let mut pen = Pen { at: [0.0; 2], begin: [0.0; 2], control: None, map, segments: Vec::new() };
-    let mut numbers = Numbers { rest: data };
-    let mut letter = None;
-    while let Some(next) = numbers.letter_or(letter) {
-        pen.piece(next, &mut numbers)?;
-        // What follows a move or a close without a letter of its own.
-        letter = match next {
-            'M' => Some('L'),
-            'm' => Some('l'),
-            'Z' | 'z' => None,
-            other => Some(other),
-        };
+    for piece in PathParser::from(data) {
+        pen.piece(piece.ok()?)?;
     }
-    numbers.rest.is_empty().then_some(Contour::Segments(pen.segments))
+    Some(Contour::Segments(pen.segments))
 }
 
-/// The text that is not read yet.
-struct Numbers<'t> {
-    rest: &'t str,
-}
-
-impl Numbers<'_> {
-    /// The next letter, or the one that goes on if a number comes.
-    fn letter_or(&mut self, goes_on: Option<char>) -> Option<char> {
-        let first = self.rest.chars().next()?;
-        if !first.is_ascii_alphabetic() {
-            return goes_on;
-        }
-        self.rest = &self.rest[1..];
-        Some(first)
-    }
-
-    /// A number ends at a space, a letter, a sign, or a second point.
-    fn next(&mut self) -> Option<f64> {
-        let text = self.rest.trim_start_matches(' ');
-        let mut points = 0;
-        let end = text.char_indices().find(|&(i, c)| {
-            points += u32::from(c == '.');
-            !(c.is_ascii_digit() || (c == '.' && points == 1) || (c == '-' && i == 0))
-        });
-        let (number, rest) = text.split_at(end.map_or(text.len(), |(i, _)| i));
-        self.rest = rest;
-        number.parse().ok()
-    }
-
-    fn pair(&mut self, from: [f64; 2]) -> Option<[f64; 2]> {
-        Some([from[0] + self.next()?, from[1] + self.next()?])
-    }
-}
-
+/// Follows path data; its points are the element's, its segments the page's.
 struct Pen {
+    /// Where the last piece ended.
     at: [f64; 2],
+    /// Where the last move went: a close comes back here.
     begin: [f64; 2],
     /// The control point of the last piece, if it was a quadratic curve.
     control: Option<[f64; 2]>,
@@ -99,39 +67,36 @@ struct Pen {
 }
 
 impl Pen {
-    fn piece(&mut self, letter: char, numbers: &mut Numbers) -> Option<()> {
-        let from = if letter.is_ascii_lowercase() { self.at } else { [0.0; 2] };
-        let at = self.at;
+    fn piece(&mut self, piece: PathSegment) -> Option<()> {
         let control = self.control.take();
-        match letter.to_ascii_uppercase() {
-            'M' => {
-                self.begin = numbers.pair(from)?;
+        let at = self.at;
+        let [left, top] = if piece.is_abs() { [0.0; 2] } else { at };
+        let point = |x: f64, y: f64| [left + x, top + y];
+        match piece {
+            PathSegment::MoveTo { x, y, .. } => {
+                self.begin = point(x, y);
                 self.to(self.begin, Segment::Move);
             }
-            'L' => self.to(numbers.pair(from)?, Segment::Line),
-            'H' => self.to([from[0] + numbers.next()?, at[1]], Segment::Line),
-            'V' => self.to([at[0], from[1] + numbers.next()?], Segment::Line),
-            'Q' => self.quad(numbers.pair(from)?, numbers.pair(from)?),
-            'T' => {
+            PathSegment::LineTo { x, y, .. } => self.to(point(x, y), Segment::Line),
+            PathSegment::HorizontalLineTo { x, .. } => self.to([left + x, at[1]], Segment::Line),
+            PathSegment::VerticalLineTo { y, .. } => self.to([at[0], top + y], Segment::Line),
+            PathSegment::Quadratic { x1, y1, x, y, .. } => self.quad(point(x1, y1), point(x, y)),
+            PathSegment::SmoothQuadratic { x, y, .. } => {
                 let [cx, cy] = control.unwrap_or(at);
-                self.quad([2.0 * at[0] - cx, 2.0 * at[1] - cy], numbers.pair(from)?);
+                self.quad([2.0 * at[0] - cx, 2.0 * at[1] - cy], point(x, y));
             }
-            'C' => {
-                let (c, d) = (numbers.pair(from)?, numbers.pair(from)?);
-                let (c, d) = (self.page(c), self.page(d));
-                self.to(numbers.pair(from)?, |p| Segment::Cubic(c, d, p));
+            PathSegment::CurveTo { x1, y1, x2, y2, x, y, .. } => {
+                let (c, d) = (self.page(point(x1, y1)), self.page(point(x2, y2)));
+                self.to(point(x, y), |p| Segment::Cubic(c, d, p));
             }
-            'A' => {
-                let (radius, _, _) = (numbers.next()?, numbers.next()?, numbers.next()?);
-                let (large, clockwise) = (numbers.next()?, numbers.next()?);
-                let to = numbers.pair(from)?;
-                self.arc(radius, large != 0.0, clockwise != 0.0, to);
+            PathSegment::EllipticalArc { rx, ry, large_arc, sweep, x, y, .. } if rx == ry => {
+                self.arc(rx, large_arc, sweep, point(x, y));
             }
-            'Z' => {
+            PathSegment::ClosePath { .. } => {
                 self.at = self.begin;
                 self.segments.push(Segment::Close);
             }
-            _ => return None,
+            PathSegment::SmoothCurveTo { .. } | PathSegment::EllipticalArc { .. } => return None,
         }
         Some(())
     }
@@ -190,8 +155,9 @@ mod tests {
         let p = Point::new;
         let want = [Segment::Move(p(1.5, 0.25)), Segment::Line(p(-3.0, 4.0)), Segment::Line(p(-3.0, -0.5))];
         assert_eq!(read("M1.5 .25-3 4V-.5"), want);
-        assert_eq!(contour("M1 2x", Map::default()), None);
-        assert_eq!(contour("M1", Map::default()), None);
+        for broken in ["M1 2x", "M1", "M1 2S3 4 5 6", "M1 2A3 4 0 0 1 5 6"] {
+            assert_eq!(contour(broken, Map::default()), None, "{broken}");
+        }
     }
 
     #[test]
@@ -216,6 +182,14 @@ mod tests {
             assert!((center.x - 10.0).abs() < 1e-12 && (center.y - 10.0).abs() < 1e-12, "{center:?}");
             assert_eq!(radius, 10.0);
             assert!((got - sweep * std::f64::consts::FRAC_PI_2).abs() < 1e-12, "{got}");
+        }
+    }
+
+    #[test]
+    fn a_map_moves_and_scales_and_nothing_else() {
+        assert_eq!(Map::read("translate(10 -.5)scale(.016)"), Some(Map { x: 10.0, y: -0.5, scale: 0.016 }));
+        for other in ["rotate(3)", "scale(2 3)", "skewX(3)", "translate(1", ""] {
+            assert_eq!(Map::read(other).filter(|_| !other.is_empty()), None, "{other}");
         }
     }
 }

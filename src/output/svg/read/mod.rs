@@ -1,7 +1,8 @@
-//! An SVG of ours, read again as the drawing that it shows, so that two of them are compared by what is seen.
+//! An SVG of ours, read again: what it says of itself, and the drawing that it shows, so that two are compared by what
+//! is seen.
 //!
-//! Only what our own writer writes is understood: groups, paths, circles, rectangles, uses of outlines, clips. A file with
-//! anything else, as one that was edited by hand, is none that this reads, and is then compared as text.
+//! Only what the writer beside this folder writes is understood: groups, paths, circles, rectangles, uses of outlines,
+//! clips. A file with anything else, as one that was edited by hand, is none that this reads.
 
 mod path_data;
 mod style;
@@ -9,21 +10,33 @@ mod style;
 use std::collections::BTreeMap;
 
 use roxmltree::{Document, Node};
+use svgtypes::FuncIRI;
 
+use super::super::{Picture, Stamped};
 use crate::drawing::{
     Contour, Drawing, Group, Item, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
 };
 use path_data::{Map, contour};
-use style::{Style, attribute, number};
+use style::{Style, number};
 
-/// A file of ours: what it shows, and the style sheet, which no picture of ours follows.
-pub(super) struct Picture {
-    pub(super) drawing: Drawing,
-    pub(super) sheet: String,
+/// What a document says of itself: the text of its `<metadata>`.
+pub(in crate::output) fn stamp(bytes: &[u8]) -> Option<Stamped> {
+    let document = Document::parse(std::str::from_utf8(bytes).ok()?).ok()?;
+    let metadata = document.root_element().children().find(|n| n.has_tag_name("metadata"))?;
+    Some(Stamped::Metadata(metadata.text()?.to_owned()))
 }
 
-/// What an SVG of ours shows; `None` where it is none, or was changed into something that we do not write.
-pub(super) fn read(bytes: &[u8]) -> Option<Picture> {
+/// The first document inside another text, as in a page of HTML.
+pub(in crate::output) fn inside(bytes: &[u8]) -> Option<&[u8]> {
+    const END: &str = "</svg>";
+    let text = std::str::from_utf8(bytes).ok()?;
+    let start = text.find("<svg ")?;
+    let end = start + text[start..].find(END)? + END.len();
+    Some(&bytes[start..end])
+}
+
+/// What a document shows; `None` where it is none of ours, or was changed into something that we do not write.
+pub(super) fn picture(bytes: &[u8]) -> Option<Picture> {
     let document = Document::parse(std::str::from_utf8(bytes).ok()?).ok()?;
     let root = document.root_element();
     let prefix = root.attribute("aria-labelledby")?.split_once("-title")?.0.to_owned();
@@ -58,16 +71,14 @@ pub(super) fn read(bytes: &[u8]) -> Option<Picture> {
         items,
         id: prefix.clone(),
     };
-    Some(Picture { drawing, sheet: text("style") })
+    Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style") })
 }
 
-/// Largest difference of a colour in the style sheets of two files, in levels; `None` where anything else that is read or
-/// followed, title, description or rule, is another one.
-pub(super) fn sheets_apart(old: &[u8], new: &[u8]) -> Option<u8> {
-    let (old, new) = (read(old)?, read(new)?);
-    let words = |p: &Picture| [p.drawing.title.clone(), p.drawing.desc.clone()];
-    let (mut old_parts, mut new_parts) = (old.sheet.split('#'), new.sheet.split('#'));
-    if words(&old) != words(&new) || old_parts.next() != new_parts.next() {
+/// The largest difference of a colour between two style sheets, in levels of 255; `None` where they differ in anything
+/// besides colours.
+pub(crate) fn sheets_apart(old: &str, new: &str) -> Option<u8> {
+    let (mut old_parts, mut new_parts) = (old.split('#'), new.split('#'));
+    if old_parts.next() != new_parts.next() {
         return None;
     }
     let mut worst = 0;
@@ -86,11 +97,13 @@ pub(super) fn sheets_apart(old: &[u8], new: &[u8]) -> Option<u8> {
     }
 }
 
-/// References that are followed, at most: more are no figure.
+/// References that are followed, at most: the largest figure has a few thousand, and a file of nested references
+/// could ask for millions.
 const MOST_USES: usize = 100_000;
 
 /// A document being read.
 struct Reader<'d> {
+    /// Elements by their ids.
     by_id: BTreeMap<&'d str, Node<'d, 'd>>,
     /// Begins every id.
     prefix: &'d str,
@@ -109,7 +122,7 @@ impl<'d> Reader<'d> {
             "clipPath" => Some(()),
             "path" | "circle" | "rect" => {
                 let shape = shape(node, map)?;
-                let path = match attribute(node, "clip-path") {
+                let path = match node.attribute("clip-path") {
                     Some(url) => self.pattern(url, &shape, &style, map)?,
                     None => Path {
                         contour: shape,
@@ -125,20 +138,21 @@ impl<'d> Reader<'d> {
         }
     }
 
+    /// Adds a group under its name, or what is in it where it is part of a text.
     fn group(&mut self, node: Node<'d, 'd>, style: &Style, map: Map, items: &mut Vec<Item>) -> Option<()> {
-        let map = match attribute(node, "transform") {
+        let map = match node.attribute("transform") {
             Some(text) => map.then(Map::read(text)?),
             None => map,
         };
         // A line of text is a group with an id when it has a halo; it is no part of the picture by itself.
-        let name = attribute(node, "id").and_then(|id| id.strip_prefix(self.prefix)?.strip_prefix('-'));
+        let name = node.attribute("id").and_then(|id| id.strip_prefix(self.prefix)?.strip_prefix('-'));
         let Some(name) = name.filter(|n| *n != "t" && !n.starts_with("t-")) else {
             return self.children(node, style, map, items);
         };
         let mut group = Group::new(name);
-        group.label = attribute(node, "aria-label").map(str::to_owned);
+        group.label = node.attribute("aria-label").map(str::to_owned);
         group.opacity = if node.has_attribute("opacity") { number(node, "opacity")? } else { 1.0 };
-        if let Some(url) = attribute(node, "clip-path") {
+        if let Some(url) = node.attribute("clip-path") {
             let rect = self.referred(url)?.first_element_child().filter(|n| n.has_tag_name("rect"))?;
             let side = |name| number(rect, name);
             let (x0, y0) = (side("x")?, side("y")?);
@@ -172,8 +186,9 @@ impl<'d> Reader<'d> {
         self.element(target, style, map, items)
     }
 
+    /// The clip that `url(#…)` refers to.
     fn referred(&self, url: &str) -> Option<Node<'d, 'd>> {
-        let id = url.strip_prefix("url(#")?.strip_suffix(')')?;
+        let FuncIRI(id) = FuncIRI::from_str(url).ok()?;
         self.by_id.get(id).copied().filter(|n| n.has_tag_name("clipPath"))
     }
 
@@ -195,7 +210,8 @@ impl<'d> Reader<'d> {
     }
 }
 
-/// Numbers in a file are rounded to hundredths, and the marks are those of a contour that was rounded: two of these.
+/// How far marks may lie from where this reader would lay them, in page pixels: numbers in a file are rounded to
+/// hundredths, the marks follow a contour that was rounded before, and both ends of a mark add up.
 const ROUNDED: f64 = 0.03;
 
 fn same_line(a: &Stroke, b: &Stroke) -> bool {
@@ -216,7 +232,7 @@ fn same_points(ours: &[Segment], marks: &Contour) -> bool {
 /// The contour of a path, circle or rectangle on the page.
 fn shape(node: Node, map: Map) -> Option<Contour> {
     match node.tag_name().name() {
-        "path" => contour(attribute(node, "d")?, map),
+        "path" => contour(node.attribute("d")?, map),
         "circle" => {
             let center = map.point(number(node, "cx")?, number(node, "cy")?);
             Some(Contour::Circle { center, radius: number(node, "r")? * map.scale })

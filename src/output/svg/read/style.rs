@@ -1,6 +1,10 @@
 //! Attributes of an SVG of ours: colours and lines, passed on from a group to what it holds.
+//!
+//! [`super::super::style`] writes them. What one of the two knows and the other does not makes every figure unreadable,
+//! which the round trip of all figures would show.
 
 use roxmltree::Node;
+use svgtypes::NumberListParser;
 
 use crate::drawing::{Cap, Color, Paint, Role, Stroke};
 
@@ -35,12 +39,7 @@ const KNOWN: [&str; 27] = [
     "stroke-dasharray",
 ];
 
-/// The attribute of a name.
-pub(super) fn attribute<'n>(node: Node<'n, '_>, name: &str) -> Option<&'n str> {
-    node.attribute(name)
-}
-
-/// A number of a name.
+/// The attribute of that name as a finite number.
 pub(super) fn number(node: Node, name: &str) -> Option<f64> {
     node.attribute(name)?.parse().ok().filter(|v: &f64| v.is_finite())
 }
@@ -48,10 +47,15 @@ pub(super) fn number(node: Node, name: &str) -> Option<f64> {
 /// What an element is painted with.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Style {
+    /// The colour of areas; `None` where they are empty.
     pub(super) fill: Option<Paint>,
+    /// The colour of lines; `None` where there are none.
     stroke: Option<Paint>,
+    /// The width of lines in the element's units; 1 where nothing says it.
     width: Option<f64>,
+    /// How lines end.
     cap: Cap,
+    /// Lengths of dashes and gaps in the element's units; empty for a whole line.
     dash: Vec<f64>,
 }
 
@@ -67,13 +71,15 @@ impl Style {
             ("fill", ["-f-", "-area-", "-halo-"], &mut style.fill),
             ("stroke", ["-s-", "-halo-", "-halo-"], &mut style.stroke),
         ] {
-            if let Some(color) = node.attribute(name) {
+            if let Some(written) = node.attribute(name) {
                 let opacity = format!("{name}-opacity");
                 let opacity =
                     if node.has_attribute(opacity.as_str()) { number(node, &opacity)? } else { 1.0 };
                 let role = role(classes, &kinds);
-                *slot =
-                    if color == "none" { None } else { Some(Paint { role, color: hex(color)?, opacity }) };
+                *slot = match written {
+                    "none" => None,
+                    _ => Some(Paint { role, color: color(written)?, opacity }),
+                };
             }
         }
         if node.has_attribute("stroke-width") {
@@ -83,7 +89,7 @@ impl Style {
             style.cap = if cap == "round" { Cap::Round } else { return None };
         }
         if let Some(dash) = node.attribute("stroke-dasharray") {
-            style.dash = dash.split(' ').map(|d| d.parse().ok()).collect::<Option<_>>()?;
+            style.dash = NumberListParser::from(dash).collect::<Result<_, _>>().ok()?;
         }
         Some(style)
     }
@@ -102,12 +108,8 @@ fn role(classes: &str, kinds: &[&str]) -> Option<Role> {
     Role::ALL.into_iter().find(|role| role.name() == word)
 }
 
-fn hex(text: &str) -> Option<Color> {
-    let digits = text.strip_prefix('#').filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))?;
-    let digits = match digits.len() {
-        3 => digits.chars().flat_map(|d| [d, d]).collect(),
-        6 => digits.to_owned(),
-        _ => return None,
-    };
-    u32::from_str_radix(&digits, 16).ok().map(Color::hex)
+/// An opaque colour.
+fn color(text: &str) -> Option<Color> {
+    let svgtypes::Color { red, green, blue, alpha } = text.parse().ok()?;
+    (alpha == u8::MAX).then_some(Color { r: red, g: green, b: blue })
 }
