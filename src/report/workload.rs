@@ -9,7 +9,6 @@
 use oorandom::Rand64;
 
 use crate::collision::{Query, QueryKind};
-use crate::geometry::shape::{FieldValue, KINDS};
 use crate::geometry::{Body, DVec2, Degrees, Shape};
 
 use super::answers;
@@ -232,18 +231,7 @@ fn polygon(corners: usize, height: f64, random: &mut Rand64) -> Option<Shape> {
             DVec2::new(at.x, at.y * height)
         })
         .collect();
-    build_polygon(&vertices)
-}
-
-/// A polygon by its row in the table of kinds; None where the row refuses it.
-fn build_polygon(vertices: &[DVec2]) -> Option<Shape> {
-    let kind = KINDS.iter().find(|kind| kind.name == "polygon")?;
-    let values: Vec<Option<FieldValue>> = kind
-        .fields
-        .iter()
-        .map(|field| (field.name == "vertices").then(|| FieldValue::Points(vertices.to_vec())))
-        .collect();
-    (kind.build)(&values).ok()
+    Shape::polygon(vertices).ok()
 }
 
 /// Vector from the body's origin to its corner farthest along `u`.

@@ -6,7 +6,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::geometry::shape::ShapeError;
+use crate::geometry::shape::{KINDS, Kind, ShapeError};
 
 use super::nearest::{nearest_or_all, quoted};
 
@@ -226,11 +226,18 @@ impl Fault {
             }
             Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
             Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
-            Self::FixedAngle { kind: "aabb", .. } => Some("a `box` may turn".to_owned()),
+            Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
             Self::Other { help, .. } => help.clone(),
             _ => None,
         }
     }
+}
+
+/// A kind of shape that may turn and takes all that this kind takes.
+fn turning_kind(fixed: &str) -> Option<&'static str> {
+    let fixed = KINDS.iter().find(|kind| kind.name == fixed)?;
+    let takes_all = |kind: &Kind| fixed.fields.iter().all(|f| kind.fields.iter().any(|g| g.name == f.name));
+    KINDS.iter().find(|kind| kind.turns && takes_all(kind)).map(|kind| kind.name)
 }
 
 impl fmt::Display for Fault {

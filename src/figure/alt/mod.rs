@@ -9,6 +9,7 @@ mod plain;
 use std::fmt::Write;
 
 use crate::collision::{Answer, Impact, Outcome, QueryKind, Reason};
+use crate::geometry::shape::KINDS;
 use crate::geometry::{Body, DVec2};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
@@ -71,13 +72,12 @@ fn capitalized(text: &str) -> String {
 }
 
 fn body_in_words(name: &str, body: &Body) -> String {
-    let kind = match body.shape.kind {
-        "aabb" => "an axis-aligned box".to_owned(),
-        "polygon" => format!("a convex polygon of {} corners", body.shape.vertices.len()),
-        "outline" => format!("an object of {} corners", body.shape.vertices.len()),
-        kind => format!("a {kind}"),
-    };
-    let mut text = format!("{name} is {kind}");
+    let shape = &body.shape;
+    let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
+    let mut text = format!("{name} is {}", kind.map_or(shape.kind, |kind| kind.in_words));
+    if kind.is_some_and(|kind| kind.fields.iter().any(|field| field.name == "vertices")) {
+        let _ = write!(text, " of {} corners", shape.vertices.len());
+    }
     if let Some(h) = body.shape.half_extents {
         let _ = write!(text, " of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
     }

@@ -119,7 +119,7 @@ impl std::error::Error for ThemeError {}
 /// ```
 pub fn parse(text: &str) -> Result<Theme, ThemeError> {
     let file: File = toml::from_str(text).map_err(|e| ThemeError::Malformed(e.to_string()))?;
-    let base = file.based_on.unwrap_or_else(|| "light".into());
+    let base = file.based_on.unwrap_or_else(|| THEMES[0].name.to_owned());
     let mut theme = find(&base).cloned().ok_or(ThemeError::UnknownBase(base))?;
     theme.name = "user";
     theme.about = "from a file";

@@ -6,6 +6,7 @@ use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, box_of, half_
 pub(super) const KIND: Kind = Kind {
     name: "aabb",
     about: "a box with sides parallel to the axes; it does not turn",
+    in_words: "an axis-aligned box",
     fields: &[Field {
         name: "half_extents",
         holds: FieldType::Point,

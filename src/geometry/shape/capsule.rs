@@ -6,6 +6,7 @@ use super::{Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, points_
 pub(super) const KIND: Kind = Kind {
     name: "capsule",
     about: "a segment with a radius; with radius 0 a segment",
+    in_words: "a capsule",
     fields: &[
         Field {
             name: "points",

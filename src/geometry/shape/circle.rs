@@ -10,6 +10,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "circle",
     about: "a disc, or with radius 0 a point",
+    in_words: "a circle",
     fields: &[
         Field {
             name: "radius",

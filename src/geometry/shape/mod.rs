@@ -90,6 +90,8 @@ pub struct Kind {
     pub name: &'static str,
     /// One line for `tracefig list`.
     pub about: &'static str,
+    /// What it is to a reader who does not see it, with its article: "a circle".
+    pub in_words: &'static str,
     /// The fields besides `position`, `angle_deg`, `velocity`, `angular_velocity_deg`.
     pub fields: &'static [Field],
     /// Values in the order of `fields` (None where left out) to a shape.
@@ -334,15 +336,20 @@ mod tests {
     }
 
     #[test]
+    fn every_kind_has_a_word_of_its_own_and_wants_a_field() {
+        for (i, kind) in KINDS.iter().enumerate() {
+            assert!(KINDS[..i].iter().all(|other| other.name != kind.name), "{} twice", kind.name);
+            let nothing: Vec<_> = kind.fields.iter().map(|_| None).collect();
+            assert_eq!((kind.build)(&nothing).unwrap_err().code, "missing-field", "{}", kind.name);
+        }
+    }
+
+    #[test]
     fn every_code_is_in_the_table() {
         for code in
             ["negative-radius", "degenerate", "not-convex", "not-simple", "wrong-count", "missing-field"]
         {
             assert!(SHAPE_ERRORS.iter().any(|(listed, _)| *listed == code), "{code}");
         }
-        assert_eq!(
-            KINDS.iter().map(|k| k.name).collect::<Vec<_>>(),
-            ["circle", "aabb", "box", "polygon", "capsule", "outline"]
-        );
     }
 }

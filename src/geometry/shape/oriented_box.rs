@@ -8,6 +8,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "box",
     about: "a box that may be turned; corners are numbered counter-clockwise from (−, −)",
+    in_words: "a box",
     fields: &[
         Field {
             name: "half_extents",

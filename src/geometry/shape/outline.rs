@@ -9,6 +9,7 @@ use super::{Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, points_
 pub(super) const KIND: Kind = Kind {
     name: "outline",
     about: "any simple polygon, for bounds only",
+    in_words: "an object",
     fields: &[Field {
         name: "vertices",
         holds: FieldType::Points,
