@@ -11,13 +11,13 @@ use tracefig::drift::{
 };
 use tracefig::output::Format;
 
+use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
-use super::in_order::in_order;
 use super::jobs::{Job, Planned, Target, folders_of};
 use super::orphans::orphans;
+use super::parallel::in_order;
 use super::render::cant_write;
-use super::whole_file::{clear_leftovers, write_whole};
 use super::{Runs, Status};
 
 /// Options of `check`.

@@ -18,7 +18,7 @@ use super::Status;
 use super::console::Console;
 use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
-use super::times::Times;
+use super::timings::Timings;
 
 /// The formats that are written where none is asked for, separated by commas.
 static USUAL_FORMATS: LazyLock<String> = LazyLock::new(|| {
@@ -104,7 +104,7 @@ pub(crate) struct Drawn {
     /// Whether an error is among them.
     pub(crate) failed: bool,
     /// Where the time went.
-    pub(crate) times: Times,
+    pub(crate) timings: Timings,
 }
 
 impl Files {
@@ -135,12 +135,12 @@ impl Files {
 
     /// Reads, answers and draws one scene.
     pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
-        let (mut messages, mut times) = (String::new(), Times::start());
-        match self.encoded(job, ink, &mut messages, &mut times) {
-            Ok(files) => Drawn { files, messages, failed: false, times },
+        let (mut messages, mut timings) = (String::new(), Timings::start());
+        match self.encoded(job, ink, &mut messages, &mut timings) {
+            Ok(files) => Drawn { files, messages, failed: false, timings },
             Err(error) => {
-                times.lap("failed");
-                Drawn { files: Vec::new(), messages: messages + &error, failed: true, times }
+                timings.lap("failed");
+                Drawn { files: Vec::new(), messages: messages + &error, failed: true, timings }
             }
         }
     }
@@ -171,13 +171,13 @@ impl Files {
         job: &Job,
         ink: Ink,
         messages: &mut String,
-        times: &mut Times,
+        timings: &mut Timings,
     ) -> Result<Vec<Encoded>, String> {
         let file = job.input.open().map_err(|refused| refused.render(ink))?;
-        times.lap("read");
+        timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let plan = plan(&file.scene).map_err(refuse)?;
-        times.lap("plan");
+        timings.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
         for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
@@ -185,7 +185,7 @@ impl Files {
             let chosen = self.chosen(first.theme.as_deref());
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
-            times.lap("draw");
+            timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings));
             }
@@ -202,7 +202,7 @@ impl Files {
                 drawing.metadata = metadata(&hash, &facts);
                 let encoded = self.encode(&drawing, planned.format);
                 all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error))?);
-                times.lap(planned.format.name);
+                timings.lap(planned.format.name);
             }
             let drawing = Arc::new(drawing);
             files.extend(all_bytes.into_iter().map(|bytes| Encoded { bytes, drawing: Arc::clone(&drawing) }));

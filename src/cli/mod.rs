@@ -3,23 +3,23 @@
 //! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a check
 //! failed, 2 usage. A closed pipe ends a command quietly.
 
+mod atomic_file;
 mod check;
 mod completions;
 mod console;
 mod describe;
 mod files;
-mod in_order;
 mod inputs;
 mod jobs;
 mod list;
 mod man;
 mod orphans;
+mod parallel;
 mod render;
 mod report;
 mod solve;
-mod times;
+mod timings;
 mod trace;
-mod whole_file;
 
 use std::io;
 use std::process::ExitCode;

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
-use super::in_order::in_order;
 use super::jobs::{Job, Target, folders_of};
-use super::times::Times;
-use super::whole_file::{clear_leftovers, write_whole};
+use super::parallel::in_order;
+use super::timings::Timings;
 use super::{Runs, Status};
 
 /// Options of `render`.
@@ -81,7 +81,7 @@ impl Runs for Render {
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
         let ink = console.ink();
-        let (mut status, mut times) = (Status::Done, Times::start());
+        let (mut status, mut timings) = (Status::Done, Timings::start());
         let work = |job: &Job| {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
@@ -94,7 +94,7 @@ impl Runs for Render {
             if written.failed {
                 status = Status::Wrong;
             }
-            times.add(&written.times);
+            timings.add(&written.timings);
             bar.suspend(|| -> io::Result<()> {
                 if !written.messages.is_empty() {
                     console.out.flush()?;
@@ -109,7 +109,7 @@ impl Runs for Render {
         })?;
         bar.finish_and_clear();
         if self.timings {
-            Console::message(&times.to_string());
+            Console::message(&timings.to_string());
         }
         Ok(status)
     }
@@ -121,12 +121,12 @@ struct Written {
     results: Vec<u8>,
     messages: String,
     failed: bool,
-    times: Times,
+    timings: Timings,
 }
 
 impl Written {
     fn nothing() -> Self {
-        Self { results: Vec::new(), messages: String::new(), failed: false, times: Times::start() }
+        Self { results: Vec::new(), messages: String::new(), failed: false, timings: Timings::start() }
     }
 
     fn bug(job: &Job) -> Self {
@@ -136,8 +136,8 @@ impl Written {
 }
 
 fn write_files(job: &Job, drawn: Drawn) -> Written {
-    let Drawn { files, messages, failed, times } = drawn;
-    let mut written = Written { messages, failed, times, ..Written::nothing() };
+    let Drawn { files, messages, failed, timings } = drawn;
+    let mut written = Written { messages, failed, timings, ..Written::nothing() };
     for (file, Encoded { bytes, .. }) in job.files.iter().zip(files) {
         match &file.target {
             Target::Stdout => written.results = bytes,
@@ -150,7 +150,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
             },
         }
     }
-    written.times.lap("write");
+    written.timings.lap("write");
     written
 }
 

@@ -193,11 +193,23 @@ fn wrong(node: &Node, row: &Field, p: &mut Problems) -> bool {
     false
 }
 
+/// Notes that something has more than its limit.
+pub(super) fn too_many(
+    what: &str,
+    limit: usize,
+    unit: &'static str,
+    got: usize,
+    at: &Range<usize>,
+    p: &mut Problems,
+) {
+    p.add(Fault::OverLimit { what: what.to_owned(), limit, unit, got }, at);
+}
+
 /// Whether a text is short enough to be typeset.
 pub(crate) fn short_enough(text: &str, key: &str, span: &Range<usize>, p: &mut Problems) -> bool {
     let got = text.chars().count();
     if got > MAX_TEXT {
-        p.add(Fault::OverLimit { what: format!("`{key}`"), limit: MAX_TEXT, unit: "characters", got }, span);
+        too_many(&format!("`{key}`"), MAX_TEXT, "characters", got, span, p);
     }
     got <= MAX_TEXT
 }
@@ -259,13 +271,7 @@ fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
 fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
     let Some(items) = as_list(node) else { return wrong(node, row, p) };
     if items.len() > MAX_CORNERS {
-        let fault = Fault::OverLimit {
-            what: format!("`{}`", row.name),
-            limit: MAX_CORNERS,
-            unit: "points",
-            got: items.len(),
-        };
-        p.add(fault, &node.span);
+        too_many(&format!("`{}`", row.name), MAX_CORNERS, "points", items.len(), &node.span, p);
         return false;
     }
     let row = Field { holds: Holds::Pair, ..*row };

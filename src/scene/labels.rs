@@ -1,11 +1,10 @@
 //! `[labels]`: texts and places by label key. Which keys there are, the figure's plan knows.
 
-use super::checked::{Checked, as_text, check, short_enough};
+use super::checked::{Checked, as_text, check, short_enough, too_many};
 use super::fields::LABEL;
 use super::limits::MAX_LABELS;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problems};
-use super::read::too_many;
 use super::{LabelOverride, LabelPlace, Spanned};
 
 /// The eight directions, counter-clockwise from east in steps of 45°.

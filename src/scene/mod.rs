@@ -9,7 +9,6 @@ mod json;
 mod labels;
 pub mod limits;
 mod message;
-mod nearest;
 mod node;
 mod open;
 mod panels;
@@ -19,6 +18,7 @@ mod read;
 mod schema;
 mod source;
 mod stream;
+mod suggest;
 mod toml;
 
 use std::ops::Range;

@@ -1,12 +1,11 @@
 //! `[[panels]]`: spaces, moments and layers. Layers and their options stay words with their place; the figure's table
 //! of layers judges them.
 
-use super::checked::{Checked, as_list, as_number, as_text, check, short_enough};
+use super::checked::{Checked, as_list, as_number, as_text, check, short_enough, too_many};
 use super::fields::PANEL;
 use super::limits::{MAX_ALL_LAYERS, MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
-use super::read::too_many;
 use super::{LayerSpec, Panel, Space, Spanned, Value, When};
 
 /// Reads all panels; those that are wrong are told and left out.

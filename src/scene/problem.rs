@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::geometry::shape::{KINDS, Kind, ShapeError};
 
-use super::nearest::{nearest_or_all, quoted};
+use super::suggest::{nearest_or_all, quoted};
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,10 +2,10 @@
 
 use std::ops::Range;
 
-use super::checked::{Checked, check};
+use super::checked::{Checked, check, too_many};
 use super::fields::{CANVAS, ROOT};
 use super::node::{Node, NodeValue};
-use super::problem::{Fault, Problem, Problems};
+use super::problem::{Problem, Problems};
 use super::source::Source;
 use super::{Canvas, Scene, Spanned, body, labels, panels, question};
 
@@ -81,18 +81,6 @@ fn canvas(top: &Checked<'_>, p: &mut Problems) -> Canvas {
     }
     canvas.theme = table.text("theme");
     canvas
-}
-
-/// Notes that something is larger than its limit.
-pub(super) fn too_many(
-    what: &str,
-    limit: usize,
-    unit: &'static str,
-    got: usize,
-    at: &Range<usize>,
-    p: &mut Problems,
-) {
-    p.add(Fault::OverLimit { what: what.to_owned(), limit, unit, got }, at);
 }
 
 /// The bytes of the `id` of a scene, where it has one: JSON of any kind, copied to the answer.

@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 
 /// Stages in the order in which they first ended.
 #[derive(Clone, Debug)]
-pub(crate) struct Times {
+pub(crate) struct Timings {
     last: Instant,
     stages: Vec<(&'static str, Duration)>,
 }
 
-impl Times {
+impl Timings {
     /// The clock starts.
     pub(crate) fn start() -> Self {
         Self { last: Instant::now(), stages: Vec::new() }
@@ -38,7 +38,7 @@ impl Times {
     }
 }
 
-impl fmt::Display for Times {
+impl fmt::Display for Timings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all: Duration = self.stages.iter().map(|(_, time)| *time).sum();
         for (stage, time) in self.stages.iter().copied().chain([("all", all)]) {
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn stages_add_up() {
-        let (mut a, mut b) = (Times::start(), Times::start());
+        let (mut a, mut b) = (Timings::start(), Timings::start());
         a.put("read", Duration::from_millis(2));
         b.put("read", Duration::from_millis(3));
         b.put("draw", Duration::from_millis(1));
