@@ -1,9 +1,9 @@
-//! One file and one row: an output format, a shape kind, a theme and a command each stand in a file of their own and in
-//! one table, and nothing else in `src/` knows them by name.
+//! One file and one row: an output format, a shape kind, a theme and a command each stand in a file of their
+//! own and in one table, and nothing else in `src/` knows them by name.
 //!
-//! What is asked about a format, a kind or a theme is a column of its table, so that a new one is made by writing its
-//! file. Every string of every source file is read with `syn`, those inside macro calls and attributes too; comments and
-//! tests may name what they like.
+//! What is asked about a format, a kind or a theme is a column of its table, so that a new one is made by
+//! writing its file. Every string of every source file is read with `syn`, those inside macro calls and
+//! attributes too; comments and tests may name what they like.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -19,7 +19,8 @@ struct Table {
     what: &'static str,
     /// Its folder below `src/`.
     folder: &'static str,
-    /// The constant that holds a row, one in each file; for commands there is none, and the table has the names.
+    /// The constant that holds a row, one in each file; for commands there is none, and the table has the
+    /// names.
     row: Option<&'static str>,
     /// The rows' names.
     names: Vec<String>,

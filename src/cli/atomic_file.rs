@@ -1,9 +1,10 @@
-//! Files that appear whole or not at all: written beside their place under another name, synced, then renamed.
+//! Files that appear whole or not at all: written beside their place under another name, synced, then
+//! renamed.
 //!
-//! The other name is `.tracefig-….part`. A run that is killed can't take it away again, so the next run does. How does it
-//! know a dead run's part from one that is being written? A run holds a lock on its part, and the system lets go of a
-//! lock when its holder ends, however it ends. No clock and no process number is asked, both of which deceive
-//! between machines and containers that share a folder.
+//! The other name is `.tracefig-….part`. A run that is killed can't take it away again, so the next run does.
+//! How does it know a dead run's part from one that is being written? A run holds a lock on its part, and the
+//! system lets go of a lock when its holder ends, however it ends. No clock and no process number is asked,
+//! both of which deceive between machines and containers that share a folder.
 
 use std::fs::{File, TryLockError};
 use std::io::{self, Write};
@@ -24,15 +25,16 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|e| e.error)?;
-    // So that the name, too, survives a loss of power. Some file systems refuse to sync a folder; the file is whole.
+    // So that the name, too, survives a loss of power. Some file systems refuse to sync a folder; the file is
+    // whole.
     if let Ok(folder) = File::open(folder) {
         let _ = folder.sync_all();
     }
     Ok(())
 }
 
-/// Takes away the parts that dead runs left in a folder. What can't be read, locked or removed stays: a leftover harms
-/// no one.
+/// Takes away the parts that dead runs left in a folder. What can't be read, locked or removed stays: a
+/// leftover harms no one.
 pub(crate) fn clear_leftovers(folder: &Path) {
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     for entry in folder.read_dir().into_iter().flatten().flatten() {
@@ -61,9 +63,9 @@ fn part_in(folder: &Path) -> io::Result<NamedTempFile> {
     }
 }
 
-/// Locks a part. Between its making and its locking, another run may have taken it for a leftover: that one has the
-/// lock, or has removed the name already. Once we hold the lock of a part with a name, nobody removes it. Where files
-/// can't be locked, nobody clears either.
+/// Locks a part. Between its making and its locking, another run may have taken it for a leftover: that one
+/// has the lock, or has removed the name already. Once we hold the lock of a part with a name, nobody removes
+/// it. Where files can't be locked, nobody clears either.
 fn is_ours(part: &NamedTempFile) -> bool {
     match part.as_file().try_lock() {
         Ok(()) => part.path().exists(),

@@ -236,8 +236,8 @@ impl Check {
     }
 }
 
-/// The name of the picture that shows how a file differs: the file's own where the two have one format, else with the
-/// picture's extension after it.
+/// The name of the picture that shows how a file differs: the file's own where the two have one format, else
+/// with the picture's extension after it.
 fn picture_name(path: &Path) -> PathBuf {
     let extension = TRIPTYCH_FORMAT.name;
     let mut name = path.file_name().unwrap_or_default().to_owned();

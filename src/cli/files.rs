@@ -1,4 +1,5 @@
-//! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as bytes.
+//! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as
+//! bytes.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -36,8 +37,8 @@ pub(crate) struct Files {
     #[arg(long, value_delimiter = ',', default_value = USUAL_FORMATS.as_str(), value_name = "FORMAT",
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
     format: Vec<String>,
-    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files are
-    /// named STEM.THEME.EXT; default: each scene's own
+    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files
+    /// are named STEM.THEME.EXT; default: each scene's own
     #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
     theme: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel
@@ -50,7 +51,8 @@ pub(crate) struct Files {
     /// A label that finds no free place is an error
     #[arg(long)]
     strict: bool,
-    /// Scenes drawn at once, at most; the files are the same for any number; default: as many as there are processors
+    /// Scenes drawn at once, at most; the files are the same for any number; default: as many as there are
+    /// processors
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
 }
@@ -145,7 +147,8 @@ impl Files {
         }
     }
 
-    /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these options.
+    /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these
+    /// options.
     pub(crate) fn is_current(&self, job: &Job) -> bool {
         let Ok(file) = job.input.open() else { return false };
         let own = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
@@ -230,8 +233,9 @@ fn warn(file: &SceneFile, warnings: &[Problem], ink: Ink, messages: &mut String)
     }
 }
 
-/// What the ids and classes of an SVG begin with, so that several figures can stand in one page: a letter, and three letters
-/// or digits, one of 1.2 million from the file's name. It stands some hundred times in a file, where the whole name would cost a fifth of its bytes.
+/// What the ids and classes of an SVG begin with, so that several figures can stand in one page: a letter,
+/// and three letters or digits, one of 1.2 million from the file's name. It stands some hundred times in a
+/// file, where the whole name would cost a fifth of its bytes.
 fn figure_id(job: &Job, planned: &Planned) -> String {
     let stem = match (&planned.target, &job.input) {
         (Target::File(path), _) | (Target::Stdout, Input::File(path)) => path.file_stem(),

@@ -1,7 +1,7 @@
 //! The command line: one command a file, each a row in [`COMMANDS`].
 //!
-//! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a check
-//! failed, 2 usage. A closed pipe ends a command quietly.
+//! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a
+//! check failed, 2 usage. A closed pipe ends a command quietly.
 
 mod atomic_file;
 mod check;

@@ -7,8 +7,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the items.
-/// A result is None where the work panicked: a bug, of which the others must not suffer.
+/// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the
+/// items. A result is None where the work panicked: a bug, of which the others must not suffer.
 ///
 /// # Errors
 /// The first error of `each`; the rest of the results are then dropped.

@@ -64,15 +64,16 @@ fn text(name: &str, file: &SceneFile) -> String {
     format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.join(" and "), query.algorithm.name)
 }
 
-/// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits gets
-/// its answer before writing the next.
+/// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits
+/// gets its answer before writing the next.
 fn stream(input: impl Read, console: &mut Console) -> io::Result<Status> {
     let mut input = io::BufReader::with_capacity(1 << 16, input);
     let mut status = Status::Done;
     let mut bytes = Vec::new();
     for line in 1.. {
         bytes.clear();
-        // One more than a scene may have, so that a longer line is known to be one and its rest is never kept.
+        // One more than a scene may have, so that a longer line is known to be one and its rest is never
+        // kept.
         if (&mut input).take(MAX_FILE_BYTES as u64 + 2).read_until(b'\n', &mut bytes)? == 0 {
             break;
         }

@@ -1,8 +1,8 @@
 //! One format a file: a [`Drawing`], or a sequence of them, to bytes, and bytes back to what they show.
 //!
-//! A format is a row in [`FORMATS`] and sees nothing but the display list, so every format shows the same. The row says
-//! what else the bytes depend on and how they are read again, so that no other room knows a format by its name or by its
-//! first bytes. The same drawing gives the same bytes on every machine.
+//! A format is a row in [`FORMATS`] and sees nothing but the display list, so every format shows the same.
+//! The row says what else the bytes depend on and how they are read again, so that no other room knows a
+//! format by its name or by its first bytes. The same drawing gives the same bytes on every machine.
 
 mod apng;
 mod check;
@@ -36,7 +36,8 @@ pub struct Format {
     pub(crate) depends: Depends,
     /// How a drawing becomes its bytes.
     pub write: Writer,
-    /// How its files are read again; `None` where they say nothing of themselves and are compared byte by byte.
+    /// How its files are read again; `None` where they say nothing of themselves and are compared byte by
+    /// byte.
     pub(crate) read: Option<Reader>,
 }
 
@@ -49,7 +50,8 @@ pub enum Writer {
     Sequence(fn(&[&Drawing], &Options) -> Result<Vec<u8>, OutputError>),
 }
 
-/// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another option.
+/// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another
+/// option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Depends {
     /// None of them: a page of outlines has no pixels.
@@ -113,8 +115,9 @@ pub fn format(name: &str) -> Option<&'static Format> {
 }
 
 impl Format {
-    /// What the bytes of a file depend on besides its scene: the format, the theme's word and those options that make a
-    /// difference to this format. Two calls give the same text exactly where the same scene gives the same bytes.
+    /// What the bytes of a file depend on besides its scene: the format, the theme's word and those options
+    /// that make a difference to this format. Two calls give the same text exactly where the same scene gives
+    /// the same bytes.
     ///
     /// ```
     /// use tracefig::output::{Options, format};

@@ -1,7 +1,9 @@
-//! The exact answers of the workloads: 40 digits each, computed outside this crate by code that shares nothing with it.
+//! The exact answers of the workloads: 40 digits each, computed outside this crate by code that shares
+//! nothing with it.
 //!
-//! `answers.tsv` has a line for each case: the workload's name, the case's number, the answer to 40 digits or `miss`,
-//! and what the double nearest to the answer leaves over. `tests/workloads.rs` computes the file again.
+//! `answers.tsv` has a line for each case: the workload's name, the case's number, the answer to 40 digits or
+//! `miss`, and what the double nearest to the answer leaves over. `tests/workloads.rs` computes the file
+//! again.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;

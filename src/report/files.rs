@@ -11,8 +11,8 @@ use crate::output::{FORMATS, Options, Writer};
 
 use super::{Report, json, markdown, plots};
 
-/// Writes `report.md`, `report.json` and every plot in every format of one drawing to a folder, which is made where
-/// there is none. Returns the files.
+/// Writes `report.md`, `report.json` and every plot in every format of one drawing to a folder, which is made
+/// where there is none. Returns the files.
 ///
 /// # Errors
 ///
@@ -41,7 +41,8 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// What this program runs on: processor, system, version, and the commit where it runs in a checkout of itself.
+/// What this program runs on: processor, system, version, and the commit where it runs in a checkout of
+/// itself.
 #[must_use]
 pub fn machine() -> Vec<(String, String)> {
     let mut facts = vec![

@@ -1,7 +1,7 @@
 //! Time per query and error of each contender on each workload.
 //!
-//! A round asks every case of a workload once; rounds are repeated until the clock's grain no longer matters, and the
-//! fastest of several such batches counts: on a shared machine noise only ever adds.
+//! A round asks every case of a workload once; rounds are repeated until the clock's grain no longer matters,
+//! and the fastest of several such batches counts: on a shared machine noise only ever adds.
 
 use std::time::{Duration, Instant};
 
@@ -59,8 +59,8 @@ pub struct Row {
     pub cases: usize,
 }
 
-/// Runs every contender on every workload. `progress` hears (done, of) and a name before each row and says whether
-/// to go on; when it does not, the report holds what is finished.
+/// Runs every contender on every workload. `progress` hears (done, of) and a name before each row and says
+/// whether to go on; when it does not, the report holds what is finished.
 pub fn run(
     workloads: &[Workload],
     contenders: &[&dyn Contender],

@@ -1,8 +1,8 @@
 //! Speed against error: the same cases to every contender, time per query and distance from the exact answer.
 //!
-//! [`run`] takes the contenders, so that a program outside this crate can hand in other libraries and get the same
-//! tables and plots with them. A [`Workload`] is a deterministic family of cases with answers of 40 digits, computed
-//! by code that shares nothing with the solvers.
+//! [`run`] takes the contenders, so that a program outside this crate can hand in other libraries and get the
+//! same tables and plots with them. A [`Workload`] is a deterministic family of cases with answers of 40
+//! digits, computed by code that shares nothing with the solvers.
 
 mod answers;
 mod contender;

@@ -12,7 +12,8 @@ use super::{Plot, Report};
 /// Page of a plot, pixels.
 const PAGE: (f64, f64) = (960.0, 540.0);
 
-/// An error below this counts as this, so that it can stand on a logarithmic axis: a tenth of the ε of doubles.
+/// An error below this counts as this, so that it can stand on a logarithmic axis: a tenth of the ε of
+/// doubles.
 const NO_ERROR: f64 = f64::EPSILON / 10.0;
 
 /// Colours, markers and dashes in the order in which series take them; no two series look the same.
@@ -123,7 +124,8 @@ fn values(series: &[Series], pick: fn(&(f64, f64)) -> f64) -> Vec<f64> {
     series.iter().flat_map(|s| s.points.iter().map(pick)).collect()
 }
 
-/// A series for each contender; prepared shapes where the contender has them, from the scene's numbers elsewhere.
+/// A series for each contender; prepared shapes where the contender has them, from the scene's numbers
+/// elsewhere.
 fn series(rows: &[&Row], names: &[&str], points: impl Fn(&[&Row]) -> Vec<(f64, f64)>) -> Vec<Series> {
     let mut all = Vec::new();
     for (i, name) in names.iter().enumerate() {

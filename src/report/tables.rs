@@ -9,8 +9,8 @@ use super::contender::Preparation;
 use super::measure::Row;
 use super::workload::{CORNERS, Class, Difficulty};
 
-/// The report as Markdown: for each class, difficulty and preparation one table of time per query and one of error,
-/// contenders down, corners across.
+/// The report as Markdown: for each class, difficulty and preparation one table of time per query and one of
+/// error, contenders down, corners across.
 #[must_use]
 pub fn markdown(report: &Report) -> String {
     let mut out = String::from("# Speed against error\n\n");

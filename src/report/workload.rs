@@ -1,10 +1,11 @@
 //! Pairs of convex polygons with n corners each, placed so that the answer has a wanted size.
 //!
-//! A polygon's corners lie on an ellipse, at evenly spaced parameters shifted at random by at most two fifths of a
-//! step, so that it is strictly convex for every n. A pair is placed by its support points: with u a random direction,
-//! p the corner of A farthest along u and q that of B farthest along −u, B is moved until q = p + g u. While u lies
-//! in both normal cones, g is then the exact separation up to the rounding of the placement; the exact answer to the
-//! doubles that result is computed elsewhere and committed (see `answers.rs`).
+//! A polygon's corners lie on an ellipse, at evenly spaced parameters shifted at random by at most two fifths
+//! of a step, so that it is strictly convex for every n. A pair is placed by its support points: with u a
+//! random direction, p the corner of A farthest along u and q that of B farthest along −u, B is moved until q
+//! = p + g u. While u lies in both normal cones, g is then the exact separation up to the rounding of the
+//! placement; the exact answer to the doubles that result is computed elsewhere and committed (see
+//! `answers.rs`).
 
 use oorandom::Rand64;
 
@@ -88,8 +89,8 @@ pub struct Case {
     pub a: Body,
     /// Body B.
     pub b: Body,
-    /// The exact signed separation, or the exact time of first contact, as an unevaluated sum hi + lo. None for a
-    /// miss.
+    /// The exact signed separation, or the exact time of first contact, as an unevaluated sum hi + lo. None
+    /// for a miss.
     pub exact: Option<[f64; 2]>,
     /// S: the largest coordinate, extent or distance moved; errors are stated relative to it.
     pub scale: f64,

@@ -1,7 +1,7 @@
 //! What `solve` says of an answer: JSON for programs, a few lines for people.
 //!
-//! Numbers are the shortest decimals that read back as the same double. A bound that is infinite, as the upper one
-//! after a separating axis, is `null` in JSON.
+//! Numbers are the shortest decimals that read back as the same double. A bound that is infinite, as the
+//! upper one after a separating axis, is `null` in JSON.
 
 use std::fmt::Write;
 
@@ -50,7 +50,14 @@ fn feature(f: Feature) -> Value {
     }
 }
 
-/// The answer for people: a line for each part of it, the name of the part first.
+/// The answer for people: a line for each part of it, the name of the part first. World units.
+///
+/// ```
+/// use tracefig::collision::{Answer, MotionBound, QueryKind};
+/// let answer = Answer::MotionBound(MotionBound { bound: 1.5 });
+/// let text = tracefig::scene::answer_text(QueryKind::MotionBound, &answer);
+/// assert_eq!(text.split_whitespace().collect::<Vec<_>>(), ["bound", "1.5"]);
+/// ```
 #[must_use]
 pub fn answer_text(kind: QueryKind, answer: &Answer) -> String {
     let Value::Object(fields) = answer_json(kind, answer) else { return String::new() };

@@ -13,14 +13,17 @@ use super::problem::{Fault, Problems};
 
 /// A shape as read: its name is known to the query even where the rest of it is wrong.
 pub(super) struct Read {
+    /// The shape's key in `[shapes]`.
     pub(super) name: Spanned<String>,
+    /// The body; `None` where something about it is wrong, which has been noted.
     pub(super) body: Option<Body>,
 }
 
-/// Longest name of a shape, in characters; it is written on the shape.
+/// Longest name of a shape, in characters: it is written on the shape, where twice as many run over its
+/// edges.
 const MAX_NAME: usize = 40;
 
-/// Reads one shape.
+/// Reads one shape, and notes what is wrong with it.
 pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Read {
     let length = name.value.chars().count();
     if length > MAX_NAME {
@@ -80,6 +83,7 @@ fn without_kind(name: &Spanned<String>, node: &Node, p: &mut Problems) {
     }
 }
 
+/// A kind as messages call it: "a circle", "an aabb".
 fn with_article(kind: &str) -> String {
     let article = if kind.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {kind}")

@@ -1,7 +1,8 @@
-//! A table of the file, checked against its rows: unknown keys, missing keys, wrong types, numbers out of range.
+//! A table of the file, checked against its rows: unknown keys, missing keys, wrong types, numbers out of
+//! range.
 //!
-//! What a [`Checked`] gives out has been checked; where a value was wrong, the problem is noted and the key reads as
-//! if left out.
+//! What a [`Checked`] gives out has been checked; where a value was wrong, the problem is noted and the key
+//! reads as if left out.
 
 use std::ops::Range;
 
@@ -15,11 +16,13 @@ use super::problem::{Fault, Problems};
 
 /// A table and those of its values that are what their rows say.
 pub(crate) struct Checked<'n> {
+    /// Where the table stands.
     pub(crate) span: Range<usize>,
+    /// The values that are what their rows say, by key.
     good: Vec<(&'static str, &'n Node)>,
 }
 
-/// Checks a table against its rows. None where it is no table.
+/// Checks a table against its rows; `key` and `place` are how messages call it. `None` where it is no table.
 pub(crate) fn check<'n>(
     node: &'n Node,
     key: &str,
@@ -59,15 +62,18 @@ pub(crate) fn check<'n>(
 }
 
 impl<'n> Checked<'n> {
+    /// The value of a key.
     pub(crate) fn get(&self, key: &str) -> Option<&'n Node> {
         self.good.iter().find(|(name, _)| *name == key).map(|&(_, node)| node)
     }
 
+    /// The value of a key as a number.
     pub(crate) fn number(&self, key: &str) -> Option<Spanned<f64>> {
         let node = self.get(key)?;
         as_number(node).map(|value| Spanned { value, span: node.span.clone() })
     }
 
+    /// The value of a key as a whole number, 0 or more.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -77,19 +83,23 @@ impl<'n> Checked<'n> {
         self.number(key).map(|n| Spanned { value: n.value as usize, span: n.span })
     }
 
+    /// The value of a key as a text.
     pub(crate) fn text(&self, key: &str) -> Option<Spanned<String>> {
         let node = self.get(key)?;
         as_text(node).map(|text| Spanned { value: text.to_owned(), span: node.span.clone() })
     }
 
+    /// The value of a key as `[x, y]`.
     pub(crate) fn pair(&self, key: &str) -> Option<DVec2> {
         as_pair(self.get(key)?)
     }
 
+    /// The value of a key as a list of `[x, y]`.
     pub(crate) fn points(&self, key: &str) -> Option<Vec<DVec2>> {
         as_list(self.get(key)?)?.iter().map(as_pair).collect()
     }
 
+    /// The value of a key as true or false.
     pub(crate) fn switch(&self, key: &str) -> Option<bool> {
         match self.get(key)?.value {
             NodeValue::Bool(b) => Some(b),
@@ -97,6 +107,7 @@ impl<'n> Checked<'n> {
         }
     }
 
+    /// The value of a key as a list of `N` numbers.
     pub(crate) fn numbers<const N: usize>(&self, key: &str) -> Option<Spanned<[f64; N]>> {
         let node = self.get(key)?;
         let numbers: Option<Vec<f64>> = as_list(node)?.iter().map(as_number).collect();
@@ -104,6 +115,7 @@ impl<'n> Checked<'n> {
     }
 }
 
+/// The number that a value is.
 pub(crate) fn as_number(node: &Node) -> Option<f64> {
     match node.value {
         NodeValue::Number(x) => Some(x),
@@ -111,6 +123,7 @@ pub(crate) fn as_number(node: &Node) -> Option<f64> {
     }
 }
 
+/// The text that a value is.
 pub(crate) fn as_text(node: &Node) -> Option<&str> {
     match &node.value {
         NodeValue::Text(t) => Some(t),
@@ -118,6 +131,7 @@ pub(crate) fn as_text(node: &Node) -> Option<&str> {
     }
 }
 
+/// The items of a value that is a list.
 pub(crate) fn as_list(node: &Node) -> Option<&[Node]> {
     match &node.value {
         NodeValue::List(items) => Some(items),
@@ -125,6 +139,7 @@ pub(crate) fn as_list(node: &Node) -> Option<&[Node]> {
     }
 }
 
+/// The point that a list of two numbers is.
 fn as_pair(node: &Node) -> Option<DVec2> {
     match as_list(node)? {
         [x, y] => Some(DVec2::new(as_number(x)?, as_number(y)?)),
@@ -182,6 +197,7 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
     }
 }
 
+/// Notes that a value is of another type than its row says. Always false, for the tail of a check.
 fn wrong(node: &Node, row: &Field, p: &mut Problems) -> bool {
     let expected = match row.holds {
         // Its range matters only to a number.
@@ -226,6 +242,7 @@ fn finite(node: &Node, row: &Field, p: &mut Problems) -> bool {
     }
 }
 
+/// Whether a value is a number from `min` to `max`.
 fn in_range(node: &Node, row: &Field, min: f64, max: f64, p: &mut Problems) -> bool {
     if !finite(node, row, p) {
         return false;
@@ -237,6 +254,7 @@ fn in_range(node: &Node, row: &Field, min: f64, max: f64, p: &mut Problems) -> b
     inside
 }
 
+/// Whether a value is a whole number from `min` to `max`.
 #[expect(clippy::cast_precision_loss, reason = "the limits are far below 2⁵³")]
 fn whole(node: &Node, row: &Field, (min, max): (usize, usize), p: &mut Problems) -> bool {
     if !finite(node, row, p) {
@@ -249,6 +267,7 @@ fn whole(node: &Node, row: &Field, (min, max): (usize, usize), p: &mut Problems)
     inside
 }
 
+/// Notes that a number is beyond the range of its row.
 fn out_of_range(node: &Node, row: &Field, p: &mut Problems) {
     let expected = match row.holds {
         Holds::Number { max: MAX_NUMBER, min } if min < 0.0 => format!("a number within ±{MAX_NUMBER:e}"),
@@ -268,6 +287,7 @@ fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
     }
 }
 
+/// Whether a value is a list of points, and not too long a one.
 fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
     let Some(items) = as_list(node) else { return wrong(node, row, p) };
     if items.len() > MAX_CORNERS {

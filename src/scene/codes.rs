@@ -5,7 +5,7 @@
 pub struct ErrorCode {
     /// The stable word that programs see.
     pub code: &'static str,
-    /// One line.
+    /// What it means, in one line.
     pub about: &'static str,
 }
 

@@ -1,7 +1,8 @@
 //! The table of fields: what each table of a scene may hold.
 //!
-//! One row a key. The reader checks a table against its rows, messages list them, `tracefig list` prints them. The
-//! fields of the kinds of shape are in [`crate::geometry::shape::KINDS`] and become rows here by [`shape_rows`].
+//! One row a key. The reader checks a table against its rows, messages list them, `tracefig list` prints
+//! them. The fields of the kinds of shape are in [`crate::geometry::shape::KINDS`] and become rows here by
+//! [`shape_rows`].
 
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
@@ -15,38 +16,38 @@ pub enum Holds {
     Text,
     /// One of the known words.
     Word {
-        /// What the word is, for messages.
+        /// What the word is, as "algorithm", for messages.
         what: &'static str,
-        /// The words.
+        /// Every word that it may be.
         known: fn() -> Vec<String>,
     },
     /// A finite number in a closed range.
     Number {
-        /// Smallest.
+        /// The smallest that is allowed.
         min: f64,
-        /// Largest.
+        /// The largest that is allowed.
         max: f64,
     },
     /// A whole number in a closed range.
     Count {
-        /// Smallest.
+        /// The smallest that is allowed.
         min: usize,
-        /// Largest.
+        /// The largest that is allowed.
         max: usize,
     },
     /// true or false.
     Switch,
-    /// Two numbers.
+    /// Two numbers `[x, y]`.
     Pair,
-    /// Corners x0, y0, x1, y1 of a rectangle.
+    /// A rectangle `[x0, y0, x1, y1]` by two opposite corners.
     Rectangle,
-    /// Pairs of numbers.
+    /// A list of points `[x, y]`.
     Points,
     /// Names of shapes of the scene.
     Names,
     /// A number in [0, 1], or "start", "hit", "end".
     Moment,
-    /// "NE", or an offset in pixels.
+    /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
     LabelPlace,
     /// Layers, by name or as tables.
     Layers,
@@ -54,7 +55,7 @@ pub enum Holds {
     Tables(&'static str),
     /// A list of tables; the words say of what.
     List(&'static str),
-    /// One table.
+    /// A table with rows of its own.
     Table,
     /// Anything; not read.
     Anything,
@@ -88,11 +89,11 @@ pub struct TableRows {
     pub header: &'static str,
     /// How messages call it, as "the query".
     pub place: &'static str,
-    /// Its keys.
+    /// The keys that it may have.
     pub fields: &'static [Field],
 }
 
-/// A number without a range of its own.
+/// What a key holds that takes any number.
 pub(super) const ANY_NUMBER: Holds = Holds::Number { min: -MAX_NUMBER, max: MAX_NUMBER };
 
 /// The top of a file.
@@ -199,7 +200,14 @@ pub(super) static CANVAS: TableRows = TableRows {
 /// Every table of a scene but the fields of the kinds of shape.
 pub static TABLES: [&TableRows; 6] = [&ROOT, &BODY, &QUERY, &PANEL, &LABEL, &CANVAS];
 
-/// All the rows of a kind of shape: those of every shape and its own.
+/// All the rows of a kind of shape: first those of every shape, then its own.
+///
+/// ```
+/// use tracefig::{geometry::shape::KINDS, scene::shape_rows};
+/// let circle = KINDS.iter().find(|kind| kind.name == "circle").unwrap();
+/// let keys: Vec<_> = shape_rows(circle).iter().map(|row| row.name).collect();
+/// assert_eq!((keys[0], keys.contains(&"radius")), ("kind", true));
+/// ```
 #[must_use]
 pub fn shape_rows(kind: &Kind) -> Vec<Field> {
     let own = kind.fields.iter().map(|f| Field {
@@ -232,7 +240,12 @@ fn space_words() -> Vec<String> {
 }
 
 impl Holds {
-    /// What is expected, for messages: "a number in [0, 1]".
+    /// What is expected, for messages.
+    ///
+    /// ```
+    /// use tracefig::scene::Holds;
+    /// assert_eq!(Holds::Number { min: 0.0, max: 1.0 }.expected(), "a number in [0, 1]");
+    /// ```
     #[must_use]
     pub fn expected(&self) -> String {
         match *self {

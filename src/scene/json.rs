@@ -1,7 +1,8 @@
 //! JSON to the common tree.
 //!
-//! `serde_json` has no spans. Its `RawValue` borrows from the text, though, and where a slice lies in the text is its
-//! span: so each level is read as raw values and each of these again, which costs one pass for each level of nesting.
+//! `serde_json` has no spans. Its `RawValue` borrows from the text, though, and where a slice lies in the
+//! text is its span: so each level is read as raw values and each of these again, which costs one pass for
+//! each level of nesting.
 
 use std::fmt;
 use std::ops::Range;
@@ -43,10 +44,12 @@ pub(super) fn pointer(root: &Node, at: usize) -> String {
     }
 }
 
+/// A key as a step of a JSON pointer.
 fn escape(key: &str) -> String {
     key.replace('~', "~0").replace('/', "~1")
 }
 
+/// What `serde_json` complains about, at its place.
 fn syntax(error: &serde_json::Error, text: &str) -> Problem {
     let start: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
     let mut at = (start + error.column().saturating_sub(1)).min(text.len());
@@ -59,8 +62,11 @@ fn syntax(error: &serde_json::Error, text: &str) -> Problem {
     Problem::new(Fault::Syntax { message: format!("not JSON: {message}") }, at..at)
 }
 
+/// A walk through raw values, level by level.
 struct Walk<'t, 'p> {
+    /// The whole text, into which spans point.
     text: &'t str,
+    /// What was wrong so far.
     problems: &'p mut Vec<Problem>,
 }
 
@@ -126,7 +132,7 @@ impl<'t> Walk<'t, '_> {
     }
 }
 
-/// The entries of an object, in order, twins too.
+/// The entries of an object, in order; a key that stands twice is here twice.
 struct Entries<'t>(Vec<(&'t RawValue, &'t RawValue)>);
 
 impl<'de: 't, 't> Deserialize<'de> for Entries<'t> {

@@ -35,10 +35,12 @@ pub enum Ink {
     Coloured,
 }
 
-/// Characters of a line that are quoted at most; around the place when the line is longer.
+/// Characters of a line that are quoted at most, around the place when the line is longer: what a terminal
+/// shows without wrapping, wide as it is.
 const QUOTED: usize = 120;
 
-/// Characters that are quoted before the place when the line is longer.
+/// Characters that are quoted before the place when the line is longer: somewhat less than half of
+/// [`QUOTED`], as what follows a mistake explains it more often.
 const BEFORE: usize = 50;
 
 /// The message, ending in a line break.
@@ -56,7 +58,7 @@ pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink)
     message_at(source, problem, source.pointer(&problem.span), severity, ink)
 }
 
-/// As [`message`], for a place whose JSON pointer is known.
+/// The message of a problem whose JSON pointer is known; see [`message`].
 pub(super) fn message_at(
     source: &Source,
     problem: &Problem,
@@ -107,7 +109,9 @@ pub(super) fn message_at(
 
 /// The line of a place, cut to what can be read, and the place within it.
 struct Quote {
+    /// The line, cut where it is long.
     line: String,
+    /// The place, in bytes of `line`.
     span: Range<usize>,
     /// Whether nothing was cut off before the place.
     from_start: bool,

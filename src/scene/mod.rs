@@ -37,44 +37,52 @@ pub use stream::{Reply, refuse_jsonl_line, solve, solve_jsonl_line};
 use crate::collision::{Algorithm, Query, QueryKind};
 use crate::geometry::Body;
 
-/// A value and its bytes in the source.
+/// A value with its place in the source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spanned<T> {
     /// The value.
     pub value: T,
-    /// Its place: bytes of the source text (for JSON see `pointer` of the error).
+    /// Where it stands: bytes of the source text. For JSON, [`Source::pointer`] tells it in words.
     pub span: Range<usize>,
 }
 
 /// A scene, checked.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// Title of the figure, markup.
+    /// Title of the figure, as markup; none stands over it where it is `None`.
     pub title: Option<Spanned<String>>,
-    /// Caption, markup.
+    /// Caption below the figure, as markup.
     pub caption: Option<Spanned<String>>,
-    /// Bodies in file order.
+    /// Bodies with their names, in file order; one or two.
     pub shapes: Vec<(Spanned<String>, Body)>,
-    /// The question.
+    /// The question that the scene asks.
     pub query: SceneQuery,
     /// Panels in file order; may be empty.
     pub panels: Vec<Panel>,
     /// Overrides of labels by key, in file order.
     pub labels: Vec<(Spanned<String>, LabelOverride)>,
-    /// The page.
+    /// The page that the figure is drawn on.
     pub canvas: Canvas,
 }
 
 impl Scene {
-    /// The question with its bodies, as an algorithm takes it.
+    /// The question with its bodies, at the query's own time, as an algorithm takes it.
+    ///
+    /// ```
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\ntime = 0.5";
+    /// let scene = tracefig::scene::open_text("s.toml", text)?.scene;
+    /// let query = scene.query_of_bodies();
+    /// assert_eq!((query.a.shape.radius, query.b, query.time), (2.0, None, 0.5));
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
     #[must_use]
     pub fn query_of_bodies(&self) -> Query<'_> {
         self.query_at(self.query.time)
     }
 
-    /// The same question at another moment.
-    #[must_use]
-    pub fn query_at(&self, time: f64) -> Query<'_> {
+    /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,
+    /// its end. Poses and answer are in the world's frame and units.
+    pub(crate) fn query_at(&self, time: f64) -> Query<'_> {
         // The reader has checked that a query is of one or two shapes that exist.
         let body =
             |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape)).map(|(_, body)| body);
@@ -86,19 +94,19 @@ impl Scene {
 /// The question of a scene.
 #[derive(Clone)]
 pub struct SceneQuery {
-    /// What is asked.
+    /// What is asked of the bodies.
     pub kind: QueryKind,
-    /// Indices into `shapes`: A, then B.
+    /// Indices into [`Scene::shapes`]: A, then B.
     pub of: Vec<usize>,
-    /// As asked for, or the default of the pair.
+    /// The algorithm that the scene names, or the best for its shapes.
     pub algorithm: &'static Algorithm,
-    /// The moment, for bounds, overlap, separation.
+    /// The moment in [0, 1] that bounds, overlap and separation are asked at; else 0.
     pub time: f64,
-    /// World units.
+    /// How close counts as contact, in world units, for algorithms that iterate.
     pub tolerance: f64,
-    /// Step cap.
+    /// Steps after which an algorithm gives up and says so.
     pub max_iterations: usize,
-    /// Where the table is.
+    /// Where the table `[query]` is, in bytes of the source.
     pub span: Range<usize>,
 }
 
@@ -112,14 +120,14 @@ impl std::fmt::Debug for SceneQuery {
     }
 }
 
-/// Space that a panel shows.
+/// The space that a panel shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Space {
-    /// The world.
+    /// The world, y up.
     World,
-    /// B ⊖ A.
+    /// Configuration space: B ⊖ A = {b − a}, in which A against B is the origin against one shape.
     Configuration,
-    /// The frame of a body: index into `shapes`.
+    /// The frame of a body, by its index into [`Scene::shapes`].
     Body(usize),
 }
 
@@ -128,63 +136,64 @@ pub enum Space {
 pub enum When {
     /// A number in [0, 1].
     Time(f64),
-    /// t = 0.
+    /// The start of the motion, t = 0.
     Start,
-    /// First contact.
+    /// The first contact, where the answer has one.
     Hit,
-    /// t = 1.
+    /// The end of the motion, t = 1.
     End,
-    /// The algorithm's step, from 1.
+    /// A step of the algorithm, counted from 1.
     Step(usize),
 }
 
-/// A panel.
+/// One of the pictures that stand side by side in a figure.
 #[derive(Clone, Debug)]
 pub struct Panel {
-    /// Markup.
+    /// The title above it, as markup.
     pub title: Option<Spanned<String>>,
-    /// What it shows.
+    /// The space that it shows.
     pub space: Space,
-    /// Its moment, with its place; None: the query's own.
+    /// The moment that it shows; `None` is the query's own.
     pub when: Option<Spanned<When>>,
-    /// In drawing order.
+    /// The layers in drawing order.
     pub layers: Vec<LayerSpec>,
-    /// World rectangle that must be visible: x0, y0, x1, y1.
+    /// A rectangle of its space that must be visible, x0, y0, x1, y1 in world units; `None` fits what is
+    /// drawn.
     pub view: Option<Spanned<[f64; 4]>>,
-    /// Where the panel's table is.
+    /// Where the panel's table is, in bytes of the source.
     pub span: Range<usize>,
 }
 
 /// A layer as asked for; names and options are checked by the figure's table of layers.
 #[derive(Clone, Debug)]
 pub struct LayerSpec {
-    /// Its name.
+    /// The word for the layer, which may be none that exists.
     pub name: Spanned<String>,
-    /// Its options, in file order.
+    /// Options by key, in file order.
     pub options: Vec<(Spanned<String>, Spanned<Value>)>,
 }
 
 /// A value of an option.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// true or false.
+    /// `true` or `false`.
     Bool(bool),
     /// Any finite number.
     Number(f64),
-    /// A string.
+    /// Any text.
     Text(String),
-    /// A list.
+    /// Values in order.
     List(Vec<Spanned<Value>>),
 }
 
 /// What a scene says of a label.
 #[derive(Clone, Debug, Default)]
 pub struct LabelOverride {
-    /// Markup instead of the default.
+    /// Markup in the place of the usual text.
     pub text: Option<Spanned<String>>,
-    /// Where it must stand.
+    /// Where it must stand; `None` lets it find a place.
     pub at: Option<Spanned<LabelPlace>>,
-    /// Not drawn.
+    /// Whether it is left out.
     pub hide: bool,
 }
 
@@ -197,12 +206,12 @@ pub enum LabelPlace {
     Offset(f64, f64),
 }
 
-/// The page.
+/// The page that a figure is drawn on.
 #[derive(Clone, Debug)]
 pub struct Canvas {
-    /// Page pixels, 960 unless given.
+    /// Width in page pixels, 960 unless given.
     pub width: f64,
-    /// Page pixels, 540 unless given.
+    /// Height in page pixels, 540 unless given.
     pub height: f64,
     /// Name of a theme, checked by the figure's table of themes.
     pub theme: Option<Spanned<String>>,

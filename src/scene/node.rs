@@ -7,26 +7,31 @@ use super::Spanned;
 /// A value and where it stands.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Node {
+    /// The value.
     pub(crate) value: NodeValue,
+    /// Bytes of the source.
     pub(crate) span: Range<usize>,
 }
 
 /// A value as a file can say it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NodeValue {
+    /// `true` or `false`.
     Bool(bool),
-    /// May be infinite or NaN; whoever reads it refuses that.
+    /// A number, infinite or NaN too; whoever reads it refuses those.
     Number(f64),
+    /// A string.
     Text(String),
+    /// Values in order.
     List(Vec<Node>),
-    /// Entries in file order; keys differ.
+    /// Values by key, in file order; no key stands twice.
     Table(Vec<(Spanned<String>, Node)>),
-    /// What a scene never holds: a date, null.
+    /// What a scene never holds, in words with an article: "a date", "null".
     Other(&'static str),
 }
 
 impl Node {
-    /// What it is, with its article, for messages.
+    /// The value in words, as messages tell what they got: "a list of 3 values".
     pub(crate) fn describe(&self) -> String {
         /// Longer texts are cut in messages.
         const SHOWN: usize = 40;
@@ -45,7 +50,7 @@ impl Node {
         }
     }
 
-    /// Its entries, where it is a table.
+    /// The entries of a table; `None` for any other value.
     pub(crate) fn entries(&self) -> Option<&[(Spanned<String>, Node)]> {
         match &self.value {
             NodeValue::Table(entries) => Some(entries),
@@ -53,7 +58,7 @@ impl Node {
         }
     }
 
-    /// The value under a key.
+    /// The value under a key of a table.
     pub(crate) fn get(&self, key: &str) -> Option<&Node> {
         self.entries()?.iter().find(|(k, _)| k.value == key).map(|(_, node)| node)
     }

@@ -30,7 +30,15 @@ pub struct Refused {
 }
 
 impl Refused {
-    /// All messages, a blank line between two.
+    /// All messages, a blank line between two; each quotes the line at fault.
+    ///
+    /// ```
+    /// use tracefig::scene::{Ink, open_text};
+    /// let refused = open_text("s.toml", "title = 1").unwrap_err();
+    /// let text = refused.render(Ink::Plain);
+    /// assert!(text.starts_with("error[missing-key]: the scene lacks `shapes`"), "{text}");
+    /// assert!(text.contains("1 | title = 1"), "{text}");
+    /// ```
     #[must_use]
     pub fn render(&self, ink: Ink) -> String {
         // One reading for the pointers of all.
@@ -79,7 +87,12 @@ pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
 /// Reads a scene from a stream, as standard input; `name` is what messages call it.
 ///
 /// # Errors
-/// As [`open`].
+/// When it can't be read to its end, is too large, is no UTF-8, or is no scene.
+///
+/// ```
+/// let refused = tracefig::scene::open_reader("<stdin>", &b"\xff"[..]).unwrap_err();
+/// assert_eq!(refused.problems[0].fault.code(), "not-utf8");
+/// ```
 pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refused>> {
     let mut bytes = Vec::new();
     if let Err(error) = reader.take(MAX_FILE_BYTES as u64 + 1).read_to_end(&mut bytes) {
@@ -104,10 +117,16 @@ pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refus
     }
 }
 
-/// Reads a scene from a text.
+/// Reads a scene from a text; `name` is what messages call it.
 ///
 /// # Errors
-/// As [`open`].
+/// When it is no scene: with all that is wrong, in the order of the text.
+///
+/// ```
+/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
+/// assert_eq!(tracefig::scene::open_text("s.toml", text)?.scene.shapes.len(), 1);
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
 pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {
     let source = Source::new(name, text.strip_prefix('\u{feff}').unwrap_or(text));
     match read(&source) {

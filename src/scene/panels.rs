@@ -1,5 +1,5 @@
-//! `[[panels]]`: spaces, moments and layers. Layers and their options stay words with their place; the figure's table
-//! of layers judges them.
+//! `[[panels]]`: spaces, moments and layers. Layers and their options stay words with their place; the
+//! figure's table of layers judges them.
 
 use super::checked::{Checked, as_list, as_number, as_text, check, short_enough, too_many};
 use super::fields::PANEL;

@@ -1,7 +1,8 @@
 //! What can be wrong with a scene, each with a stable code, a place, and the words that help to mend it.
 //!
-//! A [`Problem`] keeps fields and not sentences: what was expected, what was got, which words are known there. The
-//! figure's plan reports with the same type, so that a layer that does not exist and a radius below zero look alike.
+//! A [`Problem`] keeps fields and not sentences: what was expected, what was got, which words are known
+//! there. The figure's plan reports with the same type, so that a layer that does not exist and a radius
+//! below zero look alike.
 
 use std::fmt;
 use std::ops::Range;
@@ -13,16 +14,16 @@ use super::suggest::{nearest_or_all, quoted};
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fault {
-    /// The file can't be read; the system's words.
+    /// The file can't be read.
     Unreadable {
-        /// Why.
+        /// The system's words.
         reason: String,
     },
     /// The bytes are not UTF-8.
     NotUtf8,
-    /// Nothing is in it.
+    /// The text holds nothing but blanks and comments.
     Empty,
-    /// Not TOML, or not JSON.
+    /// The text is not TOML, or not JSON.
     Syntax {
         /// The parser's words.
         message: String,
@@ -34,13 +35,13 @@ pub enum Fault {
     },
     /// Something is too large.
     OverLimit {
-        /// What, as "the file".
+        /// What it is, as "the file".
         what: String,
-        /// At most so many.
+        /// The limit.
         limit: usize,
-        /// Of these.
+        /// What the limit counts, as "bytes".
         unit: &'static str,
-        /// So many were found.
+        /// What the scene has.
         got: usize,
     },
     /// A key that means nothing here.
@@ -56,9 +57,9 @@ pub enum Fault {
     UnknownWord {
         /// What it should be, as "algorithm".
         what: &'static str,
-        /// The word.
+        /// The word that stands there.
         got: String,
-        /// The known ones.
+        /// Every word that may stand there.
         known: Vec<String>,
     },
     /// A key is missing.
@@ -83,7 +84,7 @@ pub enum Fault {
     NotFinite {
         /// The key it stands under.
         key: String,
-        /// As written.
+        /// The number as written.
         got: String,
     },
     /// A number that its key does not allow.
@@ -92,7 +93,7 @@ pub enum Fault {
         key: String,
         /// What was expected.
         expected: String,
-        /// As written.
+        /// The number as written.
         got: String,
     },
     /// Keys that exclude each other.
@@ -102,9 +103,9 @@ pub enum Fault {
     },
     /// A shape that the scene doesn't have.
     UnknownBody {
-        /// Its name.
+        /// The name that stands there.
         got: String,
-        /// The names that there are.
+        /// Names of the shapes that there are.
         known: Vec<String>,
     },
     /// Too many or too few shapes in `of`.
@@ -113,12 +114,12 @@ pub enum Fault {
         kind: &'static str,
         /// What it takes.
         expected: &'static str,
-        /// So many names.
+        /// How many names stand there.
         got: usize,
     },
     /// A sweep of a turning body.
     TurningBody {
-        /// Its name.
+        /// Name of the shape that turns.
         body: String,
     },
     /// An angle on a shape that does not turn.
@@ -127,21 +128,21 @@ pub enum Fault {
         kind: &'static str,
         /// `angle_deg` or `angular_velocity_deg`.
         key: &'static str,
-        /// As written.
+        /// The angle as written.
         got: String,
     },
     /// An algorithm that doesn't take this query.
     UnsuitedAlgorithm {
-        /// Its name.
+        /// Name of the algorithm.
         algorithm: &'static str,
         /// Why not.
         reason: String,
-        /// Those that take it.
+        /// Names of the algorithms that take it.
         suited: Vec<String>,
     },
     /// A shape that the query can't be asked of.
     UnsuitedShape {
-        /// Its name in the scene.
+        /// Name of the shape in the scene.
         body: String,
         /// Why not.
         reason: String,
@@ -162,9 +163,9 @@ pub enum Fault {
 /// What is wrong, and where: bytes of the source text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// What.
+    /// What is wrong.
     pub fault: Fault,
-    /// Where.
+    /// Where it is, in bytes of the source.
     pub span: Range<usize>,
 }
 
@@ -174,7 +175,8 @@ impl Problem {
     /// ```
     /// use tracefig::scene::{Fault, Problem};
     /// let known = vec!["shapes".to_owned(), "ghosts".to_owned()];
-    /// let problem = Problem::new(Fault::UnknownWord { what: "layer", got: "gohsts".to_owned(), known }, 10..18);
+    /// let fault = Fault::UnknownWord { what: "layer", got: "gohsts".to_owned(), known };
+    /// let problem = Problem::new(fault, 10..18);
     /// assert_eq!(problem.fault.code(), "unknown-word");
     /// assert_eq!(problem.fault.help().as_deref(), Some("did you mean `ghosts`?"));
     /// ```
@@ -185,7 +187,11 @@ impl Problem {
 }
 
 impl Fault {
-    /// The stable word for programs.
+    /// The stable word for programs, one of [`ERRORS`](super::ERRORS).
+    ///
+    /// ```
+    /// assert_eq!(tracefig::scene::Fault::NotUtf8.code(), "not-utf8");
+    /// ```
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
@@ -213,7 +219,12 @@ impl Fault {
         }
     }
 
-    /// What would help: the nearest known word, or all that are known.
+    /// What would help: the nearest known word, or all that are known; `None` where nothing can be said.
+    ///
+    /// ```
+    /// let fault = tracefig::scene::Fault::TurningBody { body: "A".to_owned() };
+    /// assert_eq!(fault.help().as_deref(), Some("ask for a `time-of-impact`"));
+    /// ```
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
@@ -286,28 +297,32 @@ impl fmt::Display for Fault {
 /// Problems as they are found.
 #[derive(Debug, Default)]
 pub(crate) struct Problems {
+    /// At most [`MAX_PROBLEMS`], in the order in which they were found.
     found: Vec<Problem>,
 }
 
-/// A file with more problems than this is not a scene; further ones are not kept.
+/// How many problems of a file are kept: a file with more is no scene, and nobody reads on.
 pub(crate) const MAX_PROBLEMS: usize = 50;
 
 impl Problems {
+    /// Notes a fault at a place.
     pub(crate) fn add(&mut self, fault: Fault, span: &Range<usize>) {
         if self.found.len() < MAX_PROBLEMS {
             self.found.push(Problem::new(fault, span.clone()));
         }
     }
 
+    /// Whether nothing is wrong so far.
     pub(crate) fn is_empty(&self) -> bool {
         self.found.is_empty()
     }
 
+    /// How many problems were noted so far.
     pub(crate) fn len(&self) -> usize {
         self.found.len()
     }
 
-    /// In the order of the file.
+    /// The problems in the order of the file.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
         self.found.sort_by_key(|p| (p.span.start, p.span.end));
         self.found

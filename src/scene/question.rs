@@ -13,7 +13,7 @@ use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_CORNERS}
 use super::node::Node;
 use super::problem::{Fault, Problems};
 
-/// Reads the query. None where it, or a shape that it is of, is wrong.
+/// Reads the query; `None` where it, or a shape that it is of, is wrong.
 pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Option<SceneQuery> {
     let table = check(node, "query", QUERY.place, QUERY.fields, p)?;
     let question = table.text("kind").and_then(|word| QUERIES.iter().find(|q| q.word == word.value));
@@ -63,11 +63,12 @@ fn max_iterations(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problem
     given.value
 }
 
+/// Where a key's value stands, or the table where it is left out.
 fn span_of(table: &Checked<'_>, key: &str) -> Range<usize> {
     table.get(key).map_or(table.span.clone(), |node| node.span.clone())
 }
 
-/// The shapes of `of`; None where one doesn't exist or stands twice.
+/// Indices of the shapes of `of`; `None` where one doesn't exist or stands twice.
 fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option<Vec<usize>> {
     let mut found = Vec::new();
     let mut all_known = true;
@@ -174,6 +175,7 @@ fn algorithm(
     None
 }
 
+/// The kinds of a query's shapes, for messages.
 fn kinds(query: &Query<'_>) -> String {
     match query.b {
         Some(b) => format!("{} and {}", query.a.shape.kind, b.shape.kind),

@@ -12,8 +12,8 @@ use super::{Canvas, Scene, Spanned, body, labels, panels, question};
 /// Shapes of a scene: a query is of one or two.
 const MAX_SHAPES: usize = 2;
 
-/// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the values in
-/// texts are checked by the figure's plan.
+/// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the
+/// values in texts are checked by the figure's plan.
 ///
 /// # Errors
 /// All problems of the text, in its order.
@@ -28,6 +28,7 @@ pub fn read(source: &Source) -> Result<Scene, Vec<Problem>> {
     from_tree(&source.tree()?)
 }
 
+/// Reads a scene from the tree of its values; the errors are those of [`read`].
 pub(crate) fn from_tree(root: &Node) -> Result<Scene, Vec<Problem>> {
     let mut problems = Problems::default();
     let scene = scene(root, &mut problems);
@@ -83,7 +84,7 @@ fn canvas(top: &Checked<'_>, p: &mut Problems) -> Canvas {
     canvas
 }
 
-/// The bytes of the `id` of a scene, where it has one: JSON of any kind, copied to the answer.
+/// Where the `id` of a scene stands, which is copied to the answer whatever JSON it is; `None` without one.
 pub(crate) fn id_span(root: &Node) -> Option<Range<usize>> {
     root.get("id").filter(|id| id.value != NodeValue::Other("null")).map(|id| id.span.clone())
 }

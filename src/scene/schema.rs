@@ -21,6 +21,7 @@ pub fn schema() -> Value {
     Value::Object(schema)
 }
 
+/// The schema of a table with these keys.
 fn table(fields: &[Field]) -> Map<String, Value> {
     let properties: Map<String, Value> =
         fields.iter().map(|field| (field.name.to_owned(), described(field))).collect();
@@ -37,6 +38,7 @@ fn of(rows: &TableRows) -> Value {
     Value::Object(table(rows.fields))
 }
 
+/// The schema of what a key holds, with its line of help.
 fn described(field: &Field) -> Value {
     let mut value = holds(field);
     if let Value::Object(object) = &mut value {
@@ -45,6 +47,7 @@ fn described(field: &Field) -> Value {
     value
 }
 
+/// The schema of a list of so many numbers.
 fn numbers(count: usize) -> Value {
     json!({ "type": "array", "items": { "type": "number" }, "minItems": count, "maxItems": count })
 }
@@ -75,7 +78,8 @@ fn holds(field: &Field) -> Value {
         ] } }),
         Holds::Tables("shapes") => json!({ "type": "object", "additionalProperties": { "oneOf": shapes() } }),
         Holds::Tables(_) => {
-            json!({ "type": "object", "additionalProperties": { "anyOf": [{ "type": "string" }, of(&LABEL)] } })
+            let label = json!({ "anyOf": [{ "type": "string" }, of(&LABEL)] });
+            json!({ "type": "object", "additionalProperties": label })
         }
         Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::Table if field.name == "query" => of(&QUERY),
@@ -84,7 +88,7 @@ fn holds(field: &Field) -> Value {
     }
 }
 
-/// One schema a kind, told apart by `kind`.
+/// The schemas of all kinds of shape, told apart by `kind`.
 fn shapes() -> Vec<Value> {
     KINDS
         .iter()

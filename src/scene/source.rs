@@ -23,18 +23,18 @@ pub struct Source {
     pub name: String,
     /// The whole text.
     pub text: String,
-    /// Its language.
+    /// The language that it is written in.
     pub syntax: Syntax,
-    /// Number of its first line; not 1 for a line of a stream.
+    /// Number of its first line: 1, or for a line of a stream its own.
     pub first_line: usize,
 }
 
 /// A place as a reader counts: lines and columns from 1, columns in characters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Place {
-    /// From 1.
+    /// Number of the line, from 1.
     pub line: usize,
-    /// From 1, in characters.
+    /// Number of the character in its line, from 1.
     pub column: usize,
 }
 
@@ -53,8 +53,7 @@ impl Source {
     }
 
     /// One line of a JSONL stream.
-    #[must_use]
-    pub fn json_line(name: &str, text: &str, line: usize) -> Self {
+    pub(crate) fn json_line(name: &str, text: &str, line: usize) -> Self {
         Self { name: name.to_owned(), text: text.to_owned(), syntax: Syntax::Json, first_line: line }
     }
 
@@ -76,15 +75,21 @@ impl Source {
     }
 
     /// The line that holds a byte, and where that line starts.
-    #[must_use]
-    pub fn line_at(&self, at: usize) -> (usize, &str) {
+    pub(super) fn line_at(&self, at: usize) -> (usize, &str) {
         let at = at.min(self.text.len());
         let start = self.text.as_bytes()[..at].iter().rposition(|&b| b == b'\n').map_or(0, |i| i + 1);
         let line = self.text[start..].split('\n').next().unwrap_or_default();
         (start, line.strip_suffix('\r').unwrap_or(line))
     }
 
-    /// The JSON pointer to the value at a place; None in TOML or where the text is no JSON.
+    /// The JSON pointer (RFC 6901) to the value at a place; `None` in TOML or where the text is no JSON.
+    ///
+    /// ```
+    /// use tracefig::scene::Source;
+    /// let source = Source::new("s.json", r#"{"shapes": {"A": [1]}}"#);
+    /// assert_eq!(source.pointer(&(18..19)).as_deref(), Some("/shapes/A/0"));
+    /// assert_eq!(Source::new("s.toml", "a = 1").pointer(&(4..5)), None);
+    /// ```
     #[must_use]
     pub fn pointer(&self, span: &Range<usize>) -> Option<String> {
         match self.syntax {

@@ -51,8 +51,8 @@ fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
     problems
 }
 
-/// Brackets or parts of a dotted key a million deep would become as many nested values, and dropping these as many
-/// nested calls; the parser would also complain a million times.
+/// Brackets or parts of a dotted key a million deep would become as many nested values, and dropping these as
+/// many nested calls; the parser would also complain a million times.
 fn too_deep(text: &str) -> Option<Problem> {
     let (mut dots, mut brackets) = (0_usize, 0_usize);
     for token in toml_parser::Source::new(text).lex() {

@@ -52,7 +52,8 @@ pub struct Moment {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
 pub enum Event {
-    /// An algorithm began, with the pair as it is at a moment. An advancement begins a distance query each step.
+    /// An algorithm began, with the pair as it is at a moment. An advancement begins a distance query each
+    /// step.
     Started {
         /// Its name in the table of algorithms.
         algorithm: &'static str,
@@ -111,8 +112,8 @@ pub enum Event {
         half_extents: DVec2,
         /// V, clamped to the half-extents.
         clamped: DVec2,
-        /// `B_c` in the world: the point of the box closest to the circle; where the circle's centre is inside, the
-        /// point of the nearest side.
+        /// `B_c` in the world: the point of the box closest to the circle; where the circle's centre is
+        /// inside, the point of the nearest side.
         closest: DVec2,
         /// D = B − `B_c` in the world.
         d: DVec2,
@@ -128,9 +129,9 @@ pub enum Event {
         /// One vertex, or two when an edge is square to the direction.
         vertices: Vec<SupportVertex>,
     },
-    /// An edge of B ⊖ A was found. Each is told once a run, in the order in which the algorithm finds it; its end is
-    /// another's start, to the bit. Where edges of both bodies lie on one line, B's comes first. The two sides of a
-    /// segment, there and back, bear the same number.
+    /// An edge of B ⊖ A was found. Each is told once a run, in the order in which the algorithm finds it; its
+    /// end is another's start, to the bit. Where edges of both bodies lie on one line, B's comes first. The
+    /// two sides of a segment, there and back, bear the same number.
     DifferenceEdgeFound {
         /// The body whose edge it is.
         source: Side,
@@ -233,8 +234,8 @@ pub enum Event {
         normal: DVec2,
         /// Witness points on A and B.
         points: [DVec2; 2],
-        /// Closest point of B ⊖ A, in configuration space at that moment (for `ray-clipping`: at t = 0, where the
-        /// estimate moves instead).
+        /// Closest point of B ⊖ A, in configuration space at that moment (for `ray-clipping`: at t = 0, where
+        /// the estimate moves instead).
         closest: DVec2,
         /// The estimate on the ray, in the same space: the origin, or t v for `ray-clipping`.
         estimate: DVec2,
@@ -251,11 +252,11 @@ pub enum Event {
         from: f64,
         /// End of the covered time.
         to: f64,
-        /// The body in whose frame the axis is fixed. The frame of a body whose core is its own origin does not turn: it is
-        /// the world's.
+        /// The body in whose frame the axis is fixed. The frame of a body whose core is its own origin does
+        /// not turn: it is the world's.
         owner: Side,
-        /// Axis in that body's frame, from the owner to the other. Of length 1 but for rounding; at least ½ where only an
-        /// exact direction will do.
+        /// Axis in that body's frame, from the owner to the other. Of length 1 but for rounding; at least ½
+        /// where only an exact direction will do.
         normal: DVec2,
     },
     /// The farthest a point of a body can move was bounded: L = θ r.

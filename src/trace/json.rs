@@ -5,9 +5,9 @@
 //! {"event":"started","algorithm":"minkowski","at":{"time":0.0,"angle_a":0.0,"angle_b":0.0}}
 //! ```
 //!
-//! Every event has its name under `event` and its fields under their own names; a point is a pair, a feature is
-//! `{"vertex": i}` or `{"edge": i}`, an interval `{"lo": …, "hi": …}`. Numbers are written so that they read back
-//! bit for bit. A field may be added; the 1 changes when one is renamed or changes its meaning.
+//! Every event has its name under `event` and its fields under their own names; a point is a pair, a feature
+//! is `{"vertex": i}` or `{"edge": i}`, an interval `{"lo": …, "hi": …}`. Numbers are written so that they
+//! read back bit for bit. A field may be added; the 1 changes when one is renamed or changes its meaning.
 
 use serde::Serialize;
 

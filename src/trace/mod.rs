@@ -1,7 +1,7 @@
 //! What an algorithm did, as past-tense facts.
 //!
-//! A query is generic over [`Tracer`]; with [`NoTrace`] the closure that would build an event is never called, so an
-//! untraced query costs what it would without tracing.
+//! A query is generic over [`Tracer`]; with [`NoTrace`] the closure that would build an event is never
+//! called, so an untraced query costs what it would without tracing.
 
 mod event;
 mod json;
@@ -16,8 +16,8 @@ pub trait Tracer {
     /// Takes an event; `make` is only called by tracers that keep it.
     fn record(&mut self, make: impl FnOnce() -> Event);
 
-    /// Whether events are kept at all: where an algorithm must walk something only to tell it, it asks first. Never
-    /// decides an answer.
+    /// Whether events are kept at all: where an algorithm must walk something only to tell it, it asks first.
+    /// Never decides an answer.
     #[inline]
     fn listens(&self) -> bool {
         true
@@ -38,8 +38,8 @@ impl Tracer for NoTrace {
     }
 }
 
-/// Events of the longest trace that is kept whole, 2¹⁸: 80 MB. An advancement of 20,000 steps on boxes leaves half as
-/// many; what leaves more has thousands of corners and thousands of steps, and nobody reads it.
+/// Events of the longest trace that is kept whole, 2¹⁸: 80 MB. An advancement of 20,000 steps on boxes leaves
+/// half as many; what leaves more has thousands of corners and thousands of steps, and nobody reads it.
 pub const MOST_EVENTS: usize = 1 << 18;
 
 /// Every event, in order, up to [`MOST_EVENTS`].

@@ -1,7 +1,7 @@
 //! A trace as a story: one sentence for each event, for people.
 //!
-//! Numbers are cut to six significant digits, points are `(x, y)`, bodies are A and B whatever the scene calls them. A
-//! step of an advancement opens a paragraph.
+//! Numbers are cut to six significant digits, points are `(x, y)`, bodies are A and B whatever the scene
+//! calls them. A step of an advancement opens a paragraph.
 
 use super::{Culling, Event, Goal, Moment, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
@@ -9,8 +9,8 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side};
 /// Significant digits of the numbers: a reader compares the first three, and a step of 1e-6 still shows.
 const DIGITS: usize = 6;
 
-/// The share of a point's larger coordinate below which the other one is what rounding left of a 0, and told as 0: a
-/// thousand times what a few roundings leave. The JSON lines have every bit.
+/// The share of a point's larger coordinate below which the other one is what rounding left of a 0, and told
+/// as 0: a thousand times what a few roundings leave. The JSON lines have every bit.
 const NOTHING: f64 = 1e-12;
 
 /// The whole trace, a line for each event.
@@ -327,7 +327,8 @@ fn point(p: DVec2) -> String {
     format!("({}, {})", shown(p.x), shown(p.y))
 }
 
-/// A number to [`DIGITS`] significant digits, without trailing zeros; with an exponent where it is very large or small.
+/// A number to [`DIGITS`] significant digits, without trailing zeros; with an exponent where it is very large
+/// or small.
 fn number(x: f64) -> String {
     let written = format!("{:.*e}", DIGITS - 1, x);
     let Ok(rounded) = written.parse::<f64>() else { return written };

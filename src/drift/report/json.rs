@@ -4,7 +4,8 @@ use serde_json::{Map, Value, json};
 
 use super::{Finding, tally};
 
-/// Counts by state, then every file: `{"identical": 2, …, "files": [{"file", "state", "details", "picture"}]}`.
+/// Counts by state, then every file:
+/// `{"identical": 2, …, "files": [{"file", "state", "details", "picture"}]}`.
 #[must_use]
 pub fn json(findings: &[Finding]) -> String {
     let mut out: Map<String, Value> =

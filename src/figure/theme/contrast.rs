@@ -1,8 +1,8 @@
 //! Contrast of two colours as WCAG 2.2 defines it: (L₁ + 0.05) / (L₂ + 0.05) of their relative luminances.
 //!
-//! Source: Web Content Accessibility Guidelines 2.2, "relative luminance" and "contrast ratio". Text needs 4.5 : 1. The
-//! guidelines round the weights of luminance to four digits; `palette` has them in seven, which would move one printed
-//! ratio in 400, so the weights stand here.
+//! Source: Web Content Accessibility Guidelines 2.2, "relative luminance" and "contrast ratio". Text needs
+//! 4.5 : 1. The guidelines round the weights of luminance to four digits; `palette` has them in seven, which
+//! would move one printed ratio in 400, so the weights stand here.
 
 use palette::{LinSrgb, Srgb};
 

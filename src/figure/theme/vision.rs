@@ -1,9 +1,9 @@
 //! How different two colours look, also to readers who do not see all of them.
 //!
-//! Colour blindness is simulated by the matrices of Machado, Oliveira, Fernandes, "A Physiologically-based Model for
-//! Simulation of Color Vision Deficiency", IEEE TVCG 15(6), 2009, severity 1, on linear light. The difference is
-//! CIEDE2000 (Sharma, Wu, Dalal, "The CIEDE2000 Color-Difference Formula", Color Research and Application 30(1), 2005)
-//! in CIELAB under D65, both by the crate `palette`.
+//! Colour blindness is simulated by the matrices of Machado, Oliveira, Fernandes, "A Physiologically-based
+//! Model for Simulation of Color Vision Deficiency", IEEE TVCG 15(6), 2009, severity 1, on linear light. The
+//! difference is CIEDE2000 (Sharma, Wu, Dalal, "The CIEDE2000 Color-Difference Formula", Color Research and
+//! Application 30(1), 2005) in CIELAB under D65, both by the crate `palette`.
 
 use palette::color_difference::Ciede2000;
 use palette::convert::FromColorUnclamped;

@@ -1,8 +1,8 @@
-//! An SVG of ours, read again: what it says of itself, and the drawing that it shows, so that two are compared by what
-//! is seen.
+//! An SVG of ours, read again: what it says of itself, and the drawing that it shows, so that two are
+//! compared by what is seen.
 //!
-//! Only what the writer beside this folder writes is understood: groups, paths, circles, rectangles, uses of outlines,
-//! clips. A file with anything else, as one that was edited by hand, is none that this reads.
+//! Only what the writer beside this folder writes is understood: groups, paths, circles, rectangles, uses of
+//! outlines, clips. A file with anything else, as one that was edited by hand, is none that this reads.
 
 mod path_data;
 mod style;
@@ -35,7 +35,8 @@ pub(in crate::output) fn inside(bytes: &[u8]) -> Option<&[u8]> {
     Some(&bytes[start..end])
 }
 
-/// What a document shows; `None` where it is none of ours, or was changed into something that we do not write.
+/// What a document shows; `None` where it is none of ours, or was changed into something that we do not
+/// write.
 pub(super) fn picture(bytes: &[u8]) -> Option<Picture> {
     let document = Document::parse(std::str::from_utf8(bytes).ok()?).ok()?;
     let root = document.root_element();
@@ -74,8 +75,8 @@ pub(super) fn picture(bytes: &[u8]) -> Option<Picture> {
     Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style") })
 }
 
-/// The largest difference of a colour between two style sheets, in levels of 255; `None` where they differ in anything
-/// besides colours.
+/// The largest difference of a colour between two style sheets, in levels of 255; `None` where they differ in
+/// anything besides colours.
 pub(crate) fn sheets_apart(old: &str, new: &str) -> Option<u8> {
     let (mut old_parts, mut new_parts) = (old.split('#'), new.split('#'));
     if old_parts.next() != new_parts.next() {
@@ -97,8 +98,8 @@ pub(crate) fn sheets_apart(old: &str, new: &str) -> Option<u8> {
     }
 }
 
-/// References that are followed, at most: the largest figure has a few thousand, and a file of nested references
-/// could ask for millions.
+/// References that are followed, at most: the largest figure has a few thousand, and a file of nested
+/// references could ask for millions.
 const MOST_USES: usize = 100_000;
 
 /// A document being read.
@@ -210,8 +211,8 @@ impl<'d> Reader<'d> {
     }
 }
 
-/// How far marks may lie from where this reader would lay them, in page pixels: numbers in a file are rounded to
-/// hundredths, the marks follow a contour that was rounded before, and both ends of a mark add up.
+/// How far marks may lie from where this reader would lay them, in page pixels: numbers in a file are rounded
+/// to hundredths, the marks follow a contour that was rounded before, and both ends of a mark add up.
 const ROUNDED: f64 = 0.03;
 
 fn same_line(a: &Stroke, b: &Stroke) -> bool {

@@ -1,7 +1,7 @@
 //! Path data of an SVG of ours as a contour.
 //!
-//! `svgtypes` reads the letters and the numbers. Ours is what becomes of them: pieces in page pixels, an arc as an arc
-//! about its centre, and refusal of what our writer never writes (`S`).
+//! `svgtypes` reads the letters and the numbers. Ours is what becomes of them: pieces in page pixels, an arc
+//! as an arc about its centre, and refusal of what our writer never writes (`S`).
 
 use std::f64::consts::{PI, TAU};
 
@@ -27,7 +27,8 @@ impl Default for Map {
 }
 
 impl Map {
-    /// A `transform` that moves and scales; `None` for one that turns, skews or stretches, which we do not write.
+    /// A `transform` that moves and scales; `None` for one that turns, skews or stretches, which we do not
+    /// write.
     pub(super) fn read(text: &str) -> Option<Self> {
         let Transform { a, b, c, d, e, f } = text.parse().ok()?;
         (a == d && b == 0.0 && c == 0.0).then_some(Self { x: e, y: f, scale: a })
@@ -116,7 +117,8 @@ impl Pen {
         self.control = Some(c);
     }
 
-    /// The centre lies on the bisector of the chord, at √(r² − (chord / 2)²) from its middle (SVG 2, appendix B.2.4).
+    /// The centre lies on the bisector of the chord, at √(r² − (chord / 2)²) from its middle (SVG 2, appendix
+    /// B.2.4).
     fn arc(&mut self, radius: f64, large: bool, clockwise: bool, to: [f64; 2]) {
         let [dx, dy] = [0.5 * (to[0] - self.at[0]), 0.5 * (to[1] - self.at[1])];
         let half = libm::hypot(dx, dy);

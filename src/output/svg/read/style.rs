@@ -1,7 +1,7 @@
 //! Attributes of an SVG of ours: colours and lines, passed on from a group to what it holds.
 //!
-//! [`super::super::style`] writes them. What one of the two knows and the other does not makes every figure unreadable,
-//! which the round trip of all figures would show.
+//! [`super::super::style`] writes them. What one of the two knows and the other does not makes every figure
+//! unreadable, which the round trip of all figures would show.
 
 use roxmltree::Node;
 use svgtypes::NumberListParser;
