@@ -17,7 +17,7 @@ use syn::visit::{self, Visit};
 struct Table {
     /// What a row is.
     what: &'static str,
-    /// Its folder below `src/`.
+    /// The folder of its files below `src/`.
     folder: &'static str,
     /// The constant that holds a row, one in each file; for commands there is none, and the table has the
     /// names.
@@ -109,10 +109,12 @@ fn commands() -> Vec<String> {
     rows.0
 }
 
-/// The strings of a file with their lines, and which modules are for tests only.
+/// What one file says.
 #[derive(Default)]
 struct Strings {
+    /// Every string with its line.
     found: Vec<(usize, String)>,
+    /// Names of modules under `#[cfg(test)]`.
     test_modules: Vec<String>,
     /// Constants with a field `name` that is a string.
     rows: Vec<(String, String)>,

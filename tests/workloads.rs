@@ -82,7 +82,7 @@ fn every_workload_has_all_its_cases() {
     for workload in workloads() {
         assert_eq!(workload.cases.len(), CASES, "{}", workload.name());
         for case in &workload.cases {
-            assert_eq!(case.a.shape.core.len(), workload.corners, "{}", workload.name());
+            assert_eq!(case.a.shape.core.len(), workload.vertices, "{}", workload.name());
         }
     }
 }
@@ -94,7 +94,7 @@ fn the_committed_answers_are_the_exact_ones() {
     let committed = std::fs::read_to_string(path).expect("the answers are committed");
     let mut all = String::new();
     for workload in workloads() {
-        let indices = if write { 0..CASES } else { 0..usize::from(workload.corners <= AGAIN) };
+        let indices = if write { 0..CASES } else { 0..usize::from(workload.vertices <= AGAIN) };
         for index in indices {
             let line = line(&workload, index, exact(&workload, &workload.cases[index]));
             assert!(write || committed.contains(&line), "not committed: {line}");

@@ -12,7 +12,9 @@ use std::path::Path;
 
 use tempfile::NamedTempFile;
 
+/// What the name of a part begins with; the dot hides it.
 const PREFIX: &str = ".tracefig-";
+/// What the name of a part ends with.
 const SUFFIX: &str = ".part";
 
 /// Writes a file. Whatever goes wrong, its place holds all of the new bytes or what it held before.
@@ -74,6 +76,7 @@ fn is_ours(part: &NamedTempFile) -> bool {
     }
 }
 
+/// A new empty part, not yet locked.
 fn named_part_in(folder: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX).suffix(SUFFIX);

@@ -23,6 +23,7 @@ use super::{Runs, Status};
 /// Options of `check`.
 #[derive(Args)]
 pub(crate) struct Check {
+    /// Which scenes, and how they are drawn.
     #[command(flatten)]
     files: Files,
     /// Folder for the images expected · difference · actual of changed figures, and a page that shows all
@@ -48,11 +49,14 @@ pub(crate) struct Check {
 /// What `check` says of a scene.
 #[derive(Default)]
 struct Checked {
+    /// A finding for each file, in the order of the job.
     findings: Vec<Finding>,
+    /// What is said on standard error.
     messages: String,
 }
 
 impl Checked {
+    /// Adds a file that could not be checked, and why.
     fn fail(&mut self, file: &str, message: &str) {
         self.messages.push_str(message);
         let details = message.lines().take(1).map(str::to_owned).collect();
@@ -121,6 +125,7 @@ impl Check {
         Ok(())
     }
 
+    /// Says how many files have each state.
     fn conclude(&self, findings: &[Finding], console: &mut Console) -> io::Result<()> {
         if self.json {
             return console.out.write_all(json(findings).as_bytes());
@@ -135,6 +140,7 @@ impl Check {
         writeln!(console.out, "{}{accepted}", counts.join(", "))
     }
 
+    /// Writes the page, `JUnit` XML and the summary, those that are wanted.
     fn write_reports(&self, findings: &[Finding]) -> Result<(), String> {
         let write = |path: &Path, text: String| {
             write_whole(path, text.as_bytes()).map_err(|error| cant_write(path, &error))
@@ -154,6 +160,7 @@ impl Check {
         Ok(())
     }
 
+    /// Compares all files of a scene.
     fn compare_all(&self, job: &Job, drawn: Drawn) -> Checked {
         let mut checked = Checked::default();
         if drawn.failed {
@@ -172,6 +179,7 @@ impl Check {
         checked
     }
 
+    /// Compares a file with what lies in its place, and writes it where that is accepted.
     fn compare_one(&self, path: &Path, file: &Planned, encoded: &Encoded, checked: &mut Checked) {
         let name = path.display().to_string();
         let on_disk = match std::fs::read(path) {

@@ -9,13 +9,16 @@ use super::Status;
 
 /// Where a command writes.
 pub(crate) struct Console {
-    /// Results.
+    /// Standard output, for results.
     pub(crate) out: BufWriter<Stdout>,
+    /// Whether messages are coloured.
     ink: Ink,
+    /// Whether standard error is a terminal.
     on_terminal: bool,
 }
 
 impl Console {
+    /// The console of this process.
     pub(crate) fn new() -> Self {
         let on_terminal = io::stderr().is_terminal();
         // https://no-color.org: present and not empty, whatever its value.

@@ -57,9 +57,10 @@ pub(crate) struct Files {
     threads: Option<NonZeroUsize>,
 }
 
-/// Largest scale: a page of the usual size then has 2²⁵ dots.
+/// Largest scale: a page of the usual size then has 2²⁵ dots, half of what an image may have.
 const MAX_SCALE: f64 = 8.0;
 
+/// A scale as written on the command line.
 fn scale(text: &str) -> Result<f64, String> {
     let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
     let scale: f64 = text.parse().map_err(|_| expected())?;
@@ -69,13 +70,15 @@ fn scale(text: &str) -> Result<f64, String> {
 /// A theme of the house, or one from a file.
 #[derive(Clone)]
 struct ChosenTheme {
-    /// Its name; for a file its stem.
+    /// The word for it; for a file the stem of its name.
     name: String,
+    /// The colours.
     theme: Theme,
     /// What tells it apart in a hash: the name, or the file's text.
     key: String,
 }
 
+/// A theme as written on the command line: the word for one of the house, or a file.
 fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
     if let Some(known) = theme::find(text) {
         return Ok(ChosenTheme { name: text.to_owned(), theme: known.clone(), key: text.to_owned() });
@@ -90,8 +93,9 @@ fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
     Ok(ChosenTheme { name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), theme, key })
 }
 
-/// One file.
+/// One file, ready to be written.
 pub(crate) struct Encoded {
+    /// The file, byte for byte.
     pub(crate) bytes: Vec<u8>,
     /// What it shows; shared by the formats of a theme.
     pub(crate) drawing: Arc<Drawing>,
@@ -161,14 +165,17 @@ impl Files {
         })
     }
 
+    /// The theme of that name, where it was asked for.
     fn chosen(&self, name: Option<&str>) -> Option<&ChosenTheme> {
         self.theme.iter().find(|chosen| Some(chosen.name.as_str()) == name)
     }
 
+    /// The hash of a file's scene and of all that its bytes depend on besides.
     fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
         fingerprint(&file.source.text, &format.key(theme, &self.options()))
     }
 
+    /// The files of a scene, or the message of what is wrong.
     fn encoded(
         &self,
         job: &Job,
@@ -213,11 +220,13 @@ impl Files {
         Ok(files)
     }
 
+    /// What is asked of the formats.
     fn options(&self) -> Options {
         let png = PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png);
         Options { scale: self.scale, png: png.unwrap_or_default() }
     }
 
+    /// A drawing as a file.
     fn encode(&self, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
         let options = self.options();
         match format.write {
@@ -227,6 +236,7 @@ impl Files {
     }
 }
 
+/// Adds the messages of warnings.
 fn warn(file: &SceneFile, warnings: &[Problem], ink: Ink, messages: &mut String) {
     for warning in warnings {
         messages.push_str(&message(&file.source, warning, Severity::Warning, ink));
@@ -252,11 +262,12 @@ fn figure_id(job: &Job, planned: &Planned) -> String {
     bases.map(digit).iter().collect()
 }
 
+/// The message of a file that a format can't make.
 fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError) -> String {
     format!("error: can't write {} as {}: {error}\n", file.source.name, planned.format.name)
 }
 
-/// Keeps the first of equals.
+/// Takes out items whose key an earlier one has.
 fn dedup<T, K: PartialEq>(items: &mut Vec<T>, key: impl Fn(&T) -> K) {
     let mut seen = Vec::new();
     items.retain(|item| {

@@ -11,9 +11,9 @@ const DEFAULT_FOLDER: &str = "figures";
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Input {
-    /// Standard input.
+    /// From standard input.
     Stdin,
-    /// A file.
+    /// From a file of this name.
     File(PathBuf),
 }
 

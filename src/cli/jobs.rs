@@ -10,34 +10,39 @@ use super::inputs::Input;
 /// Where a file goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
-    /// Standard output.
+    /// To standard output.
     Stdout,
-    /// A file.
+    /// To a file of this name.
     File(PathBuf),
 }
 
 /// One file of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Planned {
-    /// None: the scene's own.
+    /// Name of the theme; `None` is the scene's own.
     pub(crate) theme: Option<String>,
+    /// What it is written as.
     pub(crate) format: &'static Format,
+    /// Where it goes.
     pub(crate) target: Target,
 }
 
 /// A scene and the files that it becomes.
 #[derive(Clone, Debug)]
 pub(crate) struct Job {
+    /// The scene.
     pub(crate) input: Input,
+    /// What it becomes, theme by theme.
     pub(crate) files: Vec<Planned>,
 }
 
 /// What is asked of every scene.
 pub(crate) struct Wanted<'w> {
-    /// None: beside the scene. `-` is standard output.
+    /// Where files go; `None` is beside the scene, `-` is standard output.
     pub(crate) folder: Option<&'w Path>,
-    /// None: the scene's own theme.
+    /// Names of themes; none is the scene's own.
     pub(crate) themes: &'w [String],
+    /// What each theme is written as.
     pub(crate) formats: &'w [&'static Format],
 }
 
@@ -69,6 +74,7 @@ pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, 
     Ok(jobs)
 }
 
+/// The files of one scene.
 fn files(input: &Input, wanted: &Wanted<'_>) -> Vec<Planned> {
     let themes: Vec<Option<&String>> =
         if wanted.themes.is_empty() { vec![None] } else { wanted.themes.iter().map(Some).collect() };
@@ -83,6 +89,7 @@ fn files(input: &Input, wanted: &Wanted<'_>) -> Vec<Planned> {
     files
 }
 
+/// Where a file of a scene goes.
 fn target(input: &Input, folder: Option<&Path>, theme: Option<&str>, extension: &str) -> Target {
     if folder.is_some_and(|f| f.as_os_str() == "-") {
         return Target::Stdout;
@@ -111,7 +118,7 @@ pub(crate) fn folders_of(jobs: &[Job]) -> BTreeSet<&Path> {
         .collect()
 }
 
-/// Two inputs with one output name.
+/// Refuses two inputs that would become one file.
 fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
     let mut first: BTreeMap<PathBuf, &Input> = BTreeMap::new();
     for job in jobs {
@@ -128,7 +135,7 @@ fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
     Ok(())
 }
 
-/// The same name for the same place, however its folder is written.
+/// A path that is the same for the same place, however its folder is written.
 fn one_name(path: &Path) -> PathBuf {
     let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());

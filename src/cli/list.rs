@@ -19,10 +19,13 @@ use super::{Runs, Status};
 
 /// A topic of `list`.
 struct Topic {
+    /// The word that asks for it.
     name: &'static str,
     /// A second word for it, shared with its neighbours.
     group: &'static str,
+    /// What stands above it where several are printed.
     title: &'static str,
+    /// Makes the lines: a word and what it means.
     rows: fn() -> Vec<(String, String)>,
 }
 
@@ -45,7 +48,7 @@ static TOPICS: &[Topic] = &[
     Topic { name: "figures", group: "", title: "Scenes in figures/", rows: figures },
 ];
 
-/// Not a table of lines but a JSON Schema, for editors; printed only when asked for.
+/// The topic that is no table of lines but a JSON Schema, for editors; printed only when asked for.
 const SCHEMA: &str = "schema";
 
 /// Every word that names topics.
@@ -88,7 +91,7 @@ impl Runs for List {
     }
 }
 
-/// Two columns, the first as wide as its widest entry.
+/// Adds two columns, the first as wide as its widest entry.
 fn columns(text: &mut String, rows: &[(String, String)], indent: &str) {
     let width = rows.iter().map(|(name, _)| name.chars().count()).max().unwrap_or(0);
     for (name, about) in rows {
@@ -144,6 +147,7 @@ fn fields() -> Vec<(String, String)> {
     rows
 }
 
+/// What an option takes, in words.
 fn takes(takes: Takes) -> String {
     match takes {
         Takes::Flag => "true or false".to_owned(),

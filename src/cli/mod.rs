@@ -41,22 +41,28 @@ enum Status {
 
 /// A row of the table of commands: what the parser, the man page and the completions know of a command.
 struct Command {
+    /// The word for it on the command line, and the name of its file.
     name: &'static str,
+    /// One line of help.
     about: &'static str,
+    /// Adds its options to a parser.
     args: fn(clap::Command) -> clap::Command,
+    /// Runs it with the options that were given.
     run: fn(&ArgMatches, &mut Console) -> io::Result<Status>,
 }
 
 /// A command: its options by `clap`, and what it does.
 trait Runs: Args {
-    /// Does it. An `Err` is a failure of standard output itself.
+    /// Runs the command. An `Err` is a failure of standard output itself.
     fn run(self, console: &mut Console) -> io::Result<Status>;
 }
 
+/// The row of a command.
 const fn row<T: Runs>(name: &'static str, about: &'static str) -> Command {
     Command { name, about, args: T::augment_args, run: run_as::<T> }
 }
 
+/// Runs a command with what the parser found.
 fn run_as<T: Runs>(matches: &ArgMatches, console: &mut Console) -> io::Result<Status> {
     match T::from_arg_matches(matches) {
         Ok(command) => command.run(console),

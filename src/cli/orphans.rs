@@ -32,6 +32,7 @@ pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
     found.into_iter().map(finding).collect()
 }
 
+/// The figures of ours in a folder.
 fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = folder.read_dir() else { return Vec::new() };
     let paths = entries.filter_map(|entry| entry.ok().map(|e| e.path()));

@@ -8,7 +8,7 @@ use std::sync::mpsc;
 use std::thread;
 
 /// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the
-/// items. A result is None where the work panicked: a bug, of which the others must not suffer.
+/// items. A result is `None` where the work panicked: a bug, of which the others must not suffer.
 ///
 /// # Errors
 /// The first error of `each`; the rest of the results are then dropped.
@@ -51,6 +51,7 @@ pub(crate) fn in_order<T: Sync, R: Send, E>(
     })
 }
 
+/// The next item that nobody works on.
 fn take<'i, T>(items: &'i [T], next: &AtomicUsize) -> Option<(usize, &'i T)> {
     let i = next.fetch_add(1, Ordering::Relaxed);
     items.get(i).map(|item| (i, item))

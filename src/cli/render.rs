@@ -17,6 +17,7 @@ use super::{Runs, Status};
 /// Options of `render`.
 #[derive(Args)]
 pub(crate) struct Render {
+    /// Which scenes, and how they are drawn.
     #[command(flatten)]
     files: Files,
     /// Folder for the files, made if it is not there; `-` is standard output; default: beside each scene
@@ -36,8 +37,9 @@ pub(crate) struct Render {
 /// A share of the scenes.
 #[derive(Clone, Copy, Debug)]
 struct Partition {
-    /// From 1.
+    /// Number of the share, from 1.
     share: usize,
+    /// How many shares there are.
     of: usize,
 }
 
@@ -119,22 +121,28 @@ impl Runs for Render {
 struct Written {
     /// For standard output: the names of the files, or the one file itself.
     results: Vec<u8>,
+    /// What is said on standard error.
     messages: String,
+    /// Whether a file is not what it should be.
     failed: bool,
+    /// Where the time went.
     timings: Timings,
 }
 
 impl Written {
+    /// A job of which nothing was written and nothing is to be said.
     fn nothing() -> Self {
         Self { results: Vec::new(), messages: String::new(), failed: false, timings: Timings::start() }
     }
 
+    /// A job whose drawing panicked.
     fn bug(job: &Job) -> Self {
         let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.name());
         Self { messages, failed: true, ..Self::nothing() }
     }
 }
 
+/// Writes the files of a job.
 fn write_files(job: &Job, drawn: Drawn) -> Written {
     let Drawn { files, messages, failed, timings } = drawn;
     let mut written = Written { messages, failed, timings, ..Written::nothing() };
@@ -154,6 +162,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
     written
 }
 
+/// The message of a file that can't be written.
 pub(super) fn cant_write(path: &Path, error: &io::Error) -> String {
     format!("error: can't write {}: {error}\n", path.display())
 }

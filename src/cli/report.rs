@@ -28,7 +28,7 @@ pub(crate) struct Report {
     quick: bool,
 }
 
-/// A `--quick` batch and how many there are; the usual ones are in [`Effort`].
+/// How long `--quick` measures: a fifth of the default of [`Effort`].
 const QUICK: Effort = Effort { batch: Duration::from_millis(1), batches: 3 };
 
 impl Runs for Report {
@@ -70,7 +70,7 @@ impl Runs for Report {
     }
 }
 
-/// Becomes true at the first Ctrl-C.
+/// A flag that becomes true at the first Ctrl-C.
 fn stopped_by_ctrl_c(console: &Console) -> Arc<AtomicBool> {
     let stop = Arc::new(AtomicBool::new(false));
     let heard = Arc::clone(&stop);
@@ -80,6 +80,7 @@ fn stopped_by_ctrl_c(console: &Console) -> Arc<AtomicBool> {
     stop
 }
 
+/// A bar where someone watches.
 fn progress(console: &Console) -> ProgressBar {
     if !console.is_watched() {
         return ProgressBar::hidden();

@@ -32,6 +32,7 @@ impl Runs for Solve {
 }
 
 impl Solve {
+    /// Answers scene by scene.
     fn each(&self, console: &mut Console) -> io::Result<Status> {
         let inputs = match inputs(&self.scenes) {
             Ok(inputs) => inputs,
@@ -52,10 +53,12 @@ impl Solve {
     }
 }
 
+/// The answer to a scene as a line of JSON.
 fn json(name: &str, file: &SceneFile) -> serde_json::Value {
     serde_json::json!({ "scene": name, "result": answer_json(file.scene.query.kind, &solve(&file.scene)) })
 }
 
+/// The answer to a scene for people.
 fn text(name: &str, file: &SceneFile) -> String {
     let query = &file.scene.query;
     let names: Vec<_> =

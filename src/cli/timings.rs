@@ -3,15 +3,17 @@
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// Stages in the order in which they first ended.
+/// How long each stage of the work took, in the order in which the stages first ended.
 #[derive(Clone, Debug)]
 pub(crate) struct Timings {
+    /// When the last stage ended.
     last: Instant,
+    /// How long each stage took in all.
     stages: Vec<(&'static str, Duration)>,
 }
 
 impl Timings {
-    /// The clock starts.
+    /// A clock that starts now, with no stage yet.
     pub(crate) fn start() -> Self {
         Self { last: Instant::now(), stages: Vec::new() }
     }
@@ -23,7 +25,7 @@ impl Timings {
         self.last = now;
     }
 
-    /// Adds the stages of another.
+    /// Adds the stages of another clock.
     pub(crate) fn add(&mut self, other: &Self) {
         for &(stage, time) in &other.stages {
             self.put(stage, time);

@@ -2,7 +2,20 @@
 
 use crate::drawing::{Drawing, Group, Item, Rect};
 
-/// Names of the innermost groups that reach into the area, in painting order, each once.
+/// Names of the innermost groups that reach into an area of the page (pixels, y down), in painting order,
+/// each once.
+///
+/// ```
+/// use tracefig::{drawing::Rect, drift::elements_in, figure::{draw, plan}, scene::open_text};
+/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\n\
+///             [[panels]]\nlayers = ['shapes']";
+/// let file = open_text("s.toml", text)?;
+/// let plan = plan(&file.scene).unwrap();
+/// let drawing = draw(&plan, plan.theme, "f").drawing;
+/// let page = Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height };
+/// assert!(elements_in(&drawing, page).contains(&"body-A".to_owned()));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
 #[must_use]
 pub fn elements_in(drawing: &Drawing, area: Rect) -> Vec<String> {
     let mut names = Vec::new();

@@ -1,10 +1,11 @@
 //! Whether a figure is still what lies on disk, and if not, where it differs.
 //!
-//! A [`Rendered`] file is compared with the bytes that are there. Each [`Format`] says how its files are read again: an
-//! image is compared by its pixels, and so is a page of outlines, which is drawn; other files are texts, of which the
-//! first differing line is said. Where pixels differ there is a picture of *expected · difference · actual*. What both
-//! files say of themselves (a [`Stamp`]) tells whether the scene changed or what tracefig makes of it, and which numbers
-//! moved; two pages of outlines also tell which of their elements did.
+//! A [`Rendered`] file is compared with the bytes that are there. Each [`Format`] says how its files are read
+//! again: an image is compared by its pixels, and so is a page of outlines, which is drawn; other files are
+//! texts, of which the first differing line is said. Where pixels differ there is a picture of *expected ·
+//! difference · actual*. What both files say of themselves (a [`Stamp`]) tells whether the scene changed or
+//! what tracefig makes of it, and which numbers moved; two pages of outlines also tell which of their
+//! elements did.
 
 mod elements;
 mod moved;
@@ -38,11 +39,11 @@ pub struct Rendered<'b> {
 /// What became of a figure's file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum State {
-    /// The same bytes.
+    /// What lies there has the same bytes.
     Identical,
-    /// Other bytes, of the same scene and options.
+    /// The bytes differ, though scene and options are the same: tracefig draws otherwise now.
     Changed(Change),
-    /// Other bytes, and the scene or the options have changed since.
+    /// The bytes differ, and the scene or the options have changed since.
     Stale(Change),
     /// There is no file.
     Missing,
@@ -61,8 +62,8 @@ pub enum Change {
         pixels: Option<PixelDrift>,
         /// The first difference of their texts.
         line: LineDrift,
-        /// Largest difference of a colour of their style sheets, in levels of 255; `None` where anything else that is
-        /// read or followed, title, description or rule, is another one.
+        /// Largest difference of a colour of their style sheets, in levels of 255; `None` where anything else
+        /// that is read or followed, title, description or rule, is another one.
         sheet: Option<u8>,
     },
     /// Texts that are no pictures of ours; their first difference.
@@ -75,7 +76,12 @@ pub enum Change {
 }
 
 impl Change {
-    /// How the pixels differ, where they are known to.
+    /// How the pixels differ; `None` where they do not, or where the files are no pictures.
+    ///
+    /// ```
+    /// use tracefig::drift::Change;
+    /// assert_eq!(Change::Packing.pixels(), None);
+    /// ```
     #[must_use]
     pub fn pixels(&self) -> Option<&PixelDrift> {
         match self {
@@ -85,7 +91,14 @@ impl Change {
         }
     }
 
-    /// Whether no channel of a pixel differs by more than so many levels. What is no picture of ours is within none.
+    /// Whether no channel of a pixel differs by more than `tolerance` levels of 255. What is no picture of
+    /// ours is within no tolerance, and other bytes are not within 0.
+    ///
+    /// ```
+    /// use tracefig::drift::Change;
+    /// assert!(!Change::Packing.is_within(0) && Change::Packing.is_within(1));
+    /// assert!(!Change::Bytes { at: 3 }.is_within(255));
+    /// ```
     #[must_use]
     pub fn is_within(&self, tolerance: u8) -> bool {
         match self {
@@ -101,7 +114,7 @@ impl Change {
 }
 
 impl State {
-    /// Its word: "identical", "changed", "stale" or "missing".
+    /// The state's word: "identical", "changed", "stale" or "missing".
     ///
     /// ```
     /// use tracefig::{drift::{Rendered, State, compare}, output::format};
@@ -145,8 +158,8 @@ pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
     }
 }
 
-/// What moved between two files of a figure, of one format, in words: numbers of the answer and of the trace, then what
-/// is seen. Empty where they do not say.
+/// What moved between two files of a figure, of one format, in words: numbers of the answer and of the trace,
+/// then what is seen. Empty where they do not say.
 ///
 /// ```
 /// use tracefig::{drift::{metadata, what_moved}, output::format};

@@ -6,7 +6,7 @@ use serde_json::{Map, Value};
 
 use super::shown::{Told, events};
 
-/// Lines at most; the rest is counted.
+/// Lines that are said at most; the rest is counted. A reader takes in a screen, of which a figure gets half.
 const MAX_LINES: usize = 12;
 
 /// What an event tells of, where its name does not say it well.
@@ -59,10 +59,13 @@ pub(super) fn limited(mut lines: Vec<String>, most: usize) -> Vec<String> {
 
 /// An event with what it tells of, in words that no other event of the same trace has.
 struct Subject {
+    /// What it is, as "difference edge 3 of B at t = 0.5".
     words: String,
+    /// The numbers and words of the event, by name.
     fields: Map<String, Value>,
 }
 
+/// Events with what they tell of; the moment is said where it is not the start.
 fn subjects(trace: &Value) -> Vec<Subject> {
     let (mut when, mut all) = (String::new(), Vec::<Subject>::new());
     for told in events(trace) {
@@ -82,7 +85,7 @@ fn subjects(trace: &Value) -> Vec<Subject> {
     all
 }
 
-/// "difference edge 3 of B", "support vertex of A", "step 2".
+/// What an event tells of: "difference edge 3 of B", "support vertex of A", "step 2".
 fn subject(told: &Told) -> String {
     let noun = NOUNS.iter().find(|(event, _)| *event == told.event);
     let mut words = noun.map_or_else(|| told.event.replace('-', " "), |(_, noun)| (*noun).to_owned());
@@ -106,6 +109,7 @@ fn subject(told: &Told) -> String {
     words
 }
 
+/// Adds a line for each event that is new, gone or has other numbers.
 fn of_events(old: &[Subject], new: &[Subject], lines: &mut Vec<String>) {
     let find = |all: &[Subject], words: &str| all.iter().position(|s| s.words == words);
     for event in new {
@@ -129,11 +133,15 @@ fn of_events(old: &[Subject], new: &[Subject], lines: &mut Vec<String>) {
 
 /// A value that is another one now.
 struct Difference {
+    /// Where it stands, as "features B".
     path: String,
+    /// What it was, as a reader would write it.
     old: String,
+    /// What it is now.
     new: String,
 }
 
+/// Adds every innermost value that differs, with its path.
 fn differences(path: &str, old: &Value, new: &Value, found: &mut Vec<Difference>) {
     let inner = |key: &str| match (path, key) {
         ("", "vertices") => String::new(),
@@ -171,7 +179,7 @@ fn differences(path: &str, old: &Value, new: &Value, found: &mut Vec<Difference>
     }
 }
 
-/// A point, an interval: said as a whole.
+/// Whether a list is a point or an interval, which is said as a whole.
 fn is_point(items: &[Value]) -> bool {
     items.len() <= 4 && items.iter().all(Value::is_number)
 }
@@ -190,6 +198,7 @@ fn shown(value: &Value) -> String {
     }
 }
 
+/// A number in six digits.
 fn number(v: f64) -> String {
     let short: f64 = format!("{v:.5e}").parse().unwrap_or(v);
     serde_json::json!(short).to_string()

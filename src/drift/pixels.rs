@@ -12,14 +12,14 @@ pub struct PixelDrift {
     pub expected_size: (u32, u32),
     /// Width and height of the new one.
     pub actual_size: (u32, u32),
-    /// Pixels that differ, of those that both have.
+    /// How many pixels differ, of those that both images have.
     pub changed: u64,
-    /// Pixels that differ by more than each of [`TOLERANCES`].
+    /// How many pixels differ by more than each of [`TOLERANCES`].
     pub beyond: [u64; TOLERANCES.len()],
     /// Largest difference of a channel, of 255.
     pub worst: u8,
-    /// Left, top, right, bottom of the changed area in pixels, right and bottom not included; None where only the
-    /// size changed.
+    /// Left, top, right, bottom of the changed area in pixels, right and bottom not included; `None` where
+    /// only the size changed.
     pub area: Option<[u32; 4]>,
 }
 
@@ -27,7 +27,16 @@ pub struct PixelDrift {
 pub const TOLERANCES: [u8; 6] = [0, 1, 2, 4, 8, 16];
 
 impl PixelDrift {
-    /// How many pixels would differ under each tolerance: `tolerance 0: 12 pixels, 1: 3, 2: 0, …`.
+    /// How many pixels would still differ under each of [`TOLERANCES`], in a line for people.
+    ///
+    /// ```
+    /// use tracefig::drift::PixelDrift;
+    /// let (size, beyond) = ((9, 5), [12, 3, 0, 0, 0, 0]);
+    /// let drift = PixelDrift {
+    ///     expected_size: size, actual_size: size, changed: 12, beyond, worst: 2, area: Some([0, 0, 4, 3]),
+    /// };
+    /// assert!(drift.under_tolerances().starts_with("pixels beyond a tolerance of 0: 12, 1: 3, 2: 0"));
+    /// ```
     #[must_use]
     pub fn under_tolerances(&self) -> String {
         let each: Vec<_> = TOLERANCES.iter().zip(self.beyond).map(|(t, n)| format!("{t}: {n}")).collect();
@@ -35,8 +44,7 @@ impl PixelDrift {
     }
 
     /// Whether the images have one size and no channel differs by more than `tolerance` levels.
-    #[must_use]
-    pub fn is_within(&self, tolerance: u8) -> bool {
+    pub(super) fn is_within(&self, tolerance: u8) -> bool {
         self.expected_size == self.actual_size && self.worst <= tolerance
     }
 }
@@ -61,15 +69,15 @@ pub const TRIPTYCH_FORMAT: &Format = &IMAGE;
 /// Grey columns between the three pictures of a [`triptych`].
 const GAP: u32 = 16;
 
-/// How dark an unchanged pixel stays in the difference picture, out of 255: enough to recognise the figure. At twice it
-/// competes with the marks; at half a thin line is gone.
+/// How dark an unchanged pixel stays in the difference picture, out of 255: enough to recognise the figure.
+/// At twice it competes with the marks; at half a thin line is gone.
 const FADED: u32 = 60;
 
 /// The colour of a pixel that differs, a pink that no theme has.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
-/// The pixels of a picture; outlines are drawn at `scale` pixels for a page pixel. `None` where that is more than an
-/// image may have.
+/// The pixels of a picture; outlines are drawn at `scale` pixels for a page pixel. `None` where that is more
+/// than an image may have.
 pub(super) fn image(picture: &Picture, scale: f64) -> Option<Pixels> {
     match picture {
         Picture::Pixels(pixels) => Some(pixels.clone()),
@@ -116,9 +124,10 @@ pub(super) fn drift(old: &Pixels, new: &Pixels) -> Option<PixelDrift> {
     })
 }
 
-/// An image of expected · difference · actual beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the new image
-/// faded, with every pixel that differs marked. `expected` and `actual` are files of one format; outlines are drawn at
-/// `scale` pixels for a page pixel. `None` where a file can't be read as a picture, or where no pixel differs.
+/// An image of expected · difference · actual beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the
+/// new image faded, with every pixel that differs marked. `expected` and `actual` are files of one format;
+/// outlines are drawn at `scale` pixels for a page pixel. `None` where a file can't be read as a picture, or
+/// where no pixel differs.
 ///
 /// ```
 /// use tracefig::{drift::triptych, output::format};

@@ -1,8 +1,9 @@
 //! The events that a figure shows, as tables: what its metadata keeps of the trace.
 //!
-//! Events of one kind that follow one another share a table, `["difference-edge-found", ["source", "edge", …], ["A", 0, …],
-//! ["B", 2, …]]`: the name, the fields, then a row for each. A later table of the same kind has null for the fields. Numbers have six digits, which is more than a picture shows, so
-//! a figure does not drift when an algorithm's last bit does.
+//! Events of one kind that follow one another share a table,
+//! `["difference-edge-found", ["source", "edge", …], ["A", 0, …], ["B", 2, …]]`: the name, the fields, then a
+//! row for each. A later table of the same kind has null for the fields. Numbers have six digits, which is
+//! more than a picture shows, so a figure does not drift when an algorithm's last bit does.
 
 use serde_json::{Map, Value, json};
 
@@ -11,13 +12,13 @@ use crate::trace::Event;
 /// An event that was shown.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Told {
-    /// As "difference-edge-found".
+    /// Name of the kind of event, as "difference-edge-found".
     pub(super) event: String,
-    /// Its fields by name.
+    /// What it says, by name of the field.
     pub(super) fields: Map<String, Value>,
 }
 
-/// The tables, as many rows as fit into so many bytes, and how many rows they are.
+/// The tables as JSON, as many rows as fit into `room` bytes, and how many rows they are.
 pub(super) fn tables(events: &[&Event], room: usize) -> (String, usize) {
     let (mut out, mut rows) = (String::from("["), 0);
     // The kinds so far, each with its fields, and the one whose table is open.
@@ -53,7 +54,7 @@ pub(super) fn tables(events: &[&Event], room: usize) -> (String, usize) {
     (out, rows)
 }
 
-/// Numbers in six digits, whole ones without a point.
+/// A value with its numbers in six digits, whole ones without a point.
 fn rounded(value: Value) -> Value {
     match value {
         Value::Number(n) if n.is_f64() => match n.as_f64().and_then(six_digits) {
@@ -72,7 +73,7 @@ fn six_digits(v: f64) -> Option<f64> {
     format!("{v:.5e}").parse().ok()
 }
 
-/// The events of tables; what is none is passed over.
+/// The events that tables hold; what is no table is passed over.
 pub(super) fn events(trace: &Value) -> Vec<Told> {
     let (mut all, mut known) = (Vec::new(), Map::new());
     for table in trace.as_array().into_iter().flatten() {

@@ -1,8 +1,9 @@
-//! What a figure's file says of itself: the hash of its scene and options, the answer, the events that it shows.
+//! What a figure's file says of itself: the hash of its scene and options, the answer, the events that it
+//! shows.
 //!
-//! A format carries all of it or the hash alone. Written when a figure is drawn and read when it is compared, it tells a
-//! figure whose scene has changed since (*stale*) from one that tracefig draws otherwise now (*changed*), and what moved
-//! in words.
+//! A format carries all of it or the hash alone. Written when a figure is drawn and read when it is compared,
+//! it tells a figure whose scene has changed since (*stale*) from one that tracefig draws otherwise now
+//! (*changed*), and what moved in words.
 
 use serde_json::{Value, json};
 
@@ -15,11 +16,12 @@ use crate::trace::Event;
 /// The tracefig that drew a figure.
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// Version of the metadata's format.
+/// Version of the metadata's format, in every file.
 pub const STAMP_FORMAT: u32 = 2;
 
-/// Largest metadata of a figure, in bytes. Tuned on the committed figures: they have 20 to 40 kB, of which metadata at
-/// most 6 kB. At half the trace of that one would be cut; at twice a long trace could take a third of a file.
+/// Largest metadata of a figure, in bytes. Tuned on the committed figures: they have 20 to 40 kB, of which
+/// metadata at most 6 kB. At half the trace of that one would be cut; at twice a long trace could take a
+/// third of a file.
 const MAX_BYTES: usize = 8_000;
 
 /// Bytes of [`MAX_BYTES`] that are kept for version, hash and counts.
@@ -36,8 +38,9 @@ pub struct Stamp {
     pub facts: Option<Value>,
 }
 
-/// Hash of a scene's text and of the options that its bytes depend on: 32 hexadecimal digits of FNV-1a (Fowler, Noll,
-/// Vo, IETF draft-eastlake-fnv) in 128 bits. It finds changes; it does not withstand someone who looks for a clash.
+/// Hash of a scene's text and of the options that its bytes depend on: 32 hexadecimal digits of FNV-1a
+/// (Fowler, Noll, Vo, IETF draft-eastlake-fnv) in 128 bits. It finds changes; it does not withstand someone
+/// who looks for a clash.
 ///
 /// ```
 /// use tracefig::drift::fingerprint;
@@ -66,8 +69,20 @@ pub fn text_chunk(hash: &str) -> String {
     format!("{hash} {VERSION}")
 }
 
-/// The part of the metadata that all files of a drawn scene share: the question, the answer, how many events the trace
-/// has, how many of them the figure shows, and those.
+/// The part of the metadata that all files of a drawn scene share: the question, the answer, how many events
+/// the trace has, how many of them the figure shows, and those. Which are shown is known once the plan was
+/// drawn.
+///
+/// ```
+/// use tracefig::{drift::facts, figure::{draw, plan}, scene::open_text};
+/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\n\
+///             [[panels]]\nlayers = ['shapes']";
+/// let file = open_text("s.toml", text)?;
+/// let plan = plan(&file.scene).unwrap();
+/// let _ = draw(&plan, plan.theme, "f");
+/// assert!(facts(&plan).contains(r#""answer":{"kind":"bounds""#));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
 #[must_use]
 pub fn facts(plan: &Plan<'_>) -> String {
     let (query, own) = (&plan.scene.query, plan.own_run());
@@ -84,7 +99,7 @@ pub fn facts(plan: &Plan<'_>) -> String {
     format!("{head},\"trace\":{trace}")
 }
 
-/// The metadata of one file.
+/// The metadata of one file: the [`fingerprint`] of its scene and options, and the [`facts`] of the scene.
 ///
 /// ```
 /// let text = tracefig::drift::metadata("00ff", "\"answer\":null");
@@ -97,13 +112,15 @@ pub fn metadata(hash: &str, facts: &str) -> String {
 }
 
 impl Stamp {
-    /// Whether this tracefig drew the file, of a scene and options with this hash.
+    /// Whether this version of tracefig drew the file, of a scene and options with this hash; see
+    /// [`Stamp::read`].
     #[must_use]
     pub fn is_of(&self, hash: &str) -> bool {
         self.hash == hash && self.version == VERSION
     }
 
-    /// What a file of a format says of itself; `None` where it is none of ours, or the format has no place for it.
+    /// What a file of a format says of itself; `None` where it is none of ours, or the format has no place
+    /// for it.
     ///
     /// ```
     /// use tracefig::{drift::{Stamp, metadata}, output::format};

@@ -96,7 +96,8 @@ fn every_figure_of_every_theme_is_read_again_as_what_it_shows() {
             // Coordinates are rounded to hundredths, so pixels along edges differ by some levels.
             let mean = levels_apart(&drawing, &again, 0.25);
             assert!(mean < 0.1, "{place}: {mean}");
-            // Once texts are outlines, names those of ids and widths of halos rounded, another round loses nothing.
+            // Once texts are outlines, names those of ids and widths of halos rounded, another round loses
+            // nothing.
             let round = |drawing: &Drawing| shown_by(&written(drawing)).unwrap();
             let twice = round(&again);
             assert_eq!(seen(&twice, &round(&twice)), Vec::<String>::new(), "{place}");

@@ -15,13 +15,13 @@ pub struct LineDrift {
     pub actual: String,
 }
 
-/// Characters that are shown of each line.
+/// Characters that are shown of each line: two quotes of this length fit a terminal's line or two.
 const SHOWN: usize = 60;
 
-/// Characters before the difference that are shown with it.
+/// Characters before the difference that are shown with it, enough for the name of an attribute.
 const BEFORE: usize = 12;
 
-/// None where the texts are the same.
+/// The first difference of two texts; `None` where they are the same.
 pub(super) fn drift(old: &str, new: &str) -> Option<LineDrift> {
     let (mut old_lines, mut new_lines) = (old.split_inclusive('\n'), new.split_inclusive('\n'));
     for line in 1.. {

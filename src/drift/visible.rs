@@ -1,19 +1,21 @@
 //! What moved that a reader sees, in words: two drawings, element by element.
 //!
-//! Elements are the innermost named groups, and are found again by their names. The same change of several elements is
-//! one line: another theme is a line for each colour, not for each stroke.
+//! Elements are the innermost named groups, and are found again by their names. The same change of several
+//! elements is one line: another theme is a line for each colour, not for each stroke.
 
 use super::moved::limited;
 use super::text;
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Segment};
 
-/// Lines at most; the rest is counted.
+/// Lines that are said at most; the rest is counted. They stand below those of [`moved`](super::moved).
 const MAX_LINES: usize = 12;
 
-/// Names of elements in a line; the rest is counted.
+/// Names of elements that a line has at most; the rest is counted. Six fill a line of a terminal.
 const MAX_NAMES: usize = 6;
 
-/// Page pixels that numbers in a file are rounded by.
+/// How far a point may lie from where it was and still count as unmoved, in page pixels: numbers in a file
+/// are rounded to hundredths, by 0.005 each, in a point of two additions. At half, rounding is told as a
+/// move; at twice, a move that shows in two pixels is not.
 const ROUNDED: f64 = 0.015;
 
 /// Differences of what two drawings show: `body-B: moved by (12, 0) px`.
@@ -45,9 +47,13 @@ pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
 
 /// A named group with what stands in it and in no inner one.
 struct Element<'d> {
+    /// The group's name, and the panel that it is in.
     name: String,
+    /// Accessible name.
     label: Option<&'d str>,
+    /// Opacity of the group as a whole.
     opacity: f64,
+    /// What is drawn in it, in painting order.
     paths: Vec<&'d Path>,
 }
 
@@ -170,6 +176,7 @@ fn points(contour: &Contour, kinds: &mut String) -> Vec<Point> {
 /// What is different, each with the elements in which it is.
 #[derive(Default)]
 struct Changes {
+    /// A change in words, and the names of the elements that it happened to.
     all: Vec<(String, Vec<String>)>,
 }
 
@@ -219,7 +226,7 @@ fn hex(Color { r, g, b }: Color) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// To hundredths, as the file has it.
+/// A number to hundredths, as the file has it.
 fn decimals(v: f64) -> f64 {
     (100.0 * v).round() / 100.0 + 0.0
 }

@@ -26,7 +26,7 @@ pub(crate) use svg::read::sheets_apart;
 /// A row in the table of formats.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
-    /// Its word on the command line, and the end of its files' names.
+    /// The word for it on the command line, and the end of its files' names.
     pub name: &'static str,
     /// One line for `tracefig list`.
     pub about: &'static str,
@@ -54,11 +54,11 @@ pub enum Writer {
 /// option.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Depends {
-    /// None of them: a page of outlines has no pixels.
+    /// On none of them: a page of outlines has no pixels.
     Page,
-    /// The scale.
+    /// On the scale.
     Pixels,
-    /// The scale, and how the pixels are packed.
+    /// On the scale, and on how the pixels are packed.
     Packing,
 }
 
@@ -86,7 +86,7 @@ pub(crate) enum Stamped {
 /// What a file shows, ready to be compared.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Picture {
-    /// An image.
+    /// An image in memory.
     Pixels(Pixels),
     /// A page of outlines.
     Drawing {
@@ -161,7 +161,7 @@ pub enum PngEffort {
     /// Milliseconds a figure.
     #[default]
     Fast,
-    /// As small as is worth tenths of a second.
+    /// Tenths of a second a figure, for a file that is much smaller.
     Small,
 }
 
@@ -169,7 +169,7 @@ impl PngEffort {
     /// Every effort, the least first.
     pub const ALL: [Self; 2] = [Self::Fast, Self::Small];
 
-    /// Its word on the command line: "fast" or "small".
+    /// The word for it on the command line: "fast" or "small".
     ///
     /// ```
     /// use tracefig::output::PngEffort;

@@ -11,9 +11,11 @@ use std::sync::LazyLock;
 /// An exact answer as an unevaluated sum hi + lo.
 type TwoDoubles = [f64; 2];
 
+/// The file, by workload and number of the case.
 static ANSWERS: LazyLock<BTreeMap<(&str, usize), Option<TwoDoubles>>> =
     LazyLock::new(|| include_str!("answers.tsv").lines().filter_map(line).collect());
 
+/// A line of the file; `None` where it is none.
 fn line(line: &'static str) -> Option<((&'static str, usize), Option<TwoDoubles>)> {
     let mut fields = line.split('\t');
     let key = (fields.next()?, fields.next()?.parse().ok()?);
@@ -24,7 +26,7 @@ fn line(line: &'static str) -> Option<((&'static str, usize), Option<TwoDoubles>
     Some((key, answer))
 }
 
-/// The exact answer of a case; None for a miss.
+/// The exact answer of a case; `None` for a miss.
 pub(super) fn exact(workload: &str, index: usize) -> Option<TwoDoubles> {
     ANSWERS.get(&(workload, index)).copied().flatten()
 }

@@ -15,35 +15,36 @@ pub enum Outcome {
     Undecided,
 }
 
-/// A query that is ready to run, with how many steps it took last time where the contender counts them.
+/// A query that is ready to run.
 pub struct Prepared<'c> {
     /// Runs the query once.
     pub ask: Box<dyn FnMut() -> Outcome + 'c>,
-    /// Distance queries or iterations of one run, where they are counted.
+    /// How many distance queries or iterations one run takes, where the contender counts them.
     pub steps: Option<Box<dyn Fn() -> usize + 'c>>,
 }
 
 /// What stands ready before the clock starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Preparation {
-    /// Shapes, poses, cosines and sines.
+    /// Shapes, poses, cosines and sines stand ready; the query finds features, times and contacts.
     Prepared,
-    /// Only the scene's numbers; pose, cosine and sine are part of the query.
+    /// Nothing but the scene's numbers; pose, cosine and sine are part of the query.
     FromScene,
 }
 
 /// A solver, ours or a peer's.
 pub trait Contender {
-    /// Name in tables and plots.
+    /// The name in tables and plots.
     fn name(&self) -> &str;
 
-    /// What its numbers are: `f64, certified`, `f32`.
+    /// What the contender's numbers are: `f64, certified`, `f32`.
     fn precision(&self) -> &str;
 
-    /// Tolerances to try, coarse to fine, for this question; one entry where it has none.
+    /// Tolerances to try for this question, coarse to fine, in world units; one entry of 0 where the
+    /// contender has none, no entry where it does not answer the question.
     fn tolerances(&self, kind: QueryKind) -> Vec<f64>;
 
-    /// Makes a query ready, or None for what this contender does not take.
+    /// Makes a query ready; `None` for what this contender does not take.
     fn prepare<'c>(
         &'c self,
         case: &'c Case,

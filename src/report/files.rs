@@ -17,6 +17,15 @@ use super::{Report, json, markdown, plots};
 /// # Errors
 ///
 /// What the file system says, or that a plot can't be drawn.
+///
+/// ```
+/// use tracefig::report::{Report, write};
+/// let folder = tempfile::tempdir()?;
+/// let report = Report { machine: vec![], rows: vec![], partial: true };
+/// let files = write(&report, folder.path())?;
+/// assert_eq!(files, ["report.md", "report.json"].map(|name| folder.path().join(name)));
+/// # Ok::<(), std::io::Error>(())
+/// ```
 pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
     fs::create_dir_all(folder)?;
     let mut files = Vec::new();
@@ -42,7 +51,12 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
 }
 
 /// What this program runs on: processor, system, version, and the commit where it runs in a checkout of
-/// itself.
+/// itself. Each with the word for it.
+///
+/// ```
+/// let facts = tracefig::report::machine();
+/// assert!(facts.iter().any(|(what, _)| what == "processor"));
+/// ```
 #[must_use]
 pub fn machine() -> Vec<(String, String)> {
     let mut facts = vec![
@@ -56,12 +70,14 @@ pub fn machine() -> Vec<(String, String)> {
     facts
 }
 
+/// The name of the processor, where the system tells it.
 fn processor() -> Option<String> {
     let text = fs::read_to_string("/proc/cpuinfo").ok()?;
     let line = text.lines().find(|line| line.starts_with("model name"))?;
     Some(line.split_once(':')?.1.trim().to_owned())
 }
 
+/// The commit of the checkout that this runs in, where it is one of tracefig.
 fn commit() -> Option<String> {
     let manifest = fs::read_to_string("Cargo.toml").or_else(|_| fs::read_to_string("../Cargo.toml")).ok()?;
     manifest.contains("name = \"tracefig").then_some(())?;

@@ -12,9 +12,9 @@ use super::workload::{Case, Class, Difficulty, Workload};
 /// How long to measure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Effort {
-    /// A batch lasts at least this long.
+    /// How long a batch lasts at least: long enough that the clock's grain, some 30 ns, does not matter.
     pub batch: Duration,
-    /// Batches; the fastest counts.
+    /// How many batches there are, of which the fastest counts.
     pub batches: usize,
 }
 
@@ -31,36 +31,47 @@ pub struct Row {
     pub class: Class,
     /// How hard they are.
     pub difficulty: Difficulty,
-    /// Corners of each polygon.
-    pub corners: usize,
+    /// Vertices of each polygon.
+    pub vertices: usize,
     /// Name of the contender.
     pub contender: String,
-    /// Its precision.
+    /// What the contender's numbers are, as `f64, certified`.
     pub precision: String,
     /// What stood ready before the clock started.
     pub preparation: Preparation,
-    /// Its tolerance, world units.
+    /// Tolerance asked for, in world units; 0 where it has none.
     pub tolerance: f64,
-    /// Nanoseconds per query, the fastest batch.
+    /// Nanoseconds per query, in the fastest batch.
     pub nanoseconds: f64,
     /// Largest error over the cases, relative to S for separations; for times of impact in units of t.
     pub worst_error: f64,
-    /// Median error.
+    /// Median error, in the units of the worst.
     pub median_error: f64,
     /// Mean number of steps, where they are counted.
     pub steps: Option<f64>,
-    /// Cases answered.
+    /// How many cases were answered.
     pub answered: usize,
-    /// Cases with the wrong verdict: a hit for a miss, a miss for a hit, apart for overlapping.
+    /// How many cases have the wrong verdict: a hit for a miss, a miss for a hit, apart for overlapping.
     pub wrong: usize,
-    /// Cases that the contender left undecided.
+    /// How many cases the contender left undecided.
     pub undecided: usize,
-    /// Cases of the workload.
+    /// How many cases the workload has.
     pub cases: usize,
 }
 
 /// Runs every contender on every workload. `progress` hears (done, of) and a name before each row and says
 /// whether to go on; when it does not, the report holds what is finished.
+///
+/// ```
+/// use std::time::Duration;
+/// use tracefig::report::{Contender, Effort, contenders, run, workloads};
+/// let (workloads, ours) = (workloads(), contenders());
+/// let ours: Vec<&dyn Contender> = ours.iter().map(AsRef::as_ref).collect();
+/// let effort = Effort { batch: Duration::ZERO, batches: 1 };
+/// let mut rows = 0;
+/// let report = run(&workloads[..1], &ours, effort, vec![], &mut |_, _, _| { rows += 1; rows < 3 });
+/// assert!(report.partial && report.rows.iter().all(|row| row.wrong == 0));
+/// ```
 pub fn run(
     workloads: &[Workload],
     contenders: &[&dyn Contender],
@@ -80,10 +91,15 @@ pub fn run(
     report
 }
 
+/// What becomes one row.
 struct Job<'a> {
+    /// The cases.
     workload: &'a Workload,
+    /// Who is asked.
     contender: &'a dyn Contender,
+    /// The tolerance that is asked for, in world units.
     tolerance: f64,
+    /// What stands ready before the clock starts.
     preparation: Preparation,
 }
 
@@ -101,7 +117,7 @@ fn jobs<'a>(workloads: &'a [Workload], contenders: &[&'a dyn Contender]) -> Vec<
     jobs
 }
 
-/// One row, or None where the contender takes none of the cases.
+/// The row of a job; `None` where the contender takes none of the cases.
 fn measure(job: &Job, effort: Effort) -> Option<Row> {
     let kind = job.workload.class.query();
     let mut prepared: Vec<(&Case, Prepared)> = job
@@ -120,7 +136,7 @@ fn measure(job: &Job, effort: Effort) -> Option<Row> {
     Some(Row {
         class: job.workload.class,
         difficulty: job.workload.difficulty,
-        corners: job.workload.corners,
+        vertices: job.workload.vertices,
         contender: job.contender.name().to_owned(),
         precision: job.contender.precision().to_owned(),
         preparation: job.preparation,
@@ -141,10 +157,13 @@ fn mean(steps: &[usize]) -> Option<f64> {
     (!steps.is_empty()).then(|| steps.iter().sum::<usize>() as f64 / steps.len() as f64)
 }
 
-/// Errors in ascending order, and the counts.
+/// How the answers to a workload compare with the exact ones.
 struct Verdicts {
+    /// Errors of the answers, ascending.
     errors: Vec<f64>,
+    /// How many verdicts are wrong.
     wrong: usize,
+    /// How many cases were left undecided.
     undecided: usize,
 }
 
@@ -169,7 +188,7 @@ impl Verdicts {
     }
 }
 
-/// Nanoseconds per query: the fastest batch.
+/// Nanoseconds per query, in the fastest batch.
 fn fastest(prepared: &mut [(&Case, Prepared)], effort: Effort) -> f64 {
     let mut rounds = 1_u32;
     loop {
@@ -185,6 +204,7 @@ fn fastest(prepared: &mut [(&Case, Prepared)], effort: Effort) -> f64 {
     best.as_secs_f64() * 1e9 / queries
 }
 
+/// How long so many rounds through all cases take.
 fn batch(prepared: &mut [(&Case, Prepared)], rounds: u32) -> Duration {
     let start = Instant::now();
     for _ in 0..rounds {

@@ -34,10 +34,10 @@ pub struct Report {
     pub partial: bool,
 }
 
-/// A plot and the stem of its file.
+/// A plot, ready to be written in any format.
 pub struct Plot {
-    /// Stem of the file name.
+    /// Name of its file without the extension.
     pub stem: String,
-    /// The plot.
+    /// What is drawn.
     pub drawing: Drawing,
 }

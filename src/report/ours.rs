@@ -6,16 +6,23 @@ use crate::trace::NoTrace;
 use super::contender::{Contender, Outcome, Preparation, Prepared};
 use super::workload::Case;
 
-/// Tolerances of the algorithms that have one, coarse to fine, world units.
+/// Tolerances that the algorithms that have one are asked with, coarse to fine, in world units.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
 /// Every algorithm of ours, as contenders.
+///
+/// ```
+/// use tracefig::{collision::ALGORITHMS, report::contenders};
+/// assert_eq!(contenders().len(), ALGORITHMS.len());
+/// ```
 #[must_use]
 pub fn contenders() -> Vec<Box<dyn Contender>> {
     ALGORITHMS.iter().map(|algorithm| Box::new(Ours { algorithm }) as Box<dyn Contender>).collect()
 }
 
+/// A row of the table of algorithms as a contender.
 struct Ours {
+    /// The row.
     algorithm: &'static Algorithm,
 }
 
@@ -28,6 +35,7 @@ fn outcome(answer: &Answer) -> Outcome {
     }
 }
 
+/// The number or the verdict of an impact.
 fn first_contact(end: &End) -> Outcome {
     match end {
         End::Hit { time, .. } => Outcome::Value(time.lo),

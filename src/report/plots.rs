@@ -6,14 +6,14 @@ use crate::typeset::TypesetError;
 
 use super::contender::Preparation;
 use super::measure::Row;
-use super::workload::{CORNERS, Class, Difficulty};
+use super::workload::{Class, Difficulty, VERTICES};
 use super::{Plot, Report};
 
-/// Page of a plot, pixels.
+/// Width and height of a plot in page pixels, those of a figure.
 const PAGE: (f64, f64) = (960.0, 540.0);
 
-/// An error below this counts as this, so that it can stand on a logarithmic axis: a tenth of the ε of
-/// doubles.
+/// What an exact answer counts as, so that it can stand on a logarithmic axis: a tenth of the ε of doubles, a
+/// step below the smallest error there is.
 const NO_ERROR: f64 = f64::EPSILON / 10.0;
 
 /// Colours, markers and dashes in the order in which series take them; no two series look the same.
@@ -27,11 +27,18 @@ const LOOKS: [(Role, &[f64]); 7] = [
     (Role::Muted, &[3.0, 3.0]),
 ];
 
-/// Every plot that the rows allow.
+/// Every plot that the rows allow; `color` is the theme's.
 ///
 /// # Errors
 ///
 /// A [`TypesetError`] where a contender's name has a character that the fonts lack.
+///
+/// ```
+/// use tracefig::{figure::theme, report::{Report, plots}};
+/// let report = Report { machine: vec![], rows: vec![], partial: true };
+/// assert!(plots(&report, &|role| theme::THEMES[0].color(role))?.is_empty(), "no rows, no plots");
+/// # Ok::<(), tracefig::typeset::TypesetError>(())
+/// ```
 pub fn plots(report: &Report, color: &dyn Fn(Role) -> Color) -> Result<Vec<Plot>, TypesetError> {
     let names = names(report);
     let mut all = Vec::new();
@@ -68,20 +75,20 @@ fn names(report: &Report) -> Vec<&str> {
 /// Time per query against n, at each contender's finest tolerance.
 fn growth(rows: &[&Row], names: &[&str], name: &str) -> Chart {
     let series = series(rows, names, |of| {
-        CORNERS
+        VERTICES
             .iter()
-            .filter_map(|&corners| {
+            .filter_map(|&vertices| {
                 let finest = of
                     .iter()
-                    .filter(|r| r.corners == corners)
+                    .filter(|r| r.vertices == vertices)
                     .min_by(|p, q| p.tolerance.total_cmp(&q.tolerance))?;
                 #[expect(clippy::cast_precision_loss, reason = "at most 1,024")]
-                Some((corners as f64, finest.nanoseconds))
+                Some((vertices as f64, finest.nanoseconds))
             })
             .collect()
     });
     #[expect(clippy::cast_precision_loss, reason = "at most 1,024")]
-    let marks: Vec<f64> = CORNERS.iter().map(|&n| n as f64).collect();
+    let marks: Vec<f64> = VERTICES.iter().map(|&n| n as f64).collect();
     let x =
         Axis { name: "corners $n$ of each polygon".into(), lo: 3.4, hi: 1200.0, logarithmic: true, marks };
     let y = Axis::powers_of_ten("time per query, ns", values(&series, |p| p.1));
@@ -93,7 +100,7 @@ fn error_against_time(rows: &[&Row], names: &[&str], name: &str) -> Chart {
     let series = series(rows, names, |of| {
         let iterative = of.iter().any(|r| r.tolerance != of[0].tolerance);
         of.iter()
-            .filter(|r| r.corners == 8 || !iterative)
+            .filter(|r| r.vertices == 8 || !iterative)
             .filter(|r| r.answered > r.wrong)
             .map(|r| (r.nanoseconds, r.worst_error.max(NO_ERROR)))
             .collect()
@@ -107,7 +114,7 @@ fn error_against_time(rows: &[&Row], names: &[&str], name: &str) -> Chart {
 fn steps(rows: &[&Row], names: &[&str], name: &str) -> Chart {
     let series = series(rows, names, |of| {
         of.iter()
-            .filter(|r| r.corners == 8 && r.tolerance > 0.0)
+            .filter(|r| r.vertices == 8 && r.tolerance > 0.0)
             .filter_map(|r| Some((r.tolerance, r.steps?.max(1.0))))
             .collect()
     });
@@ -120,6 +127,7 @@ fn chart(id: String, title: &str, x: Axis, y: Axis, series: Vec<Series>) -> Char
     Chart { id, title: title.to_owned(), x, y, series, width: PAGE.0, height: PAGE.1 }
 }
 
+/// One coordinate of all points.
 fn values(series: &[Series], pick: fn(&(f64, f64)) -> f64) -> Vec<f64> {
     series.iter().flat_map(|s| s.points.iter().map(pick)).collect()
 }

@@ -7,10 +7,16 @@ use serde_json::{Value, json};
 use super::Report;
 use super::contender::Preparation;
 use super::measure::Row;
-use super::workload::{CORNERS, Class, Difficulty};
+use super::workload::{Class, Difficulty, VERTICES};
 
 /// The report as Markdown: for each class, difficulty and preparation one table of time per query and one of
-/// error, contenders down, corners across.
+/// error, contenders down, numbers of vertices across.
+///
+/// ```
+/// use tracefig::report::{Report, markdown};
+/// let report = Report { machine: vec![], rows: vec![], partial: true };
+/// assert!(markdown(&report).contains("Stopped before the end"));
+/// ```
 #[must_use]
 pub fn markdown(report: &Report) -> String {
     let mut out = String::from("# Speed against error\n\n");
@@ -30,6 +36,7 @@ pub fn markdown(report: &Report) -> String {
     out
 }
 
+/// Adds one table: a class, a difficulty, a preparation.
 fn section(
     out: &mut String,
     report: &Report,
@@ -51,18 +58,18 @@ fn section(
     };
     let _ = writeln!(out, "\n## {}, {}, {from}\n", class.name(), difficulty.name());
     let _ = write!(out, "| contender | tolerance |");
-    for corners in CORNERS {
-        let _ = write!(out, " n = {corners} |");
+    for vertices in VERTICES {
+        let _ = write!(out, " n = {vertices} |");
     }
     out.push_str(" worst error | steps | wrong | undecided |\n|---|---|");
-    out.push_str(&"---:|".repeat(CORNERS.len() + 4));
+    out.push_str(&"---:|".repeat(VERTICES.len() + 4));
     out.push('\n');
     for (contender, precision, tolerance) in settings(&rows) {
         let of: Vec<&&Row> =
             rows.iter().filter(|r| r.contender == contender && r.tolerance == tolerance).collect();
         let _ = write!(out, "| {contender} ({precision}) | {} |", tolerance_cell(tolerance));
-        for corners in CORNERS {
-            match of.iter().find(|r| r.corners == corners) {
+        for vertices in VERTICES {
+            match of.iter().find(|r| r.vertices == vertices) {
                 Some(row) => {
                     let _ = write!(out, " {} ns |", three_digits(row.nanoseconds));
                 }
@@ -106,6 +113,12 @@ fn three_digits(value: f64) -> String {
 }
 
 /// The report as JSON, every row with all its numbers.
+///
+/// ```
+/// use tracefig::report::{Report, json};
+/// let report = Report { machine: vec![], rows: vec![], partial: true };
+/// assert_eq!(json(&report)["partial"], true);
+/// ```
 #[must_use]
 pub fn json(report: &Report) -> Value {
     let machine: serde_json::Map<String, Value> =
@@ -118,7 +131,7 @@ fn row_json(row: &Row) -> Value {
     json!({
         "class": row.class.name(),
         "difficulty": row.difficulty.name(),
-        "corners": row.corners,
+        "corners": row.vertices,
         "contender": row.contender,
         "precision": row.precision,
         "preparation": match row.preparation {

@@ -113,7 +113,7 @@ fn shape(kind: &Kind, table: &Checked<'_>, p: &mut Problems) -> Option<Shape> {
     }
 }
 
-/// The corner at fault, the field, or the whole shape.
+/// Where the vertex at fault stands, or the field, or the whole shape.
 fn element_span(table: &Checked<'_>, field: &str, element: Option<usize>) -> Range<usize> {
     let Some(node) = table.get(field) else { return table.span.clone() };
     let item = element.and_then(|i| as_list(node)?.get(i));

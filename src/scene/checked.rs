@@ -10,7 +10,7 @@ use crate::geometry::DVec2;
 
 use super::Spanned;
 use super::fields::{ANY_NUMBER, Field, Holds};
-use super::limits::{MAX_CORNERS, MAX_NUMBER, MAX_TEXT};
+use super::limits::{MAX_NUMBER, MAX_TEXT, MAX_VERTICES};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
 
@@ -290,8 +290,8 @@ fn numbers(node: &Node, row: &Field, n: usize, p: &mut Problems) -> bool {
 /// Whether a value is a list of points, and not too long a one.
 fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
     let Some(items) = as_list(node) else { return wrong(node, row, p) };
-    if items.len() > MAX_CORNERS {
-        too_many(&format!("`{}`", row.name), MAX_CORNERS, "points", items.len(), &node.span, p);
+    if items.len() > MAX_VERTICES {
+        too_many(&format!("`{}`", row.name), MAX_VERTICES, "points", items.len(), &node.span, p);
         return false;
     }
     let row = Field { holds: Holds::Pair, ..*row };

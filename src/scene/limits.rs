@@ -3,40 +3,40 @@
 //! Each limit is far above what a figure can show and low enough that no scene within them takes seconds or
 //! gigabytes: a hostile file gets an error and not the machine.
 
-/// Bytes of a scene file, 4 MiB. Corners in full precision take some 40 bytes, so all of [`MAX_CORNERS`]
+/// Bytes of a scene file, 4 MiB. Vertices in full precision take some 40 bytes, so all of [`MAX_VERTICES`]
 /// twice fit.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
 /// Levels of tables and lists in one another; a scene needs 5 (panels, panel, layers, layer, list of an
 /// option).
-pub const MAX_NESTING: usize = 16;
-/// Corners of one shape. The article's difference visits pairs of edges one by one, here 1.7 × 10⁷ of them.
-pub const MAX_CORNERS: usize = 4_096;
+pub(crate) const MAX_NESTING: usize = 16;
+/// Vertices of one shape. The article's difference visits pairs of edges one by one, here 1.7 × 10⁷ of them.
+pub(crate) const MAX_VERTICES: usize = 4_096;
 /// Characters of a title, caption, label or word: more than a page has room for.
-pub const MAX_TEXT: usize = 4_000;
+pub(crate) const MAX_TEXT: usize = 4_000;
 /// Panels of a figure; they stand side by side, so that many are unreadable long before.
-pub const MAX_PANELS: usize = 32;
+pub(crate) const MAX_PANELS: usize = 32;
 /// Layers of a panel; seven times as many as there are kinds of layer.
-pub const MAX_LAYERS: usize = 200;
+pub(crate) const MAX_LAYERS: usize = 200;
 /// Layers of all panels together, as each costs time and memory.
-pub const MAX_ALL_LAYERS: usize = 400;
+pub(crate) const MAX_ALL_LAYERS: usize = 400;
 /// Entries of `[labels]`; far more than a page has room for.
-pub const MAX_LABELS: usize = 1_000;
+pub(crate) const MAX_LABELS: usize = 1_000;
 /// Values in a list of an option, as times of ghosts.
-pub const MAX_OPTION_VALUES: usize = 1_000;
+pub(crate) const MAX_OPTION_VALUES: usize = 1_000;
 /// Page pixels of a side of the canvas; at `--scale 2` 8192 dots.
-pub const MAX_CANVAS: f64 = 4096.0;
+pub(crate) const MAX_CANVAS: f64 = 4096.0;
 /// Smallest side of the canvas that can hold a panel with its margins.
-pub const MIN_CANVAS: f64 = 100.0;
+pub(crate) const MIN_CANVAS: f64 = 100.0;
 /// Steps of an iterative algorithm; each leaves a few events of some 200 bytes in a trace.
-pub const MAX_ITERATIONS: usize = 100_000;
+pub(crate) const MAX_ITERATIONS: usize = 100_000;
 /// Step cap where the scene gives none. A graze with a gap of 1e-6 takes conservative advancement 12,405
 /// steps.
-pub const DEFAULT_ITERATIONS: usize = 20_000;
-/// Steps times corners of both shapes: with many corners the step cap is lower, as a step of the article's
+pub(crate) const DEFAULT_ITERATIONS: usize = 20_000;
+/// Steps times vertices of both shapes: with many vertices the step cap is lower, as a step of the article's
 /// advancement looks at each, for some 20 ns.
-pub const MAX_STEPS_OF_CORNERS: usize = 50_000_000;
+pub(crate) const MAX_STEPS_OF_VERTICES: usize = 50_000_000;
 /// How close counts as contact where the scene gives no `tolerance`, in world units: some thousand roundings
 /// of coordinates of size 1.
-pub const DEFAULT_TOLERANCE: f64 = 1e-12;
+pub(crate) const DEFAULT_TOLERANCE: f64 = 1e-12;
 /// Largest magnitude of a number; sums and products with a velocity would overflow soon above it.
-pub const MAX_NUMBER: f64 = 1e300;
+pub(crate) const MAX_NUMBER: f64 = 1e300;

@@ -69,8 +69,9 @@ impl Scene {
     /// The question with its bodies, at the query's own time, as an algorithm takes it.
     ///
     /// ```
-    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\ntime = 0.5";
-    /// let scene = tracefig::scene::open_text("s.toml", text)?.scene;
+    /// let query = "[query]\nkind = 'bounds'\nof = ['A']\ntime = 0.5";
+    /// let text = format!("[shapes.A]\nkind = 'circle'\nradius = 2\n{query}");
+    /// let scene = tracefig::scene::open_text("s.toml", &text)?.scene;
     /// let query = scene.query_of_bodies();
     /// assert_eq!((query.a.shape.radius, query.b, query.time), (2.0, None, 0.5));
     /// # Ok::<(), Box<tracefig::Refused>>(())

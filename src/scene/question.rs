@@ -9,7 +9,7 @@ use super::SceneQuery;
 use super::body;
 use super::checked::{Checked, as_list, as_text, check};
 use super::fields::QUERY;
-use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_CORNERS};
+use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_VERTICES};
 use super::node::Node;
 use super::problem::{Fault, Problems};
 
@@ -50,13 +50,13 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
     })
 }
 
-/// The step cap: the scene's, or the usual one, lower where the shapes have thousands of corners.
+/// The step cap: the scene's, or the usual one, lower where the shapes have thousands of vertices.
 fn max_iterations(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> usize {
-    let corners = bodies.iter().map(|(_, body)| body.shape.core.len()).sum::<usize>();
-    let most = MAX_STEPS_OF_CORNERS / corners.max(1);
+    let vertices = bodies.iter().map(|(_, body)| body.shape.core.len()).sum::<usize>();
+    let most = MAX_STEPS_OF_VERTICES / vertices.max(1);
     let Some(given) = table.count("max_iterations") else { return DEFAULT_ITERATIONS.min(most) };
     if given.value > most {
-        let expected = format!("at most {most} for shapes of {corners} corners");
+        let expected = format!("at most {most} for shapes of {vertices} corners");
         let (key, got) = ("max_iterations".to_owned(), given.value.to_string());
         p.add(Fault::OutOfRange { key, expected, got }, &given.span);
     }

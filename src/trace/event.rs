@@ -1,6 +1,7 @@
 //! The one vocabulary of events for all algorithms.
 //!
-//! Facts own their data and are in world space or, where said, in configuration space (B ⊖ A = {b − a}).
+//! Facts own their data and are in world space and world units or, where said, in configuration space
+//! (B ⊖ A = {b − a}).
 
 use serde::Serialize;
 
@@ -9,7 +10,7 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side};
 /// A vertex that is farthest along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SupportVertex {
-    /// Index in the file's order of vertices.
+    /// Index in the order in which the scene file writes the vertices.
     pub index: usize,
     /// World position, at the time of the query.
     pub point: DVec2,
@@ -19,9 +20,9 @@ pub struct SupportVertex {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Goal {
-    /// The signed distance nearest to zero from below: the depth so far.
+    /// The signed distance nearest to zero from below: the depth so far, for bodies that overlap.
     LeastPenetrating,
-    /// The smallest positive distance: the distance so far.
+    /// The smallest positive distance: the distance so far, for bodies apart.
     LeastPositive,
 }
 
@@ -55,7 +56,7 @@ pub enum Event {
     /// An algorithm began, with the pair as it is at a moment. An advancement begins a distance query each
     /// step.
     Started {
-        /// Its name in the table of algorithms.
+        /// The algorithm's name in the table of algorithms.
         algorithm: &'static str,
         /// The moment it looks at.
         at: Moment,
@@ -64,18 +65,18 @@ pub enum Event {
     CirclesCompared {
         /// World centres of A and B.
         centers: [DVec2; 2],
-        /// Their radii r₁ and r₂.
+        /// Radii r₁ of A and r₂ of B.
         radii: [f64; 2],
-        /// ‖A − B‖².
+        /// ‖A − B‖², the squared distance of the centres.
         distance_squared: f64,
-        /// (r₁ + r₂)².
+        /// (r₁ + r₂)², which the squared distance is compared with.
         radii_squared: f64,
         /// Whether the squared test alone settled the question.
         early_out: bool,
     },
     /// The penetration of two circles was measured: p = ‖A − B‖ − (r₁ + r₂), N = (A − B)/‖A − B‖, P = N p.
     PenetrationMeasured {
-        /// Signed; negative when the circles overlap.
+        /// The signed distance p; negative when the circles overlap.
         p: f64,
         /// Unit vector from B to A, the article's N.
         direction: DVec2,
@@ -97,25 +98,25 @@ pub enum Event {
     ExtentsCompared {
         /// Centres of A and B.
         centers: [DVec2; 2],
-        /// Their half-extents.
+        /// Half-extents of A and B.
         half_extents: [DVec2; 2],
-        /// D by component; negative where the boxes overlap on that axis.
+        /// The gap D by component; negative where the boxes overlap on that axis.
         gap: DVec2,
     },
     /// A circle's centre was clamped to a box, in the box's frame.
     Clamped {
         /// The body that is the box.
         body: Side,
-        /// V: from the box's centre to the circle's, in the box's frame.
+        /// The vector V, from the box's centre to the circle's, in the box's frame.
         v: DVec2,
         /// The box's half-extents.
         half_extents: DVec2,
-        /// V, clamped to the half-extents.
+        /// V clamped to the half-extents, in the box's frame.
         clamped: DVec2,
-        /// `B_c` in the world: the point of the box closest to the circle; where the circle's centre is
-        /// inside, the point of the nearest side.
+        /// The point `B_c` in the world: the point of the box closest to the circle; where the circle's
+        /// centre is inside, the point of the nearest side.
         closest: DVec2,
-        /// D = B − `B_c` in the world.
+        /// The vector D = B − `B_c` in the world.
         d: DVec2,
         /// What comes off ‖D‖: the circle's radius, and the box's where that is rounded.
         radius: f64,
@@ -135,13 +136,13 @@ pub enum Event {
     DifferenceEdgeFound {
         /// The body whose edge it is.
         source: Side,
-        /// That edge's index on its body.
+        /// Index of that edge on its body.
         edge: usize,
-        /// The supporting vertex of the other body.
+        /// Index of the supporting vertex of the other body.
         vertex: usize,
-        /// Start, in configuration space, counter-clockwise.
+        /// Where the edge starts in configuration space, counter-clockwise.
         from: DVec2,
-        /// End.
+        /// Where it ends.
         to: DVec2,
         /// Outward unit normal of B ⊖ A.
         normal: DVec2,
@@ -150,23 +151,23 @@ pub enum Event {
     },
     /// B ⊖ A is round: its core is a point, or it has a radius. Emitted once, beside the edges of the core.
     DifferenceRounded {
-        /// The centre where the core is a point.
+        /// The centre of the disc, where the core is a point; else `None`.
         center: Option<DVec2>,
-        /// `r_A` + `r_B`.
+        /// The radius `r_A` + `r_B` around the core.
         radius: f64,
     },
     /// The origin was projected onto an edge or disc of B ⊖ A.
     OriginProjected {
-        /// The foot, in configuration space.
+        /// The foot of the projection, in configuration space.
         foot: DVec2,
         /// Signed distance from the origin to the foot.
         distance: f64,
     },
     /// A better answer than before was found.
     CandidateImproved {
-        /// Best of what.
+        /// What it is the best of.
         goal: Goal,
-        /// Signed distance.
+        /// Signed distance of the candidate.
         distance: f64,
         /// Where the origin projects, in configuration space.
         foot: DVec2,
@@ -195,16 +196,16 @@ pub enum Event {
     },
     /// GJK chose a new simplex.
     SimplexUpdated {
-        /// Its vertices in B ⊖ A.
+        /// Vertices of the simplex in B ⊖ A, one to three.
         vertices: Vec<DVec2>,
-        /// The point of it closest to the origin.
+        /// The point of the simplex closest to the origin.
         closest: DVec2,
         /// The support direction that follows.
         direction: DVec2,
     },
     /// EPA expanded its polytope.
     PolytopeExpanded {
-        /// Its vertices, counter-clockwise, in B ⊖ A.
+        /// Vertices of the polytope, counter-clockwise, in B ⊖ A.
         vertices: Vec<DVec2>,
         /// Distance of the nearest edge from the origin.
         nearest: f64,
@@ -215,20 +216,20 @@ pub enum Event {
         source: (Side, Feature),
         /// Start of the edge (offset by the radius), or the disc's centre twice.
         from: DVec2,
-        /// End.
+        /// End of the edge.
         to: DVec2,
-        /// What came of it.
+        /// What came of the test.
         outcome: Culling,
         /// Time at which the ray meets the edge's line, where it was computed.
         time: Option<f64>,
     },
     /// An advancement took one step.
     Advanced {
-        /// From 0.
+        /// Number of the step, from 0.
         step: usize,
         /// The moment before the step.
         at: Moment,
-        /// Signed separation there.
+        /// Signed separation at that moment.
         separation: f64,
         /// Unit normal from A to B.
         normal: DVec2,
@@ -239,7 +240,7 @@ pub enum Event {
         closest: DVec2,
         /// The estimate on the ray, in the same space: the origin, or t v for `ray-clipping`.
         estimate: DVec2,
-        /// Closing speed v·n.
+        /// Closing speed v·n of the bodies as they move, without their turning.
         closing_speed: f64,
         /// Bound on the approach used: v·n + `r_A|ω_A`| + `r_B|ω_B`|.
         bound: f64,
@@ -261,22 +262,22 @@ pub enum Event {
     },
     /// The farthest a point of a body can move was bounded: L = θ r.
     MotionBounded {
-        /// The body.
+        /// The body that was looked at.
         body: Side,
         /// Distance of its farthest point from its origin.
         radius: f64,
-        /// |ω| over the time, in radians.
+        /// The angle θ that the body turns by, |ω| over the time, in radians.
         theta: f64,
-        /// θ r.
+        /// The arc L = θ r, in world units.
         arc: f64,
-        /// Length of the linear part.
+        /// Length of the path of the body's origin.
         linear: f64,
-        /// Every vertex at that distance.
+        /// Every vertex at that distance from the origin.
         vertices: Vec<SupportVertex>,
     },
-    /// An algorithm ended; a short word for the story, as "hit" or "separating axis".
+    /// An algorithm ended.
     Finished {
-        /// How.
+        /// How it ended, in a short word for the story, as "hit" or "separating axis".
         outcome: &'static str,
     },
 }

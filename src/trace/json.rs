@@ -13,15 +13,17 @@ use serde::Serialize;
 
 use super::{Event, Trace};
 
-/// Version of the format.
+/// Version of the format, in the header of every trace.
 pub const TRACE_FORMAT: u32 = 1;
 
-/// The first line.
+/// The first line of a trace.
 #[derive(Serialize)]
 struct Header<'t> {
+    /// Version of the format, under a key that tells the file apart from others.
     tracefig_trace: u32,
-    /// In the order in which they began, each once.
+    /// Names of the algorithms, in the order in which they began, each once.
     algorithms: Vec<&'t str>,
+    /// How many lines of events follow.
     events: usize,
 }
 
@@ -34,8 +36,9 @@ struct Header<'t> {
 /// use tracefig::trace::{Event, Trace, Tracer, json_lines};
 /// let mut trace = Trace::default();
 /// trace.record(|| Event::Finished { outcome: "apart" });
-/// let expected = "{\"tracefig_trace\":1,\"algorithms\":[],\"events\":1}\n{\"event\":\"finished\",\"outcome\":\"apart\"}\n";
-/// assert_eq!(json_lines(&trace)?, expected);
+/// let expected =
+///     [r#"{"tracefig_trace":1,"algorithms":[],"events":1}"#, r#"{"event":"finished","outcome":"apart"}"#];
+/// assert!(json_lines(&trace)?.lines().eq(expected));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 pub fn json_lines(trace: &Trace) -> Result<String, serde_json::Error> {

@@ -12,11 +12,19 @@ pub use json::{TRACE_FORMAT, json_lines};
 pub use story::{sentence, story};
 
 /// Listens to an algorithm.
+///
+/// ```
+/// use tracefig::trace::{Event, NoTrace, Trace, Tracer};
+/// let mut trace = Trace::default();
+/// trace.record(|| Event::Finished { outcome: "apart" });
+/// assert_eq!(trace.events, [Event::Finished { outcome: "apart" }]);
+/// NoTrace.record(|| panic!("nobody listens, so no event is built"));
+/// ```
 pub trait Tracer {
     /// Takes an event; `make` is only called by tracers that keep it.
     fn record(&mut self, make: impl FnOnce() -> Event);
 
-    /// Whether events are kept at all: where an algorithm must walk something only to tell it, it asks first.
+    /// Whether events are kept. Where an algorithm must walk something only to tell it, it asks first.
     /// Never decides an answer.
     #[inline]
     fn listens(&self) -> bool {
@@ -39,15 +47,15 @@ impl Tracer for NoTrace {
 }
 
 /// Events of the longest trace that is kept whole, 2¹⁸: 80 MB. An advancement of 20,000 steps on boxes leaves
-/// half as many; what leaves more has thousands of corners and thousands of steps, and nobody reads it.
+/// half as many; what leaves more has thousands of vertices and thousands of steps, and nobody reads it.
 pub const MOST_EVENTS: usize = 1 << 18;
 
 /// Every event, in order, up to [`MOST_EVENTS`].
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Trace {
-    /// The events.
+    /// What the algorithm did, in order.
     pub events: Vec<Event>,
-    /// How many more there were.
+    /// How many events came after that and were not kept.
     pub left_out: usize,
 }
 

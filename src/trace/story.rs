@@ -146,7 +146,8 @@ fn difference_edge(
     distance: f64,
 ) -> String {
     format!(
-        "Edge {edge} of {} with vertex {vertex} of {} is the edge {} to {} of B - A; the origin is {} its line.",
+        "Edge {edge} of {} with vertex {vertex} of {} is the edge {} to {} of B - A; \
+         the origin is {} its line.",
         name(source),
         name(source.other()),
         point(from),

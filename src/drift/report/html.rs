@@ -5,7 +5,7 @@ use std::fmt::Write;
 use super::{Finding, escape, tally};
 use crate::drift::TRIPTYCH_FORMAT;
 
-/// Follows the reader's light or dark system.
+/// How the page looks; it follows the reader's light or dark system.
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:120rem;margin:2rem auto;padding:0 1rem;\
 color:#1b1f24;background:#fff}p,ul,dl{max-width:75rem}code{font-size:.95em}\
 dl{display:grid;grid-template-columns:auto 1fr;gap:0 1rem}dt{font-weight:600}dd{margin:0}\
@@ -13,7 +13,13 @@ figure{margin:1rem 0}img{display:block;width:100%}\
 figcaption{display:grid;grid-template-columns:repeat(3,1fr);text-align:center}\
 @media(prefers-color-scheme:dark){body{color:#e8eaed;background:#12161c}}";
 
-/// The page.
+/// A page of all findings: counts, then a section with its picture for each file that is not identical.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, html};
+/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// assert!(html(&[bad]).contains("<code>a.svg</code>: missing"));
+/// ```
 #[must_use]
 pub fn html(findings: &[Finding]) -> String {
     let counts: Vec<_> = tally(findings).into_iter().filter(|&(_, n)| n > 0).collect();
@@ -60,7 +66,7 @@ fn meaning(state: &str) -> &'static str {
     }
 }
 
-/// Base 64 of RFC 4648, with padding.
+/// Bytes in base 64 (RFC 4648), with padding.
 fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);

@@ -6,6 +6,12 @@ use super::{Finding, tally};
 
 /// Counts by state, then every file:
 /// `{"identical": 2, …, "files": [{"file", "state", "details", "picture"}]}`.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, json};
+/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// assert!(json(&[bad]).contains(r#""missing":1"#));
+/// ```
 #[must_use]
 pub fn json(findings: &[Finding]) -> String {
     let mut out: Map<String, Value> =

@@ -5,6 +5,12 @@ use std::fmt::Write;
 use super::{Finding, escape};
 
 /// One test case a file; what is not identical failed.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, junit};
+/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// assert!(junit(&[bad]).contains(r#"tests="1" failures="1""#));
+/// ```
 #[must_use]
 pub fn junit(findings: &[Finding]) -> String {
     let failures = findings.iter().filter(|f| f.is_bad()).count();
@@ -17,7 +23,8 @@ pub fn junit(findings: &[Finding]) -> String {
         if finding.is_bad() {
             let _ = writeln!(
                 out,
-                "  <testcase classname=\"tracefig\" name=\"{name}\"><failure message=\"{}\">{}</failure></testcase>",
+                "  <testcase classname=\"tracefig\" name=\"{name}\">\
+                 <failure message=\"{}\">{}</failure></testcase>",
                 finding.state,
                 escape(&finding.details.join("\n"))
             );

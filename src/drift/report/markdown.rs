@@ -5,6 +5,12 @@ use std::fmt::Write;
 use super::{Finding, tally};
 
 /// Counts, then a table of what is not identical.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, markdown};
+/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// assert!(markdown(&[bad]).starts_with("### Figures: 1 missing\n"));
+/// ```
 #[must_use]
 pub fn markdown(findings: &[Finding]) -> String {
     let counts: Vec<_> = tally(findings)

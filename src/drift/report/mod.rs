@@ -17,21 +17,33 @@ pub struct Finding {
     pub file: String,
     /// "identical", "changed", "stale", "missing", "orphan" or "error".
     pub state: &'static str,
-    /// How it differs, a line each.
+    /// How it differs, line by line.
     pub details: Vec<String>,
-    /// The PNG of expected · difference · actual, and where it was written.
+    /// Where the image of expected · difference · actual was written, and its bytes.
     pub picture: Option<(String, Vec<u8>)>,
 }
 
 impl Finding {
-    /// Whether the check failed for it.
+    /// Whether the check failed for this file: whether it is anything but identical.
+    ///
+    /// ```
+    /// use tracefig::drift::report::Finding;
+    /// let finding = |state| Finding { file: "a.svg".into(), state, details: vec![], picture: None };
+    /// assert!(finding("stale").is_bad() && !finding("identical").is_bad());
+    /// ```
     #[must_use]
     pub fn is_bad(&self) -> bool {
         self.state != "identical"
     }
 }
 
-/// How many findings have each state, those that occur, in the order of the states.
+/// How many findings have each state, every state once: identical, changed, stale, missing, orphan, error.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, tally};
+/// let stale = Finding { file: "a.svg".into(), state: "stale", details: vec![], picture: None };
+/// assert_eq!(tally(&[stale])[2], ("stale", 1));
+/// ```
 #[must_use]
 pub fn tally(findings: &[Finding]) -> Vec<(&'static str, usize)> {
     ["identical", "changed", "stale", "missing", "orphan", "error"]
@@ -40,7 +52,7 @@ pub fn tally(findings: &[Finding]) -> Vec<(&'static str, usize)> {
         .collect()
 }
 
-/// Text for HTML and XML.
+/// A text with everything escaped that HTML or XML would take for markup.
 fn escape(text: &str) -> String {
     let mut safe = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,8 +1,9 @@
 //! Path data: contours of the page, and outlines of glyphs.
 //!
-//! An SVG arc is given by its ends, so its centre is only as good as its rounded ends make it. That is worst near a half
-//! turn, where the centre moves by √(r ε) for an error ε of the chord, and near a whole turn, where the ends coincide.
-//! Arcs are therefore written in pieces of at most 120°, whose centre moves by about ε.
+//! An SVG arc is given by its ends, so its centre is only as good as its rounded ends make it. That is worst
+//! near a half turn, where the centre moves by √(r ε) for an error ε of the chord, and near a whole turn,
+//! where the ends coincide. Arcs are therefore written in pieces of at most 120°, whose centre moves by about
+//! ε.
 
 use std::f64::consts::{FRAC_PI_3, TAU};
 
@@ -11,7 +12,8 @@ use super::super::number::{push_coordinate, text, written_alike};
 use crate::drawing::{Point, Segment};
 use crate::typeset::{Outline, OutlineSegment};
 
-/// The longest arc in one piece, in radians.
+/// The longest arc in one piece, in radians. At twice, arcs come near a whole turn, whose centre the ends do not
+/// give; at half, a quarter turn takes two pieces and files grow.
 const LONGEST_ARC: f64 = 2.0 * FRAC_PI_3;
 
 /// Appends the path data of a contour.
@@ -42,16 +44,19 @@ pub(super) fn segments(out: &mut String, segments: &[Segment]) {
     }
 }
 
-/// Writes path data in page pixels: a letter only where it is another one, and one number for a level or upright line.
+/// Writes path data in page pixels: a letter only where it is another one, and one number for a level or
+/// upright line.
 struct PagePen<'o> {
+    /// The path data so far.
     out: &'o mut String,
+    /// Where the last piece ended; `None` before the first.
     at: Option<Point>,
     /// The letter that the next numbers would be taken for.
     last: char,
 }
 
 impl PagePen<'_> {
-    /// What follows a move without a letter is a line.
+    /// Begins a contour. What follows a move without a letter is a line.
     fn begin(&mut self, p: Point) {
         self.command('M', &[p]);
         self.last = 'L';
@@ -86,6 +91,7 @@ impl PagePen<'_> {
     }
 }
 
+/// Appends an arc in pieces of at most [`LONGEST_ARC`].
 fn arc(out: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
     let sweep = sweep.clamp(-TAU, TAU);
     let pieces = (sweep.abs() / LONGEST_ARC).ceil().max(1.0);
@@ -104,7 +110,8 @@ fn arc(out: &mut String, center: Point, radius: f64, start: f64, sweep: f64) {
     }
 }
 
-/// Appends the path data of a glyph in thousandths of an em, relative and in whole numbers: the faces have no others.
+/// Appends the path data of a glyph in thousandths of an em, relative and in whole numbers: the faces have no
+/// others.
 pub(super) fn outline(out: &mut String, outline: &Outline) {
     let mut pen = Pen { out, at: [0.0; 2], begin: [0.0; 2], last: ' ', control: None };
     for segment in &outline.segments {
@@ -126,8 +133,11 @@ pub(super) fn outline(out: &mut String, outline: &Outline) {
 
 /// Writes relative path data as short as it can be said.
 struct Pen<'o> {
+    /// The path data so far.
     out: &'o mut String,
+    /// Where the last piece ended, in thousandths of an em.
     at: [f32; 2],
+    /// Where the last move went.
     begin: [f32; 2],
     /// The last letter; the same one again needs no letter.
     last: char,
@@ -148,8 +158,9 @@ impl Pen<'_> {
         self.at = p;
     }
 
-    /// Where the control point is the last one's mirror image about the point between, as between two corners of a `TrueType`
-    /// outline that are both off the curve, it need not be said.
+    /// Writes a quadratic curve. Where the control point is the last one's mirror image about the point
+    /// between, as between two corners of a `TrueType` outline that are both off the curve, it need not be
+    /// said.
     fn quad(&mut self, c: [f32; 2], p: [f32; 2]) {
         let [x, y] = self.at;
         match self.control {

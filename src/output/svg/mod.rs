@@ -1,9 +1,9 @@
 //! SVG: a picture that a page can hold, a reader can hear and a style sheet can recolour.
 //!
-//! Every id and class begins with the drawing's id, so two figures can be inlined in one page. Colours are presentation
-//! attributes; a style sheet inside `@media` overrides them with custom properties, and is all that a renderer without
-//! CSS variables loses. Circles and arcs are arcs; the outline of a glyph is written once and used where it stands.
-//! Nothing is loaded from elsewhere and nothing runs.
+//! Every id and class begins with the drawing's id, so two figures can be inlined in one page. Colours are
+//! presentation attributes; a style sheet inside `@media` overrides them with custom properties, and is all
+//! that a renderer without CSS variables loses. Circles and arcs are arcs; the outline of a glyph is written
+//! once and used where it stands. Nothing is loaded from elsewhere and nothing runs.
 
 mod contour;
 pub(super) mod read;
@@ -39,14 +39,14 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
 /// Whether a document has its style sheet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Sheet {
-    /// With it.
+    /// The sheet stands inside, so that pages and dark systems can set colours.
     Inside,
-    /// Without: the colours of the attributes alone.
+    /// There is none: the colours are those of the attributes.
     #[cfg(test)]
     Absent,
 }
 
-/// The whole document.
+/// The whole document as text.
 pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
     let prefix = identifier(&drawing.id);
     let used = style::Used::by(drawing);
@@ -83,18 +83,20 @@ fn identifier(text: &str) -> String {
 
 /// A document being written.
 struct Document {
+    /// The elements so far.
     xml: Xml,
-    /// Begins every id and class.
+    /// What every id and class begins with.
     prefix: String,
     /// Ids given so far.
     ids: BTreeSet<String>,
-    /// Clip rectangles that have an element; the place is the number in its id.
+    /// Clip rectangles that have an element; a rectangle's index is the number in its id.
     clips: Vec<Rect>,
     /// Opacity of the fills of areas.
     fill_opacity: f64,
 }
 
 impl Document {
+    /// The root element, the words of the drawing and its metadata.
     fn open(&mut self, drawing: &Drawing) {
         let (title, desc) = (self.new_id("title"), self.new_id("desc"));
         let xml = &mut self.xml;
@@ -150,6 +152,7 @@ impl Document {
         }
     }
 
+    /// A group and what is in it; nothing for an empty one.
     fn group(&mut self, group: &Group) {
         if group.items.is_empty() {
             return;
@@ -205,6 +208,7 @@ impl Document {
         id
     }
 
+    /// A path in the order fill, pattern, stroke.
     fn path(&mut self, path: &Path) {
         let Some(pattern) = &path.pattern else {
             self.contour(&path.contour, path.fill.as_ref(), path.stroke.as_ref());
@@ -243,6 +247,7 @@ impl Document {
         self.xml.end();
     }
 
+    /// One element that is filled, stroked or both.
     fn contour(&mut self, contour: &Contour, fill: Option<&Paint>, stroke: Option<&Stroke>) {
         self.shape(contour);
         self.paint(fill, stroke);

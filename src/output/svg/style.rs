@@ -1,7 +1,8 @@
 //! Colours of an SVG: presentation attributes, and the style sheet that lets a page set them.
 //!
-//! A page sets `--tracefig-a: …` and so on; where it does not, the fallback in `var()` is the attribute's own colour. The
-//! sheet stands in `@media` as renderers that can't do `var()` skip such blocks and keep the attributes.
+//! A page sets `--tracefig-a: …` and so on; where it does not, the fallback in `var()` is the attribute's own
+//! colour. The sheet stands in `@media` as renderers that can't do `var()` skip such blocks and keep the
+//! attributes.
 
 use std::collections::BTreeSet;
 
@@ -14,21 +15,23 @@ use crate::typeset::Glyph;
 /// A property that takes a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Property {
+    /// The colour of an area or of glyphs.
     Fill,
     /// A fill as faint as the theme's areas, whose opacity a page may set too.
     Area,
+    /// The colour of a line.
     Stroke,
     /// Fill and stroke in one colour.
     Halo,
 }
 
 impl Property {
-    /// Which of the two a fill is.
+    /// Whether a fill is a [`Property::Fill`] or a [`Property::Area`].
     pub(super) fn of_fill(paint: &Paint, fill_opacity: f64) -> Self {
         if paint.opacity < 1.0 && paint.opacity == fill_opacity { Self::Area } else { Self::Fill }
     }
 
-    /// Its word in a class; the most frequent ones are letters.
+    /// The word for it in a class; the most frequent ones are letters.
     fn class(self) -> &'static str {
         match self {
             Self::Fill => "f",
@@ -44,13 +47,14 @@ impl Property {
 pub(super) struct Used {
     /// Glyphs with ink.
     pub(super) glyphs: BTreeSet<Glyph>,
-    /// Properties by role; with the colour, as a theme has one a role.
+    /// Which properties play which role, with the colour that the theme has for it.
     paints: BTreeSet<(Role, Property, [u8; 3])>,
     /// Opacity of the fills of areas.
     fill_opacity: f64,
 }
 
 impl Used {
+    /// All that a drawing uses.
     pub(super) fn by(drawing: &Drawing) -> Self {
         let mut used = Self { fill_opacity: drawing.fill_opacity, ..Self::default() };
         used.paint(Property::Fill, Some(&drawing.background));
@@ -88,7 +92,8 @@ impl Used {
 }
 
 impl Document {
-    /// The style sheet: one block for all, and one for readers whose system is dark where the drawing has such colours.
+    /// The style sheet: one block for all, and one for readers whose system is dark where the drawing has
+    /// such colours.
     pub(super) fn style(&mut self, used: &Used, dark: Option<&Dark>) {
         let mut sheet = String::from("@media all{");
         for &(role, property, [r, g, b]) in &used.paints {
@@ -109,6 +114,7 @@ impl Document {
         self.xml.end();
     }
 
+    /// Appends the rule of a class.
     fn rule(&self, sheet: &mut String, role: Role, property: Property, color: Color, fill_opacity: f64) {
         sheet.push('.');
         class(sheet, &self.prefix, role, property);
@@ -136,6 +142,7 @@ impl Document {
     }
 }
 
+/// Appends the class of a property that plays a role.
 fn class(out: &mut String, prefix: &str, role: Role, property: Property) {
     out.push_str(prefix);
     out.push('-');
@@ -195,7 +202,7 @@ pub(super) fn stroke(xml: &mut Xml, stroke: &Stroke) {
     }
 }
 
-/// `#fff` for `#ffffff`.
+/// Appends a colour as short as it can be said: `#fff` for `#ffffff`.
 fn short_hex(out: &mut String, color: Color) {
     let start = out.len();
     hex(out, color);
@@ -206,6 +213,7 @@ fn short_hex(out: &mut String, color: Color) {
     }
 }
 
+/// Appends a colour as `#rrggbb`.
 fn hex(out: &mut String, color: Color) {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
     out.push('#');

@@ -1,7 +1,7 @@
 //! Text of an SVG: outlines written once, used where they stand.
 //!
-//! A line is a group of `<use>` elements in thousandths of an em, a group for each size. Where it has a halo, the group
-//! is drawn twice: first stroked wide in the halo's colour, then, by reference, filled.
+//! A line is a group of `<use>` elements in thousandths of an em, a group for each size. Where it has a halo,
+//! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled.
 
 use std::collections::BTreeSet;
 
@@ -62,7 +62,8 @@ impl Document {
         style::paint(&mut self.xml, Property::Fill, &text.paint);
     }
 
-    /// Glyphs by size, then rules. Inside a scaled group a stroke's width is scaled too, so it is given there.
+    /// Glyphs by size, then rules. Inside a scaled group a stroke's width is scaled too, so it is given
+    /// there.
     fn line(&mut self, line: &Line, origin: Point, halo: Option<&Halo>) {
         for run in line.glyphs.chunk_by(|a, b| a.size == b.size) {
             let factor = run[0].size / UNITS_PER_EM;

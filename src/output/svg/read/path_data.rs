@@ -63,11 +63,14 @@ struct Pen {
     begin: [f64; 2],
     /// The control point of the last piece, if it was a quadratic curve.
     control: Option<[f64; 2]>,
+    /// From the element to the page.
     map: Map,
+    /// The contour so far.
     segments: Vec<Segment>,
 }
 
 impl Pen {
+    /// Adds one piece; `None` where we do not write its like.
     fn piece(&mut self, piece: PathSegment) -> Option<()> {
         let control = self.control.take();
         let at = self.at;
@@ -102,23 +105,26 @@ impl Pen {
         Some(())
     }
 
+    /// The page point of an element's point.
     fn page(&self, [x, y]: [f64; 2]) -> Point {
         self.map.point(x, y)
     }
 
+    /// Adds a segment that ends at a point.
     fn to(&mut self, p: [f64; 2], segment: impl FnOnce(Point) -> Segment) {
         self.segments.push(segment(self.page(p)));
         self.at = p;
     }
 
+    /// Adds a quadratic curve and keeps its control point for the next one.
     fn quad(&mut self, c: [f64; 2], p: [f64; 2]) {
         let control = self.page(c);
         self.to(p, |p| Segment::Quad(control, p));
         self.control = Some(c);
     }
 
-    /// The centre lies on the bisector of the chord, at √(r² − (chord / 2)²) from its middle (SVG 2, appendix
-    /// B.2.4).
+    /// Adds an arc by its ends. The centre lies on the bisector of the chord, at √(r² − (chord / 2)²) from
+    /// its middle (SVG 2, appendix B.2.4).
     fn arc(&mut self, radius: f64, large: bool, clockwise: bool, to: [f64; 2]) {
         let [dx, dy] = [0.5 * (to[0] - self.at[0]), 0.5 * (to[1] - self.at[1])];
         let half = libm::hypot(dx, dy);
