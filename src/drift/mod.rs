@@ -18,7 +18,7 @@ mod visible;
 
 pub use elements::elements_in;
 pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, triptych};
-pub use stamp::{STAMP_FORMAT, Stamp, facts, fingerprint, metadata, text_chunk};
+pub use stamp::{Stamp, facts, fingerprint, metadata, text_chunk};
 pub use text::LineDrift;
 
 use crate::output::{Format, Picture, sheets_apart};

@@ -17,7 +17,7 @@ use crate::trace::Event;
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 /// Version of the metadata's format, in every file.
-pub const STAMP_FORMAT: u32 = 2;
+const STAMP_FORMAT: u32 = 2;
 
 /// Largest metadata of a figure, in bytes. Tuned on the committed figures: they have 20 to 40 kB, of which
 /// metadata at most 6 kB. At half the trace of that one would be cut; at twice a long trace could take a
@@ -112,8 +112,13 @@ pub fn metadata(hash: &str, facts: &str) -> String {
 }
 
 impl Stamp {
-    /// Whether this version of tracefig drew the file, of a scene and options with this hash; see
-    /// [`Stamp::read`].
+    /// Whether this version of tracefig drew the file, of a scene and options with this hash.
+    ///
+    /// ```
+    /// use tracefig::drift::Stamp;
+    /// let stamp = Stamp { hash: "00ff".to_owned(), version: "0.0.0".to_owned(), facts: None };
+    /// assert!(!stamp.is_of("00ff"), "an older version drew it");
+    /// ```
     #[must_use]
     pub fn is_of(&self, hash: &str) -> bool {
         self.hash == hash && self.version == VERSION

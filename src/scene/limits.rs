@@ -3,7 +3,7 @@
 //! Each limit is far above what a figure can show and low enough that no scene within them takes seconds or
 //! gigabytes: a hostile file gets an error and not the machine.
 
-/// Bytes of a scene file, 4 MiB. Vertices in full precision take some 40 bytes, so all of [`MAX_VERTICES`]
+/// Bytes of a scene file, 4 MiB. Vertices in full precision take some 40 bytes, so all of `MAX_VERTICES`
 /// twice fit.
 pub const MAX_FILE_BYTES: usize = 4 << 20;
 /// Levels of tables and lists in one another; a scene needs 5 (panels, panel, layers, layer, list of an

@@ -42,7 +42,7 @@ use crate::geometry::Body;
 pub struct Spanned<T> {
     /// The value.
     pub value: T,
-    /// Where it stands: bytes of the source text. For JSON, [`Source::pointer`] tells it in words.
+    /// Where it stands, in bytes of the source text.
     pub span: Range<usize>,
 }
 

@@ -83,15 +83,7 @@ impl Source {
     }
 
     /// The JSON pointer (RFC 6901) to the value at a place; `None` in TOML or where the text is no JSON.
-    ///
-    /// ```
-    /// use tracefig::scene::Source;
-    /// let source = Source::new("s.json", r#"{"shapes": {"A": [1]}}"#);
-    /// assert_eq!(source.pointer(&(18..19)).as_deref(), Some("/shapes/A/0"));
-    /// assert_eq!(Source::new("s.toml", "a = 1").pointer(&(4..5)), None);
-    /// ```
-    #[must_use]
-    pub fn pointer(&self, span: &Range<usize>) -> Option<String> {
+    pub(super) fn pointer(&self, span: &Range<usize>) -> Option<String> {
         match self.syntax {
             Syntax::Toml => None,
             Syntax::Json => json::parse(&self.text).ok().map(|root| json::pointer(&root, span.start)),

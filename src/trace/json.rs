@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::{Event, Trace};
 
 /// Version of the format, in the header of every trace.
-pub const TRACE_FORMAT: u32 = 1;
+const TRACE_FORMAT: u32 = 1;
 
 /// The first line of a trace.
 #[derive(Serialize)]

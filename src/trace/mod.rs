@@ -8,7 +8,7 @@ mod json;
 mod story;
 
 pub use event::{Culling, Event, Goal, Moment, SupportVertex};
-pub use json::{TRACE_FORMAT, json_lines};
+pub use json::json_lines;
 pub use story::{sentence, story};
 
 /// Listens to an algorithm.
