@@ -5,7 +5,7 @@
 
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
-use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, check};
+use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
 use crate::drawing::Drawing;
 
 /// The row of the table.
@@ -29,7 +29,7 @@ fn stamp(bytes: &[u8]) -> Option<Stamped> {
 }
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
-    check::page(drawing)?;
+    validity::page(drawing)?;
     let mut out = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
     // A page that asks for nothing says so: even a text that became markup could load and run nothing.

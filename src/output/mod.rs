@@ -5,7 +5,6 @@
 //! format by its name or by its first bytes. The same drawing gives the same bytes on every machine.
 
 mod apng;
-mod check;
 mod curves;
 mod html;
 mod number;
@@ -13,6 +12,7 @@ mod pdf;
 mod png;
 mod raster;
 mod svg;
+mod validity;
 mod xml;
 
 use std::fmt;

@@ -11,7 +11,7 @@ mod object;
 use std::collections::BTreeSet;
 
 use super::number::{push, push_factor};
-use super::{Depends, Format, Options, OutputError, Writer, check, curves};
+use super::{Depends, Format, Options, OutputError, Writer, validity, curves};
 use crate::drawing::{
     Cap, Contour, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Segment, Stroke, Text,
 };
@@ -36,7 +36,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
 }
 
 fn document(drawing: &Drawing, packing: Packing) -> Result<Vec<u8>, OutputError> {
-    check::page(drawing)?;
+    validity::page(drawing)?;
     let mut page = Page::default();
     page.number(POINTS);
     page.content.push_str("0 0 ");

@@ -18,7 +18,7 @@ mod polyline;
 mod steps;
 mod stroke;
 
-use super::{Options, OutputError, check};
+use super::{Options, OutputError, validity};
 use crate::drawing::Drawing;
 use steps::Recorder;
 
@@ -61,7 +61,7 @@ pub fn rasterize(drawing: &Drawing, scale: f64) -> Result<Pixels, OutputError> {
 
 /// Width and height of the image in pixels.
 pub(super) fn size(drawing: &Drawing, scale: f64) -> Result<(u32, u32), OutputError> {
-    check::image_size(drawing, &Options { scale, ..Options::default() })
+    validity::image_size(drawing, &Options { scale, ..Options::default() })
 }
 
 /// Draws row by row from the top: `each` is given the row above and the row. Above the first one is the background.

@@ -32,7 +32,7 @@ const TYPICAL_SIZE: usize = 32 * 1024;
 
 /// Writes the drawing as a document.
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
-    super::check::page(drawing)?;
+    super::validity::page(drawing)?;
     Ok(document(drawing, Sheet::Inside).into_bytes())
 }
 
