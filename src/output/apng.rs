@@ -1,11 +1,12 @@
 //! APNG: drawings one after the other, in a file that any viewer of PNG opens.
 //!
-//! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames of a figure differ
-//! in moving shapes, and what stays is cheap (see [`super::png`]).
+//! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames of a figure
+//! differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame is in memory while it is
+//! packed: the `png` crate takes the frames of an animation no other way.
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
-use super::png::{READER, SIGNATURE, chunk, draw, pack_rgb};
-use super::{Depends, Format, Options, OutputError, Writer, raster};
+use super::png::{READER, encoder};
+use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
 /// The row of the table. Its files are read as any viewer of PNG shows them: by the first frame.
@@ -24,51 +25,37 @@ const FRAME: u16 = 80;
 /// How long the last frame is shown, in milliseconds: the result is what the reader should see.
 const LAST_FRAME: u16 = 1500;
 
+/// What a second has of the unit of those times.
+const MILLISECONDS: u16 = 1000;
+
+/// How many times the sequence is played: 0 stands for without end.
+const PLAYS: u32 = 0;
+
 fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputError> {
-    let Some(first) = drawings.first() else { return Err(OutputError::Sequence) };
-    let count = u32::try_from(drawings.len()).map_err(|_| OutputError::Sequence)?;
-    let mut out = SIGNATURE.to_vec();
-    let mut sequence = 0_u32;
-    for (i, drawing) in drawings.iter().enumerate() {
-        if (drawing.width, drawing.height) != (first.width, first.height) {
-            return Err(OutputError::Sequence);
-        }
-        let (width, height) = raster::size(drawing, options.scale)?;
-        let packed = pack_rgb(draw(drawing, options.scale)?);
-        if i == 0 {
-            chunk(&mut out, *b"IHDR", &packed.header);
-            // Count of frames, and 0 for playing without end.
-            chunk(&mut out, *b"acTL", &[count.to_be_bytes(), [0; 4]].concat());
-        }
-        let delay = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
-        chunk(&mut out, *b"fcTL", &control(&mut sequence, width, height, delay));
-        if i == 0 {
-            chunk(&mut out, *b"IDAT", &packed.data);
-        } else {
-            let number = next(&mut sequence);
-            chunk(&mut out, *b"fdAT", &[number.as_slice(), &packed.data].concat());
-        }
+    let [first, ..] = drawings else { return Err(OutputError::Sequence) };
+    if drawings.iter().any(|drawing| (drawing.width, drawing.height) != (first.width, first.height)) {
+        return Err(OutputError::Sequence);
     }
-    chunk(&mut out, *b"IEND", &[]);
+    let count = u32::try_from(drawings.len()).map_err(|_| OutputError::Sequence)?;
+    let mut out = Vec::new();
+    let mut encoder = encoder(&mut out, raster::size(first, options.scale)?, PngEffort::Fast);
+    encoder.set_animated(count, PLAYS)?;
+    let mut writer = encoder.write_header()?;
+    for (i, drawing) in drawings.iter().enumerate() {
+        let time = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
+        writer.set_frame_delay(time, MILLISECONDS)?;
+        writer.write_image_data(&frame(drawing, options.scale)?)?;
+    }
+    writer.finish()?;
     Ok(out)
 }
 
-/// The control chunk of a frame: number, size, place, delay in thousandths of a second, and that it replaces what is there.
-fn control(sequence: &mut u32, width: u32, height: u32, delay: u16) -> Vec<u8> {
-    let mut bytes = next(sequence).to_vec();
-    for value in [width, height, 0, 0] {
-        bytes.extend(value.to_be_bytes());
-    }
-    bytes.extend(delay.to_be_bytes());
-    bytes.extend(1000_u16.to_be_bytes());
-    bytes.extend([0, 0]);
-    bytes
-}
-
-fn next(sequence: &mut u32) -> [u8; 4] {
-    let number = *sequence;
-    *sequence += 1;
-    number.to_be_bytes()
+/// Every pixel of a drawing: red, green, blue.
+fn frame(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, OutputError> {
+    let (width, height) = raster::size(drawing, scale)?;
+    let mut bytes = Vec::with_capacity(3 * width as usize * height as usize);
+    raster::rows(drawing, scale, |_, row| row.iter().for_each(|p| bytes.extend_from_slice(&p[..3])))?;
+    Ok(bytes)
 }
 
 #[cfg(test)]
@@ -85,10 +72,12 @@ mod tests {
         let options = Options { scale: 0.5, ..Options::default() };
         let file = write(&[&first, &second], &options).unwrap();
         let mut reader = png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
-        assert_eq!(reader.info().animation_control.map(|a| a.num_frames), Some(2));
-        for drawing in [first, second] {
+        assert_eq!(reader.info().animation_control.map(|a| (a.num_frames, a.num_plays)), Some((2, 0)));
+        for (drawing, time) in [(first, FRAME), (second, LAST_FRAME)] {
             let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
             reader.next_frame(&mut rgb).unwrap();
+            let control = reader.info().frame_control.unwrap();
+            assert_eq!((control.delay_num, control.delay_den), (time, 1000));
             let pixels = rasterize(&drawing, 0.5).unwrap();
             let expected: Vec<u8> = pixels.rgba.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
             assert!(rgb == expected);

@@ -213,6 +213,11 @@ pub enum OutputError {
     },
     /// The drawings of a sequence differ in size, or there are none.
     Sequence,
+    /// The encoder refused its input, which is a fault of this program.
+    Encoder {
+        /// What the encoder says.
+        message: String,
+    },
 }
 
 impl fmt::Display for OutputError {
@@ -231,6 +236,7 @@ impl fmt::Display for OutputError {
                 write!(f, "the drawing's group `{group}` has a place that is not on any page")
             }
             Self::Sequence => write!(f, "the drawings of a sequence must have one size"),
+            Self::Encoder { message } => write!(f, "the encoder says: {message}"),
         }
     }
 }

@@ -36,6 +36,23 @@ pub(super) fn push_coordinate(out: &mut String, value: f64) {
     }
 }
 
+/// `value` rounded to hundredths, for a writer of single-precision numbers: it writes the fewest digits that tell them
+/// apart, which are those of the hundredths.
+pub(super) fn hundredths(value: f64) -> f32 {
+    single((100.0 * value).round() / 100.0)
+}
+
+/// `value` rounded to millionths, for factors, as [`hundredths`] is. Less than ten millionths are none: the writer would
+/// give them an exponent, which PDF does not know.
+pub(super) fn millionths(value: f64) -> f32 {
+    if value.abs() < 1e-5 { 0.0 } else { single((1e6 * value).round() / 1e6) }
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "the nearest single is meant")]
+fn single(value: f64) -> f32 {
+    value as f32
+}
+
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates; drawings are checked to be far smaller")]
 fn rounded(out: &mut String, value: f64, decimals: u32) {
     let unit = 10_i64.pow(decimals);

@@ -1,22 +1,25 @@
 //! PDF: one page of vector graphics, for papers and slides.
 //!
-//! A page pixel is ¾ of a point, as in CSS. The page's coordinates are turned over once, so that everything below is
-//! in page pixels, y down. Text is outlines: each glyph that occurs is a form that its places refer to. Opacities are graphics
-//! states, clips and patterns are clipping paths. There is no date and no random number in the file.
-//! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, section 8.
+//! A page pixel is ¾ of a point, as in CSS. Text is outlines: each glyph that occurs is a form that its places refer to.
+//! Opacities are graphics states, groups with an opacity are forms ([`content`]). Objects, strings and the table that
+//! says where each object begins are written by `pdf-writer`. There is no date and no random number in the file.
+//! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, sections 7 and 8.
 
-mod flate;
-mod object;
+mod content;
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::io::{self, Write};
 
-use super::number::{push, push_factor};
-use super::{Depends, Format, Options, OutputError, Writer, validity, curves};
-use crate::drawing::{
-    Cap, Contour, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Segment, Stroke, Text,
-};
-use crate::typeset::{Glyph, OutlineSegment, Rule, UNITS_PER_EM};
-use object::{Objects, Packing};
+use flate2::Compression;
+use flate2::write::ZlibEncoder;
+use pdf_writer::writers::{ExtGraphicsState, Resources};
+use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, TextStr};
+
+use super::number::hundredths;
+use super::{Depends, Format, Options, OutputError, Writer, validity};
+use crate::drawing::Drawing;
+use content::{Content, Form, Opacity, State};
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
@@ -31,341 +34,199 @@ pub(super) const FORMAT: Format = Format {
 /// Points a page pixel.
 const POINTS: f64 = 0.75;
 
+/// Spaces only where they separate.
+const SETTINGS: Settings = Settings { pretty: false };
+
+/// Key under which a page or a form says what it refers to by name.
+const RESOURCES: Name = Name(b"Resources");
+
+/// Key and value in a stream's dictionary.
+type Entry = (Name<'static>, Name<'static>);
+
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
-    document(drawing, Packing::Deflated)
-}
-
-fn document(drawing: &Drawing, packing: Packing) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    let mut page = Page::default();
-    page.number(POINTS);
-    page.content.push_str("0 0 ");
-    page.number(-POINTS);
-    page.content.push_str("0 ");
-    page.number(drawing.height * POINTS);
-    page.content.push_str("cm 1 j\n");
-    page.color(&drawing.background, Use::Fill);
-    page.rect(Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height });
-    page.content.push_str("f\n");
-    page.items(&drawing.items);
-    Ok(page.file(drawing, packing))
+    file(drawing).map_err(|error| OutputError::Encoder { message: error.to_string() })
 }
 
-/// Whether a colour is for areas or for lines.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Use {
-    Fill,
-    Stroke,
+/// The whole file: the document, its page, and what the page draws and refers to.
+fn file(drawing: &Drawing) -> io::Result<Vec<u8>> {
+    let content = Content::of(drawing);
+    let mut free = Ref::new(1);
+    let [catalog, pages, page, drawn, resources, info] = std::array::from_fn(|_| free.bump());
+    let forms: Vec<(Ref, &Form)> = content.forms.iter().map(|form| (free.bump(), form)).collect();
+    let mut pdf = Pdf::with_settings(SETTINGS);
+    pdf.catalog(catalog).pages(pages).lang(TextStr("en"));
+    pdf.pages(pages).kids([page]).count(1);
+    let [width, height] = [drawing.width, drawing.height].map(|length| hundredths(length * POINTS));
+    let mut sheet = pdf.page(page);
+    sheet.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(drawn);
+    sheet.pair(RESOURCES, resources);
+    sheet.finish();
+    let (bytes, filter) = packed(&content.page)?;
+    pdf.stream(drawn, &bytes).pairs(filter);
+    write_resources(&mut pdf, resources, &forms, &content.states);
+    let mut information = pdf.document_info(info);
+    information.title(TextStr(&drawing.title)).subject(TextStr(&drawing.desc)).creator(TextStr("tracefig"));
+    information.finish();
+    for (object, form) in forms {
+        write_form(&mut pdf, object, form, resources)?;
+    }
+    Ok(pdf.finish())
 }
 
-/// The page's content, and what it refers to.
-#[derive(Default)]
-struct Page {
-    content: String,
-    /// Opacities in thousandths, each a graphics state.
-    opacities: BTreeSet<u16>,
-    /// Glyphs, each a form.
-    glyphs: BTreeSet<Glyph>,
-    /// Groups with an opacity, each a form: what it draws.
-    groups: Vec<String>,
-}
-
-impl Page {
-    fn items(&mut self, items: &[Item]) {
-        for item in items {
-            match item {
-                Item::Group(group) => self.group(group),
-                Item::Path(path) => self.path(path),
-                Item::Text(text) => self.text(text),
-            }
+/// Writes the names of the forms and of the graphics states.
+fn write_resources(pdf: &mut Pdf, object: Ref, forms: &[(Ref, &Form)], states: &BTreeSet<State>) {
+    let mut resources = pdf.indirect(object).start::<Resources>();
+    resources.x_objects().pairs(forms.iter().map(|(object, form)| (Name(form.name.as_bytes()), *object)));
+    let mut dictionaries = resources.ext_g_states();
+    for state in states {
+        let name = state.name();
+        let mut dictionary = dictionaries.insert(Name(name.as_bytes())).start::<ExtGraphicsState>();
+        if state.of != Opacity::Strokes {
+            dictionary.non_stroking_alpha(state.opacity());
         }
-    }
-
-    fn group(&mut self, group: &Group) {
-        self.content.push_str("q\n");
-        if let Some(clip) = group.clip {
-            self.rect(clip);
-            self.content.push_str("W n\n");
+        if state.of != Opacity::Fills {
+            dictionary.stroking_alpha(state.opacity());
         }
-        if group.opacity < 1.0 {
-            let outside = std::mem::take(&mut self.content);
-            self.items(&group.items);
-            let inside = std::mem::replace(&mut self.content, outside);
-            self.groups.push(inside);
-            let number = self.groups.len() - 1;
-            self.opacity(group.opacity, "");
-            say(&mut self.content, format_args!("/X{number} Do\n"));
-        } else {
-            self.items(&group.items);
-        }
-        self.content.push_str("Q\n");
-    }
-
-    fn path(&mut self, path: &Path) {
-        if let Some(fill) = &path.fill {
-            self.content.push_str("q\n");
-            self.color(fill, Use::Fill);
-            self.contour(&path.contour);
-            self.content.push_str("f\nQ\n");
-        }
-        if let Some(pattern) = &path.pattern
-            && let Some(bounds) = path.contour.bounds()
-        {
-            self.content.push_str("q\n");
-            self.contour(&path.contour);
-            self.content.push_str("W n\n");
-            let (marks, stroke) = pattern.marks(bounds);
-            self.stroke_style(&stroke);
-            for (from, to) in marks {
-                self.contour(&Contour::line(from, to));
-            }
-            self.content.push_str("S\nQ\n");
-        }
-        if let Some(stroke) = &path.stroke {
-            self.content.push_str("q\n");
-            self.stroke_style(stroke);
-            self.contour(&path.contour);
-            self.content.push_str("S\nQ\n");
-        }
-    }
-
-    fn stroke_style(&mut self, stroke: &Stroke) {
-        self.color(&stroke.paint, Use::Stroke);
-        self.number(stroke.width);
-        self.content.push_str("w\n");
-        if stroke.cap == Cap::Round {
-            self.content.push_str("1 J\n");
-        }
-        if !stroke.dash.is_empty() {
-            self.content.push('[');
-            stroke.dash.iter().for_each(|&length| self.number(length));
-            self.content.push_str("] 0 d\n");
-        }
-    }
-
-    fn text(&mut self, text: &Text) {
-        if let Some(halo) = &text.halo {
-            self.halo(text, halo);
-        }
-        self.content.push_str("q\n");
-        self.color(&text.paint, Use::Fill);
-        for placed in &text.line.glyphs {
-            if placed.glyph.outline().segments.is_empty() {
-                continue;
-            }
-            self.glyphs.insert(placed.glyph);
-            self.content.push_str("q ");
-            let factor = placed.size / UNITS_PER_EM;
-            push_factor(&mut self.content, factor);
-            self.content.push_str(" 0 0 ");
-            push_factor(&mut self.content, factor);
-            self.content.push(' ');
-            self.number(text.origin.x + placed.x);
-            self.number(text.origin.y + placed.y);
-            say(&mut self.content, format_args!("cm /{} Do Q\n", glyph_name(placed.glyph)));
-        }
-        for rule in &text.line.rules {
-            self.rect(place(rule, text.origin));
-            self.content.push_str("f\n");
-        }
-        self.content.push_str("Q\n");
-    }
-
-    /// The outlines of all glyphs, stroked wide: a form can't be stroked, so they are written out.
-    fn halo(&mut self, text: &Text, halo: &Halo) {
-        self.content.push_str("q\n");
-        self.color(&halo.paint, Use::Fill);
-        self.color(&halo.paint, Use::Stroke);
-        self.number(2.0 * halo.width);
-        self.content.push_str("w\n");
-        for placed in &text.line.glyphs {
-            let em = placed.size / UNITS_PER_EM;
-            let (x, y) = (text.origin.x + placed.x, text.origin.y + placed.y);
-            outline(&mut self.content, placed.glyph, |p| Point::new(x + p.x * em, y + p.y * em));
-        }
-        for rule in &text.line.rules {
-            self.rect(place(rule, text.origin));
-        }
-        self.content.push_str("B\nQ\n");
-    }
-
-    fn color(&mut self, paint: &Paint, use_: Use) {
-        for channel in [paint.color.r, paint.color.g, paint.color.b] {
-            push_factor(&mut self.content, f64::from(channel) / 255.0);
-            self.content.push(' ');
-        }
-        let (operator, key) = if use_ == Use::Fill { ("rg\n", "f") } else { ("RG\n", "s") };
-        self.content.push_str(operator);
-        if paint.opacity < 1.0 {
-            self.opacity(paint.opacity, key);
-        }
-    }
-
-    /// Sets an opacity: of fills `f`, of strokes `s`, or, without a key, of all.
-    fn opacity(&mut self, opacity: f64, key: &str) {
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 1000")]
-        let thousandths = (opacity.clamp(0.0, 1.0) * 1000.0).round() as u16;
-        self.opacities.insert(thousandths);
-        say(&mut self.content, format_args!("/G{thousandths}{key} gs\n"));
-    }
-
-    fn contour(&mut self, contour: &Contour) {
-        let content = &mut self.content;
-        let mut at = Point::default();
-        curves::pieces(contour, |segment| {
-            let segment = match segment {
-                Segment::Quad(c, p) => cubic(at, c, p),
-                other => other,
-            };
-            at = curves::end(&segment).unwrap_or(at);
-            segment_to(content, &segment);
-        });
-    }
-
-    fn rect(&mut self, rect: Rect) {
-        for value in [rect.x0, rect.y0, rect.width(), rect.height()] {
-            self.number(value);
-        }
-        self.content.push_str("re\n");
-    }
-
-    fn number(&mut self, value: f64) {
-        push(&mut self.content, value);
-        self.content.push(' ');
-    }
-
-    /// The whole file: page, content, and the forms and states that it refers to.
-    fn file(self, drawing: &Drawing, packing: Packing) -> Vec<u8> {
-        let mut objects = Objects::new(packing);
-        let catalog = objects.reserve();
-        let (pages, page, resources) = (objects.reserve(), objects.reserve(), objects.reserve());
-        let mut size = String::from("[0 0 ");
-        push(&mut size, drawing.width * POINTS);
-        size.push(' ');
-        push(&mut size, drawing.height * POINTS);
-        size.push(']');
-        let mut forms = String::new();
-        for &glyph in &self.glyphs {
-            let mut body = String::new();
-            outline(&mut body, glyph, |p| p);
-            body.push_str("f\n");
-            let [x0, y0, x1, y1] = glyph.outline().bounds;
-            let form = objects.form(&format!("[{x0} {y0} {x1} {y1}]"), "", &body);
-            say(&mut forms, format_args!("/{} {form} 0 R ", glyph_name(glyph)));
-        }
-        let everywhere = format!("[0 0 {} {}]", drawing.width.ceil(), drawing.height.ceil());
-        let group = format!("/Group <</S /Transparency /I true>> /Resources {resources} 0 R ");
-        for (number, body) in self.groups.iter().enumerate() {
-            let form = objects.form(&everywhere, &group, body);
-            say(&mut forms, format_args!("/X{number} {form} 0 R "));
-        }
-        let mut states = String::new();
-        for thousandths in &self.opacities {
-            let mut value = String::new();
-            push_factor(&mut value, f64::from(*thousandths) / 1000.0);
-            say(
-                &mut states,
-                format_args!(
-                    "/G{thousandths} <</ca {value} /CA {value}>> /G{thousandths}f <</ca {value}>> /G{thousandths}s <</CA {value}>> "
-                ),
-            );
-        }
-        let content = objects.stream("", &self.content);
-        objects.set(catalog, &format!("<</Type /Catalog /Pages {pages} 0 R /Lang (en)>>"));
-        objects.set(pages, &format!("<</Type /Pages /Kids [{page} 0 R] /Count 1>>"));
-        objects.set(
-            page,
-            &format!("<</Type /Page /Parent {pages} 0 R /MediaBox {size} /Resources {resources} 0 R /Contents {content} 0 R>>"),
-        );
-        objects.set(resources, &format!("<</XObject <<{forms}>> /ExtGState <<{states}>>>>"));
-        let info = objects.info(&drawing.title, &drawing.desc);
-        objects.finish(catalog, info)
     }
 }
 
-fn say(out: &mut String, what: std::fmt::Arguments) {
-    // Writing to a string can't fail.
-    let _ = std::fmt::Write::write_fmt(out, what);
-}
-
-fn place(rule: &Rule, origin: Point) -> Rect {
-    let (x0, y0) = (origin.x + rule.x, origin.y + rule.y);
-    Rect { x0, y0, x1: x0 + rule.width, y1: y0 + rule.height }
-}
-
-fn glyph_name(glyph: Glyph) -> String {
-    format!("{:?}{}", glyph.face, glyph.id)
-}
-
-/// Appends the outline of a glyph, its points mapped.
-fn outline(out: &mut String, glyph: Glyph, map: impl Fn(Point) -> Point) {
-    let point = |p: [f32; 2]| map(Point::new(f64::from(p[0]), f64::from(p[1])));
-    let mut at = Point::default();
-    for segment in &glyph.outline().segments {
-        let segment = match *segment {
-            OutlineSegment::Move(p) => Segment::Move(point(p)),
-            OutlineSegment::Line(p) => Segment::Line(point(p)),
-            OutlineSegment::Cubic(c, d, p) => Segment::Cubic(point(c), point(d), point(p)),
-            OutlineSegment::Quad(c, p) => cubic(at, point(c), point(p)),
-            OutlineSegment::Close => Segment::Close,
-        };
-        at = curves::end(&segment).unwrap_or(at);
-        segment_to(out, &segment);
+fn write_form(pdf: &mut Pdf, object: Ref, form: &Form, resources: Ref) -> io::Result<()> {
+    let (bytes, filter) = packed(&form.content)?;
+    let mut written = pdf.form_xobject(object, &bytes);
+    let [x0, y0, x1, y1] = form.bounds;
+    written.bbox(Rect::new(x0, y0, x1, y1)).pairs(filter);
+    if form.is_group {
+        written.group().transparency().isolated(true);
+        written.pair(RESOURCES, resources);
     }
+    Ok(())
 }
 
-/// The cubic curve that a quadratic one is: PDF has no other.
-fn cubic(from: Point, c: Point, to: Point) -> Segment {
-    let toward = |p: Point| Point::new(p.x + 2.0 / 3.0 * (c.x - p.x), p.y + 2.0 / 3.0 * (c.y - p.y));
-    Segment::Cubic(toward(from), toward(to), to)
-}
-
-fn segment_to(out: &mut String, segment: &Segment) {
-    let (points, operator): (&[Point], _) = match segment {
-        Segment::Move(p) => (&[*p], "m\n"),
-        Segment::Line(p) => (&[*p], "l\n"),
-        Segment::Cubic(c, d, p) => (&[*c, *d, *p], "c\n"),
-        Segment::Close => (&[], "h\n"),
-        // Both have become cubic curves.
-        Segment::Quad(..) | Segment::Arc { .. } => return,
-    };
-    for p in points {
-        push(out, p.x);
-        out.push(' ');
-        push(out, p.y);
-        out.push(' ');
-    }
-    out.push_str(operator);
+/// The bytes of a stream, packed where that is shorter, and what its dictionary then says of them.
+fn packed(content: &[u8]) -> io::Result<(Cow<'_, [u8]>, Option<Entry>)> {
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    encoder.write_all(content)?;
+    let packed = encoder.finish()?;
+    let (key, value) = (Name(b"Filter"), Name(b"FlateDecode"));
+    let entry = key.0.len() + value.0.len() + "//".len();
+    let shorter = packed.len() + entry < content.len();
+    Ok(if shorter { (packed.into(), Some((key, value))) } else { (content.into(), None) })
 }
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read;
+
     use super::super::samples::everything;
     use super::*;
 
+    fn sample() -> Vec<u8> {
+        write(&everything(), &Options::default()).unwrap()
+    }
+
+    fn place(bytes: &[u8], what: &[u8]) -> Option<usize> {
+        bytes.windows(what.len()).position(|window| window == what)
+    }
+
+    /// Each object without its stream, and the operators of the stream.
+    fn objects(file: &[u8]) -> Vec<(String, String)> {
+        let text = |bytes: &[u8]| std::str::from_utf8(bytes).unwrap().to_owned();
+        let (mut rest, mut objects) = (&file[place(file, b"1 0 obj").unwrap()..], Vec::new());
+        while let Some(end) = place(rest, b"endobj") {
+            let (object, later) = rest.split_at(end);
+            rest = &later["endobj".len()..];
+            let Some(start) = place(object, b"\nstream\n") else {
+                objects.push((text(object), String::new()));
+                continue;
+            };
+            let entries = text(&object[..start]);
+            let length: usize = after(&entries, "/Length ").parse().unwrap();
+            let stream = &object[start + "\nstream\n".len()..][..length];
+            let mut operators = String::new();
+            if entries.contains("/Filter/FlateDecode") {
+                flate2::read::ZlibDecoder::new(stream).read_to_string(&mut operators).unwrap();
+            } else {
+                operators = text(stream);
+            }
+            // A name or an array needs no space before it.
+            let operators = operators.replace('/', " /").replace('[', " [ ").replace(']', " ] ");
+            objects.push((entries, operators));
+        }
+        objects
+    }
+
+    /// The word after a key.
+    fn after<'t>(text: &'t str, key: &str) -> &'t str {
+        let rest = &text[text.find(key).unwrap() + key.len()..];
+        rest.split(['/', ' ', '>', '\n']).next().unwrap()
+    }
+
     #[test]
     fn states_are_kept_and_brought_back_in_pairs_and_every_name_is_known() {
-        let file = document(&everything(), Packing::Plain).unwrap();
-        let file: String = file.into_iter().map(|b| if b.is_ascii() { char::from(b) } else { '?' }).collect();
-        let lines = || file.lines().flat_map(str::split_whitespace);
-        assert_eq!(lines().filter(|w| *w == "q").count(), lines().filter(|w| *w == "Q").count());
-        let mut words = lines().collect::<Vec<_>>();
-        words.dedup();
-        for pair in words.windows(2) {
-            if pair[1] == "Do" {
+        let objects = objects(&sample());
+        let resources = objects.iter().find(|(entries, _)| entries.contains("/XObject<<")).unwrap();
+        let (mut drawn, mut set) = (0, 0);
+        for (entries, operators) in &objects {
+            let words: Vec<&str> = operators.split_whitespace().collect();
+            let count = |word| words.iter().filter(|w| **w == word).count();
+            assert_eq!(count("q"), count("Q"), "{entries}");
+            for pair in words.windows(2) {
+                match pair[1] {
+                    "Do" => drawn += 1,
+                    "gs" => set += 1,
+                    _ => continue,
+                }
                 assert!(
-                    file.contains(&format!("{} ", pair[0])) && file.contains("/XObject <<"),
-                    "{}",
-                    pair[0]
+                    ["<<", " "].iter().any(|end| resources.0.contains(&format!("{}{end}", pair[0]))),
+                    "{pair:?}"
                 );
-                let defined = words
-                    .windows(4)
-                    .any(|w| w[0].trim_start_matches("<<") == pair[0] && w[3].starts_with('R'));
-                assert!(defined, "{} has no object", pair[0]);
             }
         }
-        assert!(file.starts_with("%PDF-1.7") && file.ends_with("%%EOF\n"));
-        let packed = write(&everything(), &Options::default()).unwrap();
-        assert!(packed.len() < file.len() / 2, "{} of {}", packed.len(), file.len());
+        assert!(drawn > 100 && set > 10, "{drawn} forms and {set} states");
+    }
+
+    #[test]
+    fn operators_have_plain_numbers_and_are_packed() {
+        let file = sample();
+        let objects = objects(&file);
+        let mut plain = 0;
+        for (entries, operators) in &objects {
+            plain += operators.len();
+            for word in operators.split_whitespace().filter(|word| word.parse::<f64>().is_ok()) {
+                assert!(
+                    word.bytes().all(|b| b.is_ascii_digit() || b == b'-' || b == b'.'),
+                    "{word} in {entries}"
+                );
+            }
+        }
+        assert!(file.len() < plain / 2, "{} of {plain}", file.len());
+    }
+
+    #[test]
+    fn the_table_says_where_each_object_begins() {
+        let file = sample();
+        let ascii = |b: &u8| if b.is_ascii() { char::from(*b) } else { '?' };
+        let text: String = file.iter().map(ascii).collect();
+        assert!(text.starts_with("%PDF-1.7") && text.ends_with("%%EOF"));
+        let start: usize = text.lines().rev().nth(1).unwrap().parse().unwrap();
+        let table = text[start..].lines().skip(3);
+        let entries: Vec<&str> =
+            table.take_while(|line| line.ends_with(" n") || line.ends_with(" n ")).collect();
+        assert_eq!(entries.len(), objects(&file).len());
+        for (number, entry) in (1..).zip(entries) {
+            let offset: usize = entry[..10].parse().unwrap();
+            assert!(text[offset..].starts_with(&format!("{number} 0 obj")));
+        }
+    }
+
+    #[test]
+    fn title_and_description_are_the_drawings_whatever_is_in_them() {
+        let drawing = Drawing { title: "(a) \\ é".into(), desc: "a) /b".into(), ..everything() };
+        let file = write(&drawing, &Options::default()).unwrap();
+        let objects = objects(&file);
+        let (information, _) = objects.iter().find(|(entries, _)| entries.contains("/Title")).unwrap();
+        assert!(information.contains("<FEFF0028006100290020005C002000E9>"), "{information}");
+        assert!(information.contains(r"(a\) /b)"), "{information}");
     }
 }

@@ -1,54 +1,53 @@
 //! An image as what changes from row to row.
 //!
 //! Most pixels of a drawing equal the one above, so an image that comes row by row is kept as the spans that differ: a
-//! twentieth of its pixels or less. That is all that the palette, the filter and the search for repetitions look at.
+//! twentieth of its pixels or less. Colours are looked for in these spans alone, and when the image is written, its
+//! rows are made whole again one at a time.
+
+use std::io::{self, Write};
 
 use crate::output::raster::Pixel;
 
-/// Equal pixels that end a span: fewer cost less inside it than as a gap.
+/// How many equal pixels end a span: fewer are cheaper as pixels of the span than as the start of another.
 const GAP: usize = 4;
 
-/// Pixels compared at once where nothing is expected to differ.
+/// How many pixels are compared at once where nothing is expected to differ.
 const STRIDE: usize = 16;
 
-/// Pixels of a row that differ from those above.
+/// Neighbouring pixels of a row that differ from those above.
 #[derive(Clone, Copy)]
-pub(super) struct Span {
-    pub(super) row: u32,
-    pub(super) start: u32,
-    pub(super) end: u32,
+struct Span {
+    /// Number of the row, from the top.
+    row: u32,
+    /// Number of the first pixel in the row.
+    start: u32,
+    /// Number of the pixel after the last.
+    end: u32,
 }
 
-impl Span {
-    /// How many pixels it has.
-    pub(super) fn len(self) -> usize {
-        (self.end - self.start) as usize
-    }
-}
-
-/// An image: above its first row all pixels have one colour, and each row says where it differs from the one above.
-#[derive(Clone)]
-pub(in crate::output) struct Changes {
+/// An image that says of each row where it differs from the one above.
+pub(super) struct Changes {
+    /// Pixels a row.
     pub(super) width: u32,
     /// Rows so far.
     pub(super) height: u32,
-    /// The colour above the first row.
+    /// The colour that all pixels above the first row have.
     pub(super) above: Pixel,
-    /// From the top, and from left to right.
-    pub(super) spans: Vec<Span>,
+    /// Where rows differ, from the top, and from left to right.
+    spans: Vec<Span>,
     /// The new pixels of all spans, one after the other.
     pub(super) pixels: Vec<Pixel>,
 }
 
 impl Changes {
-    /// No rows yet.
-    pub(in crate::output) fn new(width: u32, above: Pixel) -> Self {
+    /// An image without rows.
+    pub(super) fn new(width: u32, above: Pixel) -> Self {
         Self { width, height: 0, above, spans: Vec::new(), pixels: Vec::new() }
     }
 
     /// Adds a row, given the one above.
     #[expect(clippy::cast_possible_truncation, reason = "an image has at most 2^26 pixels")]
-    pub(in crate::output) fn row(&mut self, above: &[Pixel], row: &[Pixel]) {
+    pub(super) fn row(&mut self, above: &[Pixel], row: &[Pixel]) {
         let mut x = 0;
         while let Some(start) = next_difference(row, above, x) {
             let mut end = start + 1;
@@ -67,38 +66,28 @@ impl Changes {
         self.height += 1;
     }
 
-    /// The same image with its first row as one span: where above it is not the background but nothing.
-    pub(super) fn with_whole_first_row(mut self) -> Self {
-        let count = self.spans.iter().take_while(|span| span.row == 0).count();
-        let mut first = vec![self.above; self.width as usize];
-        let mut at = 0;
-        for span in self.spans.drain(..count) {
-            let pixels = &self.pixels[at..at + span.len()];
-            first[span.start as usize..span.end as usize].copy_from_slice(pixels);
-            at += span.len();
-        }
-        self.pixels.splice(..at, first);
-        self.spans.insert(0, Span { row: 0, start: 0, end: self.width });
-        self
-    }
-
-    /// Every row whole, given the bytes of the changed pixels, `unit` a pixel; above the first row are zeros.
-    pub(super) fn whole_rows(&self, bytes: &[u8], unit: usize) -> Vec<u8> {
-        let stride = self.width as usize * unit;
-        let (mut row, mut all) = (vec![0; stride], Vec::with_capacity(stride * self.height as usize));
-        let (mut spans, mut bytes) = (self.spans.as_slice(), bytes);
+    /// Writes every row whole, from the top, given the bytes of the new pixels.
+    ///
+    /// `above` is the bytes of the colour above the first row; they say how many a pixel has.
+    pub(super) fn write_rows(&self, above: &[u8], new: &[u8], out: &mut impl Write) -> io::Result<()> {
+        let unit = above.len();
+        let mut row = above.repeat(self.width as usize);
+        let mut new = new;
+        let mut spans = self.spans.iter().peekable();
         for y in 0..self.height {
-            while let Some((span, rest)) = spans.split_first().filter(|(span, _)| span.row == y) {
-                let (new, later) = bytes.split_at(span.len() * unit);
-                row[span.start as usize * unit..span.end as usize * unit].copy_from_slice(new);
-                (spans, bytes) = (rest, later);
+            while let Some(span) = spans.next_if(|span| span.row == y) {
+                let changed = &mut row[span.start as usize * unit..span.end as usize * unit];
+                let (these, later) = new.split_at(changed.len());
+                changed.copy_from_slice(these);
+                new = later;
             }
-            all.extend_from_slice(&row);
+            out.write_all(&row)?;
         }
-        all
+        Ok(())
     }
 }
 
+/// The first pixel from one on that differs from the pixel above.
 fn next_difference(row: &[Pixel], above: &[Pixel], from: usize) -> Option<usize> {
     let (rest, rest_above) = (&row[from..], &above[from..]);
     let (strides, _) = rest.as_chunks::<STRIDE>();

@@ -3,20 +3,21 @@
 use super::changes::Changes;
 use crate::output::raster::Pixel;
 
-/// Slots of the table, a power of two, four times the colours.
+/// Slots of the table: a power of two, and four times the colours, so that a search for one seldom goes on.
 const SLOTS: usize = 1024;
 
 /// Colours and their numbers.
 pub(super) struct Palette {
-    /// In order of their first pixel in the image.
+    /// The colours in the order of their numbers, which is that of their first pixel in the image.
     colors: Vec<Pixel>,
     /// A colour's number plus 1, found by hash and linear search; 0 for an empty slot.
     slots: Vec<u16>,
 }
 
 impl Palette {
-    /// All colours of the image and the numbers of its changed pixels, or `None` if there are more than 256 colours. The
-    /// colour above the first row is number 0.
+    /// All colours of an image and the numbers of its changed pixels, or `None` where there are more than 256.
+    ///
+    /// The colour above the first row is number 0.
     pub(super) fn of(image: &Changes) -> Option<(Self, Vec<u8>)> {
         let mut palette = Self { colors: Vec::with_capacity(256), slots: vec![0; SLOTS] };
         let mut numbers = Vec::with_capacity(image.pixels.len());
@@ -30,9 +31,9 @@ impl Palette {
         Some((palette, numbers))
     }
 
-    /// The chunk `PLTE`.
+    /// Red, green and blue of each colour, as the chunk `PLTE` holds them.
     pub(super) fn bytes(&self) -> Vec<u8> {
-        self.colors.iter().flat_map(|c| [c[0], c[1], c[2]]).collect()
+        super::rgb(&self.colors)
     }
 
     /// The number of a colour, a new one where it has none; `None` where there are no more.
@@ -55,6 +56,7 @@ impl Palette {
     }
 }
 
+/// The slot in which the search for a colour begins: Knuth's multiplicative hash, 2³² over the golden ratio.
 fn slot(color: Pixel) -> usize {
     (u32::from_le_bytes(color).wrapping_mul(0x9E37_79B1) >> 22) as usize % SLOTS
 }
