@@ -1,8 +1,8 @@
 //! APNG: drawings one after the other, in a file that any viewer of PNG opens.
 //!
-//! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames of a figure
-//! differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame is in memory while it is
-//! packed: the `png` crate takes the frames of an animation no other way.
+//! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames
+//! of a figure differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame
+//! is in memory while it is packed: the `png` crate takes the frames of an animation no other way.
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
 use super::png::{READER, encoder};

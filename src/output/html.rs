@@ -1,7 +1,7 @@
 //! HTML: one self-contained page with the figure, its alternative text and its numbers.
 //!
-//! The SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone, as what is drawn
-//! is for some only there. Nothing is loaded from elsewhere and nothing runs.
+//! The SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone,
+//! as what is drawn is for some only there. Nothing is loaded from elsewhere and nothing runs.
 
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
@@ -19,7 +19,7 @@ pub(super) const FORMAT: Format = Format {
     read: Some(Reader { stamp, picture: None }),
 };
 
-/// The page around the picture: it may shrink to a narrow window but not grow.
+/// Style sheet of the page around the picture: that may shrink to a narrow window but not grow.
 const STYLE: &str = "body{margin:0 auto;padding:1rem;font:1rem/1.5 system-ui,sans-serif}\
                      figure{margin:0}svg{max-width:100%;height:auto}figcaption{max-width:45rem}";
 
@@ -33,7 +33,8 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     let mut out = String::from("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
     // A page that asks for nothing says so: even a text that became markup could load and run nothing.
-    out.push_str("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
+    out.push_str("<meta http-equiv=\"Content-Security-Policy\" ");
+    out.push_str("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
     out.push_str("<title>");
     escape(&mut out, &drawing.title);
     out.push_str("</title>\n<style>");

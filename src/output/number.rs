@@ -1,9 +1,12 @@
-//! The one formatter of numbers in SVG and PDF.
+//! How exactly numbers are written in SVG and PDF.
 //!
 //! A value is rounded to a fixed count of decimals first and then written without needless signs, so equal
 //! pictures have equal bytes: no `-0`, no trailing zeros, no exponent.
 
 /// Appends `value` rounded to hundredths: at twice the size, a fiftieth of a pixel, which no eye sees.
+///
+/// A place to tenths would be a fifth of a pixel off at that size, which is seen where lines should meet, and save 0.6 %
+/// of the bytes of the article's eight figures; one to thousandths would cost 0.5 %.
 pub(super) fn push(out: &mut String, value: f64) {
     rounded(out, value, 2);
 }
@@ -13,14 +16,14 @@ pub(super) fn push_factor(out: &mut String, value: f64) {
     rounded(out, value, 6);
 }
 
-/// `value` as [`push`] writes it.
+/// Text of a value, rounded to hundredths.
 pub(super) fn text(value: f64) -> String {
     let mut out = String::new();
     push(&mut out, value);
     out
 }
 
-/// Whether [`push`] writes the same for both.
+/// Whether two values are written alike when they are rounded to hundredths.
 pub(super) fn written_alike(a: f64, b: f64) -> bool {
     (100.0 * a).round() == (100.0 * b).round()
 }
@@ -36,23 +39,27 @@ pub(super) fn push_coordinate(out: &mut String, value: f64) {
     }
 }
 
-/// `value` rounded to hundredths, for a writer of single-precision numbers: it writes the fewest digits that tell them
-/// apart, which are those of the hundredths.
+/// Rounds a value to hundredths, for a writer that takes single-precision numbers.
+///
+/// It writes the fewest digits that tell such numbers apart, which are those of the hundredths up to 10⁵.
 pub(super) fn hundredths(value: f64) -> f32 {
     single((100.0 * value).round() / 100.0)
 }
 
-/// `value` rounded to millionths, for factors, as [`hundredths`] is. Less than ten millionths are none: the writer would
-/// give them an exponent, which PDF does not know.
+/// Rounds a factor to millionths, for a writer that takes single-precision numbers.
+///
+/// Less than ten millionths become zero: the writer would give them an exponent, which PDF does not know.
 pub(super) fn millionths(value: f64) -> f32 {
     if value.abs() < 1e-5 { 0.0 } else { single((1e6 * value).round() / 1e6) }
 }
 
+/// The nearest single-precision number.
 #[expect(clippy::cast_possible_truncation, reason = "the nearest single is meant")]
 fn single(value: f64) -> f32 {
     value as f32
 }
 
+/// Appends `value` rounded to that many decimals.
 #[expect(clippy::cast_possible_truncation, reason = "`as` saturates; drawings are checked to be far smaller")]
 fn rounded(out: &mut String, value: f64, decimals: u32) {
     let unit = 10_i64.pow(decimals);
@@ -112,6 +119,17 @@ mod tests {
         let mut factor = String::new();
         push_factor(&mut factor, 0.0098);
         assert_eq!(factor, ".0098");
+    }
+
+    #[test]
+    fn single_precision_keeps_what_is_written_on_any_page() {
+        for value in [0.01, -0.29, 1234.56, 4095.99, 65_535.99, -0.004] {
+            let (single, mut written) = (hundredths(value).to_string(), String::new());
+            push(&mut written, value);
+            let expected: f64 = written.parse().unwrap();
+            assert_eq!(single.parse::<f64>().unwrap(), expected, "{value}");
+        }
+        assert_eq!((millionths(0.000_012_4), millionths(9.9e-6)), (0.000_012, 0.0));
     }
 
     #[test]

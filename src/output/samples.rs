@@ -1,4 +1,4 @@
-//! Drawings for the tests of the formats: one with everything that a display list can hold, in the style of a figure.
+//! Drawing for the tests of the formats: everything that a display list can hold, in the style of a figure.
 
 use std::sync::Arc;
 
@@ -58,8 +58,9 @@ pub(super) fn everything() -> Drawing {
         label("Ærø Ωμέγα Жизнь", 40.0, 60.0, Role::Ink),
     ];
     items.push(Item::Group(labels));
-    let caption = "$V$ runs from A's centre to B's. Cut down to the half-extents $h_x$ and $h_y$, its components $V_x$ and \
-                   $V_y$ (red) lead to $B_c$, the point of A closest to B. $D = B - B_c$, and the distance is $\\|D\\| - r$.";
+    let caption = "$V$ runs from A's centre to B's. Cut down to the half-extents $h_x$ and $h_y$, its \
+                   components $V_x$ and $V_y$ (red) lead to $B_c$, the point of A closest to B. \
+                   $D = B - B_c$, and the distance is $\\|D\\| - r$.";
     for (i, line) in (0_u8..).zip(wrap(caption, Style::regular(14.0), 912.0).unwrap()) {
         let origin = Point::new(24.0, 498.0 + 20.0 * f64::from(i));
         items.push(Item::Text(Text { line: Arc::new(line), origin, paint: paint(Role::Ink), halo: None }));

@@ -3,10 +3,13 @@
 use super::{MOST_PIXELS, Options, OutputError};
 use crate::drawing::{Drawing, Item};
 
-/// Farthest place from the page's corner, in page pixels: beyond it single-precision rasterizers lose whole pixels.
+/// Farthest place from the page's corner, in page pixels.
+///
+/// Viewers that draw in single precision, of which there are many, lose sixteenths of a pixel beyond it: a
+/// number of 24 bits. The largest page has 4,096.
 const FARTHEST: f64 = 1e6;
 
-/// The size of the image in pixels.
+/// Width and height of the image in pixels.
 pub(super) fn image_size(drawing: &Drawing, options: &Options) -> Result<(u32, u32), OutputError> {
     page(drawing)?;
     let (width, height, scale) = (drawing.width, drawing.height, options.scale);
@@ -32,6 +35,7 @@ pub(super) fn page(drawing: &Drawing) -> Result<(), OutputError> {
     items(&drawing.items, "figure")
 }
 
+/// Refuses a list with a place that is on no page; `group` is the name of the group that holds it.
 fn items(all: &[Item], group: &str) -> Result<(), OutputError> {
     for item in all {
         if let Item::Group(inner) = item {

@@ -1,23 +1,26 @@
 //! XML elements with everything escaped that must be.
 //!
-//! Text from a scene can't leave its place: `& < >`, and in attributes `" '`, become references, and a character that XML 1.0 forbids
-//! becomes U+FFFD.
+//! Text from a scene can't leave its place: `& < >`, and in attributes `" '`, become references, and a
+//! character that XML 1.0 forbids becomes U+FFFD.
 
 /// A document being written.
 #[derive(Default)]
 pub(super) struct Xml {
+    /// Text so far.
     out: String,
-    /// Names of the elements that are open.
+    /// Names of the elements that are open, outer ones first.
     open: Vec<&'static str>,
     /// Whether the last start tag still takes attributes.
     in_tag: bool,
 }
 
 impl Xml {
+    /// An empty document with room for some bytes.
     pub(super) fn with_capacity(bytes: usize) -> Self {
         Self { out: String::with_capacity(bytes), ..Self::default() }
     }
 
+    /// Opens an element on a new line, inside the one that is open.
     pub(super) fn start(&mut self, name: &'static str) {
         self.end_tag();
         if !self.out.is_empty() {
@@ -29,6 +32,7 @@ impl Xml {
         self.in_tag = true;
     }
 
+    /// Closes the element that was opened last; does nothing where none is open.
     pub(super) fn end(&mut self) {
         let Some(name) = self.open.pop() else { return };
         if self.in_tag {
@@ -41,12 +45,12 @@ impl Xml {
         }
     }
 
-    /// An attribute with any text.
+    /// Gives the element just opened an attribute with any text.
     pub(super) fn attribute(&mut self, name: &str, value: &str) {
         self.attribute_by(name, |out| escape_attribute(out, value));
     }
 
-    /// An attribute whose value `write` appends; it must need no escaping.
+    /// Gives the element just opened an attribute whose value `write` appends; it must need no escaping.
     pub(super) fn attribute_by(&mut self, name: &str, write: impl FnOnce(&mut String)) {
         self.out.push(' ');
         self.out.push_str(name);
@@ -55,17 +59,18 @@ impl Xml {
         self.out.push('"');
     }
 
-    /// A number, rounded to hundredths.
+    /// Gives the element just opened a number as attribute, rounded to hundredths.
     pub(super) fn number(&mut self, name: &str, value: f64) {
         self.attribute_by(name, |out| super::number::push(out, value));
     }
 
-    /// Text inside the open element.
+    /// Writes text inside the element that is open.
     pub(super) fn text(&mut self, text: &str) {
         self.end_tag();
         escape(&mut self.out, text);
     }
 
+    /// Closes what is open, and gives the document.
     pub(super) fn finish(mut self) -> String {
         while !self.open.is_empty() {
             self.end();
@@ -74,6 +79,7 @@ impl Xml {
         self.out
     }
 
+    /// Ends the start tag of the element that is open: content follows.
     fn end_tag(&mut self) {
         if self.in_tag {
             self.out.push('>');
@@ -92,6 +98,7 @@ fn escape_attribute(out: &mut String, text: &str) {
     escape_but(out, text, |_| false);
 }
 
+/// Appends `text`, escaped but for the characters that `stays` names.
 fn escape_but(out: &mut String, text: &str, stays: impl Fn(char) -> bool) {
     for character in text.chars() {
         match character {

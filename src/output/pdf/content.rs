@@ -1,7 +1,7 @@
 //! A drawing as operators of PDF.
 //!
-//! The page's coordinates are turned over once, so that everything below is in page pixels, y down. Whatever changes the
-//! graphics state stands between `q` and `Q`. Clips and patterns are clipping paths.
+//! The page's coordinates are turned over once, so that everything below is in page pixels, y down. Whatever
+//! changes the graphics state stands between `q` and `Q`. Clips and patterns are clipping paths.
 
 use std::collections::BTreeSet;
 

@@ -1,18 +1,17 @@
 //! PDF: one page of vector graphics, for papers and slides.
 //!
-//! A page pixel is ¾ of a point, as in CSS. Text is outlines: each glyph that occurs is a form that its places refer to.
-//! Opacities are graphics states, groups with an opacity are forms ([`content`]). Objects, strings and the table that
-//! says where each object begins are written by `pdf-writer`. There is no date and no random number in the file.
+//! A page pixel is ¾ of a point, as in CSS. Text is outlines: each glyph that occurs is a form that its
+//! places refer to. Opacities are graphics states, groups with an opacity are forms ([`content`]). Objects,
+//! strings and the table that says where each object begins are written by `pdf-writer`. There is no date and
+//! no random number in the file.
 //! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, sections 7 and 8.
 
 mod content;
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
-use std::io::{self, Write};
 
-use flate2::Compression;
-use flate2::write::ZlibEncoder;
+use flate2::{Compress, CompressError, Compression, FlushCompress, Status};
 use pdf_writer::writers::{ExtGraphicsState, Resources};
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, TextStr};
 
@@ -49,7 +48,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
 }
 
 /// The whole file: the document, its page, and what the page draws and refers to.
-fn file(drawing: &Drawing) -> io::Result<Vec<u8>> {
+fn file(drawing: &Drawing) -> Result<Vec<u8>, CompressError> {
     let content = Content::of(drawing);
     let mut free = Ref::new(1);
     let [catalog, pages, page, drawn, resources, info] = std::array::from_fn(|_| free.bump());
@@ -62,14 +61,22 @@ fn file(drawing: &Drawing) -> io::Result<Vec<u8>> {
     sheet.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(drawn);
     sheet.pair(RESOURCES, resources);
     sheet.finish();
-    let (bytes, filter) = packed(&content.page)?;
+    let mut packer = Packer::new();
+    let (bytes, filter) = packer.pack(&content.page)?;
     pdf.stream(drawn, &bytes).pairs(filter);
     write_resources(&mut pdf, resources, &forms, &content.states);
     let mut information = pdf.document_info(info);
     information.title(TextStr(&drawing.title)).subject(TextStr(&drawing.desc)).creator(TextStr("tracefig"));
     information.finish();
     for (object, form) in forms {
-        write_form(&mut pdf, object, form, resources)?;
+        let (bytes, filter) = packer.pack(&form.content)?;
+        let mut written = pdf.form_xobject(object, &bytes);
+        let [x0, y0, x1, y1] = form.bounds;
+        written.bbox(Rect::new(x0, y0, x1, y1)).pairs(filter);
+        if form.is_group {
+            written.group().transparency().isolated(true);
+            written.pair(RESOURCES, resources);
+        }
     }
     Ok(pdf.finish())
 }
@@ -91,27 +98,25 @@ fn write_resources(pdf: &mut Pdf, object: Ref, forms: &[(Ref, &Form)], states: &
     }
 }
 
-fn write_form(pdf: &mut Pdf, object: Ref, form: &Form, resources: Ref) -> io::Result<()> {
-    let (bytes, filter) = packed(&form.content)?;
-    let mut written = pdf.form_xobject(object, &bytes);
-    let [x0, y0, x1, y1] = form.bounds;
-    written.bbox(Rect::new(x0, y0, x1, y1)).pairs(filter);
-    if form.is_group {
-        written.group().transparency().isolated(true);
-        written.pair(RESOURCES, resources);
-    }
-    Ok(())
-}
+/// Packs streams, one after the other: to begin anew is cheaper than to make another for each glyph.
+struct Packer(Compress);
 
-/// The bytes of a stream, packed where that is shorter, and what its dictionary then says of them.
-fn packed(content: &[u8]) -> io::Result<(Cow<'_, [u8]>, Option<Entry>)> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
-    encoder.write_all(content)?;
-    let packed = encoder.finish()?;
-    let (key, value) = (Name(b"Filter"), Name(b"FlateDecode"));
-    let entry = key.0.len() + value.0.len() + "//".len();
-    let shorter = packed.len() + entry < content.len();
-    Ok(if shorter { (packed.into(), Some((key, value))) } else { (content.into(), None) })
+impl Packer {
+    fn new() -> Self {
+        Self(Compress::new(Compression::default(), true))
+    }
+
+    /// The bytes of a stream, packed where that is shorter, and what its dictionary then says of them.
+    fn pack<'c>(&mut self, content: &'c [u8]) -> Result<(Cow<'c, [u8]>, Option<Entry>), CompressError> {
+        let (key, value) = (Name(b"Filter"), Name(b"FlateDecode"));
+        let most = content.len().saturating_sub(key.0.len() + value.0.len() + "//".len());
+        let mut packed = Vec::with_capacity(most);
+        self.0.reset();
+        // The packer fills the room there is and does not ask for more.
+        let status = self.0.compress_vec(content, &mut packed, FlushCompress::Finish)?;
+        let shorter = status == Status::StreamEnd && packed.len() < most;
+        Ok(if shorter { (packed.into(), Some((key, value))) } else { (content.into(), None) })
+    }
 }
 
 #[cfg(test)]
@@ -184,6 +189,19 @@ mod tests {
             }
         }
         assert!(drawn > 100 && set > 10, "{drawn} forms and {set} states");
+    }
+
+    #[test]
+    fn a_drawing_with_nothing_in_it_is_a_page() {
+        let mut group = crate::drawing::Group::new("empty");
+        group.opacity = 0.5;
+        let items = vec![crate::drawing::Item::Group(group)];
+        let objects = objects(&write(&Drawing { items, ..everything() }, &Options::default()).unwrap());
+        let (form, operators) = objects.last().unwrap();
+        assert!(
+            form.contains("/Subtype/Form") && form.contains("/Length 0") && operators.is_empty(),
+            "{form}"
+        );
     }
 
     #[test]

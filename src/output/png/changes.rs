@@ -1,14 +1,17 @@
 //! An image as what changes from row to row.
 //!
-//! Most pixels of a drawing equal the one above, so an image that comes row by row is kept as the spans that differ: a
-//! twentieth of its pixels or less. Colours are looked for in these spans alone, and when the image is written, its
-//! rows are made whole again one at a time.
+//! Most pixels of a drawing equal the one above, so an image that comes row by row is kept as the spans that
+//! differ: a twentieth of its pixels or less. Colours are looked for in these spans alone, and when the image
+//! is written, its rows are made whole again one at a time.
 
 use std::io::{self, Write};
 
 use crate::output::raster::Pixel;
 
-/// How many equal pixels end a span: fewer are cheaper as pixels of the span than as the start of another.
+/// How many equal pixels end a span.
+///
+/// From 1 to 16 the article's eight figures take the same time within 3 %, and have the same bytes: few pixels cost as
+/// much inside a span as the start of another.
 const GAP: usize = 4;
 
 /// How many pixels are compared at once where nothing is expected to differ.

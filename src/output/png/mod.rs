@@ -1,9 +1,9 @@
 //! PNG: the pixels of the display list, opaque, with the scene's hash as text.
 //!
-//! Rows come from the rasterizer one at a time, and only what changes between them is kept ([`changes`]): how many
-//! colours there are is known after the last row. At most 256 become a palette ([`palette`]), which is lossless and half
-//! the bytes; more are written as RGB. Then the rows are made whole again, one at a time, for the `png` crate, which
-//! packs them and writes the chunks. So the image itself is never in memory.
+//! Rows come from the rasterizer one at a time, and only what changes between them is kept ([`changes`]): how
+//! many colours there are is known after the last row. At most 256 become a palette ([`palette`]), which is
+//! lossless and half the bytes; more are written as RGB. Then the rows are made whole again, one at a time,
+//! for the `png` crate, which packs them and writes the chunks. So the image itself is never in memory.
 
 mod changes;
 mod image;
@@ -75,8 +75,8 @@ fn encode(image: &Changes, hash: &str, effort: PngEffort) -> Result<Vec<u8>, png
 
 /// An encoder of RGB images of 8 bits a channel that packs as drawings need it.
 ///
-/// No filter: a colour's number says nothing about its neighbours' numbers, and the flat areas of an RGB drawing repeat
-/// as they are, so differences between rows make files a tenth larger.
+/// No filter: a colour's number says nothing about its neighbours' numbers, and the flat areas of an RGB
+/// drawing repeat as they are, so differences between rows make files a tenth larger.
 pub(super) fn encoder<W: Write>(
     out: W,
     (width, height): (u32, u32),
@@ -92,9 +92,9 @@ pub(super) fn encoder<W: Write>(
 
 /// How hard repetitions are looked for, from 1 to 9.
 ///
-/// Tuned on the article's eight figures at scale 2. Level 1 would make files 1.6 times as large as 2 does and save a
-/// fortieth of the program's time; 3 saves a twenty-fifth of the bytes and 6 a ninth, in 1.03 and 1.3 times the time. 9
-/// saves a fifth in 4 times the time, 25 ms a figure.
+/// Tuned on the article's eight figures at scale 2. Level 1 would make files 1.6 times as large as 2 does and
+/// save a fortieth of the program's time; 3 saves a twenty-fifth of the bytes and 6 a ninth, in 1.03 and 1.3
+/// times the time. 9 saves a fifth in 4 times the time, 25 ms a figure.
 fn level(effort: PngEffort) -> u8 {
     match effort {
         PngEffort::Fast => 2,

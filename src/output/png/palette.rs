@@ -15,7 +15,8 @@ pub(super) struct Palette {
 }
 
 impl Palette {
-    /// All colours of an image and the numbers of its changed pixels, or `None` where there are more than 256.
+    /// All colours of an image and the numbers of its changed pixels, or `None` where there are more than
+    /// 256.
     ///
     /// The colour above the first row is number 0.
     pub(super) fn of(image: &Changes) -> Option<(Self, Vec<u8>)> {
