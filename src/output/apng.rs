@@ -2,7 +2,9 @@
 //!
 //! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames
 //! of a figure differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame
-//! is in memory while it is packed: the `png` crate takes the frames of an animation no other way.
+//! is in memory while it is packed: the stream writer of `png` 0.18.1, which takes rows, puts the number of a
+//! chunk into the data of the first frame, and no viewer opens that (image-rs/image-png, issue 411; mended
+//! since).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
 use super::png::{READER, encoder};
@@ -39,14 +41,15 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
     let count = u32::try_from(drawings.len()).map_err(|_| OutputError::Sequence)?;
     let mut out = Vec::new();
     let mut encoder = encoder(&mut out, raster::size(first, options.scale)?, PngEffort::Fast);
-    encoder.set_animated(count, PLAYS)?;
-    let mut writer = encoder.write_header()?;
+    let refused = |error| OutputError::encoder(&error);
+    encoder.set_animated(count, PLAYS).map_err(refused)?;
+    let mut writer = encoder.write_header().map_err(refused)?;
     for (i, drawing) in drawings.iter().enumerate() {
         let time = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
-        writer.set_frame_delay(time, MILLISECONDS)?;
-        writer.write_image_data(&frame(drawing, options.scale)?)?;
+        writer.set_frame_delay(time, MILLISECONDS).map_err(refused)?;
+        writer.write_image_data(&frame(drawing, options.scale)?).map_err(refused)?;
     }
-    writer.finish()?;
+    writer.finish().map_err(refused)?;
     Ok(out)
 }
 

@@ -220,6 +220,13 @@ pub enum OutputError {
     },
 }
 
+impl OutputError {
+    /// What an encoder answers where it refuses what it was given.
+    fn encoder(error: &dyn std::error::Error) -> Self {
+        Self::Encoder { message: error.to_string() }
+    }
+}
+
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

@@ -44,7 +44,7 @@ type Entry = (Name<'static>, Name<'static>);
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    file(drawing).map_err(|error| OutputError::Encoder { message: error.to_string() })
+    file(drawing).map_err(|error| OutputError::encoder(&error))
 }
 
 /// The whole file: the document, its page, and what the page draws and refers to.

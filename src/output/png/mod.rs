@@ -40,7 +40,8 @@ const TYPICAL_SIZE: usize = 128 * 1024;
 const CHUNK: usize = 32 * 1024;
 
 fn write(drawing: &Drawing, options: &Options) -> Result<Vec<u8>, OutputError> {
-    Ok(encode(&draw(drawing, options.scale)?, &drawing.hash, options.png)?)
+    let image = draw(drawing, options.scale)?;
+    encode(&image, &drawing.hash, options.png).map_err(|error| OutputError::encoder(&error))
 }
 
 /// The image of a drawing.
@@ -94,7 +95,7 @@ pub(super) fn encoder<W: Write>(
 ///
 /// Tuned on the article's eight figures at scale 2. Level 1 would make files 1.6 times as large as 2 does and
 /// save a fortieth of the program's time; 3 saves a twenty-fifth of the bytes and 6 a ninth, in 1.03 and 1.3
-/// times the time. 9 saves a fifth in 4 times the time, 25 ms a figure.
+/// times the time. 9 saves a fifth in 4 times the time, 25 ms a figure more.
 fn level(effort: PngEffort) -> u8 {
     match effort {
         PngEffort::Fast => 2,
@@ -105,12 +106,6 @@ fn level(effort: PngEffort) -> u8 {
 /// Red, green and blue of each pixel.
 fn rgb(pixels: &[Pixel]) -> Vec<u8> {
     pixels.iter().flat_map(|p| [p[0], p[1], p[2]]).collect()
-}
-
-impl From<png::EncodingError> for OutputError {
-    fn from(error: png::EncodingError) -> Self {
-        Self::Encoder { message: error.to_string() }
-    }
 }
 
 #[cfg(test)]
