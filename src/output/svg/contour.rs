@@ -12,8 +12,8 @@ use super::super::number::{push_coordinate, text, written_alike};
 use crate::drawing::{Point, Segment};
 use crate::typeset::{Outline, OutlineSegment};
 
-/// The longest arc in one piece, in radians. At twice, arcs come near a whole turn, whose centre the ends do not
-/// give; at half, a quarter turn takes two pieces and files grow.
+/// The longest arc in one piece, in radians. At twice, arcs come near a whole turn, whose centre the ends do
+/// not give; at half, a quarter turn takes two pieces and files grow.
 const LONGEST_ARC: f64 = 2.0 * FRAC_PI_3;
 
 /// Appends the path data of a contour.
