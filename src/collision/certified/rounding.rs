@@ -137,4 +137,3 @@ pub(crate) const ROOT_ERROR: f64 = 16.0 * E;
 /// Cosine and sine ½ ε, their products ½, three sums ½ each; position + velocity · t one more. Rounded up to a power of
 /// two.
 pub(crate) const EXTREME_ERROR: f64 = 4.0 * E;
-

@@ -33,7 +33,7 @@ pub use moving_pair::MovingPair;
 
 use crate::collision::answer::{Impact, Outcome, Reason};
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::sweep;
+use crate::collision::certified::sweep::balls;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure};
 use axis::Axis;
@@ -99,7 +99,7 @@ impl MovingPair<'_> {
         }
         let [a, b] = self.bodies;
         let pair = Pair::finely_at(a, b, 0.0);
-        match sweep::balls::entry(&pair).outcome(&pair) {
+        match balls::entry(&pair).outcome(&pair) {
             Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
                 let contact = certified(a, b, free_until, near);
                 Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }

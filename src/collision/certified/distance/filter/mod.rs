@@ -19,7 +19,6 @@ use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Gu
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::refine::{Measured, along_side, between_vertices};
-pub(crate) use crate::collision::certified::distance::refine::{along_normal, between};
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::rounding::{DOT_ERROR, LAST_ERROR, LEVEL_ERROR};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};

@@ -5,8 +5,9 @@
 //! as no more is asked of a separation below 1e3 ε·S.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::filter::{self, Support};
+use crate::collision::certified::distance::filter::{Support, support};
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::refine::{along_normal, between};
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
 use crate::collision::certified::rounding::LAST_ERROR;
 use crate::collision::feature::DifferenceFeature;
@@ -21,11 +22,11 @@ const NEAR: f64 = 448.0 * f64::EPSILON;
 pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: DifferenceFeature) -> Option<Separation> {
     let DifferenceFeature::Edge(facing) = near else { return None };
     let pair = Pair::at(a, b, t);
-    if !pair.is_tame() || !matches!(filter::support(&pair, facing), Support::Vertex) {
+    if !pair.is_tame() || !matches!(support(&pair, facing), Support::Vertex) {
         return None;
     }
-    let d = filter::between(&pair, facing.start());
-    let (normal, core) = filter::along_normal(&pair, facing, d);
+    let d = between(&pair, facing.start());
+    let (normal, core) = along_normal(&pair, facing, d);
     let separation = core - pair.radius;
     // A side of B: its normal is turned as well.
     let turning =

@@ -21,8 +21,9 @@
 
 pub(crate) mod crossed_edge;
 
-use crate::collision::certified::distance::filter;
+use crate::collision::certified::distance::filter::is_lowest;
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::refine::between;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::rounding::{LAST_ERROR, OFFSET_ERROR, REST_ERROR};
 use crate::collision::certified::sweep::filter::crossed_edge::{Crossed, crossed};
@@ -147,7 +148,7 @@ impl Line<'_, '_> {
     /// When the ray enters the disc at a vertex; None where it may not.
     fn time_of_disc(&self, vertices: [usize; 2]) -> Option<Ball> {
         let pair = self.pair;
-        let p = filter::between(pair, vertices).map(|x| Ball::within(x, pair.placing_error));
+        let p = between(pair, vertices).map(|x| Ball::within(x, pair.placing_error));
         let v = self.heading.v.map(|x| Ball::within(x, self.heading.error));
         let dot = |x: &[Ball; 2], y: &[Ball; 2]| x[0] * y[0] + x[1] * y[1];
         let (across, radius) = (v[0] * p[1] - v[1] * p[0], Ball::exact(pair.radius));
@@ -166,8 +167,8 @@ impl Line<'_, '_> {
         let n = self.apart(vertices) - self.heading.direction() * t;
         t.abs() * speed <= FAR * pair.magnitude
             && time.radius * speed <= 4.0 * f64::EPSILON * pair.magnitude
-            && filter::is_lowest(pair, Side::B, vertices[1], n)
-            && filter::is_lowest(pair, Side::A, vertices[0], -n)
+            && is_lowest(pair, Side::B, vertices[1], n)
+            && is_lowest(pair, Side::A, vertices[0], -n)
     }
 
     /// When the ray enters through the disc at a vertex, and the pair just before.
@@ -179,7 +180,7 @@ impl Line<'_, '_> {
         if time.lo >= 1.0 || time.hi < 0.0 {
             return Some(Entry::At { feature, time, contact: None });
         }
-        let p = filter::between(pair, vertices);
+        let p = between(pair, vertices);
         let at = [p[0] - v[0].scale(time.lo), p[1] - v[1].scale(time.lo)];
         let core = combined(at[0], at[0], at[1], at[1]).sqrt();
         let separation = (core - pair.radius).to_f64();

@@ -1,0 +1,126 @@
+//! The rooms of the house and the arrows between them.
+
+/// A room, as its path below `src/`, and the rooms that it may use with all that is within them.
+pub type Row = (&'static str, &'static [&'static str]);
+
+/// The rooms of the house. These are all the arrows there are.
+pub const ROOMS: &[Row] = &[
+    ("geometry", &[]),
+    ("trace", &["geometry"]),
+    ("collision", &["geometry", "trace"]),
+    // The ground floor: what is asked, what is answered, and the parts of B ⊖ A.
+    ("collision/query", &["geometry"]),
+    ("collision/answer", &["geometry"]),
+    ("collision/feature", &["geometry"]),
+    // The upper storey: what the article does. It enters the lower one by the items that the three rooms there re-export;
+    // the modules behind them are private.
+    (
+        "collision/algorithm",
+        &[
+            "geometry",
+            "trace",
+            "collision/query",
+            "collision/answer",
+            "collision/feature",
+            "collision/certified",
+        ],
+    ),
+    // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls} ← impact ←
+    // sweep, no way back.
+    ("collision/certified", &[]),
+    ("collision/certified/rounding", &["geometry"]),
+    (
+        "collision/certified/distance",
+        &["geometry", "collision/answer", "collision/feature", "collision/certified/rounding"],
+    ),
+    (
+        "collision/certified/sweep/ray",
+        &["geometry", "collision/answer", "collision/feature", "collision/certified/distance"],
+    ),
+    (
+        "collision/certified/sweep/balls",
+        &["geometry", "collision/feature", "collision/certified/distance", "collision/certified/sweep/ray"],
+    ),
+    (
+        "collision/certified/impact",
+        &[
+            "geometry",
+            "collision/answer",
+            "collision/feature",
+            "collision/certified/rounding",
+            "collision/certified/distance",
+            "collision/certified/sweep/ray",
+            "collision/certified/sweep/balls",
+        ],
+    ),
+    (
+        "collision/certified/sweep",
+        &[
+            "geometry",
+            "collision/answer",
+            "collision/feature",
+            "collision/certified/distance",
+            "collision/certified/impact",
+        ],
+    ),
+    // The filters: each may use the base of its room and what lies below the room, none the room's searches.
+    (
+        "collision/certified/distance/filter",
+        &[
+            "geometry",
+            "collision/feature",
+            "collision/certified/rounding",
+            "collision/certified/distance/pair",
+            "collision/certified/distance/gaps",
+            "collision/certified/distance/refine",
+            "collision/certified/distance/witnesses",
+        ],
+    ),
+    (
+        "collision/certified/sweep/filter",
+        &[
+            "geometry",
+            "collision/feature",
+            "collision/certified/rounding",
+            "collision/certified/distance",
+            "collision/certified/sweep/ray",
+            "collision/certified/sweep/heading",
+        ],
+    ),
+    (
+        "collision/certified/impact/filter",
+        &[
+            "geometry",
+            "collision/answer",
+            "collision/feature",
+            "collision/certified/rounding",
+            "collision/certified/distance",
+            "collision/certified/impact/moving_pair",
+            "collision/certified/impact/axis",
+            "collision/certified/impact/closest",
+            "collision/certified/impact/limits",
+        ],
+    ),
+    ("scene", &["geometry", "collision"]),
+    ("typeset", &[]),
+    ("drawing", &["typeset"]),
+    ("figure", &["geometry", "trace", "collision", "scene", "typeset", "drawing"]),
+    ("output", &["drawing", "typeset"]),
+    ("drift", &["scene", "trace", "figure", "drawing", "output"]),
+    ("report", &["geometry", "trace", "collision", "scene", "typeset", "drawing", "figure", "output"]),
+    // Speaks to the library from outside, as `tracefig::…`, so it sees the public API and no more.
+    ("cli", &[]),
+];
+
+/// Whether a module or an item, given as the segments of its path, is a room or lies within it.
+pub fn is_within(path: &[String], room: &str) -> bool {
+    let mut at = path.iter();
+    room.split('/').all(|segment| at.next().is_some_and(|own| own == segment))
+}
+
+/// The row that a module obeys.
+pub fn row_of(module: &[String]) -> Option<&'static Row> {
+    let is_test = module.iter().any(|segment| segment == "tests");
+    let rows = ROOMS.iter().filter(|(room, _)| is_within(module, room) && !(is_test && room.contains('/')));
+    rows.max_by_key(|(room, _)| room.len())
+}
