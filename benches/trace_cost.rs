@@ -1,15 +1,15 @@
-//! What tracing costs where nobody listens: instructions of the same queries with [`NoTrace`] and with every recording
-//! cut out of the source.
+//! What tracing costs where nobody listens: instructions of the same queries with [`NoTrace`] and with every
+//! recording cut out of the source.
 //!
 //! ```text
 //! cargo bench --profile dev --bench trace_cost
 //! ```
 //!
-//! Needs valgrind, whose callgrind counts instructions: the numbers are the same on every run, unlike times. The
-//! rooms `geometry`, `trace` and `collision` are copied twice to `target/trace-cost` as a small crate, once as they
-//! are and once with every `….record(|| …)` replaced by `()` and every `….listens()` by `false`. Both are built with the
-//! crate's release profile and run 0 and 1,000 times over the pairs of `benches/trace_cost/queries.rs`; the difference is the
-//! queries' alone.
+//! Needs valgrind, whose callgrind counts instructions: the numbers are the same on every run, unlike times.
+//! The rooms `geometry`, `trace` and `collision` are copied twice to `target/trace-cost` as a small crate,
+//! once as they are and once with every `….record(|| …)` replaced by `()` and every `….listens()` by `false`.
+//! Both are built with the crate's release profile and run 0 and 1,000 times over the pairs of
+//! `benches/trace_cost/queries.rs`; the difference is the queries' alone.
 
 #![expect(clippy::print_stdout, reason = "a table for whoever runs it")]
 
@@ -108,8 +108,8 @@ fn manifest(whole: &str, name: &str) -> String {
     let profile: Vec<&str> =
         whole.lines().skip_while(|l| *l != "[profile.release]").take_while(|l| !l.is_empty()).collect();
     format!(
-        "[package]\nname = \"trace-cost-{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[lib]\nname = \"tracefig\"\n\n\
-         [dependencies]\n{}\n\n{}\n\n[workspace]\n",
+        "[package]\nname = \"trace-cost-{name}\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n\
+         [lib]\nname = \"tracefig\"\n\n[dependencies]\n{}\n\n{}\n\n[workspace]\n",
         dependencies.join("\n"),
         profile.join("\n")
     )

@@ -1,5 +1,5 @@
-//! Every discrete algorithm on the same random pairs: they agree with each other and with a brute-force hull, listening
-//! changes no bit, and the answer moves with the pair.
+//! Every discrete algorithm on the same random pairs: they agree with each other and with a brute-force hull,
+//! listening changes no bit, and the answer moves with the pair.
 
 #![expect(
     clippy::unwrap_used,
@@ -18,8 +18,9 @@ use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Side};
 use tracefig::trace::{Event, NoTrace, Trace};
 
-/// Plain doubles: what the brute-force hull and the comparison of two answers may be off by, as a multiple of the
-/// largest coordinate. About 50 ε; a wrong feature or a dropped edge is off by 1e-3 and more on these pairs.
+/// Plain doubles: what the brute-force hull and the comparison of two answers may be off by, as a multiple of
+/// the largest coordinate. About 50 ε; a wrong feature or a dropped edge is off by 1e-3 and more on these
+/// pairs.
 const ROUNDING: f64 = 1e-14;
 
 fn separation(algorithm: &Algorithm, a: &Body, b: &Body) -> Separation {
@@ -33,7 +34,8 @@ fn corners(body: &Body) -> Vec<DVec2> {
     body.shape.vertices.iter().map(|&v| body.pose_at(0.0).point(v)).collect()
 }
 
-/// Signed distance of the origin from the hull of all differences b − a (Andrew's monotone chain), less the radii.
+/// Signed distance of the origin from the hull of all differences b − a (Andrew's monotone chain), less the
+/// radii.
 fn brute_force(a: &Body, b: &Body) -> f64 {
     let mut points: Vec<DVec2> =
         corners(a).iter().flat_map(|&p| corners(b).into_iter().map(move |q| q - p)).collect();
@@ -157,7 +159,8 @@ fn overlap_says_what_separation_says() {
     }
 }
 
-/// An edge of B ⊖ A as an algorithm tells it: whether it is B's, its index, the other body's vertex, start and end.
+/// An edge of B ⊖ A as an algorithm tells it: whether it is B's, its index, the other body's vertex, start
+/// and end.
 type Edge = (bool, usize, usize, [f64; 2], [f64; 2]);
 
 fn edge(event: &Event) -> Option<Edge> {
@@ -316,7 +319,8 @@ fn what_an_algorithm_tells_amounts_to_its_answer() {
                 .filter(|e| matches!(e, Event::CandidateImproved { .. }) == name.starts_with('m'))
                 .filter_map(|e| amounts_to(e, cores))
                 .collect();
-            // The candidates of the cores come before the one of the round bodies, which has the radii off already.
+            // The candidates of the cores come before the one of the round bodies, which has the radii off
+            // already.
             let points = a.shape.core.len() == 1 && b.shape.core.len() == 1;
             let concluded = name.starts_with('m') && (cores > 0.0 || points);
             let found = if points && concluded {
@@ -330,7 +334,8 @@ fn what_an_algorithm_tells_amounts_to_its_answer() {
     }
 }
 
-/// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same normal.
+/// Whether two answers may be those of one pair: bounds that meet and, where one direction wins, the same
+/// normal.
 fn same(s: &Separation, other: &Separation, normal: DVec2, slack: f64) -> bool {
     let meet = s.bounds.lo <= other.bounds.hi + slack && other.bounds.lo <= s.bounds.hi + slack;
     meet && (s.ties != 1 || s.separation.abs() < 1e-6 || (*other.normal - normal).length() < 1e-6)

@@ -1,9 +1,10 @@
-//! An algorithm is one file and one row, and so is a kind of question: each is named as its file is, and nothing else in
-//! `src/` knows it by name.
+//! An algorithm is one file and one row, and so is a kind of question: each is named as its file is, and
+//! nothing else in `src/` knows it by name.
 //!
-//! What the house has to know of an algorithm or a question is a column of its table, so that a new one is made by
-//! writing its file. Every string of every source file is read with `syn`, those inside macro calls too; docs and
-//! tests may name what they like. Where the same word means something else, [`HOMONYMS`] says what.
+//! What the house has to know of an algorithm or a question is a column of its table, so that a new one is
+//! made by writing its file. Every string of every source file is read with `syn`, those inside macro calls
+//! too; docs and tests may name what they like. Where the same word means something else, [`HOMONYMS`] says
+//! what.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -16,7 +17,8 @@ use syn::visit::{self, Visit};
 
 use tracefig::collision::{ALGORITHMS, QUERIES};
 
-/// Rooms or files, as they begin, in which a word that is also an algorithm's or a question's means something else.
+/// Rooms or files, as they begin, in which a word that is also an algorithm's or a question's means something
+/// else.
 const HOMONYMS: &[(&str, &str, &str)] = &[
     ("collision/answer.rs", "overlap", "a part of an answer"),
     ("collision/answer.rs", "separation", "a part of an answer"),

@@ -1,5 +1,5 @@
-//! The queries that `trace_cost` counts: `list` prints the algorithms, `NAME COUNT` asks one of them COUNT times, over
-//! all pairs that it takes.
+//! The queries that `trace_cost` counts: `list` prints the algorithms, `NAME COUNT` asks one of them COUNT
+//! times, over all pairs that it takes.
 
 use std::hint::black_box;
 
@@ -20,15 +20,20 @@ fn main() {
                 black_box((algorithm.quiet)(black_box(query), &mut NoTrace));
             }
         }
-        _ => ALGORITHMS.iter().filter(|x| !queries(x, &pairs).is_empty()).for_each(|x| println!("{}", x.name)),
+        _ => {
+            let asked = ALGORITHMS.iter().filter(|x| !queries(x, &pairs).is_empty());
+            asked.for_each(|x| println!("{}", x.name));
+        }
     }
 }
 
 /// Every question that an algorithm takes, of every pair.
 fn queries<'s>(algorithm: &Algorithm, pairs: &'s [(Body, Body)]) -> Vec<Query<'s>> {
-    let query = |kind, (a, b): &'s (Body, Body)| Query { kind, a, b: Some(b), time: 0.0, tolerance: 1e-9, max_iterations: 64 };
+    let query = |kind, (a, b): &'s (Body, Body)| {
+        Query { kind, a, b: Some(b), time: 0.0, tolerance: 1e-9, max_iterations: 64 }
+    };
     let all = algorithm.kinds.iter().flat_map(|&kind| pairs.iter().map(move |pair| query(kind, pair)));
-    all.filter(|query| (algorithm.shapes)(query).is_ok()).collect()
+    all.filter(|query| algorithm.takes(query)).collect()
 }
 
 /// Overlapping and apart: circles, AABBs, tilted boxes, circle and box, polygons of 5 and of 32 corners.

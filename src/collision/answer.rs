@@ -1,10 +1,11 @@
 //! What the algorithms answer: one variant a kind of answer, each number in world units, each with its proof.
 //!
 //! Bounds enclose the exact value; `bounds.lo ≤ s ≤ bounds.hi`, s negative inside. Where rounding forbids a
-//! verdict, the answer says so instead of guessing: [`Overlap::overlap`] is None, a motion ends [`Outcome::Unresolved`].
+//! verdict, the answer says so instead of guessing: [`Overlap::overlap`] is None, a motion ends
+//! [`Outcome::Unresolved`].
 //!
-//! An answer also knows how it is written down: [`Answer::parts`] names its parts in the order of the format, so that
-//! whoever writes JSON or text needs to know kinds of values, not kinds of answers.
+//! An answer also knows how it is written down: [`Answer::parts`] names its parts in the order of the format,
+//! so that whoever writes JSON or text needs to know kinds of values, not kinds of answers.
 
 use crate::geometry::{DVec2, Enclosure, Feature, UnitVector};
 
@@ -42,7 +43,8 @@ pub struct Bounds {
 pub struct Overlap {
     /// Whether they share a point, touching included; None where rounding forbids a verdict.
     pub overlap: Option<bool>,
-    /// Encloses the exact separation, world units; `hi` is infinite where the search ended at a separating axis.
+    /// Encloses the exact separation, world units; `hi` is infinite where the search ended at a separating
+    /// axis.
     pub separation_bounds: Enclosure,
 }
 

@@ -1,7 +1,34 @@
 //! A [`Query`] in, an [`Answer`] out, events on the way.
 //!
-//! Two storeys: [`algorithm`] does what the article does, one algorithm a file, and tells every step; [`certified`] below it
-//! proves the numbers, and knows neither query nor event.
+//! Two storeys. `algorithm/` is the article: one algorithm a file, in doubles, and each step is told as an
+//! event, which is what figures are drawn from. `certified/` below it proves the numbers: bodies in,
+//! enclosures out, and it knows neither query nor event. An algorithm that has found which features face each
+//! other, or when bodies meet, asks the storey below for the number, so that what is printed is true whoever
+//! found it.
+//!
+//! ```text
+//! query/       what can be asked: one kind of question a file, the table QUERIES
+//! algorithm/   who answers it: one algorithm a file, the table ALGORITHMS
+//! answer.rs    what comes back, and the names of its parts
+//! certified/   distance/  how far apart a pair is at one moment
+//!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
+//!              impact/    when two bodies meet that turn: separating axes, contact after the last of them
+//! feature.rs   an edge or a vertex of B ⊖ A, which both storeys speak of
+//! ```
+//!
+//! | who wants to | goes to |
+//! |---|---|
+//! | read an algorithm of the article | `algorithm/`, its name; README has the list |
+//! | see why a sweep that misses does miss | `certified/sweep/`: `filter/` in doubles, else `balls.rs` |
+//! | see why a contact is one, and when | `certified/impact/contact.rs` |
+//! | see why a bound holds | `certified/rounding.rs`, a table of all |
+//! | add an algorithm | a file in `algorithm/` and its row in [`ALGORITHMS`] |
+//! | add a kind of question | a file in `query/` and its row in [`QUERIES`]; an algorithm that answers it |
+//! | add a kind of answer | a variant of [`Answer`] and its parts, in `answer.rs` |
+//! | tell something new | a variant of [`crate::trace::Event`], its sentence, and a layer that draws it |
+//!
+//! `tests/architecture.rs` holds the storeys apart, `tests/one_row_collision.rs` that a file and a row are
+//! enough.
 
 mod algorithm;
 pub(crate) mod answer;

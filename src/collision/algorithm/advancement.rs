@@ -1,71 +1,75 @@
-//! Stepping through time by a safe bound: what [`crate::collision::algorithm::ray_clipping`] and [`crate::collision::algorithm::conservative_advancement`] share.
+//! Stepping through time by a safe bound: what [`super::ray_clipping`] and
+//! [`super::conservative_advancement`] share.
 //!
-//! At each moment a distance query gives the separation s, and the unit normal n from A to B at the closest points.
-//! Along n the gap shrinks at most at the rate
+//! At each moment a distance query gives the separation s, and the unit normal n from A to B at the closest
+//! points. Along n the gap shrinks at most at the rate
 //!
 //! ```text
 //! bound = v·n + r_A |ω_A| + r_B |ω_B|         v = v_A − v_B, the closing velocity
 //! ```
 //!
-//! where r is the largest distance of a body's points from its origin (Mirtich, *Impulse-based Dynamic Simulation of
-//! Rigid Body Systems*, 1996, section 2.3.2; Coumans, *Continuous Collision Detection and Physics*, 2005). So nothing touches before
-//! t + s / bound, and a bound that is not positive means that the bodies never meet.
+//! where r is the largest distance of a core vertex from its body's origin (Mirtich, *Impulse-based Dynamic
+//! Simulation of Rigid Body Systems*, 1996, section 2.3.2; Coumans, *Continuous Collision Detection and
+//! Physics*, 2005). So nothing touches before t + s / bound, and a bound that is not positive means that the
+//! bodies never meet.
 //!
-//! The sign is what the article's readers argued about: its `ray` is `v_B` − `v_A`, while its normal points from A to B, so that
-//! its `rayN` is minus the closing speed and a step could lead backward in time. Neither `fabs` nor a flipped test is
-//! the cure, but the closing velocity itself.
+//! The sign is what the article's readers argued about: its `ray` is `v_B` − `v_A`, while its normal points
+//! from A to B, so that its `rayN` is minus the closing speed and a step could lead backward in time. Neither
+//! `fabs` nor a flipped test is the cure, but the closing velocity itself.
 
-use crate::collision::Impact;
-use crate::collision::Outcome;
-use crate::collision::Query;
-use crate::collision::Reason;
-use crate::collision::Separation;
 use crate::collision::algorithm::minkowski;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::certified::impact::MovingPair;
+use crate::collision::{Impact, Outcome, Query, Reason, Separation};
 use crate::geometry::{Body, DVec2, Enclosure, perp};
 use crate::trace::{Event, Moment, Tracer};
 
-/// What is added to v·n, and where the estimate is drawn.
+/// Which of the two algorithms steps: it decides what is added to v·n, and where the estimate is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Flavor {
-    /// No turning: the estimate moves along the ray in B ⊖ A as it is at t = 0.
+    /// Nothing turns and nothing is added; the estimate moves along the ray, in B ⊖ A as it is at t = 0.
     RayClipping,
-    /// Turning bodies: B ⊖ A changes, and the estimate stays at its origin.
+    /// Bodies turn and r |ω| of both is added; B ⊖ A changes with time, and the estimate stays at the origin.
     Conservative,
 }
 
-/// The tolerance in force is never below this many ε·S: what a query in plain doubles can tell.
-pub(crate) const TOLERANCE_FLOOR: f64 = 16.0 * f64::EPSILON;
+/// The tolerance in force is never below this times S: what a query in plain doubles can tell.
+const TOLERANCE_FLOOR: f64 = 16.0 * f64::EPSILON;
 
-/// The normal, the velocities and the arms of a bound are right to this many ε of the sum of their magnitudes.
+/// Error of a bound on the closing speed, as a part of the sum of the magnitudes of the velocity and the
+/// arms.
 const BOUND_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A separation is shortened by this many ε·S before a step: its normal is rounded, so that the gap along it may be
-/// less than s by that.
+/// What a separation is shortened by before a step, times S.
+///
+/// Its normal is rounded, so that the gap along it may be less than s by that.
 const SEPARATION_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// One advancement of a pair.
 struct Advancement<'q> {
+    /// What is asked; its step cap holds.
     query: &'q Query<'q>,
+    /// Body A.
     a: &'q Body,
+    /// Body B.
     b: &'q Body,
+    /// Which of the two algorithms steps.
     flavor: Flavor,
-    /// Closing velocity `v_A` − `v_B`.
+    /// Closing velocity `v_A` − `v_B`, world units per unit of time.
     v: DVec2,
-    /// `r_A` |`ω_A`| + `r_B` |`ω_B`|, rounded up.
+    /// `r_A` |`ω_A`| + `r_B` |`ω_B`|, rounded up; 0 where nothing turns. World units per unit of time.
     arms: f64,
-    /// In force, world units.
+    /// The tolerance in force, world units.
     tolerance: f64,
-    /// S of the pair.
+    /// S of the pair, world units: see [`scale_of`].
     scale: f64,
 }
 
-/// A step's verdict.
+/// What a distance query at one time allows.
 enum Step {
-    /// Go on at this time.
+    /// Nothing touches before this time: go on there.
     To(f64),
-    /// The end.
+    /// The search is over; this is its outcome.
     Done(Outcome),
 }
 
@@ -98,7 +102,7 @@ impl Advancement<'_> {
         for step in 0..self.query.max_iterations {
             let at = moment(self.a, self.b, t);
             tracer.record(|| Event::Started { algorithm: name, at });
-            let near = minkowski::separation(&Relative::at(self.a, self.b, t), tracer);
+            let near = minkowski::separation(&PairView::at(self.a, self.b, t), tracer);
             let closing = self.v.dot(*near.normal);
             let bound = closing + self.arms;
             let verdict = self.verdict(t, &near, bound);
@@ -152,7 +156,8 @@ impl Advancement<'_> {
         }
     }
 
-    /// Within the tolerance: a hit only where contact is proved a little later.
+    /// The outcome where the bodies came within the tolerance: a hit only if contact is proved a little
+    /// later.
     fn arrived(&self, t: f64, near: &Separation) -> Outcome {
         let speed = closing_speed(self.a, self.b, t, near);
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
@@ -164,9 +169,10 @@ impl Advancement<'_> {
     }
 }
 
-/// How fast the witness points close along the normal: −ds/dt where the features stay the same. World units per unit of
-/// time.
-pub(crate) fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
+/// How fast the witness points close along the normal, in world units per unit of time.
+///
+/// It is −ds/dt as long as the same features face each other.
+fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
     let at = |body: &Body, p: DVec2| {
         body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.0.to_radians()
     };
@@ -178,17 +184,20 @@ pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
     Moment { time: t, angle_a: a.angle.0 + a.spin.0 * t, angle_b: b.angle.0 + b.spin.0 * t }
 }
 
-/// r |ω| of a body: the fastest that turning moves any of its points, in world units per unit of time.
+/// r |ω| of a body: the fastest that turning brings its boundary closer, in world units per unit of time.
 ///
-/// A disc about the body's own origin does not change when it turns, so the radius counts only with an eccentric core.
-pub(crate) fn arm(body: &Body) -> f64 {
+/// The disc about a core vertex is carried, not turned: it comes no closer than its centre does, so that the
+/// radius never counts.
+fn arm(body: &Body) -> f64 {
     let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
     far * body.spin.0.abs().to_radians()
 }
 
-/// S of a pair, from differences: the largest extent of a body, distance moved by turning, and half of what the bodies are
-/// apart or move relative to each other (each body's share). World units.
-pub(crate) fn scale_of(a: &Body, b: &Body) -> f64 {
+/// S of a pair: the size that its rounding is measured by, in world units.
+///
+/// The largest of a body's extent, of the distance that turning moves it, and of its share of what lies
+/// between the bodies: half of how far they are apart, or move relative to each other.
+fn scale_of(a: &Body, b: &Body) -> f64 {
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
     let extent = |body: &Body| {
         let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v)));

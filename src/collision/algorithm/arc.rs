@@ -1,23 +1,22 @@
 //! How far any point of a body can move: the arc of its extreme point.
 //!
-//! A body that turns by θ moves no point farther than the arc of the point farthest from its origin, at distance r; a
-//! body that is carried along as well adds the length of that path; of two, relative to each other, both turn:
+//! A body that turns by θ moves no point farther than the arc of the point farthest from its origin, at
+//! distance r; a body that is carried along as well adds the length of that path; of two, relative to each
+//! other, both turn:
 //!
 //! ```text
 //! L = θ r          one body: ‖v‖ + θ r          two: ‖v_A − v_B‖ + θ_A r_A + θ_B r_B
 //! ```
 //!
-//! for t in [0, 1]. A rounded body's farthest point is its radius beyond its farthest vertex. A body at rest has 0
-//! exactly; everything else is rounded up.
+//! for t in [0, 1]. A rounded body's farthest point is its radius beyond its farthest vertex. A body at rest
+//! has 0 exactly; everything else is rounded up.
 //!
-//! Source: Brian Mirtich, "Impulse-based dynamic simulation of rigid body systems" (`PhD` thesis, Berkeley, 1996),
-//! section 2.3.2; Paul Firth, "Collision detection for dummies" (2011), section Continuous Angular/Linear, figure 8.
+//! Source: Brian Mirtich, "Impulse-based dynamic simulation of rigid body systems" (`PhD` thesis, Berkeley,
+//! 1996), section 2.3.2; Paul Firth, "Collision detection for dummies" (2011), section Continuous
+//! Angular/Linear, figure 8.
 
-use crate::collision::Answer;
-use crate::collision::MotionBound;
-use crate::collision::Query;
-use crate::collision::QueryKind;
 use crate::collision::algorithm::{Algorithm, Stops};
+use crate::collision::{Answer, MotionBound, Query, QueryKind};
 use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
@@ -33,18 +32,21 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// The sum of at most three terms, each of at most 6 roundings (a difference, a root of two squares, a sum, π/180, two
-/// products), is too small by less than this part of itself.
+/// What a rounded sum is multiplied by so as not to be too small.
+///
+/// It has at most three terms, each of at most 6 roundings (a difference, a root of two squares, a sum,
+/// π/180, two products): 9 ε of itself, and one for this product; rounded up to 12.
 const ROUNDED_UP: f64 = 1.0 + 12.0 * f64::EPSILON;
 
-/// Where terms underflow, each is off by less than one of the smallest steps of a double, and their sum by less than four.
+/// Where terms underflow, each is off by less than one of the smallest steps of a double, and their sum by
+/// less than four.
 const UNDERFLOW: f64 = f64::from_bits(4);
 
-/// Vertices whose distances differ by less than this part are all told as extreme points: a root of two squares
-/// carries half as much.
+/// Vertices whose distances differ by less than this part are all told as extreme points: a root of two
+/// squares carries half as much.
 const SAME_RADIUS: f64 = 1.0 - 4.0 * f64::EPSILON;
 
-/// One body or two, of any shape.
+/// Takes one body or two, of any shape.
 #[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
 fn shapes(_: &Query) -> Result<(), &'static str> {
     Ok(())
@@ -78,7 +80,7 @@ fn is_at_rest(query: &Query, relative: DVec2) -> bool {
     relative == DVec2::ZERO && still(query.a) && query.b.is_none_or(still)
 }
 
-/// θ r of one body.
+/// θ r of one body in world units, told with the `linear` path that the bound adds to it.
 #[inline]
 fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let far = |v: &DVec2| length(*v);
@@ -99,9 +101,8 @@ fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Answer;
-    use crate::collision::QueryKind;
     use crate::collision::tests::bodies::{boxed, polygon};
+    use crate::collision::{Answer, QueryKind};
     use crate::geometry::Degrees;
     use crate::trace::{NoTrace, Trace};
 
@@ -146,7 +147,7 @@ mod tests {
         let mut a = polygon(&[[1e-200, 0.]], 0.0);
         a.spin = Degrees(1e-200);
         let bound = ask(&a, None, &mut NoTrace);
-        assert!(bound > 0.0 && bound < 1e-320, "{bound:e}");
+        assert!(bound > 0.0 && bound < 10.0 * UNDERFLOW, "{bound:e}");
         let mut b = polygon(&[[1e290, 0.]], 0.0);
         b.spin = Degrees(5e-324);
         // 4.94065645841246544e-324 π/180 1e290 to 20 digits.

@@ -1,38 +1,40 @@
-//! From the closest features of two cores to the answer: normal, witness points, features, ties.
+//! From the features that face each other to the answer: how every algorithm for one moment ends.
 //!
-//! An algorithm ends with a [`Candidate`]: which feature of A faces which feature of B, and along which normal. What
-//! the article's readers ask for, "the closest feature pair", is that edge of B ⊖ A that is nearest the origin, and
-//! the book-keeping of which edge and vertex made it (Firth, "Collision detection for dummies", the comments).
-//! The numbers of the answer are then proved by [`crate::collision::certified::distance::search`].
+//! An algorithm finds a [`Candidate`]: which feature of A faces which feature of B, and along which normal.
+//! What the article's readers ask for, "the closest feature pair", is that edge of B ⊖ A that is nearest the
+//! origin, and the book-keeping of which edge and vertex made it (Firth, "Collision detection for dummies",
+//! the comments).
+//!
+//! An algorithm computes in doubles, so that its candidate may be a neighbour of the right one. Its numbers
+//! are not the answer: [`conclude`] hands the candidate down to [`crate::collision::certified::distance`],
+//! which proves the separation from there, and tells what was proved, so that all algorithms give the same
+//! answer of the same pair.
 
-use crate::collision::Answer;
-use crate::collision::Overlap;
-use crate::collision::QueryKind;
-use crate::collision::Separation;
 use crate::collision::algorithm::outline::{Projection, Span};
-use crate::collision::algorithm::view::{Relative, Turn};
+use crate::collision::algorithm::view::{PairView, Turning};
 use crate::collision::certified::distance::search::certify;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
+use crate::collision::{Answer, Overlap, QueryKind, Separation};
 use crate::geometry::{DVec2, Feature, Side, length};
 use crate::trace::{Event, Goal, SupportVertex, Tracer};
 
-/// A part of a core: counted along the core, not the file.
+/// A vertex or an edge of a core, counted along the core; a [`Feature`] counts in the file's order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CoreFeature {
-    /// A vertex.
+    /// This vertex of the core.
     Vertex(usize),
-    /// The edge from this vertex to the next.
+    /// The edge from this vertex of the core to the next.
     Edge(usize),
 }
 
-/// The features that face each other, and how far apart the cores are along the normal; in A's frame.
+/// What an algorithm found: the features that face each other, and how far apart the cores are there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Candidate {
-    /// Signed distance of the cores.
+    /// Signed distance of the cores, without the radii, in world units.
     pub(crate) distance: f64,
-    /// Unit vector from A to B.
+    /// Unit vector from A to B, in A's frame.
     pub(crate) normal: DVec2,
-    /// The features of A and B.
+    /// A's feature and B's.
     pub(crate) features: [CoreFeature; 2],
 }
 
@@ -65,10 +67,10 @@ impl CoreFeature {
 
 impl Candidate {
     /// The features behind a projection of the origin onto an edge of B ⊖ A.
-    pub(crate) fn of_projection(pair: &Relative, p: &Projection) -> Self {
-        let DifferenceEdge { source, edge, vertex } = p.pairing;
+    pub(crate) fn of_projection(pair: &PairView, p: &Projection) -> Self {
+        let DifferenceEdge { source, edge, vertex } = p.edge;
         if p.distance < 0.0 || p.span == Span::Within {
-            let facing = partner(pair, p.pairing).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
+            let facing = partner(pair, p.edge).map_or(CoreFeature::Vertex(vertex), CoreFeature::Edge);
             let own = CoreFeature::Edge(edge);
             return Self { distance: p.line, normal: -p.outward, features: a_then_b(source, own, facing) };
         }
@@ -77,17 +79,19 @@ impl Candidate {
         Self::of_vertices(pair, a, b)
     }
 
-    /// Two vertices that face each other. Where they coincide no direction is better than another, and the normal is
-    /// the world's x axis.
-    pub(crate) fn of_vertices(pair: &Relative, a: usize, b: usize) -> Self {
+    /// Two vertices that face each other.
+    ///
+    /// Where they coincide no direction is better than another, and the normal is the world's x axis.
+    pub(crate) fn of_vertices(pair: &PairView, a: usize, b: usize) -> Self {
         let v = pair.vertex(Side::B, b) - pair.vertex(Side::A, a);
         let distance = length(v);
         let normal = if distance > 0.0 { v / distance } else { pair.local_vector(DVec2::X) };
         Self { distance, normal, features: [CoreFeature::Vertex(a), CoreFeature::Vertex(b)] }
     }
 
-    /// The same candidate for the same pair with A and B exchanged, from the frame of one to that of the other.
-    pub(crate) fn swapped(self, from: &Relative, to: &Relative) -> Self {
+    /// This candidate for the pair with A and B exchanged: `from` is the pair as it was, `to` the exchanged
+    /// one.
+    pub(crate) fn swapped(self, from: &PairView, to: &PairView) -> Self {
         let [a, b] = self.features;
         let normal = -to.local_vector(from.world_vector(self.normal));
         Self { distance: self.distance, normal, features: [b, a] }
@@ -95,26 +99,28 @@ impl Candidate {
 }
 
 /// The other body's edge that lies along this edge of B ⊖ A, if one does.
-fn partner(pair: &Relative, p: DifferenceEdge) -> Option<usize> {
+fn partner(pair: &PairView, p: DifferenceEdge) -> Option<usize> {
     let other = p.source.other();
     if pair.edges(other) == 0 {
         return None;
     }
     [p.vertex, pair.previous(other, p.vertex)]
         .into_iter()
-        .find(|&l| pair.turn_of(p.source, p.edge, l) == Turn::Along)
+        .find(|&l| pair.turning_of(p.source, p.edge, l) == Turning::Along)
 }
 
-/// The certified answer for a candidate, told.
-pub(crate) fn conclude(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+/// Proves a candidate and tells the answer.
+pub(crate) fn conclude(pair: &PairView, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
     let answer = separation(pair, c);
     tell(pair, &answer, tracer);
     answer
 }
 
-/// Tells an answer as every algorithm does, so that layers need not know who found it: the supporting vertices of the
-/// edge that faces the other body, the point of B ⊖ A nearest the origin, and the candidate that won.
-pub(crate) fn tell(pair: &Relative, answer: &Separation, tracer: &mut impl Tracer) {
+/// Tells an answer as every algorithm does, so that layers need not know who found it.
+///
+/// In this order: the supporting vertices of the edge that faces the other body, the point of B ⊖ A nearest
+/// the origin, and the candidate that won.
+pub(crate) fn tell(pair: &PairView, answer: &Separation, tracer: &mut impl Tracer) {
     let faces = match answer.features {
         [Feature::Edge(_), of_b] => Some((Side::B, -answer.normal, of_b)),
         [of_a, Feature::Edge(_)] => Some((Side::A, answer.normal, of_a)),
@@ -141,7 +147,7 @@ pub(crate) fn tell(pair: &Relative, answer: &Separation, tracer: &mut impl Trace
 }
 
 /// The vertex of a feature, or both ends of an edge, in the world.
-fn ends(pair: &Relative, side: Side, feature: Feature) -> Vec<SupportVertex> {
+fn ends(pair: &PairView, side: Side, feature: Feature) -> Vec<SupportVertex> {
     let body = pair.body(side);
     let pose = body.pose_at(pair.at.time);
     let count = body.shape.vertices.len().max(1);
@@ -153,15 +159,16 @@ fn ends(pair: &Relative, side: Side, feature: Feature) -> Vec<SupportVertex> {
     indices.into_iter().flatten().filter_map(told).collect()
 }
 
-/// [`conclude`] for algorithms that told all of it about the cores: only a radius, or a pair of points, adds to that.
-pub(crate) fn conclude_rounding(pair: &Relative, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
+/// Proves a candidate, and tells the answer only where it says more than what was told of the cores: where a
+/// body is round, or where both cores are points.
+pub(crate) fn conclude_rounding(pair: &PairView, c: &Candidate, tracer: &mut impl Tracer) -> Separation {
     let points = pair.edges(Side::A) == 0 && pair.edges(Side::B) == 0;
     if pair.radius() > 0.0 || points { conclude(pair, c, tracer) } else { separation(pair, c) }
 }
 
-/// The certified answer for a candidate: its features are where the proof begins, and of directions that tie they are
-/// the ones that are taken.
-pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
+/// Proves a candidate: its features are where the proof begins, and of directions that tie it is the one
+/// taken.
+fn separation(pair: &PairView, c: &Candidate) -> Separation {
     let facing = |source, edge, vertex| DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex });
     let hint = match c.features {
         [CoreFeature::Edge(edge), CoreFeature::Vertex(vertex) | CoreFeature::Edge(vertex)] => {
@@ -173,7 +180,13 @@ pub(crate) fn separation(pair: &Relative, c: &Candidate) -> Separation {
     certify(&pair.certified, Some(hint))
 }
 
-/// A separation as the answer to a query of either kind.
+/// Ends an algorithm: tells how the pair stands, and answers a query of either kind.
+pub(crate) fn finish(kind: QueryKind, s: Separation, tracer: &mut impl Tracer) -> Answer {
+    tracer.record(|| Event::Finished { outcome: s.word() });
+    answer(kind, s)
+}
+
+/// A separation as the answer to a query for it, or for the verdict that it allows.
 pub(crate) fn answer(kind: QueryKind, s: Separation) -> Answer {
     if kind == QueryKind::Overlap { Answer::Overlap(Overlap::from(&s)) } else { Answer::Separation(s) }
 }

@@ -1,26 +1,24 @@
 //! Circle against circle.
 //!
-//! Two circles overlap when their centres are closer than the sum of their radii. Squared, that needs no root:
+//! Two circles overlap when their centres are closer than the sum of their radii. Squared, that needs no
+//! root:
 //!
 //! ```text
 //! ‖A − B‖² < (r₁ + r₂)²
 //! p = ‖A − B‖ − (r₁ + r₂)      N = (A − B)/‖A − B‖      P = N p
 //! ```
 //!
-//! p is the signed separation, N the article's normal, from B to A (ours, n, is −N), and P moves B until the two just
-//! touch. Where the centres coincide N does not exist: every direction parts them as well as another, the normal is
-//! the world's x axis and `ties` is 0.
+//! p is the signed separation, N the article's normal, from B to A (ours, n, is −N), and P moves B until the
+//! two just touch. Where the centres coincide N does not exist: every direction parts them as well as
+//! another, the normal is the world's x axis and `ties` is 0.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Circle vs circle.
 
-use crate::collision::Answer;
-use crate::collision::Overlap;
-use crate::collision::Query;
-use crate::collision::QueryKind;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::outline;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
+use crate::collision::{Answer, Overlap, Query, QueryKind};
 use crate::geometry::{Enclosure, Side};
 use crate::trace::{Event, Tracer};
 
@@ -36,7 +34,7 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// Two circles, and no other shapes.
+/// Takes two circles, and no other shapes.
 fn shapes(query: &Query) -> Result<(), &'static str> {
     let round = |body: &crate::geometry::Body| body.shape.core.len() == 1;
     match query.b {
@@ -47,9 +45,8 @@ fn shapes(query: &Query) -> Result<(), &'static str> {
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    outline::record(&pair, tracer);
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
+    outline::tell(&pair, tracer);
     if query.kind == QueryKind::Overlap
         && let Some(settled) = squared_test(&pair, tracer)
     {
@@ -57,7 +54,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         return Answer::Overlap(settled);
     }
     if query.kind != QueryKind::Overlap {
-        record_comparison(&pair, false, tracer);
+        tell_comparison(&pair, false, tracer);
     }
     let candidate = Candidate::of_vertices(&pair, 0, 0);
     let separation = candidate::conclude(&pair, &candidate, tracer);
@@ -66,23 +63,24 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         direction: -*separation.normal,
         vector: -separation.normal * separation.separation,
     });
-    tracer.record(|| Event::Finished { outcome: separation.word() });
-    candidate::answer(query.kind, separation)
+    candidate::finish(query.kind, separation, tracer)
 }
 
-/// The verdict of the squares, where they differ by more than their rounding. With d = ‖A − B‖, R = r₁ + r₂ and the
-/// 1-norm m ≥ d, the separation d − R = (d² − R²)/(d + R) is bounded without a root by (d² − R²)/(m + R).
+/// The verdict of the squares, where they differ by more than their rounding.
 ///
-/// With e the error of d, that of d² − R² is at most 2 (m + R) e + e² and 8 roundings of (m + R)², which are all below
-/// 4 (m + R) e, since e is no less than 16 ε (m + R).
-fn squared_test(pair: &Relative, tracer: &mut impl Tracer) -> Option<Overlap> {
+/// With d = ‖A − B‖, R = r₁ + r₂ and the 1-norm m ≥ d, the separation d − R = (d² − R²)/(d + R) is bounded
+/// without a root by (d² − R²)/(m + R).
+///
+/// With e the error of d, that of d² − R² is at most 2 (m + R) e + e² and 8 roundings of (m + R)², which are
+/// all below 4 (m + R) e, since e is no less than 16 ε (m + R).
+fn squared_test(pair: &PairView, tracer: &mut impl Tracer) -> Option<Overlap> {
     let v = pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0);
     let radius = pair.radius();
     let reach = v.x.abs() + v.y.abs() + radius;
     let excess = v.length_squared() - radius * radius;
     let slack = 4.0 * pair.gap_error();
     let settled = excess.abs() > slack * reach;
-    record_comparison(pair, settled, tracer);
+    tell_comparison(pair, settled, tracer);
     let near = excess / reach;
     let separation_bounds = match (settled, excess > 0.0) {
         (false, _) => return None,
@@ -92,8 +90,8 @@ fn squared_test(pair: &Relative, tracer: &mut impl Tracer) -> Option<Overlap> {
     Some(Overlap { overlap: Some(excess < 0.0), separation_bounds })
 }
 
-/// Tells both sides of the squared inequality.
-fn record_comparison(pair: &Relative, early_out: bool, tracer: &mut impl Tracer) {
+/// Tells both sides of the squared inequality, and whether it settled the question: the article's early-out.
+fn tell_comparison(pair: &PairView, early_out: bool, tracer: &mut impl Tracer) {
     tracer.record(|| {
         let centers = [pair.told(Side::A, 0).point, pair.told(Side::B, 0).point];
         let v = pair.vertex(Side::B, 0) - pair.vertex(Side::A, 0);

@@ -7,21 +7,20 @@
 //! B_c = clamp(V, −h, h)      D = B − B_c      distance = ‖D‖ − r
 //! ```
 //!
-//! `B_c` is the point of the box closest to the circle; taken back into the world it gives D there. The article stops
-//! where the circle's centre is outside the box. Inside, clamping changes nothing and D would be 0: `B_c` is then the
-//! nearest point of the nearest side, and the distance is −‖D‖ − r. On an edge or vertex exactly, D is 0 and the
-//! normal is that of a side.
+//! `B_c` is the point of the box closest to the circle; taken back into the world it gives D there. The
+//! article stops where the circle's centre is outside the box. Inside, clamping changes nothing and D would
+//! be 0: `B_c` is then the nearest point of the nearest edge, and the distance is −‖D‖ − r. On an edge or
+//! vertex exactly, D is 0 and the normal is that of an edge.
 //!
 //! Either body may be the box; a rounded box adds its radius to r.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), sections Circle vs AABB and Circle vs OBB.
 
-use crate::collision::Answer;
-use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
+use crate::collision::{Answer, Query};
 use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Tracer};
 
@@ -37,7 +36,7 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// A circle and a box or AABB, in either order.
+/// Takes a circle and a box or AABB, in either order.
 fn shapes(query: &Query) -> Result<(), &'static str> {
     let circle = |body: &Body| body.shape.core.len() == 1;
     let boxed = |body: &Body| body.shape.half_extents.is_some() && body.shape.core.len() == 4;
@@ -49,12 +48,11 @@ fn shapes(query: &Query) -> Result<(), &'static str> {
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    outline::record(&pair, tracer);
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
+    outline::tell(&pair, tracer);
     let body = if pair.count(Side::A) == 4 { Side::A } else { Side::B };
     // The box's own frame: that of A, or of the same pair with its bodies swapped.
-    let seen = if body == Side::A { pair } else { Relative::at(pair.b, pair.a, query.time) };
+    let seen = if body == Side::A { pair } else { PairView::at(pair.b, pair.a, query.time) };
     let half = seen.vertex(Side::A, 2);
     let v = seen.vertex(Side::B, 0);
     let clamped = v.clamp(-half, half);
@@ -71,11 +69,11 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     });
     let found = if body == Side::A { found } else { found.swapped(&seen, &pair) };
     let separation = candidate::conclude(&pair, &found, tracer);
-    tracer.record(|| Event::Finished { outcome: separation.word() });
-    candidate::answer(query.kind, separation)
+    candidate::finish(query.kind, separation, tracer)
 }
 
-/// The centre is outside: V was cut in x or in y (an edge faces the circle), or in both (a vertex does).
+/// The candidate of a centre outside: V was cut in x or in y (an edge faces the circle), or in both (a vertex
+/// does).
 fn outside(v: DVec2, clamped: DVec2) -> Candidate {
     let d = v - clamped;
     let distance = length(d);
@@ -83,7 +81,7 @@ fn outside(v: DVec2, clamped: DVec2) -> Candidate {
     Candidate { distance, normal: d / distance, features: [facing, CoreFeature::Vertex(0)] }
 }
 
-/// The centre is inside or on the boundary: the nearest edge, a vertical one of two as near.
+/// The candidate of a centre inside or on the boundary: the nearest edge, a vertical one of two as near.
 fn inside(v: DVec2, half: DVec2) -> Candidate {
     let depth = half - v.abs();
     let (distance, normal) = if depth.x <= depth.y {
@@ -97,9 +95,8 @@ fn inside(v: DVec2, half: DVec2) -> Candidate {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Answer;
-    use crate::collision::QueryKind;
     use crate::collision::tests::bodies::{boxed, placed, polygon};
+    use crate::collision::{Answer, QueryKind};
     use crate::trace::Trace;
 
     fn clamp(a: &Body, b: &Body) -> (f64, DVec2, Event) {

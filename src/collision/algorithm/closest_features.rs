@@ -2,13 +2,12 @@
 //!
 //! See [`crate::collision::certified::distance::search`] for the proof; here it meets queries.
 
-use crate::collision::Answer;
-use crate::collision::Query;
 use crate::collision::algorithm::candidate;
 use crate::collision::algorithm::outline;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::certified::distance::pair::Pair;
+use crate::collision::{Answer, Query};
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -31,11 +30,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let found = Pair::at(query.a, query.b.unwrap_or(query.a), query.time).separation();
     if tracer.listens() {
-        let pair = Relative::of(query);
+        let pair = PairView::of(query);
         tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-        outline::record(&pair, tracer);
+        outline::tell(&pair, tracer);
         candidate::tell(&pair, &found, tracer);
     }
-    tracer.record(|| Event::Finished { outcome: found.word() });
-    candidate::answer(query.kind, found)
+    candidate::finish(query.kind, found, tracer)
 }

@@ -1,33 +1,39 @@
-//! EPA, the expanding polytope: depth from a simplex of B ⊖ A that holds the origin. See [`crate::collision::algorithm::gjk`].
+//! EPA, the expanding polytope: depth from a simplex of B ⊖ A that holds the origin, as [`super::gjk`] finds
+//! it.
 //!
-//! The polytope's vertices are kept counter-clockwise. Its edge nearest the origin, with outward normal N and distance d, is
-//! split by the farthest vertex w of B ⊖ A along N; when w·N is no farther than d the edge is one of B ⊖ A itself, and d
-//! the depth:
+//! The polytope's vertices are kept counter-clockwise. Its edge nearest the origin, with outward normal N and
+//! distance d, is split by the farthest vertex w of B ⊖ A along N; when w·N is no farther than d the edge is
+//! one of B ⊖ A itself, and d the depth:
 //!
 //! ```text
 //! w = s_B(N) − s_A(−N)      stop: w·N ≤ d, or w is an end of the edge
 //! ```
 //!
-//! It may start from a segment, which is a polytope of two edges, there and back, with no inside: a body without
-//! interior, or a search that met the origin on its way.
+//! It may start from a segment, which is a polytope of two edges, there and back, with no inside: a body
+//! without interior, or a search that met the origin on its way.
 
 use crate::collision::algorithm::simplex::Vertex;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::geometry::{DVec2, length};
 use crate::trace::{Event, Tracer};
 
-/// Most vertices that a polytope may have: it grows by one a step, and steps beyond this only come from bodies of
-/// hundreds of vertices that are all about as deep.
+/// Most vertices that a polytope may have; it grows by one a step.
+///
+/// More are asked for only by bodies of hundreds of vertices that are all about as deep, and those
+/// [`super::merge`] finishes. At half of it bodies of 64 vertices each may need that; at twice it the storage
+/// is 8 kB, and clearing it costs more than most searches.
 const CAPACITY: usize = 128;
 
 /// A convex polygon inside B ⊖ A, counter-clockwise.
 struct Polytope {
+    /// The vertices, of which the first `count` are in use.
     vertices: [Vertex; CAPACITY],
+    /// How many vertices it has.
     count: usize,
 }
 
 /// The edge of B ⊖ A nearest the origin; None when the storage is used up or B ⊖ A is a point.
-pub(crate) fn expand(pair: &Relative, simplex: &[Vertex], tracer: &mut impl Tracer) -> Option<[Vertex; 2]> {
+pub(crate) fn expand(pair: &PairView, simplex: &[Vertex], tracer: &mut impl Tracer) -> Option<[Vertex; 2]> {
     let mut polytope = Polytope::from_simplex(pair, simplex)?;
     loop {
         let (edge, outward, distance) = polytope.nearest();
@@ -50,8 +56,8 @@ pub(crate) fn expand(pair: &Relative, simplex: &[Vertex], tracer: &mut impl Trac
 }
 
 impl Polytope {
-    /// A triangle turned counter-clockwise, or the segment from a vertex to another one.
-    fn from_simplex(pair: &Relative, simplex: &[Vertex]) -> Option<Self> {
+    /// The polytope of a triangle, turned counter-clockwise, or of a segment, from a vertex to another one.
+    fn from_simplex(pair: &PairView, simplex: &[Vertex]) -> Option<Self> {
         let first = *simplex.first()?;
         let mut vertices = [first; CAPACITY];
         let count = match *simplex {
@@ -74,7 +80,7 @@ impl Polytope {
         Some(Self { vertices, count })
     }
 
-    /// Vertex k and the next.
+    /// The ends of edge k: vertex k and the next.
     fn ends(&self, k: usize) -> (Vertex, Vertex) {
         let next = if k + 1 == self.count { 0 } else { k + 1 };
         (self.vertices[k], self.vertices[next])

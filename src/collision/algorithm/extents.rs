@@ -4,19 +4,19 @@
 //! D = |c_B − c_A| − (h_A + h_B)      overlap = D_x < 0 and D_y < 0
 //! ```
 //!
-//! One positive component is a gap: apart. With both negative the boxes overlap, and the axis of the larger D is the
-//! shorter way out. That is the minimum translation a reader of the article asks for: move B by |D| on that axis, away
-//! from A. (Here touching, D = 0, counts as overlap too.) Apart on both axes, the nearest features are vertices and the
-//! distance is ‖D‖. Coincident centres are moved apart towards +x, or +y where that is shorter.
+//! One positive component is a gap: apart. With both negative the boxes overlap, and the axis of the larger D
+//! is the shorter way out. That is the minimum translation a reader of the article asks for: move B by |D| on
+//! that axis, away from A. (Here touching, D = 0, counts as overlap too.) Apart on both axes, the nearest
+//! features are vertices and the distance is ‖D‖. Coincident centres are moved apart towards +x, or +y where
+//! that is shorter.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section AABB vs AABB, and the comments.
 
-use crate::collision::Answer;
-use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate, CoreFeature};
 use crate::collision::algorithm::outline;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops};
+use crate::collision::{Answer, Query};
 use crate::geometry::{Body, DVec2, Side, length};
 use crate::trace::{Event, Tracer};
 
@@ -32,7 +32,7 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// Two AABBs, and no other shapes.
+/// Takes two AABBs, and no other shapes.
 fn shapes(query: &Query) -> Result<(), &'static str> {
     let aabb = |body: &Body| body.shape.kind == "aabb" && body.shape.core.len() == 4;
     match query.b {
@@ -43,9 +43,8 @@ fn shapes(query: &Query) -> Result<(), &'static str> {
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    outline::record(&pair, tracer);
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
+    outline::tell(&pair, tracer);
     let half_extents = [Side::A, Side::B].map(|s| pair.vertex(s, 2) - pair.origin(s));
     let apart = pair.origin(Side::B);
     let gap = apart.abs() - (half_extents[0] + half_extents[1]);
@@ -55,13 +54,13 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         gap,
     });
     let separation = candidate::conclude(&pair, &candidate(apart, gap), tracer);
-    tracer.record(|| Event::Finished { outcome: separation.word() });
-    candidate::answer(query.kind, separation)
+    candidate::finish(query.kind, separation, tracer)
 }
 
-/// The vertices or the edges that face each other.
+/// The vertices or the edges that face each other, of boxes whose centres are `apart`, with this gap on each
+/// axis.
 fn candidate(apart: DVec2, gap: DVec2) -> Candidate {
-    // Towards B on each axis; where the centres coincide, towards + .
+    // Towards B on each axis; where the centres coincide, towards (+, +).
     let toward = DVec2::new(if apart.x >= 0.0 { 1.0 } else { -1.0 }, if apart.y >= 0.0 { 1.0 } else { -1.0 });
     if gap.x > 0.0 && gap.y > 0.0 {
         let distance = length(gap);
@@ -76,9 +75,8 @@ fn candidate(apart: DVec2, gap: DVec2) -> Candidate {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::QueryKind;
-    use crate::collision::Separation;
     use crate::collision::tests::bodies::{boxed, placed};
+    use crate::collision::{QueryKind, Separation};
     use crate::geometry::Feature;
     use crate::trace::NoTrace;
 

@@ -1,24 +1,22 @@
 //! The axis-aligned bounding box of a body, or of two together.
 //!
-//! Loop over all vertices keeping the smallest and largest coordinate on each axis, and add the radius. Two boxes are
-//! joined by doing the same with their vertices:
+//! Loop over all vertices keeping the smallest and largest coordinate on each axis, and add the radius. Two
+//! boxes are joined by doing the same with their vertices:
 //!
 //! ```text
 //! min = min pᵢ − r      max = max pᵢ + r      c = (min + max)/2      h = (max − min)/2
 //! ```
 //!
-//! Any shape has one, an outline that is not convex too. Every number is rounded outward: the body lies in [min, max]
-//! and in c ± h, whatever was rounded on the way: doubles with a bound find the vertices that may be outermost, and those
-//! are placed again in double-doubles. Coordinates that need no rounding stay as they are.
+//! Any shape has one, an outline that is not convex too. Every number is rounded outward: the body lies in
+//! [min, max] and in c ± h, whatever was rounded on the way: doubles with a bound find the vertices that may
+//! be outermost, and those are placed again in double-doubles. Coordinates that need no rounding stay as they
+//! are.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section AABB vs AABB, "Fun AABB facts".
 
-use crate::collision::Answer;
-use crate::collision::Bounds;
-use crate::collision::Query;
-use crate::collision::QueryKind;
 use crate::collision::algorithm::{Algorithm, Stops};
 use crate::collision::certified::rounding::{EXTREME_ERROR, TAME};
+use crate::collision::{Answer, Bounds, Query, QueryKind};
 use crate::geometry::{Ball, Body, DVec2, Pose, Rotation, Side, Turn, taming_power, two_sum};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
@@ -34,7 +32,7 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     ready: None,
 };
 
-/// One body or two, of any shape.
+/// Takes one body or two, of any shape.
 #[expect(clippy::unnecessary_wraps, reason = "a predicate in the table of algorithms")]
 fn shapes(_: &Query) -> Result<(), &'static str> {
     Ok(())
@@ -57,7 +55,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     Answer::Bounds(centered(min, max))
 }
 
-/// Smallest and largest coordinates of a body, rounded outward.
+/// Smallest and largest coordinates of a body in the world, rounded outward, told as those of body `of`.
 fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 2] {
     let placing = Placing::new(body, t);
     let vertices = &body.shape.vertices;
@@ -65,23 +63,23 @@ fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 
     let mut tops = [f64::NEG_INFINITY; 4];
     for &v in vertices {
         let reach = placing.rough(v);
-        tops = std::array::from_fn(|side| tops[side].max(reach[side]));
+        tops = std::array::from_fn(|direction| tops[direction].max(reach[direction]));
     }
-    // Whoever rounding may have kept from the top is as outermost as the one that is there.
+    // Rounding may have kept any of these from the top.
     let may_touch = tops.map(|top| top - 2.0 * placing.error);
     let mut ends = [f64::NEG_INFINITY; 4];
     for &v in vertices {
         let reach = placing.rough(v);
-        for side in 0..4 {
-            if reach[side] >= may_touch[side] {
-                ends[side] = ends[side].max(placing.outermost(side, v));
+        for direction in 0..4 {
+            if reach[direction] >= may_touch[direction] {
+                ends[direction] = ends[direction].max(placing.outermost(direction, v));
             }
         }
     }
     let ends = [DVec2::new(-ends[0], -ends[1]), DVec2::new(ends[2], ends[3])];
     tracer.record(|| {
-        let touching = std::array::from_fn(|side| {
-            let touches = |v: &DVec2| placing.rough(*v)[side] >= may_touch[side];
+        let touching = std::array::from_fn(|direction| {
+            let touches = |v: &DVec2| placing.rough(*v)[direction] >= may_touch[direction];
             let places = vertices.iter().enumerate().filter(|(_, v)| touches(v));
             places.map(|(index, &v)| SupportVertex { index, point: placing.pose.point(v) }).collect()
         });
@@ -92,13 +90,15 @@ fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 
 
 /// Where a body is at a moment: in doubles with a bound, and in balls.
 struct Placing {
+    /// From the body's frame to the world, in doubles.
     pose: Pose,
-    /// Bound on the error of a coordinate placed by `pose`.
+    /// Bound on the error of a coordinate placed by `pose`, world units.
     error: f64,
-    /// Position in balls.
+    /// The body's origin in the world, in balls, times `unit`.
     position: [Ball; 2],
-    /// From the body's frame to the world.
+    /// From the body's frame to the world, in balls.
     rotation: Rotation<Ball>,
+    /// The shape's radius, times `unit`.
     radius: f64,
     /// Power of two by which the balls are multiplied: 1 but for tiny scenes, whose products would underflow.
     unit: f64,
@@ -125,28 +125,28 @@ impl Placing {
         }
     }
 
-    /// How far a vertex reaches to each side, left, bottom, right and top, without the radius.
+    /// How far a vertex reaches to the left, bottom, right and top, in doubles, without the radius.
     #[inline]
     fn rough(&self, v: DVec2) -> [f64; 4] {
         let p = self.pose.point(v);
         [-p.x, -p.y, p.x, p.y]
     }
 
-    /// The same for one side, with the radius, not below the exact value.
-    fn outermost(&self, side: usize, v: DVec2) -> f64 {
+    /// How far a vertex reaches in one of these directions with the radius: not below the exact value.
+    fn outermost(&self, direction: usize, v: DVec2) -> f64 {
         let (Rotation { cos, sin }, v) = (self.rotation, v * self.unit);
-        let turned = if side.is_multiple_of(2) {
+        let turned = if direction.is_multiple_of(2) {
             cos.scale(v.x) - sin.scale(v.y)
         } else {
             sin.scale(v.x) + cos.scale(v.y)
         };
-        let place = self.position[side % 2] + turned;
+        let place = self.position[direction % 2] + turned;
         let radius = Ball::new(self.radius);
-        (if side < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi
+        (if direction < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi
     }
 }
 
-/// x + y, rounded down unless it is exact.
+/// Not above x + y, and equal to it where that is a double.
 fn sum_down(x: f64, y: f64) -> f64 {
     let (sum, error) = two_sum(x, y);
     if error < 0.0 { sum.next_down() } else { sum }
@@ -163,10 +163,8 @@ fn centered(min: DVec2, max: DVec2) -> Bounds {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Answer;
-    use crate::collision::Bounds;
-    use crate::collision::QueryKind;
     use crate::collision::tests::bodies::{TILT, boxed, placed, polygon};
+    use crate::collision::{Answer, Bounds, QueryKind};
     use crate::trace::{NoTrace, Trace};
 
     fn ask(a: &Body, b: Option<&Body>, tracer: &mut impl Tracer) -> Bounds {

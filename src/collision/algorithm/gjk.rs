@@ -1,34 +1,35 @@
 //! Distance by GJK, depth by EPA.
 //!
-//! GJK walks over B ⊖ A without building it: a simplex of at most three of its vertices, the point v of the simplex
-//! closest to the origin, and a new vertex w, the one farthest towards the origin:
+//! GJK walks over B ⊖ A without building it: a simplex of at most three of its vertices, the point v of the
+//! simplex closest to the origin, and a new vertex w, the one farthest towards the origin:
 //!
 //! ```text
 //! w = s_B(−v) − s_A(v)      stop: ‖v‖² − v·w ≤ 0, no vertex is nearer      v = 0: the origin is inside
 //! ```
 //!
-//! Inside, EPA (the expanding polytope) grows the triangle around the origin: the edge nearest the origin is split by
-//! the vertex of B ⊖ A farthest along its outward normal, until there is none beyond it; that edge is the way out.
+//! Inside, EPA (the expanding polytope) grows the triangle around the origin: the edge nearest the origin is
+//! split by the vertex of B ⊖ A farthest along its outward normal, until there is none beyond it; that edge
+//! is the way out.
 //!
-//! Both walk on vertices, counted, not on rounded points: a vertex is a pair of core vertices, so "w is not new" is exact and
-//! no tolerance ends the search. The origin on the simplex itself (touching bodies, or a difference without interior)
-//! starts EPA from a segment, whose far side decides. A polytope that outgrows its storage, and a walk that rounding
-//! turns in circles, are finished by the merge of [`crate::collision::algorithm::merge`], which needs no storage and always ends.
+//! Both walk on vertices, counted, not on rounded points: a vertex is a pair of core vertices, so "w is not
+//! new" is exact and no tolerance ends the search. The origin on the simplex itself (touching bodies, or a
+//! difference without interior) starts EPA from a segment, whose far side decides. A polytope that outgrows
+//! its storage, and a walk that rounding turns in circles, are finished by the merge of
+//! [`crate::collision::algorithm::merge`], which needs no storage and always ends.
 //!
 //! Source: Gilbert, Johnson, Keerthi, "A fast procedure for computing the distance between complex objects in
-//! three-dimensional space" (1988); van den Bergen, "Collision detection in interactive 3D environments" (2003),
-//! sections 4.3 (GJK) and 4.3.8 (EPA); Catto, "Computing distance with GJK" (GDC 2010).
+//! three-dimensional space" (1988); van den Bergen, "Collision detection in interactive 3D environments"
+//! (2003), sections 4.3 (GJK) and 4.3.8 (EPA); Catto, "Computing distance with GJK" (GDC 2010).
 
-use crate::collision::Answer;
-use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::epa;
 use crate::collision::algorithm::nearest_edge::NearestEdge;
-use crate::collision::algorithm::outline::{self, walk};
+use crate::collision::algorithm::outline::{self, each_edge};
 use crate::collision::algorithm::simplex::{Simplex, Vertex};
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
+use crate::collision::{Answer, Query};
 use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, Tracer};
 
@@ -47,21 +48,20 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
 /// How the search for the origin ended.
 #[derive(Clone, Copy, Debug)]
 enum Found {
-    /// Outside: the closest point is a vertex.
+    /// The origin is outside, and the closest point is this vertex.
     Vertex(Vertex),
-    /// Outside: it is on an edge.
+    /// The origin is outside, and the closest point is on the edge between these.
     Edge(Vertex, Vertex),
     /// The origin is in the triangle, or on the simplex.
     Inside(Simplex),
-    /// Rounding turned the walk in circles.
+    /// The walk did not end: rounding turned it in circles.
     Stalled,
 }
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    outline::record(&pair, tracer);
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
+    outline::tell(&pair, tracer);
     let candidate = match search(&pair, tracer) {
         Found::Vertex(v) => Some(Candidate::of_vertices(&pair, v.a, v.b)),
         Found::Edge(p, q) => of_edge(&pair, p, q),
@@ -72,23 +72,22 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     };
     let candidate = candidate.unwrap_or_else(|| by_merging(&pair));
     let separation = candidate::conclude(&pair, &candidate, tracer);
-    tracer.record(|| Event::Finished { outcome: separation.word() });
-    candidate::answer(query.kind, separation)
+    candidate::finish(query.kind, separation, tracer)
 }
 
-/// The walk: the closest point of the simplex, the vertex beyond it, the simplex with it.
-fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
+/// Walks towards the origin: the closest point of the simplex, the vertex beyond it, the simplex with it.
+fn search(pair: &PairView, tracer: &mut impl Tracer) -> Found {
     // Any vertex of B ⊖ A would do, but it must be one: EPA's polytope has to be convex.
     let first = Vertex::farthest(pair, DVec2::X);
     let mut simplex = Simplex::point(first);
     // Each step takes a vertex closer to the origin, and there are n + m.
     for _ in 0..2 * (pair.count(Side::A) + pair.count(Side::B)) + 2 {
         let Some((reduced, v)) = simplex.closest() else {
-            record(pair, &simplex, DVec2::ZERO, tracer);
+            tell_simplex(pair, &simplex, DVec2::ZERO, tracer);
             return Found::Inside(simplex);
         };
         simplex = reduced;
-        record(pair, &simplex, v, tracer);
+        tell_simplex(pair, &simplex, v, tracer);
         if v == DVec2::ZERO {
             return Found::Inside(simplex);
         }
@@ -107,36 +106,35 @@ fn search(pair: &Relative, tracer: &mut impl Tracer) -> Found {
     Found::Stalled
 }
 
-/// The candidate of an edge of B ⊖ A from one of its vertices to another, counter-clockwise: the edges of one body or,
-/// where they are parallel, of both that lie between them. None where rounding made it of vertices that are not
-/// neighbours.
-fn of_edge(pair: &Relative, p: Vertex, q: Vertex) -> Option<Candidate> {
+/// The candidate of an edge of B ⊖ A from one of its vertices to another, counter-clockwise.
+///
+/// It is made of an edge of one body or, where they are parallel, of both. None where rounding made it of
+/// vertices that are not neighbours.
+fn of_edge(pair: &PairView, p: Vertex, q: Vertex) -> Option<Candidate> {
     let of_a = p.a != q.a && pair.next(Side::A, p.a) == q.a;
     let of_b = p.b != q.b && pair.next(Side::B, p.b) == q.b;
     let edge_of_a = |vertex| of_a.then_some(DifferenceEdge { source: Side::A, edge: p.a, vertex });
     let edge_of_b = |vertex| of_b.then_some(DifferenceEdge { source: Side::B, edge: p.b, vertex });
     let mut nearest = NearestEdge::default();
-    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)].into_iter().flatten().for_each(
-        |pairing| {
-            let p = pairing.project(pair);
-            nearest.offer(p.distance, p);
-        },
-    );
+    [edge_of_a(p.b), edge_of_a(q.b), edge_of_b(p.a), edge_of_b(q.a)].into_iter().flatten().for_each(|edge| {
+        let p = edge.project(pair);
+        nearest.offer(p.distance, p);
+    });
     nearest.found().map(|p| Candidate::of_projection(pair, &p))
 }
 
-/// The answer by walking the whole outline.
-fn by_merging(pair: &Relative) -> Candidate {
+/// The candidate by looking at every edge of the outline.
+fn by_merging(pair: &PairView) -> Candidate {
     let mut nearest = NearestEdge::default();
-    walk(pair, |pairing| {
-        let p = pairing.project(pair);
+    each_edge(pair, |edge| {
+        let p = edge.project(pair);
         nearest.offer(p.distance, p);
     });
     nearest.candidate(pair)
 }
 
 /// Tells a simplex, its closest point, and where the walk looks next.
-fn record(pair: &Relative, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer) {
+fn tell_simplex(pair: &PairView, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer) {
     tracer.record(|| Event::SimplexUpdated {
         vertices: simplex.vertices().iter().map(|u| pair.world_vector(u.point)).collect(),
         closest: pair.world_vector(v),
@@ -147,9 +145,8 @@ fn record(pair: &Relative, simplex: &Simplex, v: DVec2, tracer: &mut impl Tracer
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::Answer;
-    use crate::collision::QueryKind;
     use crate::collision::tests::bodies::{boxed, placed, polygon};
+    use crate::collision::{Answer, QueryKind};
     use crate::geometry::Body;
     use crate::geometry::length;
     use crate::trace::Trace;

@@ -1,37 +1,34 @@
 //! Signed separation by the Minkowski difference, edge by edge, as the article does it.
 //!
-//! B ⊖ A = {b − a} holds the origin exactly when the bodies overlap, and its distance from the origin is theirs. Loop
-//! over the edges of A with the vertices of B that support them, then over the edges of B with the vertices of A:
-//! each pair is an edge of B ⊖ A. Project the origin onto it and keep the least penetrating distance, or, once the
-//! origin is seen to be outside, the least positive one.
+//! B ⊖ A = {b − a} holds the origin exactly when the bodies overlap, and its distance from the origin is
+//! theirs. Loop over the edges of A with the vertices of B that support them, then over the edges of B with
+//! the vertices of A: each pair is an edge of B ⊖ A. Project the origin onto it and keep the least
+//! penetrating distance, or, once the origin is seen to be outside, the least positive one.
 //!
 //! ```text
 //! s = supports of B along −N          N: outward normal of the edge v₀v₁ of A
 //! edge of B ⊖ A: s − v₀ → s − v₁      dist = ± ‖foot‖, the sign that of (s − v₀)·N
 //! ```
 //!
-//! Two edges that are exactly aligned have *two* supporting vertices; both are projected on ("re-project onto the edge
-//! from the origin to make sure you don't accidentally pick the wrong edge-vertex pair").
+//! Two edges that are exactly aligned have *two* supporting vertices; both are projected on ("re-project onto
+//! the edge from the origin to make sure you don't accidentally pick the wrong edge-vertex pair").
 //!
-//! Two things differ from the article's listing. Its `Sign(0)` is 0, which calls a pair touching as soon as the origin
-//! is on the *line* of an edge; here 0 counts as outside. And the round bodies that it leaves out are core and radius:
-//! the distance of the cores less `r_A` + `r_B`. A core that is a point has no edges; two points have none between them,
-//! and the one point of their difference is compared instead.
+//! Two things differ from the article's listing. Its `Sign(0)` is 0, which calls a pair touching as soon as
+//! the origin is on the *line* of an edge; here 0 counts as outside. And the round bodies that it leaves out
+//! are core and radius: the distance of the cores less `r_A` + `r_B`. A core that is a point has no edges;
+//! two points have none between them, and the one point of their difference is compared instead.
 //!
-//! Source: Paul Firth, "Collision detection for dummies" (2011), sections OBB vs OBB and Poly vs Poly. O(n·m).
+//! Source: Paul Firth, "Collision detection for dummies" (2011), sections OBB vs OBB and Poly vs Poly.
+//! O(n·m).
 
-use crate::collision::Answer;
-use crate::collision::Overlap;
-use crate::collision::Query;
-use crate::collision::QueryKind;
-use crate::collision::Separation;
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::early_out::{self, EarlyOut};
 use crate::collision::algorithm::nearest_edge::{NearestEdge, Offer, improved};
-use crate::collision::algorithm::outline::{Projection, record_rounding};
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::outline::{Projection, tell_rounding};
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
+use crate::collision::{Answer, Overlap, Query, QueryKind, Separation};
 use crate::geometry::Side;
 use crate::trace::{Event, Tracer};
 
@@ -49,8 +46,7 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
     if query.kind == QueryKind::Overlap {
         Answer::Overlap(overlap(&pair, tracer))
     } else {
@@ -58,8 +54,8 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     }
 }
 
-/// Signed separation of a pair.
-pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separation {
+/// Signed separation of a pair, told.
+pub(crate) fn separation(pair: &PairView, tracer: &mut impl Tracer) -> Separation {
     let found = match closest(pair, EarlyOut::Never, tracer) {
         Closest::Separates(edge) => Candidate::of_projection(pair, &edge),
         Closest::Nearest(edge) => edge.candidate(pair),
@@ -70,7 +66,7 @@ pub(crate) fn separation(pair: &Relative, tracer: &mut impl Tracer) -> Separatio
 }
 
 /// Whether a pair overlaps: the search ends at the first edge that separates.
-fn overlap(pair: &Relative, tracer: &mut impl Tracer) -> Overlap {
+fn overlap(pair: &PairView, tracer: &mut impl Tracer) -> Overlap {
     match closest(pair, EarlyOut::of(QueryKind::Overlap, pair), tracer) {
         Closest::Separates(edge) => early_out::separated(pair, &edge, tracer),
         Closest::Nearest(edge) => {
@@ -83,20 +79,20 @@ fn overlap(pair: &Relative, tracer: &mut impl Tracer) -> Overlap {
 
 /// What the loop over the edges found.
 enum Closest {
-    /// An edge that separates, where that is all that was asked.
+    /// An edge whose line has the origin outside, beyond radii and rounding; no other was looked at.
     Separates(Projection),
-    /// The nearest edge.
+    /// The edge that is nearest the origin, of all.
     Nearest(NearestEdge),
 }
 
 /// The edge of B ⊖ A nearest the origin, unless an edge before the last ends the search.
-fn closest(pair: &Relative, early_out: EarlyOut, tracer: &mut impl Tracer) -> Closest {
-    record_rounding(pair, tracer);
+fn closest(pair: &PairView, early_out: EarlyOut, tracer: &mut impl Tracer) -> Closest {
+    tell_rounding(pair, tracer);
     let mut nearest = NearestEdge::default();
     for source in [Side::A, Side::B] {
         for edge in 0..pair.edges(source) {
-            for pairing in pairings(pair, source, edge, tracer).into_iter().flatten() {
-                let p = pairing.project(pair);
+            for edge in edges_of(pair, source, edge, tracer).into_iter().flatten() {
+                let p = edge.project(pair);
                 tracer.record(|| Event::OriginProjected {
                     foot: pair.world_vector(p.foot),
                     distance: p.distance,
@@ -113,10 +109,13 @@ fn closest(pair: &Relative, early_out: EarlyOut, tracer: &mut impl Tracer) -> Cl
     Closest::Nearest(nearest)
 }
 
-/// The edge with each vertex of the other body that supports it. The first, which is told as an edge of B ⊖ A, is the one
-/// that stands in the outline where B's edges come first.
-fn pairings(
-    pair: &Relative,
+/// An edge of a body with each vertex of the other that supports it: one, or two where an edge there is
+/// aligned.
+///
+/// The first, which is told as an edge of B ⊖ A, is the one that stands in the outline, where B's edges come
+/// first.
+fn edges_of(
+    pair: &PairView,
     source: Side,
     edge: usize,
     tracer: &mut impl Tracer,

@@ -1,12 +1,26 @@
 //! What the article does: one algorithm a file, traced, and one row in [`ALGORITHMS`].
 //!
-//! A file is named as its algorithm is in a scene (`ray_cast.rs` is `ray-cast`) and ends in the row that the table
-//! takes from it, `ALGORITHM`. To add one: write the file, its `mod` line, its line in the table. Scenes, `tracefig
-//! list`, the figures' runs and the report follow the table.
+//! A file is named as its algorithm is in a scene (`ray_cast.rs` is `ray-cast`) and holds the row that the
+//! table takes from it, `ALGORITHM`. To add one, write the file, its `mod` line and its line in the table:
+//! scenes, `tracefig list`, the figures and the report follow the table.
+//!
+//! An algorithm for one moment has this way:
+//!
+//! ```text
+//! view.rs       the two bodies from A's frame; event `started`
+//! outline.rs    tells B ⊖ A, whose distance from the origin is the bodies'; projects the origin on its edges
+//! its own file  finds which features face each other, and tells how
+//! candidate.rs  hands them down to `certified/`, tells what was proved, answers; event `finished`
+//! ```
+//!
+//! What several share stands beside them: `nearest_edge.rs` (which of two edges is better), `early_out.rs`
+//! (when a test for overlap may stop), `simplex.rs` (of GJK and EPA), `advancement.rs` (steps through time).
+//! No number of an answer is computed here, but those of `extremes`, `arc` and the early-outs, which round
+//! them outward themselves.
 
-pub(crate) mod advancement;
+mod advancement;
 mod arc;
-pub(crate) mod candidate;
+mod candidate;
 mod circles;
 mod clamp;
 mod closest_features;
@@ -19,19 +33,46 @@ mod gjk;
 mod merge;
 mod minkowski;
 mod nearest_edge;
-pub(crate) mod outline;
+mod outline;
 mod ray_cast;
 mod ray_clipping;
 mod separating_axes;
 mod simplex;
 mod swept_axis;
-pub(crate) mod view;
+mod view;
 
 use crate::collision::{Answer, Query, QueryKind};
 use crate::geometry::Body;
 use crate::trace::{NoTrace, Trace};
 
 /// A row in the table of algorithms.
+///
+/// ```
+/// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind, Stops};
+/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// use tracefig::trace::{Event, Trace};
+/// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+/// let at = |x, speed| Body {
+///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
+///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+/// };
+/// let (a, b) = (at(0.0, 8.0), at(6.0, 0.0));
+/// let query = Query {
+///     kind: QueryKind::LinearSweep, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100,
+/// };
+/// let ray_cast = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
+/// assert_eq!((ray_cast.name, ray_cast.stops), ("ray-cast", Stops::Exactly));
+/// let mut trace = Trace::default();
+/// let answer = (ray_cast.traced)(&query, &mut trace);
+/// let Answer::Impact(impact) = &answer else { panic!() };
+/// // The gap of 4 closes at 8.
+/// assert_eq!(impact.outcome.word(), "hit");
+/// assert!(matches!(trace.events.last(), Some(Event::Finished { outcome: "hit" })));
+/// // Listening changes nothing, and nor does having placed the bodies beforehand.
+/// assert_eq!(answer, ray_cast.answer(&query));
+/// let ready = ray_cast.ready.unwrap()(&query);
+/// assert_eq!(answer, ready());
+/// ```
 pub struct Algorithm {
     /// Its word in a scene file.
     pub name: &'static str,
@@ -39,7 +80,7 @@ pub struct Algorithm {
     pub about: &'static str,
     /// The questions it answers.
     pub kinds: &'static [QueryKind],
-    /// Whether it takes this pair of shapes; the text says which shapes it takes.
+    /// Whether it takes the bodies of this query; the error says which it takes, as "takes two circles".
     pub shapes: fn(&Query) -> Result<(), &'static str>,
     /// Whether [`Query::tolerance`] has a say in its answer.
     pub stops: Stops,
@@ -47,8 +88,8 @@ pub struct Algorithm {
     pub quiet: fn(&Query, &mut NoTrace) -> Answer,
     /// Answers, and records what it did.
     pub traced: fn(&Query, &mut Trace) -> Answer,
-    /// Prepares a query to be asked again and again, where poses, cosines and sines can be worked out beforehand;
-    /// None where each answer starts from the scene's numbers.
+    /// Prepares a query to be asked again and again, where poses, cosines and sines can be worked out
+    /// beforehand; None where each answer starts from the scene's numbers.
     pub ready: Option<for<'q> fn(&Query<'q>) -> Ready<'q>>,
 }
 
@@ -65,13 +106,27 @@ pub enum Stops {
 }
 
 impl Algorithm {
-    /// Answers without a trace.
+    /// Answers a query that it takes, without a trace. See [`Algorithm`] for an example.
     #[must_use]
     pub fn answer(&self, query: &Query) -> Answer {
         (self.quiet)(query, &mut NoTrace)
     }
 
-    /// Whether it answers this kind of question about these shapes.
+    /// Whether it answers this kind of question about these bodies.
+    ///
+    /// ```
+    /// use tracefig::collision::{ALGORITHMS, Query, QueryKind};
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let body = Body {
+    ///     shape: Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap(),
+    ///     position: DVec2::ZERO, angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(90.0),
+    /// };
+    /// let query = Query {
+    ///     kind: QueryKind::MotionBound, a: &body, b: None, time: 0.0, tolerance: 0.0, max_iterations: 1,
+    /// };
+    /// let takers: Vec<&str> = ALGORITHMS.iter().filter(|a| a.takes(&query)).map(|a| a.name).collect();
+    /// assert_eq!(takers, ["arc"]);
+    /// ```
     #[must_use]
     pub fn takes(&self, query: &Query) -> bool {
         self.kinds.contains(&query.kind) && (self.shapes)(query).is_ok()
@@ -99,7 +154,7 @@ pub static ALGORITHMS: &[Algorithm] = &[
 /// The questions about two bodies at one moment.
 const DISCRETE: &[QueryKind] = &[QueryKind::Separation, QueryKind::Overlap];
 
-/// Two bodies that have a core: all but outlines.
+/// Takes two bodies that have a convex core: all but outlines.
 fn convex_pair(query: &Query) -> Result<(), &'static str> {
     let convex = |body: &Body| !body.shape.core.is_empty();
     match query.b {
@@ -108,7 +163,7 @@ fn convex_pair(query: &Query) -> Result<(), &'static str> {
     }
 }
 
-/// Two convex bodies that do not turn.
+/// Takes two convex bodies that do not turn.
 fn unturning_pair(query: &Query) -> Result<(), &'static str> {
     convex_pair(query)?;
     let turns = |body: &Body| body.spin.0 != 0.0;

@@ -1,14 +1,15 @@
 //! The edge of B ⊖ A that is nearest the origin, kept while the edges come by.
 //!
-//! Outside B ⊖ A the answer is the least positive of the signed distances to its edges, inside the least penetrating
-//! one, the negative number closest to 0. One rule compares any two: outside beats inside, then the nearer one wins.
+//! Outside B ⊖ A the answer is the least positive of the signed distances to its edges, inside the least
+//! penetrating one, the negative number closest to 0. One rule compares any two: outside beats inside, then
+//! the nearer one wins.
 //!
-//! Source: Paul Firth, "Collision detection for dummies" (2011), section OBB vs OBB: "we are interested in the least
-//! penetrating distance", then in the least positive one.
+//! Source: Paul Firth, "Collision detection for dummies" (2011), section OBB vs OBB: "we are interested in
+//! the least penetrating distance", then in the least positive one.
 
 use crate::collision::algorithm::candidate::Candidate;
 use crate::collision::algorithm::outline::Projection;
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::geometry::Feature;
 use crate::trace::{Event, Goal};
 
@@ -44,8 +45,9 @@ impl NearestEdge {
         self.best.map(|(_, projection)| projection)
     }
 
-    /// The features that face each other: those of the best, or the two points that have no edge between them.
-    pub(crate) fn candidate(self, pair: &Relative) -> Candidate {
+    /// The features that face each other: those of the best, or the two points that have no edge between
+    /// them.
+    pub(crate) fn candidate(self, pair: &PairView) -> Candidate {
         match self.found() {
             Some(projection) => Candidate::of_projection(pair, &projection),
             None => Candidate::of_vertices(pair, 0, 0),
@@ -53,7 +55,8 @@ impl NearestEdge {
     }
 }
 
-/// Whether a signed distance beats another: any outside beats inside, then the nearer one wins. 0 counts as outside.
+/// Whether a signed distance beats another: any outside beats inside, then the nearer one wins. 0 counts as
+/// outside.
 fn is_better(distance: f64, than: f64) -> bool {
     match (distance >= 0.0, than >= 0.0) {
         (true, true) => distance < than,
@@ -63,9 +66,9 @@ fn is_better(distance: f64, than: f64) -> bool {
 }
 
 /// A better candidate, as an event.
-pub(crate) fn improved(pair: &Relative, p: &Projection) -> Event {
+pub(crate) fn improved(pair: &PairView, p: &Projection) -> Event {
     let goal = if p.distance < 0.0 { Goal::LeastPenetrating } else { Goal::LeastPositive };
-    let source = (p.pairing.source, Feature::Edge(pair.file_edge(p.pairing.source, p.pairing.edge)));
+    let source = (p.edge.source, Feature::Edge(pair.file_edge(p.edge.source, p.edge.edge)));
     Event::CandidateImproved { goal, distance: p.distance, foot: pair.world_vector(p.foot), source }
 }
 

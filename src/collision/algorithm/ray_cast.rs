@@ -1,9 +1,10 @@
 //! Linear sweep as one ray against B ⊖ A: the default for bodies that do not turn.
 //!
-//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. It
-//! can do so only through an edge that faces it, v·n > 0 (n from A to B), and of those through the one whose line it meets
-//! last, or through the disc at one of that edge's ends. The numbers are proved by [`Sweep`]; what is told here is what
-//! the article draws: each edge of B ⊖ A, moved out by ρ = `r_A` + `r_B`, with the time at which the ray meets its line,
+//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters
+//! B ⊖ A. It can do so only through an edge that faces it, v·n > 0 (n from A to B), and of those through the
+//! one whose line it meets last, or through the disc at one of that edge's ends. The numbers are proved by
+//! [`Sweep`]; what is told here is what the article draws: each edge of B ⊖ A, moved out by ρ = `r_A` +
+//! `r_B`, with the time at which the ray meets its line,
 //!
 //! ```text
 //! t = (g − ρ) / (v·n)         g: the gap of the cores along n at t = 0
@@ -13,8 +14,8 @@
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
-use crate::collision::algorithm::outline::{record, walk};
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::outline::{self, each_edge};
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, Stops, unturning_pair};
 use crate::collision::certified::sweep::Sweep;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
@@ -61,13 +62,13 @@ fn impact(outcome: Outcome) -> Answer {
 /// Records what became of each edge of B ⊖ A, and of the disc that is hit.
 fn tell(query: &Query, sweep: &Sweep, outcome: &Outcome, tracer: &mut impl Tracer) {
     let (a, b) = (query.a, query.b.unwrap_or(query.a));
-    let pair = Relative::at(a, b, 0.0);
+    let pair = PairView::at(a, b, 0.0);
     tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    record(&pair, tracer);
+    outline::tell(&pair, tracer);
     let v = pair.local_vector(a.velocity - b.velocity);
     let hit = if matches!(outcome, Outcome::Hit { .. }) { sweep.entered() } else { None };
     let radius = pair.radius();
-    walk(&pair, |p| {
+    each_edge(&pair, |p| {
         let [from, to] = p.ends(&pair);
         let outward = p.outward(&pair);
         let faces = v.perp_dot(to - from) < 0.0;

@@ -1,29 +1,29 @@
 //! The separating-axis test.
 //!
-//! Two convex polygons are apart exactly when the normal of one of their edges separates them: when along it the
-//! interval of B begins beyond the end of A's,
+//! Two convex polygons are apart exactly when the normal of one of their edges separates them: when along it
+//! the interval of B begins beyond the end of A's,
 //!
 //! ```text
 //! gap(n) = min over B of n·b − max over A of n·a − (r_A + r_B)
 //! ```
 //!
-//! A test for overlap stops at the first such axis. The largest gap, when all are negative, is the depth. When the bodies are apart it
-//! is only a lower bound of the distance, for two vertices may face each other, and no edge is square to the line
-//! that joins them; so the edge and vertex of each axis are held against each other too, and where vertices win, the axis that
-//! joins them is the last one tested. The normal of an edge of A is, mirrored, that of an edge of B ⊖ A: this is the
-//! Minkowski loop seen from the world.
+//! A test for overlap stops at the first such axis. The largest gap, when all are negative, is the depth.
+//! When the bodies are apart it is only a lower bound of the distance, for two vertices may face each other,
+//! and no edge is square to the line that joins them; so the edge and vertex of each axis are held against
+//! each other too, and where vertices win, the axis that joins them is the last one tested. The normal of an
+//! edge of A is, mirrored, that of an edge of B ⊖ A: this is the Minkowski loop seen from the world.
 //!
-//! Source: Gottschalk, Lin, Manocha, "`OBBTree`" (1996), section 5; Eberly, "Method of Separating Axes" (2001). O(n·m).
+//! Source: Gottschalk, Lin, Manocha, "`OBBTree`" (1996), section 5; Eberly, "Method of Separating Axes"
+//! (2001). O(n·m).
 
-use crate::collision::Answer;
-use crate::collision::Query;
 use crate::collision::algorithm::candidate::{self, CoreFeature};
 use crate::collision::algorithm::early_out::{self, EarlyOut};
 use crate::collision::algorithm::nearest_edge::NearestEdge;
 use crate::collision::algorithm::outline::{self, Projection};
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
 use crate::collision::feature::DifferenceEdge;
+use crate::collision::{Answer, Query};
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 use crate::trace::{Event, Tracer};
 
@@ -41,9 +41,8 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
 
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
-    let pair = Relative::of(query);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
-    outline::record(&pair, tracer);
+    let pair = PairView::start(query, ALGORITHM.name, tracer);
+    outline::tell(&pair, tracer);
     let early_out = EarlyOut::of(query.kind, &pair);
     let mut nearest = NearestEdge::default();
     for source in [Side::A, Side::B] {
@@ -51,7 +50,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
             let (first, second) = pair.supports_of_edge(source, edge);
             let p = DifferenceEdge { source, edge, vertex: first }.project(&pair);
             let feature = Feature::Edge(pair.file_edge(source, edge));
-            record_axis(&pair, -p.outward, (source, feature), p.line, tracer);
+            tell_axis(&pair, -p.outward, (source, feature), p.line, tracer);
             if early_out.is_reached(&p) {
                 return Answer::Overlap(early_out::separated(&pair, &p, tracer));
             }
@@ -64,20 +63,20 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let candidate = nearest.candidate(&pair);
     if let [CoreFeature::Vertex(a), CoreFeature::Vertex(_)] = candidate.features {
         let feature = Feature::Vertex(pair.file_vertex(Side::A, a));
-        record_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
+        tell_axis(&pair, candidate.normal, (Side::A, feature), candidate.distance, tracer);
     }
     let separation = candidate::conclude(&pair, &candidate, tracer);
-    tracer.record(|| Event::Finished { outcome: separation.word() });
-    candidate::answer(query.kind, separation)
+    candidate::finish(query.kind, separation, tracer)
 }
 
-/// The gap along an axis; where there is one, the distance of the vertex from the edge.
+/// What an axis is compared by: the gap along it or, where there is one, the distance of the vertex from the
+/// edge.
 fn gap(p: &Projection) -> f64 {
     if p.line < 0.0 { p.line } else { p.distance }
 }
 
 /// Tells the intervals of both bodies along an axis (A's frame), in world coordinates along it.
-fn record_axis(pair: &Relative, axis: DVec2, source: (Side, Feature), line: f64, tracer: &mut impl Tracer) {
+fn tell_axis(pair: &PairView, axis: DVec2, source: (Side, Feature), line: f64, tracer: &mut impl Tracer) {
     tracer.record(|| {
         let world = pair.world_vector(axis);
         let interval = |side: Side| {

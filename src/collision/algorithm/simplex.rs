@@ -1,22 +1,23 @@
 //! The simplex of GJK: one to three vertices of B ⊖ A, and the part of it that is closest to the origin.
 //!
-//! A vertex of B ⊖ A is a pair of core vertices, one of each body, so that two of them are told apart by counting and
-//! not by comparing rounded points. The closest part of a triangle is found by its edges: those that the origin is
-//! beyond, as seen from the inside, are projected on, and the nearest foot wins; where it is beyond none, it is inside.
+//! A vertex of B ⊖ A is a pair of core vertices, one of each body, so that two of them are told apart by
+//! counting and not by comparing rounded points. The closest part of a triangle is found by its edges: those
+//! that the origin is beyond, as seen from the inside, are projected on, and the nearest foot wins; where it
+//! is beyond none, it is inside.
 //!
 //! Source: van den Bergen, "Collision detection in interactive 3D environments" (2003), section 4.3.1.
 
-use crate::collision::algorithm::view::Relative;
+use crate::collision::algorithm::view::PairView;
 use crate::geometry::{DVec2, Side, length, perp};
 
 /// A vertex b − a of B ⊖ A.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Vertex {
-    /// A's core vertex.
+    /// A's vertex, counted along its core.
     pub(crate) a: usize,
-    /// B's core vertex.
+    /// B's vertex, counted along its core.
     pub(crate) b: usize,
-    /// In A's frame.
+    /// The point b − a, in A's frame.
     pub(crate) point: DVec2,
 }
 
@@ -29,12 +30,12 @@ pub(crate) struct Simplex {
 
 impl Vertex {
     /// The vertex of B ⊖ A farthest along a direction (A's frame).
-    pub(crate) fn farthest(pair: &Relative, direction: DVec2) -> Self {
+    pub(crate) fn farthest(pair: &PairView, direction: DVec2) -> Self {
         let (a, b) = (pair.support(Side::A, -direction), pair.support(Side::B, direction));
         Self { a, b, point: pair.vertex(Side::B, b) - pair.vertex(Side::A, a) }
     }
 
-    /// Whether both are made of the same core vertices.
+    /// Whether this and the other are made of the same core vertices.
     pub(crate) fn is(&self, other: &Self) -> bool {
         self.a == other.a && self.b == other.b
     }
@@ -68,8 +69,8 @@ impl Simplex {
         self.count = (self.count + 1).min(3);
     }
 
-    /// The smallest part of the simplex that holds its point closest to the origin, and that point; None where a
-    /// triangle holds the origin.
+    /// The smallest part of the simplex that holds its point closest to the origin, and that point; None
+    /// where a triangle holds the origin.
     pub(crate) fn closest(&self) -> Option<(Self, DVec2)> {
         match *self.vertices() {
             [p, q] => Some(on_segment(p, q)),

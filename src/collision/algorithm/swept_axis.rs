@@ -1,16 +1,17 @@
 //! Time of impact by separating axes that turn with a body: the default where bodies turn.
 //!
-//! A distance query gives a separating axis. Fixed in the frame of the body that owns it, the axis goes on separating for
-//! a while; when it is used up, a new one is asked for. The axes, each with its span of time, are a certificate that
-//! nothing touches before the last of them ends; each is told as it is proved. How they are found and followed, and how
-//! contact just after the last is proved, is [`crate::collision::certified::impact`]'s.
+//! A distance query gives a separating axis. Fixed in the frame of the body that owns it, the axis goes on
+//! separating for a while; when it is used up, a new one is asked for. The axes, each with its span of time,
+//! are a certificate that nothing touches before the last of them ends; each is told as it is proved. How
+//! they are found and followed, and how contact just after the last is proved, is
+//! [`crate::collision::certified::impact`]'s.
 //!
 //! # Tolerance
-//! World units. A hit's time bounds may be as wide as a few tolerances over the closing speed; however small it is, they
-//! are never wider than rounding makes them.
+//! World units. A hit's time bounds may be as wide as a few tolerances over the closing speed; however small
+//! it is, they are never wider than rounding makes them.
 //!
-//! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game Developers Conference
-//! 2013.
+//! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game
+//! Developers Conference 2013.
 
 use crate::collision::algorithm::advancement::moment;
 use crate::collision::algorithm::{Algorithm, Stops, convex_pair};

@@ -1,23 +1,25 @@
-//! The two bodies of a query at one moment, seen from A's frame.
+//! The two bodies of a query at one moment, as an algorithm sees them: from A's frame, in doubles.
 //!
-//! A's vertices are then the file's own numbers, only B's are turned (by the *difference* of the angles) and moved
-//! (by the *difference* of the positions): boxes at the same angle stay exactly aligned, and nothing is lost when the
-//! pair is far from the world's origin.
+//! A's vertices are then the file's own numbers, only B's are turned (by the *difference* of the angles) and
+//! moved (by the *difference* of the positions): boxes at the same angle stay exactly aligned, and nothing is
+//! lost when the pair is far from the world's origin.
 //!
 //! A body is its core polygon and a radius. Core vertices and edges are counted here along the core,
-//! counter-clockwise; [`Relative::file_vertex`] and [`Relative::file_edge`] give the file's numbers back.
+//! counter-clockwise; [`PairView::file_vertex`] and [`PairView::file_edge`] give the file's numbers back.
+//!
+//! What is looked up here is told and drawn. The proof of an answer sees the pair in its own way, as a
+//! [`crate::collision::Pair`], with every digit that it needs.
 
 use std::cmp::Ordering;
 
-use crate::collision::Pair;
-use crate::collision::Query;
 use crate::collision::certified::rounding::{CROSS_ERROR, TAME, VIEW_GAP_ERROR};
-use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn as Angle};
-use crate::trace::{Moment, SupportVertex};
+use crate::collision::{Pair, Query};
+use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn};
+use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
-/// A pair at one moment, in A's frame.
+/// Two bodies at one moment, seen from A's frame.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Relative<'s> {
+pub(crate) struct PairView<'s> {
     /// Body A.
     pub(crate) a: &'s Body,
     /// Body B.
@@ -27,16 +29,16 @@ pub(crate) struct Relative<'s> {
     /// A's frame to the world.
     frame: Pose,
     /// B's frame to A's frame.
-    turn: Pose,
-    /// The angle of that, exactly.
-    angle: Angle,
-    /// The same pair as the proof of an answer sees it.
+    b_frame: Pose,
+    /// The angle of `b_frame`, exactly.
+    angle: Turn,
+    /// The pair as the proof of an answer sees it.
     pub(crate) certified: Pair<'s>,
 }
 
-/// How an edge lies to another one's direction.
+/// The direction of an edge as another edge sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Turn {
+pub(crate) enum Turning {
     /// The same direction.
     Along,
     /// To the left, by less than half a turn.
@@ -47,10 +49,17 @@ pub(crate) enum Turn {
     Right,
 }
 
-impl<'s> Relative<'s> {
+impl<'s> PairView<'s> {
     /// The pair of a query at the query's moment. A query about one body is answered with that body twice.
     pub(crate) fn of(query: &Query<'s>) -> Self {
         Self::at(query.a, query.b.unwrap_or(query.a), query.time)
+    }
+
+    /// The pair of a query, with the event that an algorithm starts.
+    pub(crate) fn start(query: &Query<'s>, algorithm: &'static str, tracer: &mut impl Tracer) -> Self {
+        let pair = Self::of(query);
+        tracer.record(|| Event::Started { algorithm, at: pair.at });
+        pair
     }
 
     /// The pair at time `t` in [0, 1].
@@ -66,7 +75,7 @@ impl<'s> Relative<'s> {
             let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
             frame.rotation.undo(apart)
         };
-        Self { a, b, at, frame, turn: Pose { position, rotation }, angle, certified }
+        Self { a, b, at, frame, b_frame: Pose { position, rotation }, angle, certified }
     }
 
     /// One of the bodies.
@@ -92,13 +101,14 @@ impl<'s> Relative<'s> {
         self.hull(side).edges.len()
     }
 
-    /// `r_A` + `r_B`.
+    /// `r_A` + `r_B`, the radius of the disc that rounds B ⊖ A, in world units.
     pub(crate) fn radius(&self) -> f64 {
         self.a.shape.radius + self.b.shape.radius
     }
 
-    /// Bound on the error of a gap between supports, or of a distance of vertices, in doubles; infinite where numbers are
-    /// so large or small that there is none.
+    /// Bound on the error of a gap between supports, or of a distance of vertices, in world units.
+    ///
+    /// Infinite where numbers are so large or small that there is none.
     pub(crate) fn gap_error(&self) -> f64 {
         let placed = (self.b.position - self.a.position).abs()
             + ((self.b.velocity - self.a.velocity) * self.at.time).abs();
@@ -112,7 +122,7 @@ impl<'s> Relative<'s> {
         if k + 1 >= self.count(side) { 0 } else { k + 1 }
     }
 
-    /// The vertex or edge before.
+    /// The previous vertex or edge of a core, counter-clockwise.
     pub(crate) fn previous(&self, side: Side, k: usize) -> usize {
         if k == 0 { self.count(side).saturating_sub(1) } else { k - 1 }
     }
@@ -122,7 +132,7 @@ impl<'s> Relative<'s> {
         let local = vertex(self.hull(side), k);
         match side {
             Side::A => local,
-            Side::B => self.turn.point(local),
+            Side::B => self.b_frame.point(local),
         }
     }
 
@@ -130,7 +140,7 @@ impl<'s> Relative<'s> {
     pub(crate) fn origin(&self, side: Side) -> DVec2 {
         match side {
             Side::A => DVec2::ZERO,
-            Side::B => self.turn.position,
+            Side::B => self.b_frame.position,
         }
     }
 
@@ -139,7 +149,7 @@ impl<'s> Relative<'s> {
         let along = self.hull(side).edges.get(k).copied().unwrap_or(DVec2::ZERO);
         match side {
             Side::A => along,
-            Side::B => self.turn.vector(along),
+            Side::B => self.b_frame.vector(along),
         }
     }
 
@@ -148,7 +158,7 @@ impl<'s> Relative<'s> {
         let normal = self.hull(side).normals.get(k).map_or(DVec2::ZERO, |n| **n);
         match side {
             Side::A => normal,
-            Side::B => self.turn.vector(normal),
+            Side::B => self.b_frame.vector(normal),
         }
     }
 
@@ -161,19 +171,19 @@ impl<'s> Relative<'s> {
     }
 
     /// How `other`'s edge l turns off from `side`'s edge k, both as they run in B ⊖ A.
-    pub(crate) fn turn_of(&self, side: Side, k: usize, l: usize) -> Turn {
+    pub(crate) fn turning_of(&self, side: Side, k: usize, l: usize) -> Turning {
         let d = self.difference_edge(side, k);
         let e = self.difference_edge(side.other(), l);
         match sign_of_cross(d, e).unwrap_or_else(|| self.fine_sign_of_cross(side, k, l)) {
-            Ordering::Greater => Turn::Left,
-            Ordering::Less => Turn::Right,
-            Ordering::Equal if d.dot(e) > 0.0 => Turn::Along,
-            Ordering::Equal => Turn::Against,
+            Ordering::Greater => Turning::Left,
+            Ordering::Less => Turning::Right,
+            Ordering::Equal if d.dot(e) > 0.0 => Turning::Along,
+            Ordering::Equal => Turning::Against,
         }
     }
 
-    /// The sign of the same cross product in double-doubles; `Equal` where even they can't tell, which they always can
-    /// where the bodies are parallel.
+    /// The sign of the same cross product in double-doubles; `Equal` where even they can't tell, which they
+    /// always can where the bodies are parallel.
     fn fine_sign_of_cross(&self, side: Side, k: usize, l: usize) -> Ordering {
         let edge = |side: Side, k: usize| {
             let hull = self.hull(side);
@@ -193,7 +203,7 @@ impl<'s> Relative<'s> {
     pub(crate) fn support(&self, side: Side, direction: DVec2) -> usize {
         let direction = match side {
             Side::A => direction,
-            Side::B => self.turn.rotation.undo(direction),
+            Side::B => self.b_frame.rotation.undo(direction),
         };
         let mut best = (0, f64::NEG_INFINITY);
         for (k, vertex) in self.hull(side).vertices.iter().enumerate() {
@@ -205,8 +215,8 @@ impl<'s> Relative<'s> {
         best.0
     }
 
-    /// The vertices of the other core that the edge k of `side` meets in B ⊖ A: the first and, where one of its edges
-    /// runs the same way there, the second end of that edge.
+    /// The vertices of the other core that the edge k of `side` meets in B ⊖ A: the first and, where one of
+    /// its edges runs the same way there, the second end of that edge.
     ///
     /// Not inlined, as [`crate::collision::feature::DifferenceEdge::project`].
     #[inline(never)]
@@ -218,15 +228,18 @@ impl<'s> Relative<'s> {
         }
         // Rounding may have picked a neighbour: signs of cross products decide.
         for _ in 0..self.count(other) {
-            if self.turn_of(side, k, at) == Turn::Right {
+            if self.turning_of(side, k, at) == Turning::Right {
                 at = self.next(other, at);
-            } else if matches!(self.turn_of(side, k, self.previous(other, at)), Turn::Left | Turn::Along) {
+            } else if matches!(
+                self.turning_of(side, k, self.previous(other, at)),
+                Turning::Left | Turning::Along
+            ) {
                 at = self.previous(other, at);
             } else {
                 break;
             }
         }
-        let second = (self.turn_of(side, k, at) == Turn::Along).then(|| self.next(other, at));
+        let second = (self.turning_of(side, k, at) == Turning::Along).then(|| self.next(other, at));
         (at, second)
     }
 
@@ -235,7 +248,8 @@ impl<'s> Relative<'s> {
         self.body(side).shape.core.get(k).copied().unwrap_or(0)
     }
 
-    /// The file's index of core edge k: where vertices on it were dropped, of the piece that holds its middle.
+    /// The file's index of core edge k: where vertices on it were dropped, of the piece that holds its
+    /// middle.
     pub(crate) fn file_edge(&self, side: Side, k: usize) -> usize {
         let hull = self.hull(side);
         let middle = vertex(hull, k) * 0.5 + vertex(hull, self.next(side, k)) * 0.5;

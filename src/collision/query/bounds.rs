@@ -1,7 +1,7 @@
 //! "Which axis-aligned box holds the body?" Of one body at one moment, or of two together.
 //!
-//! The one question that an outline which is not convex can be asked. Answered by [`crate::collision::Bounds`]: corners,
-//! centre and half-extents in world units, rounded outward.
+//! The one question that an outline which is not convex can be asked. Answered by
+//! [`crate::collision::Bounds`]: corners, centre and half-extents in world units, rounded outward.
 
 use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 

@@ -1,9 +1,10 @@
 //! The question: its kind, the one or two bodies it is about, and the moment or the limits that it names.
 //!
-//! A kind of question is one file of this folder, named as the kind is in a scene, and one row in [`QUERIES`]; what
-//! holds of every question of a kind stands in its row, so that no other room has to know the kinds by name. To add
-//! one: its variant of [`QueryKind`], its file, its row, and at least one algorithm that names the kind among those it
-//! answers. If none of the answers in `answer.rs` says what it found, a variant of [`crate::collision::Answer`] too.
+//! A kind of question is one file of this folder, named as the kind is in a scene, and one row in
+//! [`QUERIES`]; what holds of every question of a kind stands in its row, so that no other room has to know
+//! the kinds by name. To add one: its variant of [`QueryKind`], its file, its row, and at least one algorithm
+//! that names the kind among those it answers. If none of the answers in `answer.rs` says what it found, a
+//! variant of [`crate::collision::Answer`] too.
 
 mod bounds;
 mod linear_sweep;
@@ -164,8 +165,8 @@ pub struct Query<'s> {
     pub b: Option<&'s Body>,
     /// The moment in [0, 1], for questions about one; ignored by the others.
     pub time: f64,
-    /// World units: how near is near enough for an algorithm that [stops](crate::collision::Stops) at a tolerance. The one
-    /// in force, which rounding may raise, is in the answer.
+    /// World units: how near is near enough for an algorithm that [stops](crate::collision::Stops) at a
+    /// tolerance. The one in force, which rounding may raise, is in the answer.
     pub tolerance: f64,
     /// Step cap of an algorithm that iterates; reaching it is an answer,
     /// [`Reason::IterationLimit`](crate::collision::Reason::IterationLimit).

@@ -1,7 +1,7 @@
 //! "How far can any point move?" Over the motion, t in [0, 1]: of one body, or of one relative to the other.
 //!
-//! What conservative advancement divides a distance by. Answered by [`crate::collision::MotionBound`], in world units,
-//! rounded up.
+//! What conservative advancement divides a distance by. Answered by [`crate::collision::MotionBound`], in
+//! world units, rounded up.
 
 use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 

@@ -1,7 +1,7 @@
 //! "Do the bodies overlap?" Yes or no at one moment; touching is overlap.
 //!
-//! Easier than [the separation](super::separation), since a search may end at the first axis that separates. Answered by
-//! [`crate::collision::Overlap`], which may also say that rounding forbids a verdict.
+//! Easier than [the separation](super::separation), since a search may end at the first axis that separates.
+//! Answered by [`crate::collision::Overlap`], which may also say that rounding forbids a verdict.
 
 use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 

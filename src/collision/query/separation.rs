@@ -1,7 +1,7 @@
 //! "How far apart are they, or how deep inside each other?" At one moment, in world units, negative inside.
 //!
-//! The distance of the origin from B ⊖ A, or minus its depth in it. Answered by [`crate::collision::Separation`], with the
-//! normal, the witness points and the features that carry them.
+//! The distance of the origin from B ⊖ A, or minus its depth in it. Answered by
+//! [`crate::collision::Separation`], with the normal, the witness points and the features that carry them.
 
 use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 

@@ -1,7 +1,7 @@
 //! "When do they first touch?" Over the motion, t in [0, 1], both moving and turning evenly.
 //!
-//! Answered by [`crate::collision::Impact`]: a hit with bounds on its time, a miss, an overlap at the start, or what kept
-//! it undecided and until when the bodies are proved free. Never a guess.
+//! Answered by [`crate::collision::Impact`]: a hit with bounds on its time, a miss, an overlap at the start,
+//! or what kept it undecided and until when the bodies are proved free. Never a guess.
 
 use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 

@@ -73,8 +73,8 @@ impl Bodies {
         self.0.between(lo, hi)
     }
 
-    /// Two bodies that move and turn by at most `most` degrees: polygons of 1 to 6 vertices, some with a radius, 0.3 to 2
-    /// in size, within 4 of the origin, so that about one pair in three touches on its way.
+    /// Two bodies that move and turn by at most `most` degrees: polygons of 1 to 6 vertices, some with a
+    /// radius, 0.3 to 2 in size, within 4 of the origin, so that about one pair in three touches on its way.
     pub(crate) fn flying_pair(&mut self, most: f64) -> (Body, Body) {
         (self.flying(most), self.flying(most))
     }
@@ -100,8 +100,8 @@ impl Bodies {
         placed(body, 8.0 * self.roll(), 8.0 * self.roll(), 360.0 * self.roll())
     }
 
-    /// Two bodies at rest, of any convex kind: a polygon on an ellipse, a box, a capsule or a circle, rounded or not.
-    /// Half of the angles are multiples of 30°: parallel and exact cases.
+    /// Two bodies at rest, of any convex kind: a polygon on an ellipse, a box, a capsule or a circle, rounded
+    /// or not. Half of the angles are multiples of 30°: parallel and exact cases.
     pub(crate) fn resting_pair(&mut self) -> [Body; 2] {
         [(); 2].map(|()| {
             let (shape, position) = (self.shape(), self.point());

@@ -25,8 +25,8 @@ pub(crate) struct HardPair {
     slack: Real,
 }
 
-/// The first cases of a seed: grazes, touches at the very end, parallel edges, points and segments, many turns, sizes
-/// near the ends of the range of doubles.
+/// The first cases of a seed: grazes, touches at the very end, parallel edges, points and segments, many
+/// turns, sizes near the ends of the range of doubles.
 pub(crate) fn hard_pairs(seed: u64, count: u64) -> impl Iterator<Item = HardPair> {
     (0..count).map(move |i| {
         let scene = Scene::parse(&Family::Impact.case(seed, i).to_string()).expect("a scene");

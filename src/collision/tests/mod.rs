@@ -1,6 +1,7 @@
 //! Claims about whole queries: the storyboard's answers, and properties on random bodies.
 //!
-//! `bodies` makes the bodies and `asking` puts the questions, for the tests here and for those beside the code.
+//! `bodies` makes the bodies and `asking` puts the questions, for the tests here and for those beside the
+//! code.
 
 pub(crate) mod asking;
 pub(crate) mod bodies;

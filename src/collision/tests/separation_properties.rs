@@ -1,8 +1,7 @@
 //! What must hold of the proved separation: exact cases, and pairs that nobody chose.
 
-use crate::collision::Pair;
-use crate::collision::Separation;
 use crate::collision::tests::bodies::{Bodies, body, placed};
+use crate::collision::{Pair, Separation};
 use crate::geometry::{Body, DVec2, Degrees, Feature, Shape, shape::FieldValue};
 
 fn at(shape: Shape, position: (f64, f64), angle: f64) -> Body {

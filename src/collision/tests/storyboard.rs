@@ -1,4 +1,5 @@
-//! The discrete pairs of the figures, with answers that were computed with 256 bits: what the algorithms must find.
+//! The discrete pairs of the figures, with answers that were computed with 256 bits: what the algorithms must
+//! find.
 
 use crate::collision::tests::asking::{query, separation as ask};
 use crate::collision::tests::bodies::{TILT, boxed, placed, polygon};
@@ -51,7 +52,8 @@ fn outline(a: &Body, b: &Body, expected: &[([f64; 2], Side, usize)]) {
     assert!(looped.iter().all(|e| merged.contains(e)), "{looped:?} is not {merged:?}");
 }
 
-/// An edge of B ⊖ A as it was told: the body whose edge it is, that edge, the other body's vertex, start and end.
+/// An edge of B ⊖ A as it was told: the body whose edge it is, that edge, the other body's vertex, start and
+/// end.
 #[derive(Debug, PartialEq)]
 struct Told {
     source: Side,

@@ -1,9 +1,8 @@
 //! What must hold of the sweeps on pairs that nobody chose.
 
-use crate::collision::Impact;
-use crate::collision::Outcome;
 use crate::collision::tests::asking::impact as ask;
 use crate::collision::tests::bodies::Bodies;
+use crate::collision::{Impact, Outcome};
 
 /// The last moment proved free, and the first with proved contact.
 fn span(impact: &Impact) -> (f64, f64) {
