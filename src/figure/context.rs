@@ -7,35 +7,35 @@ use crate::geometry::{Body, DVec2, Pose, Side};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
-use super::outline::Outline;
 use super::runs::{Run, Runs};
+use super::sketch::Outline;
 
 /// A panel's moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Moment {
+pub(crate) struct Moment {
     /// In [0, 1].
-    pub time: f64,
+    pub(crate) time: f64,
     /// The algorithm's step, from 1, in a panel that shows one.
-    pub step: Option<usize>,
+    pub(crate) step: Option<usize>,
 }
 
 /// What a layer may know.
-pub struct Context<'f> {
+pub(crate) struct Context<'f> {
     /// The scene.
-    pub scene: &'f Scene,
+    pub(crate) scene: &'f Scene,
     /// What the panel shows.
-    pub space: &'f Space,
+    pub(crate) space: &'f Space,
     /// The panel's moment, in [0, 1].
-    pub time: f64,
+    pub(crate) time: f64,
     /// The algorithm's step that the panel shows, from 1.
-    pub step: Option<usize>,
+    pub(crate) step: Option<usize>,
     pub(crate) runs: &'f Runs,
 }
 
 impl Context<'_> {
     /// The query's bodies: A, and B where it is about two.
     #[must_use]
-    pub fn sides(&self) -> Vec<Side> {
+    pub(crate) fn sides(&self) -> Vec<Side> {
         if self.scene.query.of.len() > 1 { vec![Side::A, Side::B] } else { vec![Side::A] }
     }
 
@@ -46,19 +46,19 @@ impl Context<'_> {
 
     /// A body of the query.
     #[must_use]
-    pub fn body(&self, side: Side) -> Option<&Body> {
+    pub(crate) fn body(&self, side: Side) -> Option<&Body> {
         self.shape(side).map(|(_, body)| body)
     }
 
     /// A body's name as markup: a formula if it is one letter (`$A$`), else words.
     #[must_use]
-    pub fn name(&self, side: Side) -> String {
+    pub(crate) fn name(&self, side: Side) -> String {
         self.primed(side, 0)
     }
 
     /// A body's name with primes: `$A'$` for the body elsewhere, or at another time.
     #[must_use]
-    pub fn primed(&self, side: Side, primes: usize) -> String {
+    pub(crate) fn primed(&self, side: Side, primes: usize) -> String {
         let name = self.shape(side).map_or("", |(name, _)| name.value.as_str());
         if name.chars().count() == 1 && name.chars().all(char::is_alphabetic) {
             format!("${name}{}$", "'".repeat(primes))
@@ -69,56 +69,50 @@ impl Context<'_> {
 
     /// The name of a part of the drawing that belongs to a body: `part("body", Side::A)` is `body-A`.
     #[must_use]
-    pub fn part(&self, word: &str, side: Side) -> String {
+    pub(crate) fn part(&self, word: &str, side: Side) -> String {
         format!("{word}-{}", if side == Side::A { "A" } else { "B" })
     }
 
     /// Where a body is at a moment, in the world.
     #[must_use]
-    pub fn pose(&self, side: Side, time: f64) -> Option<Pose> {
+    pub(crate) fn pose(&self, side: Side, time: f64) -> Option<Pose> {
         self.body(side).map(|body| body.pose_at(time))
     }
 
     /// A body's outline at a moment, in the world.
     #[must_use]
-    pub fn outline(&self, side: Side, time: f64) -> Option<Outline> {
+    pub(crate) fn outline(&self, side: Side, time: f64) -> Option<Outline> {
         self.body(side).map(|body| Outline::of_body(body, &body.pose_at(time)))
     }
 
     /// A vertex of a body, by its number in the file's order, at a moment, in the world.
     #[must_use]
-    pub fn vertex(&self, side: Side, index: usize, time: f64) -> Option<DVec2> {
+    pub(crate) fn vertex(&self, side: Side, index: usize, time: f64) -> Option<DVec2> {
         let body = self.body(side)?;
         Some(body.pose_at(time).point(*body.shape.vertices.get(index)?))
     }
 
     /// The scene's own question at the panel's moment.
     #[must_use]
-    pub fn run(&self) -> Arc<Run> {
+    pub(crate) fn run(&self) -> Arc<Run> {
         self.runs.own(self.scene, self.time)
-    }
-
-    /// The scene's own question at another moment; the same run for a question about all of [0, 1].
-    #[must_use]
-    pub fn run_at(&self, time: f64) -> Arc<Run> {
-        self.runs.own(self.scene, time)
     }
 
     /// The separation of the pair at a moment, whatever the scene asks.
     #[must_use]
-    pub fn separation_at(&self, time: f64) -> Option<Arc<Run>> {
+    pub(crate) fn separation_at(&self, time: f64) -> Option<Arc<Run>> {
         self.runs.separation(self.scene, time)
     }
 
     /// A run that tells the edges of B ⊖ A at a moment.
     #[must_use]
-    pub fn difference_at(&self, time: f64) -> Option<Arc<Run>> {
+    pub(crate) fn difference_at(&self, time: f64) -> Option<Arc<Run>> {
         self.runs.difference(self.scene, time)
     }
 
     /// The first contact: its time and the pair then. None without one.
     #[must_use]
-    pub fn hit(&self) -> Option<(f64, Separation)> {
+    pub(crate) fn hit(&self) -> Option<(f64, Separation)> {
         match &self.run().answer {
             Answer::Impact(impact) => match impact.outcome {
                 Outcome::Hit { time, contact } => Some((time.lo, contact)),
@@ -131,7 +125,7 @@ impl Context<'_> {
 
     /// A moment that a scene names. None where there is no hit, or no such step.
     #[must_use]
-    pub fn moment(&self, when: &When) -> Option<Moment> {
+    pub(crate) fn moment(&self, when: &When) -> Option<Moment> {
         let at = |time| Some(Moment { time, step: None });
         match when {
             When::Time(t) => at(*t),
@@ -147,7 +141,7 @@ impl Context<'_> {
 
     /// The moments of an advancement's steps, in order.
     #[must_use]
-    pub fn steps(&self) -> Vec<f64> {
+    pub(crate) fn steps(&self) -> Vec<f64> {
         let time = |e: &Event| if let Event::Advanced { at, .. } = e { Some(at.time) } else { None };
         self.run().told(time).collect()
     }

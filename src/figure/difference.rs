@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::outline::Outline;
+use super::sketch::Outline;
 
 /// Ends of edges of the same outline agree up to this part of its size. They are differences of the same corners,
 /// rounded in different order: off by some ε of the coordinates. A thousand times more would still be far below a pixel.
@@ -17,36 +17,36 @@ const JOINED: f64 = 1e-12;
 
 /// An edge of B ⊖ A.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub(crate) struct Edge {
     /// The body whose edge it is.
-    pub source: Side,
+    pub(crate) source: Side,
     /// That edge's number on its body.
-    pub index: usize,
+    pub(crate) index: usize,
     /// Start, in configuration space, counter-clockwise.
-    pub from: DVec2,
+    pub(crate) from: DVec2,
     /// End.
-    pub to: DVec2,
+    pub(crate) to: DVec2,
     /// Outward unit normal.
-    pub normal: DVec2,
+    pub(crate) normal: DVec2,
     /// Signed distance of the origin from its line, positive outside.
-    pub distance: f64,
+    pub(crate) distance: f64,
 }
 
 /// B ⊖ A at one moment: a convex core and the radius of the disc that sweeps it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Difference {
+pub(crate) struct Difference {
     /// Edges of the core, counter-clockwise; none where it is a point.
-    pub edges: Vec<Edge>,
+    pub(crate) edges: Vec<Edge>,
     /// The core where it is a point.
-    pub center: Option<DVec2>,
+    pub(crate) center: Option<DVec2>,
     /// `r_A` + `r_B`, in world units; 0 for sharp bodies.
-    pub radius: f64,
+    pub(crate) radius: f64,
 }
 
 impl Difference {
     /// The first difference that events tell of; `None` where they tell none.
     #[must_use]
-    pub fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
+    pub(crate) fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
         let mut found: Vec<Edge> = Vec::new();
         // At most two normals a number, those of a segment's two sides.
         let mut known: BTreeMap<(bool, usize), Vec<DVec2>> = BTreeMap::new();
@@ -74,7 +74,7 @@ impl Difference {
 
     /// Its outline: arcs about the core's corners where it is round.
     #[must_use]
-    pub fn outline(&self) -> Outline {
+    pub(crate) fn outline(&self) -> Outline {
         let corners: Vec<DVec2> = match self.center {
             Some(center) if self.edges.is_empty() => vec![center],
             _ => self.edges.iter().map(|e| e.from).collect(),
@@ -84,7 +84,7 @@ impl Difference {
 
     /// An edge as it is drawn: moved outward by the radius.
     #[must_use]
-    pub fn side(&self, edge: &Edge) -> (DVec2, DVec2) {
+    pub(crate) fn side(&self, edge: &Edge) -> (DVec2, DVec2) {
         let out = edge.normal * self.radius;
         (edge.from + out, edge.to + out)
     }
@@ -92,7 +92,7 @@ impl Difference {
     /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot: both bodies' supporting
     /// edges face each other there. `None` where no edges are aligned on the nearest side.
     #[must_use]
-    pub fn joint(&self) -> Option<DVec2> {
+    pub(crate) fn joint(&self) -> Option<DVec2> {
         let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
         let size = self.size();
         let n = self.edges.len();

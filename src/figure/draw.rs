@@ -6,11 +6,13 @@ use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rec
 use crate::scene::{Fault as SceneFault, Problem};
 use crate::typeset::Line;
 
-use super::alt;
-use super::labels::{Fault, Labelled, Placed, Sought, Wording, faults, place};
+use super::describe;
 use super::page::{Page, type_size};
-use super::plan::{PanelPlan, Plan};
+use super::panel::PanelPlan;
+use super::placement::{Fault, Labelled, Placed, Sought, faults, place};
+use super::plan::Plan;
 use super::runs::Run;
+use super::text::{Wording, plain};
 use super::theme::{Side, Theme};
 
 /// How far a label's halo reaches, page pixels.
@@ -72,7 +74,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         width: plan.page.width,
         height: plan.page.height,
         id: id.to_owned(),
-        title: alt::short(plan.scene, &run),
+        title: describe::short(plan.scene, &run),
         desc: description(plan, &run),
         background: theme.paint(Role::Background),
         fill_opacity: theme.fill_opacity,
@@ -112,14 +114,14 @@ fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[(Rect, Placed
     layers.clip = Some(sketched.frame.panel);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
     let mut group = Group::new(format!("panel-{}", index + 1));
-    group.label = panel.source.title.as_ref().map(|t| alt::plain(&t.value));
+    group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
     group.items = vec![Item::Group(layers), labels(&labelled, theme)];
     (group, labelled)
 }
 
 /// The long alternative text; with the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
-    let long = alt::long(plan.scene, run);
+    let long = describe::long(plan.scene, run);
     match &plan.caption_words {
         Some(words) if plan.caption.is_empty() => format!("{long} {words}"),
         _ => long,

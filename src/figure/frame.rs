@@ -1,43 +1,51 @@
-//! The one place where world meets page: a similarity from a panel's space to page pixels, y up to y down.
+//! Where world meets page: a similarity from a panel's space to page pixels, y up to y down.
 //!
-//! In a `body` panel the world is first brought into the frame of a body.
+//! ```text
+//! page(p) = middle + scale · (x, −y)   with (x, y) = pose⁻¹(p) − center
+//! ```
+//!
+//! In a `body` panel the world is first brought into the frame of a body (pose⁻¹); elsewhere that is left out.
 
-use crate::drawing::{Contour, Point, Rect, Segment};
+use crate::drawing::{Point, Rect};
 use crate::geometry::{DVec2, Pose};
-
-use super::outline::{Outline, Piece, angle_of};
 
 /// Where a panel's space lies on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// The body whose frame is shown; none for the world and for configuration space.
-    pub pose: Option<Pose>,
-    /// The point of the space at the middle of the panel.
-    pub center: DVec2,
+    /// The pose of the body whose frame is shown; `None` for the world and for configuration space.
+    pub(crate) pose: Option<Pose>,
+    /// The point of the space at the middle of the panel, in its own units.
+    pub(crate) center: DVec2,
     /// The middle of the panel, page pixels.
-    pub middle: Point,
-    /// Page pixels per unit.
-    pub scale: f64,
-    /// The panel: nothing is drawn outside it.
+    pub(crate) middle: Point,
+    /// Page pixels per unit of the space.
+    pub(crate) scale: f64,
+    /// The panel on the page, page pixels: nothing is drawn outside it.
     pub panel: Rect,
 }
 
 impl Frame {
-    /// Shows the rectangle `lo`, `hi` of the space as large as `panel` allows, centred.
-    #[must_use]
-    pub fn fit(pose: Option<Pose>, lo: DVec2, hi: DVec2, panel: Rect) -> Self {
+    /// Shows the rectangle from `lo` to `hi`, in units of the space, as large as `panel` allows, and centred in it.
+    pub(crate) fn fit(pose: Option<Pose>, lo: DVec2, hi: DVec2, panel: Rect) -> Self {
         let size = (hi - lo).max(DVec2::splat(f64::MIN_POSITIVE));
         let scale = (panel.width() / size.x).min(panel.height() / size.y);
         Self { pose, center: 0.5 * (lo + hi), middle: panel.center(), scale, panel }
     }
 
-    /// A point of the space (of the world, in a `body` panel), on the page.
+    /// Where a point of the panel's space lies on the page, in page pixels, y down.
+    ///
+    /// `p` is in world units, y up: a point of the world, in a `body` panel too, or of configuration space.
     ///
     /// ```
-    /// use tracefig::{drawing::{Point, Rect}, figure::Frame, geometry::DVec2};
-    /// let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
-    /// let frame = Frame::fit(None, DVec2::ZERO, DVec2::new(10.0, 10.0), panel);
-    /// assert_eq!(frame.page(DVec2::new(1.0, 2.0)), Point { x: 10.0, y: 80.0 });
+    /// use tracefig::{figure::{draw, plan}, geometry::DVec2, scene::{Source, read}};
+    /// let text = r#"{"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]},
+    ///     "panels": [{"space": "world", "view": [-2, -1, 2, 1], "layers": ["shapes"]}]}"#;
+    /// let scene = read(&Source::new("circle.json", text)).unwrap();
+    /// let plan = plan(&scene).unwrap();
+    /// let frame = draw(&plan, plan.theme, "circle").panels[0].frame;
+    /// let (middle, above) = (frame.page(DVec2::ZERO), frame.page(DVec2::Y));
+    /// assert_eq!(middle, frame.panel.center());
+    /// assert!(above.y < middle.y && above.x == middle.x);
     /// ```
     #[must_use]
     pub fn page(&self, p: DVec2) -> Point {
@@ -45,73 +53,34 @@ impl Frame {
         Point::new(self.middle.x + self.scale * q.x, self.middle.y - self.scale * q.y)
     }
 
-    /// The point of the space (of the world, in a `body` panel) at a page point.
-    #[must_use]
-    pub fn space(&self, p: Point) -> DVec2 {
-        let q = self.center + DVec2::new(p.x - self.middle.x, self.middle.y - p.y) / self.scale;
-        self.pose.map_or(q, |pose| pose.point(q))
-    }
-
-    /// A contour of the space, on the page; arcs stay arcs.
-    #[must_use]
-    pub fn contour(&self, outline: &Outline) -> Contour {
-        if let ([Piece::Arc { center, radius, sweep, .. }], true) =
-            (outline.pieces.as_slice(), outline.closed)
-            && *sweep >= std::f64::consts::TAU
-        {
-            return Contour::Circle { center: self.page(*center), radius: radius * self.scale };
-        }
-        let mut segments = vec![Segment::Move(self.page(outline.start))];
-        segments.extend(outline.pieces.iter().map(|piece| match *piece {
-            Piece::Line(p) => Segment::Line(self.page(p)),
-            Piece::Arc { center, radius, start, sweep } => Segment::Arc {
-                center: self.page(center),
-                radius: radius * self.scale,
-                start: -(start - self.turn()),
-                sweep: -sweep,
-            },
-        }));
-        if outline.closed {
-            segments.push(Segment::Close);
-        }
-        Contour::Segments(segments)
-    }
-
-    /// Angle of the shown body's frame in the world, radians; 0 in other panels.
-    fn turn(&self) -> f64 {
-        self.pose.map_or(0.0, |pose| angle_of(DVec2::new(pose.rotation.cos, pose.rotation.sin)))
+    /// Angle of the shown body's frame in the world, radians, counter-clockwise; 0 in other panels.
+    pub(crate) fn turn(&self) -> f64 {
+        self.pose.map_or(0.0, |pose| libm::atan2(pose.rotation.sin, pose.rotation.cos))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::on_circle;
     use crate::geometry::Rotation;
 
-    fn frame() -> Frame {
+    #[test]
+    fn a_view_fills_its_panel_and_y_points_up() {
+        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
+        let frame = Frame::fit(None, DVec2::ZERO, DVec2::new(10.0, 10.0), panel);
+        assert_eq!(frame.page(DVec2::new(1.0, 2.0)), Point { x: 10.0, y: 80.0 });
+    }
+
+    #[test]
+    fn a_body_panel_shows_the_body_upright_about_the_middle_of_its_view() {
         let panel = Rect { x0: 20.0, y0: 40.0, x1: 220.0, y1: 140.0 };
         let pose = Pose { position: DVec2::new(1.0, -2.0), rotation: Rotation { cos: 0.8, sin: 0.6 } };
-        Frame::fit(Some(pose), DVec2::new(-3.0, -1.0), DVec2::new(3.0, 1.0), panel)
-    }
-
-    #[test]
-    fn page_and_space_undo_each_other() {
-        let p = DVec2::new(0.3, 4.5);
-        assert!(frame().space(frame().page(p)).distance(p) < 1e-12);
-    }
-
-    #[test]
-    fn an_arc_begins_where_its_first_point_lies() {
-        let (c, r, start, sweep) = (DVec2::new(0.5, 0.25), 2.0, 0.7, 1.1);
-        let Contour::Segments(segments) = frame().contour(&Outline::arc(c, r, start, sweep)) else {
-            panic!()
-        };
-        let Segment::Arc { center, radius, start: s, sweep: w } = segments[1] else { panic!() };
-        for (angle, page) in [(start, s), (start + sweep, s + w)] {
-            let expected = frame().page(on_circle(c, r, angle));
-            let got = Point::new(center.x + radius * libm::cos(page), center.y + radius * libm::sin(page));
-            assert!((expected.x - got.x).abs() + (expected.y - got.y).abs() < 1e-9, "{expected:?} {got:?}");
+        let frame = Frame::fit(Some(pose), DVec2::new(-3.0, -1.0), DVec2::new(3.0, 1.0), panel);
+        for local in [DVec2::ZERO, DVec2::new(0.3, 0.75), DVec2::new(-3.0, 1.0)] {
+            let (got, scale) = (frame.page(pose.point(local)), 200.0 / 6.0);
+            let expected = Point::new(120.0 + scale * local.x, 90.0 - scale * local.y);
+            assert!((got - expected).length() < 1e-12 * 120.0, "{local}: {got:?} {expected:?}");
         }
+        assert!((frame.turn() - libm::atan2(0.6, 0.8)).abs() < 1e-15);
     }
 }

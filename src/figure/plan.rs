@@ -14,12 +14,12 @@ use crate::typeset::{Line, Style, typeset};
 use super::budget::Budget;
 use super::context::{Context, Moment};
 use super::frame::Frame;
-use super::layer::{self, Layer, Shows};
-use super::options::Options;
-use super::page::{Page, type_size, unit};
+use super::layer::{self, Options, Shows};
+use super::page::{Page, type_size};
+use super::panel::{LayerPlan, PanelPlan};
 use super::runs::{Run, Runs, is_static};
-use super::sketch::{Sketch, Sketched};
-use super::texts::{caption, caption_words, check_texts, set};
+use super::sketch::Sketched;
+use super::text::{caption, caption_words, check_texts, set};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -43,40 +43,17 @@ pub struct Plan<'s> {
     pub(crate) warnings: Vec<Problem>,
 }
 
-/// A panel, resolved.
-#[derive(Debug)]
-pub(crate) struct PanelPlan<'s> {
-    pub(crate) source: &'s Panel,
-    pub(crate) moment: Moment,
-    pub(crate) layers: Vec<LayerPlan<'s>>,
-    pub(crate) title: Option<Line>,
-    pub(crate) frame: Frame,
-}
-
-/// A layer, resolved.
-pub(crate) struct LayerPlan<'s> {
-    pub(crate) layer: &'static Layer,
-    pub(crate) options: Options,
-    pub(crate) span: &'s Range<usize>,
-}
-
 impl Plan<'_> {
     /// The scene's own run, at the query's moment.
     #[must_use]
-    pub fn own_run(&self) -> Arc<Run> {
+    pub(crate) fn own_run(&self) -> Arc<Run> {
         self.runs.own(self.scene, self.scene.query.time)
     }
 
     /// All runs that the figure needed so far, in the order in which they were asked for.
     #[must_use]
-    pub fn all_runs(&self) -> Vec<Arc<Run>> {
+    pub(crate) fn all_runs(&self) -> Vec<Arc<Run>> {
         self.runs.all()
-    }
-}
-
-impl std::fmt::Debug for LayerPlan<'_> {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("LayerPlan").field("layer", &self.layer.name).field("options", &self.options).finish()
     }
 }
 
@@ -117,30 +94,43 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
         scene.panels.iter().filter_map(|panel| resolve(scene, &runs, panel, &mut problems)).collect();
     label_keys(scene, &panels, &mut problems);
     let mut warnings = Vec::new();
-    let caption = caption(scene, &runs, &panels, &mut problems, &mut warnings);
+    let first = panels.first().map(|panel| panel.context(scene, &runs));
+    let caption = first.as_ref().map_or_else(Vec::new, |first| caption(first, &mut problems, &mut warnings));
     let titled = panels.iter().any(|p| p.title.is_some());
     let page = Page::new(scene.canvas.width, scene.canvas.height, scene.panels.len(), titled, caption.len());
     if panels.len() == scene.panels.len() {
-        let mut budget = Budget::default();
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
-        let said = fitted.and_then(|()| {
-            panels
-                .iter()
-                .try_for_each(|panel| check_texts(scene, &runs, theme, panel, &mut budget, &mut problems))
-        });
+        let said = fitted.and_then(|sketched| say(scene, &runs, &panels, &sketched, &mut problems));
         problems.extend(said.err());
         problems.extend(runs.overflow(scene));
     }
     if problems.is_empty() {
-        let caption_words = caption_words(scene, &runs, &panels);
+        let caption_words = panels.first().and_then(|panel| caption_words(&panel.context(scene, &runs)));
         return Ok(Plan { scene, theme, runs, panels, caption, caption_words, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();
     problems.truncate(MAX_PROBLEMS);
     Err(problems)
+}
+
+/// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
+fn say(
+    scene: &Scene,
+    runs: &Runs,
+    panels: &[PanelPlan],
+    sketched: &[Sketched],
+    problems: &mut Vec<Problem>,
+) -> Result<(), Problem> {
+    let mut budget = Budget::default();
+    for (panel, sketched) in panels.iter().zip(sketched) {
+        budget.take(sketched, &panel.source.span)?;
+        let requests = sketched.requests.iter().map(|request| (request, panel.span_of(request)));
+        check_texts(&panel.context(scene, runs), requests, &mut budget, problems)?;
+    }
+    Ok(())
 }
 
 fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
@@ -202,7 +192,7 @@ fn resolve_layer<'s>(
         problems.push(Problem::new(fault, span.clone()));
         return None;
     };
-    let options = match Options::read(layer, spec, context.scene) {
+    let options = match Options::read(layer.options, spec, context.scene) {
         Ok(options) => options,
         Err(more) => {
             problems.extend(more);
@@ -242,27 +232,6 @@ fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) 
             let fault = Fault::UnknownKey { key: key.value.clone(), place, known: known.clone() };
             problems.push(Problem::new(fault, key.span.clone()));
         }
-    }
-}
-
-impl PanelPlan<'_> {
-    pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
-        let Moment { time, step } = self.moment;
-        Context { scene, space: &self.source.space, time, step, runs }
-    }
-
-    /// Lets every layer draw.
-    pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        let canvas = &context.scene.canvas;
-        let mut sketch = Sketch::new(self.frame, theme, unit(canvas.width, canvas.height));
-        for planned in &self.layers {
-            if sketch.is_full() {
-                break;
-            }
-            sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
-            (planned.layer.draw)(&mut sketch, context, &planned.options);
-        }
-        sketch.finish()
     }
 }
 

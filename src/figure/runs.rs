@@ -10,19 +10,19 @@ use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separati
 use crate::scene::{Problem, Scene};
 use crate::trace::{Event, MOST_EVENTS, Trace};
 
-use super::budget::within;
+use super::limits::{MAX_RUNS, within};
 
 /// An answer, and how it was found.
 #[derive(Debug)]
-pub struct Run {
+pub(crate) struct Run {
     /// What was asked.
-    pub kind: QueryKind,
+    pub(crate) kind: QueryKind,
     /// The moment asked about; 0 where the question is about all of [0, 1].
-    pub time: f64,
+    pub(crate) time: f64,
     /// What came out.
-    pub answer: Answer,
+    pub(crate) answer: Answer,
     /// How.
-    pub trace: Trace,
+    pub(crate) trace: Trace,
     /// Which of its events the figure shows.
     shown: Mutex<BTreeSet<usize>>,
 }
@@ -30,7 +30,7 @@ pub struct Run {
 impl Run {
     /// The separation that it answers with: that of the question, or the contact of a hit.
     #[must_use]
-    pub fn separation(&self) -> Option<&Separation> {
+    pub(crate) fn separation(&self) -> Option<&Separation> {
         use crate::collision::Outcome;
         match &self.answer {
             Answer::Separation(separation) => Some(separation),
@@ -43,12 +43,12 @@ impl Run {
     }
 
     /// Its events.
-    pub fn events(&self) -> impl Iterator<Item = &Event> {
+    pub(crate) fn events(&self) -> impl Iterator<Item = &Event> {
         self.trace.events.iter()
     }
 
     /// What the figure shows of its events: all for which `pick` finds something count as shown from here on.
-    pub fn told<'r, T>(
+    pub(crate) fn told<'r, T>(
         &'r self,
         mut pick: impl FnMut(&'r Event) -> Option<T> + 'r,
     ) -> impl Iterator<Item = T> + 'r {
@@ -60,7 +60,7 @@ impl Run {
     }
 
     /// The first thing that `pick` finds in its events; that event counts as shown from here on.
-    pub fn find_told<'r, T>(&'r self, mut pick: impl FnMut(&'r Event) -> Option<T>) -> Option<T> {
+    pub(crate) fn find_told<'r, T>(&'r self, mut pick: impl FnMut(&'r Event) -> Option<T>) -> Option<T> {
         let (i, found) = self.events().enumerate().find_map(|(i, event)| Some((i, pick(event)?)))?;
         self.mark(i);
         Some(found)
@@ -71,14 +71,14 @@ impl Run {
     }
 
     /// Whether it tells of such an event, which then counts as shown.
-    pub fn tells(&self, is_so: impl Fn(&Event) -> bool) -> bool {
+    pub(crate) fn tells(&self, is_so: impl Fn(&Event) -> bool) -> bool {
         self.find_told(|event| is_so(event).then_some(())).is_some()
     }
 
     /// The events that were shown, in order, after the one that says which algorithm began at which moment; none where
     /// nothing was.
     #[must_use]
-    pub fn shown(&self) -> Vec<&Event> {
+    pub(crate) fn shown(&self) -> Vec<&Event> {
         let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
         let event = |&i: &usize| self.trace.events.get(i);
         let began = |event: &&Event| matches!(event, Event::Started { .. });
@@ -89,10 +89,6 @@ impl Run {
         events
     }
 }
-
-/// Pairs of corners that all runs look at, at most, where the slowest algorithm looks at every pair: ten runs of the
-/// largest shapes.
-const MAX_RUNS: usize = 170_000_000;
 
 /// What identifies a run: the question, the algorithm, the bits of the moment.
 type Key = (QueryKind, &'static str, u64);

@@ -7,22 +7,28 @@ use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
 use crate::scene::{Problem, Scene, Space};
 
-use super::budget::{MAX_POINTS, areas_within, within};
 use super::frame::Frame;
-use super::outline::Outline;
+use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::Page;
-use super::plan::PanelPlan;
+use super::panel::PanelPlan;
 use super::runs::Runs;
+use super::sketch::{Outline, Sketched};
 use super::theme::Theme;
 
 /// Room for labels around what a panel without a `view` draws, page pixels; less in small panels.
 const ROOM: f64 = 40.0;
 /// The share of a small panel's shorter side that this room may take at each side.
 const ROOM_SHARE: f64 = 0.12;
-/// What is drawn in page pixels moves what is drawn in world units: so often the view is fitted again.
+/// How often a view is fitted again to what its layers drew in the view before: lines, heads and markers are as large
+/// in page pixels in every view, so what they reach in world units depends on it. After two passes the rest is under a
+/// pixel in all figures.
 const PASSES: usize = 2;
 
-/// Gives every panel its frame.
+/// Gives every panel its frame, and says what its layers draw there.
+///
+/// A view is known only once its layers have drawn, and they draw in a view: so a panel without a `view` is sketched
+/// three times, in a first guess and in two better ones, of which the last stays. Where every panel has a `view`, once.
+/// [`draw`](super::draw::draw) sketches it again, in the theme that is asked for.
 ///
 /// # Errors
 ///
@@ -33,7 +39,7 @@ pub(super) fn fit(
     theme: &Theme,
     page: &Page,
     panels: &mut [PanelPlan],
-) -> Result<(), Problem> {
+) -> Result<Vec<Sketched>, Problem> {
     for (panel, cell) in panels.iter_mut().zip(&page.cells) {
         let pose = pose(scene, panel);
         panel.frame = match &panel.source.view {
@@ -44,19 +50,39 @@ pub(super) fn fit(
             None => first_guess(scene, panel, pose, cell),
         };
     }
+    let mut sketched = sketch(scene, runs, theme, panels)?;
     for _ in 0..PASSES {
-        let (mut extents, mut points, mut painted) = (Vec::new(), 0, 0.0);
-        for panel in &*panels {
-            let sketched = panel.sketch(&panel.context(scene, runs), theme);
-            points += sketched.points;
-            painted += sketched.painted;
-            within("the lines of the figure", "points", points, MAX_POINTS, &panel.source.span)?;
-            areas_within(painted, &panel.source.span)?;
-            extents.push(sketched.extent.filter(|_| panel.source.view.is_none()));
+        let extents: Vec<_> = panels
+            .iter()
+            .zip(&sketched)
+            .map(|(panel, sketched)| sketched.extent.filter(|_| panel.source.view.is_none()))
+            .collect();
+        if extents.iter().all(Option::is_none) {
+            break;
         }
         share(panels, &extents, page);
+        sketched = sketch(scene, runs, theme, panels)?;
     }
-    Ok(())
+    Ok(sketched)
+}
+
+/// Lets all layers draw in the frames that the panels have now.
+///
+/// # Errors
+///
+/// When they draw more than a figure may show.
+fn sketch(scene: &Scene, runs: &Runs, theme: &Theme, panels: &[PanelPlan]) -> Result<Vec<Sketched>, Problem> {
+    let (mut points, mut painted) = (0, 0.0);
+    let mut all = Vec::with_capacity(panels.len());
+    for panel in panels {
+        let sketched = panel.sketch(&panel.context(scene, runs), theme);
+        points += sketched.points;
+        painted += sketched.painted;
+        within("the lines of the figure", "points", points, MAX_POINTS, &panel.source.span)?;
+        areas_within(painted, &panel.source.span)?;
+        all.push(sketched);
+    }
+    Ok(all)
 }
 
 /// The pose of the body in whose frame a panel shows.

@@ -5,6 +5,7 @@
 //! digits, computed by code that shares nothing with the solvers.
 
 mod answers;
+mod chart;
 mod contender;
 mod files;
 mod measure;

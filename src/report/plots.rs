@@ -1,7 +1,7 @@
 //! The report as plots: error against time, steps against tolerance, growth with n.
 
+use super::chart::{Axis, Chart, Marker, Series, draw};
 use crate::drawing::{Color, Role};
-use crate::figure::chart::{Axis, Chart, Marker, Series, draw};
 use crate::typeset::TypesetError;
 
 use super::contender::Preparation;

@@ -2,16 +2,13 @@
 //! tangent there cuts the ray lies the new estimate, never past the surface.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen};
-use super::super::sketch::{Sketch, Weight};
 use super::velocity::relative;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
 const NORMAL: f64 = 0.5;

@@ -2,18 +2,17 @@
 
 use crate::collision::Answer;
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Sketch, Wash, Weight, angle_of,
+    on_circle,
+};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::{Outline, angle_of};
-use super::super::pen::{MARKER, Marker, Pen, SMALL_MARKER, Wash};
-use super::super::sketch::{Sketch, Weight};
-use super::super::values::number;
 use super::half_extents::ON_LINE;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// The angle mark's radius as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
@@ -70,7 +69,7 @@ struct Turn {
 impl Turn {
     /// The extreme point after.
     fn after(&self) -> DVec2 {
-        super::super::outline::on_circle(self.center, self.radius, self.start + self.sweep)
+        on_circle(self.center, self.radius, self.start + self.sweep)
     }
 }
 

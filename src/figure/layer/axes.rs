@@ -1,12 +1,10 @@
 //! The two coordinate axes through the origin of the panel's space, as far as the panel shows.
 
+use crate::figure::context::Context;
+use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::DVec2;
 
-use super::super::context::Context;
-use super::super::options::Options;
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::{Layer, Shows};
+use super::{Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "axes",

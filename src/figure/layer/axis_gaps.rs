@@ -4,17 +4,14 @@
 //! distance of the centres is the last.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Distance of the tracks from the boxes and from each other, in page px, below: a label of 16 fits between.
 const BELOW: f64 = 40.0;

@@ -1,17 +1,13 @@
 //! The AABB of a body, or of two together: its corners min and max, its centre, and the vertices that touch its sides.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, SupportVertex};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Outline;
-use super::super::pen::{LARGE_MARKER, MARKER, Marker, Pen};
-use super::super::sketch::Sketch;
-use super::super::values::number;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists them.
 const SIDES: [(&str, &str, DVec2); 4] = [

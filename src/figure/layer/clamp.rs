@@ -4,15 +4,12 @@
 //! the panel of the box's own frame alike.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::{LARGE_MARKER, Marker, Pen};
-use super::super::sketch::{Sketch, Weight};
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
 

@@ -1,16 +1,13 @@
 //! From the origin to the nearest point of B ⊖ A: the separation as a vector, `p_B` − `p_A` = s n.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
+use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::Options;
-use super::super::pen::Pen;
-use super::super::sketch::Sketch;
-use super::super::values::number;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",

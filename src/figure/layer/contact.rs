@@ -1,13 +1,10 @@
 //! The point where the bodies touch at the hit.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::Options;
-use super::super::pen::{MARKER, Marker};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "contact",

@@ -4,19 +4,17 @@
 use std::collections::BTreeSet;
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::difference::{Difference, Edge};
+use crate::figure::runs::tells_difference;
+use crate::figure::sketch::{
+    Anchor, Dash, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash,
+};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
 
-use super::super::context::Context;
-use super::super::difference::{Difference, Edge};
-use super::super::label::{Anchor, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Piece;
-use super::super::pen::{Dash, Marker, Pen, SMALL_MARKER, Wash};
-use super::super::runs::tells_difference;
-use super::super::sketch::Sketch;
 use super::half_extents::ON_LINE;
-use super::{LabelKey, Layer, Shows, fade};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, fade};
 
 /// Width of an edge that the algorithm skipped, page px, and its opacity.
 const THIN: (f64, f64) = (0.75, 0.55);

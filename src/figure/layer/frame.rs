@@ -1,13 +1,11 @@
 //! A body's own axes: the frame in which an oriented box is an AABB.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::super::context::Context;
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::Sketch;
-use super::{Layer, Shows};
+use super::{Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of an axis where the scene does not say, in world units.
 const LENGTH: f64 = 1.6;

@@ -1,16 +1,12 @@
 //! Bodies at another moment or place, dotted: where they hit, where they were, every step between, or pushed apart.
 
 use crate::collision::Separation;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Dash, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::geometry::Side;
 use crate::scene::When;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Outline;
-use super::super::pen::{Dash, Pen, Wash};
-use super::super::sketch::{Sketch, Weight};
-use super::{LabelKey, Layer, Shows, fade};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, fade};
 
 /// Fill of a ghost: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;

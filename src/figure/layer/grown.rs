@@ -4,16 +4,14 @@
 //! about b. Copies of that on A's corners span it.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, Marker, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
+};
 use crate::geometry::{DVec2, Side};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Piece;
-use super::super::pen::{LARGE_MARKER, Marker, Pen, Wash};
-use super::super::sketch::{Sketch, Weight};
 use super::difference::{difference, edge_pen};
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",

@@ -2,15 +2,12 @@
 
 use crate::collision::Answer;
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, left_of};
+use crate::figure::text::number;
 use crate::geometry::DVec2;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, left_of};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::super::values::number;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Distance of the lines from the box where the scene does not say, in page px: a dimension's label fits beside it.
 const OFFSET: f64 = 24.0;

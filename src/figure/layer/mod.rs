@@ -19,6 +19,7 @@ mod grown;
 mod half_extents;
 mod normal;
 mod note;
+pub(crate) mod options;
 mod origin;
 mod projection;
 mod radii;
@@ -33,9 +34,11 @@ mod tracks;
 mod translation;
 mod velocity;
 
-use super::context::Context;
-use super::options::{OptionSpec, Options};
-use super::sketch::Sketch;
+use crate::figure::context::Context;
+use crate::figure::sketch::Sketch;
+
+pub(crate) use options::Options;
+pub use options::{COMMON, OptionSpec, Takes};
 
 /// Which panels a layer can stand in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,9 +75,9 @@ pub struct Layer {
     /// What it needs of the scene; the text of an error says it: "needs …".
     pub needs: &'static str,
     /// Whether the scene can feed it.
-    pub fed: fn(&Context, &Options) -> bool,
+    pub(crate) fed: fn(&Context, &Options) -> bool,
     /// Draws it.
-    pub draw: fn(&mut Sketch, &Context, &Options),
+    pub(crate) draw: fn(&mut Sketch, &Context, &Options),
 }
 
 /// Every layer.
@@ -110,8 +113,7 @@ pub static LAYERS: &[Layer] = &[
 ];
 
 /// The layer of a name.
-#[must_use]
-pub fn find(name: &str) -> Option<&'static Layer> {
+pub(crate) fn find(name: &str) -> Option<&'static Layer> {
     LAYERS.iter().find(|l| l.name == name)
 }
 

@@ -2,14 +2,11 @@
 
 use crate::collision::Separation;
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the unit vector where the scene does not say, in world units: its own.
 const LENGTH: f64 = 1.0;

@@ -1,12 +1,10 @@
 //! Lines of text at a corner of the panel: the one place for a formula with its numbers.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Corner, Label, Rank, Size, Sketch};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Corner, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "note",

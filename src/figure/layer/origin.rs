@@ -1,14 +1,11 @@
 //! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies overlap.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
 use crate::geometry::DVec2;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::Options;
-use super::super::pen::{MARKER, Marker};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",

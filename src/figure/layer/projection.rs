@@ -4,17 +4,14 @@
 //! bodies, square to the edge whose normal it is.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Enclosure, Side, perp};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Distance of the axis from the bodies, page px.
 const OFFSET: f64 = 26.0;

@@ -2,18 +2,14 @@
 
 use crate::collision::Separation;
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, on_circle};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::on_circle;
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::super::values::number;
 use super::half_extents::beside;
-use super::{LabelKey, Layer, Shows, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// The eight directions that a radius can be drawn in, from E counter-clockwise.
 const COMPASS: &[&str] = &["E", "NE", "N", "NW", "W", "SW", "S", "SE"];

@@ -1,16 +1,13 @@
 //! The ray from the origin along the relative velocity against B ⊖ A at t = 0: it enters when the bodies touch.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::Options;
-use super::super::pen::{LARGE_MARKER, Marker, Pen};
-use super::super::sketch::Sketch;
 use super::velocity::{relative, until_hit};
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",

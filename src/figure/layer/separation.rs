@@ -6,17 +6,14 @@ use std::sync::Arc;
 
 use crate::collision::Separation;
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::runs::Run;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::{Feature, Side};
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::{MARKER, Marker, Pen};
-use super::super::runs::Run;
-use super::super::sketch::{Ends, Sketch, Weight};
-use super::super::values::number;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// How far the carrier line reaches beyond its edge, in world units.
 const CARRIER: f64 = 1.0;
@@ -96,7 +93,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
     sketch.part("separation");
     match options.word("style", "arrow") {
-        "dimension" => sketch.dimension(p, q, -offset, Ends::Ticks, Pen::dimension(role).width(1.5)),
+        "dimension" => sketch.dimension(p, q, -offset, Pen::dimension(role).width(1.5)),
         "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
         _ => sketch.double_arrow(p, q, Pen::vector(role)),
     };

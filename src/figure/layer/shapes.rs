@@ -1,14 +1,10 @@
 //! The bodies at the panel's moment, filled and named; with `centers`, their origins marked.
 
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash};
 use crate::geometry::{Pose, Side};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank, Size};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Outline;
-use super::super::pen::{MARKER, Marker, Pen, Wash};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",

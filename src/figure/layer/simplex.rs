@@ -2,16 +2,12 @@
 //! towards the origin and comes next; or the polytope grown around the origin.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash};
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::Outline;
-use super::super::pen::{MARKER, Marker, Pen, Wash};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Fill of a simplex: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;

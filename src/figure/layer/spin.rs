@@ -3,15 +3,11 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
 use crate::geometry::Side;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::outline::angle_of;
-use super::super::pen::{Marker, Pen, SMALL_MARKER};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Radius where the scene does not say, world units.
 const RADIUS: f64 = 0.6;

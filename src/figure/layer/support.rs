@@ -1,17 +1,14 @@
 //! The supporting vertices of the nearest edge, all of them: two where the bodies are exactly aligned.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 use crate::trace::{Event, SupportVertex};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::Options;
-use super::super::pen::{Dash, LARGE_MARKER, Marker, Pen};
-use super::super::sketch::{Sketch, Weight};
 use super::difference::difference;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 /// A direction is the normal's if they differ by less: both are unit vectors rounded a few times. A hundred million
 /// times more is still a thousandth of a degree.

@@ -4,13 +4,11 @@
 //! lead from one place to the other are the tangents of the cores; moved out by the radius, those of the bodies.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 
-use super::super::context::Context;
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::{Sketch, Weight};
-use super::{Layer, Shows};
+use super::{Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",

@@ -1,15 +1,11 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the start.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::Options;
-use super::super::outline::Outline;
-use super::super::pen::{Dash, LARGE_MARKER, Marker, Pen};
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 /// Pieces of a path: a full turn in as many chords is 0.3 px from a path of 200 px radius.
 const PIECES: u32 = 64;

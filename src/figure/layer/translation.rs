@@ -3,16 +3,13 @@
 use std::sync::Arc;
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::runs::Run;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::Side;
 use crate::trace::Event;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label};
-use super::super::options::Options;
-use super::super::pen::Pen;
-use super::super::runs::Run;
-use super::super::sketch::Sketch;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "translation",

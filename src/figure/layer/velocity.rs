@@ -3,16 +3,13 @@
 //! Over t in [0, 1] a body moves by its velocity, so that the arrow is its path; the part up to the hit wears the accent.
 
 use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
-use super::super::context::Context;
-use super::super::label::{Anchor, Label, Rank};
-use super::super::options::{OptionSpec, Options, Takes};
-use super::super::pen::Pen;
-use super::super::sketch::Sketch;
-use super::super::values::number;
-use super::{LabelKey, Layer, Shows};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "velocity",

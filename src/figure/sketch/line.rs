@@ -3,9 +3,7 @@
 use crate::drawing::{Contour, Offset, Point, Role};
 use crate::geometry::DVec2;
 
-use super::super::outline::Outline;
-use super::super::pen::{Pen, Wash};
-use super::{Cover, Sketch};
+use super::{Cover, Outline, Pen, Sketch};
 
 /// An arrowhead's length on a vector of 1.75 px, page pixels.
 const HEAD_LENGTH: f64 = 9.0;
@@ -22,27 +20,17 @@ const DOT_RADIUS: f64 = 2.2;
 
 impl Sketch<'_> {
     /// The line of an outline, without its area.
-    pub fn stroke(&mut self, outline: &Outline, pen: Pen) -> &mut Self {
+    pub(crate) fn stroke(&mut self, outline: &Outline, pen: Pen) -> &mut Self {
         self.area(outline, None, Some(pen))
     }
 
     /// A straight line.
-    pub fn line(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+    pub(crate) fn line(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.stroke(&Outline::polyline(&[from, to]), pen)
     }
 
-    /// A line through points.
-    pub fn polyline(&mut self, points: &[DVec2], pen: Pen) -> &mut Self {
-        self.stroke(&Outline::polyline(points), pen)
-    }
-
-    /// A polygon.
-    pub fn polygon(&mut self, points: &[DVec2], wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
-        self.area(&Outline::polygon(points), wash, pen)
-    }
-
     /// A vector: a shaft that ends inside a filled head. Under 14 px the head is smaller, under 6 px it is a dot.
-    pub fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+    pub(crate) fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (tail, tip) = (self.frame.page(from), self.frame.page(to));
         self.page_arrow(tail, tip, pen, false);
@@ -50,19 +38,11 @@ impl Sketch<'_> {
     }
 
     /// A shaft with a head at both ends.
-    pub fn double_arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+    pub(crate) fn double_arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (tail, tip) = (self.frame.page(from), self.frame.page(to));
         self.page_arrow(tail, tip, pen, true);
         self
-    }
-
-    /// A path x(t) for t from `start` to `end`.
-    pub fn track(&mut self, path: impl Fn(f64) -> DVec2, start: f64, end: f64, pen: Pen) -> &mut Self {
-        // 64 chords: on a quarter turn of 400 px radius they stay within 0.04 px of the curve.
-        let points: Vec<DVec2> =
-            (0..=64).map(|i| path(start + (end - start) * f64::from(i) / 64.0)).collect();
-        self.polyline(&points, pen)
     }
 
     pub(super) fn page_arrow(&mut self, tail: Point, tip: Point, pen: Pen, both: bool) {

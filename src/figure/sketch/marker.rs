@@ -3,8 +3,7 @@
 use crate::drawing::{Contour, Item, Offset, Path, Point, Role};
 use crate::geometry::DVec2;
 
-use super::super::pen::{Marker, Pen};
-use super::{Cover, Sketch};
+use super::{Cover, Marker, Pen, Sketch};
 
 /// Line width of hollow markers, page pixels.
 const HOLLOW: f64 = 1.75;
@@ -17,7 +16,7 @@ const RING: f64 = 1.75;
 
 impl Sketch<'_> {
     /// A marker of `radius` page pixels at a point.
-    pub fn marker(&mut self, at: DVec2, marker: Marker, role: Role, radius: f64) -> &mut Self {
+    pub(crate) fn marker(&mut self, at: DVec2, marker: Marker, role: Role, radius: f64) -> &mut Self {
         self.reach(&[at]);
         let radius = radius * self.unit;
         let p = self.frame.page(at);
@@ -27,9 +26,7 @@ impl Sketch<'_> {
             Marker::Disc => self.solid(disc(radius), role),
             Marker::Square => self.solid(square(p, SQUARE * radius), role),
             Marker::Diamond => self.solid(diamond(p, DIAMOND * radius), role),
-            Marker::Ring => self.hollow(disc(radius), role),
             Marker::HollowSquare => self.hollow(square(p, SQUARE * radius), role),
-            Marker::HollowDiamond => self.hollow(diamond(p, DIAMOND * radius), role),
             Marker::Cross => self.cross(p, radius, role),
             Marker::Origin | Marker::RingedDisc => {
                 self.hollow(disc(RING * radius), role);
@@ -60,13 +57,10 @@ impl Sketch<'_> {
 impl Marker {
     /// How far a marker of `radius` page pixels reaches from its point, page pixels.
     #[must_use]
-    pub fn reach(self, radius: f64) -> f64 {
+    pub(crate) fn reach(self, radius: f64) -> f64 {
         match self {
             Self::Origin | Self::RingedDisc => radius * RING + 0.5 * HOLLOW,
-            Self::Ring => radius + 0.5 * HOLLOW,
-            Self::Square | Self::HollowSquare | Self::Diamond | Self::HollowDiamond | Self::Cross => {
-                radius * DIAMOND
-            }
+            Self::Square | Self::HollowSquare | Self::Diamond | Self::Cross => radius * DIAMOND,
             Self::Disc => radius,
         }
     }

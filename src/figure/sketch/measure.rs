@@ -3,8 +3,7 @@
 use crate::drawing::{Contour, Offset, Point};
 use crate::geometry::DVec2;
 
-use super::super::pen::Pen;
-use super::{Cover, Sketch, Weight};
+use super::{Cover, Pen, Sketch, Weight};
 
 /// Length of a dimension's ticks, page pixels; wider lines have longer ones.
 const TICK: f64 = 7.0;
@@ -13,18 +12,9 @@ const TICK_PER_WIDTH: f64 = 3.2;
 /// An extension line begins this far from the point it extends and ends so far beyond its dimension, page pixels.
 const EXTENSION_GAP: f64 = 3.0;
 
-/// How a dimension line ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ends {
-    /// Ticks across it, 7 px long.
-    Ticks,
-    /// Arrowheads.
-    Arrows,
-}
-
 impl Sketch<'_> {
     /// A length, drawn `offset` page pixels to the left of from → to, with dashed extension lines to where it belongs.
-    pub fn dimension(&mut self, from: DVec2, to: DVec2, offset: f64, ends: Ends, pen: Pen) -> &mut Self {
+    pub(crate) fn dimension(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         let Some(u) = (q - p).unit() else { return self };
@@ -32,15 +22,12 @@ impl Sketch<'_> {
         let (a, b) = (p + shift, q + shift);
         self.extension(p, a);
         self.extension(q, b);
-        match ends {
-            Ends::Arrows => self.page_arrow(a, b, pen, true),
-            Ends::Ticks => self.page_ticked(a, b, u, pen),
-        }
+        self.page_ticked(a, b, u, pen);
         self
     }
 
     /// A thick bar with ticks, without extension lines: a length that the figure is about.
-    pub fn bar(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
+    pub(crate) fn bar(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         if let Some(u) = (q - p).unit() {

@@ -4,26 +4,27 @@
 //! draws until the next part belongs to that part; a label belongs to the part that is current when it is asked for,
 //! and may touch that part's strokes only.
 
+mod label;
 mod line;
 mod marker;
 mod measure;
+mod outline;
+mod pen;
 mod round;
 
 use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Rect, Role, Stroke};
+use crate::figure::frame::Frame;
+use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
+use crate::figure::theme::Theme;
 use crate::geometry::{DVec2, Side};
 
-use super::budget::{DASH, MAX_POINTS, PATTERNED};
-use super::frame::Frame;
-use super::label::Label;
-use super::outline::Outline;
-use super::pen::{Dash, Pen, Wash};
-use super::theme::Theme;
-
-pub use measure::Ends;
+pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
+pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
+pub(crate) use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash};
 
 /// How much labels mind what is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Weight {
+pub(crate) enum Weight {
     /// Outlines, vectors, dimensions.
     Normal,
     /// Construction, ghosts, axes: crossed before others.
@@ -34,7 +35,7 @@ pub enum Weight {
 
 /// What a primitive covers on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Cover {
+pub(crate) enum Cover {
     /// A piece of a line.
     Stroke {
         /// From.
@@ -62,28 +63,28 @@ pub enum Cover {
 
 /// Something that labels keep off.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Obstacle {
+pub(crate) struct Obstacle {
     /// What it covers.
-    pub cover: Cover,
+    pub(crate) cover: Cover,
     /// How much labels mind.
-    pub weight: Weight,
+    pub(crate) weight: Weight,
     /// The part that it belongs to: the number of the call of [`Sketch::part`] in its panel.
-    pub part: usize,
+    pub(crate) part: usize,
 }
 
 /// A label that a layer asked for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Request {
+pub(crate) struct Request {
     /// What was asked.
-    pub label: Label,
+    pub(crate) label: Label,
     /// The part that it belongs to.
-    pub part: usize,
+    pub(crate) part: usize,
     /// The index of the layer in its panel.
-    pub layer: usize,
+    pub(crate) layer: usize,
 }
 
 /// A panel being drawn.
-pub struct Sketch<'f> {
+pub(crate) struct Sketch<'f> {
     frame: Frame,
     theme: &'f Theme,
     unit: f64,
@@ -149,7 +150,7 @@ impl<'f> Sketch<'f> {
 
     /// What is drawn from here on belongs to a part of this name: a group in the drawing, so that tests and pages
     /// find it. Labels mind it as usual.
-    pub fn part(&mut self, name: impl Into<String>) -> &mut Self {
+    pub(crate) fn part(&mut self, name: impl Into<String>) -> &mut Self {
         self.weight = Weight::Normal;
         self.part += 1;
         if let Some(layer) = self.layers.last_mut() {
@@ -159,13 +160,13 @@ impl<'f> Sketch<'f> {
     }
 
     /// How much labels mind what is drawn from here to the next part.
-    pub fn weight(&mut self, weight: Weight) -> &mut Self {
+    pub(crate) fn weight(&mut self, weight: Weight) -> &mut Self {
         self.weight = weight;
         self
     }
 
     /// Asks for a label of the current part; without effect where the scene turned this layer's labels off.
-    pub fn label(&mut self, label: Label) -> &mut Self {
+    pub(crate) fn label(&mut self, label: Label) -> &mut Self {
         if self.labels && self.requests.len() < MAX_POINTS {
             let layer = self.layers.len().saturating_sub(1);
             self.requests.push(Request { label, part: self.part, layer });
@@ -175,7 +176,7 @@ impl<'f> Sketch<'f> {
 
     /// The smallest and largest coordinates that the panel shows, in its space (a body's own, in its panel).
     #[must_use]
-    pub fn visible(&self) -> (DVec2, DVec2) {
+    pub(crate) fn visible(&self) -> (DVec2, DVec2) {
         let panel = self.frame.panel;
         let half = DVec2::new(panel.width(), panel.height()) / (2.0 * self.frame.scale);
         let off = panel.center() - self.frame.middle;
@@ -185,32 +186,26 @@ impl<'f> Sketch<'f> {
 
     /// Page pixels of what is `px` on the usual page; fewer on a small one.
     #[must_use]
-    pub fn fitted(&self, px: f64) -> f64 {
+    pub(crate) fn fitted(&self, px: f64) -> f64 {
         px * self.unit
     }
 
     /// The length in the panel's space of `px` pixels of the usual page.
     #[must_use]
-    pub fn px(&self, px: f64) -> f64 {
+    pub(crate) fn px(&self, px: f64) -> f64 {
         self.fitted(px) / self.frame.scale
     }
 
     /// The length on the page, in pixels, of a length in the panel's space.
     #[must_use]
-    pub fn on_page(&self, length: f64) -> f64 {
+    pub(crate) fn on_page(&self, length: f64) -> f64 {
         length * self.frame.scale
     }
 
-    /// The panel's map from its space to the page.
-    #[must_use]
-    pub fn frame(&self) -> &Frame {
-        &self.frame
-    }
-
     /// An area with its line.
-    pub fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
+    pub(crate) fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
         let path = Path {
-            contour: self.frame.contour(outline),
+            contour: outline.on_page(&self.frame),
             fill: wash.map(|w| self.wash(w)),
             pattern: wash.and_then(|w| self.pattern(w)),
             stroke: pen.map(|p| self.stroke_of(p)),

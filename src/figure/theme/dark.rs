@@ -1,7 +1,8 @@
 //! Light lines on a dark page.
 
-use super::Theme;
 use crate::drawing::Color;
+
+use super::Theme;
 
 pub(super) const COLORS: [Color; 9] = [
     Color::hex(0xFF_6B57),

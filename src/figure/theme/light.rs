@@ -1,7 +1,8 @@
 //! Dark lines on white.
 
-use super::Theme;
 use crate::drawing::Color;
+
+use super::Theme;
 
 pub(super) const COLORS: [Color; 9] = [
     Color::hex(0xA3_161F),

@@ -1,7 +1,8 @@
 //! For paper, in colour or grey: A is hatched and B dotted, so that nothing is lost without colour.
 
-use super::Theme;
 use crate::drawing::{Color, PatternKind, Role};
+
+use super::Theme;
 
 const COLORS: [Color; 9] = [
     Color::hex(0x8E_0F18),

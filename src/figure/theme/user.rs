@@ -14,10 +14,11 @@ use std::fmt;
 
 use serde::Deserialize;
 
+use crate::drawing::{Color, Role};
+
 use super::contrast::{blend, contrast};
 use super::vision::worst_difference;
 use super::{THEMES, Theme, find};
-use crate::drawing::{Color, Role};
 
 /// Contrast of text against what lies under it, at least (WCAG 2.2, level AA).
 const TEXT_CONTRAST: f64 = 4.5;

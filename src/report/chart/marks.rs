@@ -4,7 +4,7 @@ use crate::drawing::{Contour, Paint, Path, Point, Stroke};
 
 /// The shape of a series's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Marker {
+pub(crate) enum Marker {
     /// A filled disc.
     Disc,
     /// A filled square.
@@ -26,7 +26,7 @@ const HALF: f64 = 4.5;
 
 impl Marker {
     /// Every marker, in the order in which series take them.
-    pub const ALL: [Self; 7] = [
+    pub(crate) const ALL: [Self; 7] = [
         Self::Disc,
         Self::Square,
         Self::Diamond,

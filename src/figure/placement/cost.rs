@@ -1,10 +1,9 @@
 //! What a place costs, in units of slight preferences.
 
 use crate::drawing::{Point, Rect};
+use crate::figure::frame::Frame;
+use crate::figure::sketch::{Anchor, Cover, Obstacle, Weight};
 
-use super::super::frame::Frame;
-use super::super::label::Anchor;
-use super::super::sketch::{Cover, Obstacle, Weight};
 use super::candidates::Candidate;
 use super::{Placed, Sought, distance_to, length_inside, nearest_in, segment_distance};
 

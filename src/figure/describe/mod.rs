@@ -4,24 +4,19 @@
 //! with its number, how many steps it took, and what each panel shows. Words only: formulas are read out as they would
 //! be written in running text.
 
-mod plain;
-
 use std::fmt::Write;
 
 use crate::collision::{Answer, Impact, Outcome, QueryKind, Reason};
+use crate::figure::runs::Run;
+use crate::figure::text::{in_words, plain, rounded};
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Body, DVec2};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
-use super::Run;
-use super::values::{in_words, rounded};
-
-pub use plain::plain;
-
 /// One sentence for `alt`: the title, and the result with its number.
 #[must_use]
-pub fn short(scene: &Scene, run: &Run) -> String {
+pub(crate) fn short(scene: &Scene, run: &Run) -> String {
     let result = result(scene, run);
     match &scene.title {
         Some(title) => format!("{}: {result}", plain(&title.value)),
@@ -31,7 +26,7 @@ pub fn short(scene: &Scene, run: &Run) -> String {
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
 #[must_use]
-pub fn long(scene: &Scene, run: &Run) -> String {
+pub(crate) fn long(scene: &Scene, run: &Run) -> String {
     let mut text = String::new();
     for &index in &scene.query.of {
         if let Some((name, body)) = scene.shapes.get(index) {

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::super::sketch::Cover;
+use crate::figure::sketch::Cover;
+
 use super::cost::SPILL;
 use super::{Labelled, distance_to, length_inside};
 
@@ -98,8 +99,7 @@ impl std::fmt::Display for Fault {
 }
 
 /// Every fault of a panel's labels; at most one of a kind for each label (or pair).
-#[must_use]
-pub fn faults(panel: &Labelled) -> Vec<Fault> {
+pub(crate) fn faults(panel: &Labelled) -> Vec<Fault> {
     let mut found: Vec<Fault> =
         panel.dropped.iter().map(|(key, span)| Fault::Dropped { key, span: span.clone() }).collect();
     for (i, label) in panel.placed.iter().enumerate() {

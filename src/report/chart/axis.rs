@@ -2,17 +2,17 @@
 
 /// An axis, linear or logarithmic.
 #[derive(Clone, Debug)]
-pub struct Axis {
+pub(crate) struct Axis {
     /// Markup, with the unit.
-    pub name: String,
+    pub(crate) name: String,
     /// Smallest value shown.
-    pub lo: f64,
+    pub(crate) lo: f64,
     /// Largest value shown.
-    pub hi: f64,
+    pub(crate) hi: f64,
     /// Whether equal ratios are equal lengths.
-    pub logarithmic: bool,
+    pub(crate) logarithmic: bool,
     /// Values to mark; empty for powers of ten.
-    pub marks: Vec<f64>,
+    pub(crate) marks: Vec<f64>,
 }
 
 /// A value that the axis names.
@@ -27,7 +27,7 @@ const TICKS: i32 = 9;
 impl Axis {
     /// A logarithmic axis over whole powers of ten that holds all of `values`.
     #[must_use]
-    pub fn powers_of_ten(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
+    pub(crate) fn powers_of_ten(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let logs: Vec<f64> = values.into_iter().filter(|v| *v > 0.0).map(libm::log10).collect();
         let lo = logs.iter().copied().fold(f64::INFINITY, f64::min);
         let hi = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);

@@ -6,16 +6,8 @@ const DIGITS: usize = 3;
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
 /// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
-///
-/// ```
-/// use tracefig::figure::values::rounded;
-/// assert_eq!(rounded(0.308_487, 0.308_488), "0.308");
-/// assert_eq!(rounded(0.499_999_999_999_999_94, 0.5), "0.5");
-/// assert_eq!(rounded(0.31, 0.34), "0.3");
-/// assert_eq!(rounded(-2.5, -2.5), "-2.5");
-/// ```
 #[must_use]
-pub fn rounded(lo: f64, hi: f64) -> String {
+pub(crate) fn rounded(lo: f64, hi: f64) -> String {
     for digits in (1..=DIGITS).rev() {
         let (p, q) = (significant(lo, digits), significant(hi, digits));
         if p == q {
@@ -26,12 +18,8 @@ pub fn rounded(lo: f64, hi: f64) -> String {
 }
 
 /// A double as LaTeX, to at most three significant digits.
-///
-/// ```
-/// assert_eq!(tracefig::figure::values::number(4.293_51), "4.29");
-/// ```
 #[must_use]
-pub fn number(value: f64) -> String {
+pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
 }
 
@@ -57,12 +45,8 @@ fn without_zeros(text: &str) -> &str {
 }
 
 /// A number from [`rounded`] as LaTeX.
-///
-/// ```
-/// assert_eq!(tracefig::figure::values::in_math("1.5e-9"), r"1.5 \times 10^{-9}");
-/// ```
 #[must_use]
-pub fn in_math(number: &str) -> String {
+pub(crate) fn in_math(number: &str) -> String {
     let power = |part: &str| match part.split_once('e') {
         Some(("1", exponent)) => format!("10^{{{exponent}}}"),
         Some((mantissa, exponent)) => format!(r"{mantissa} \times 10^{{{exponent}}}"),
@@ -72,12 +56,8 @@ pub fn in_math(number: &str) -> String {
 }
 
 /// A number from [`rounded`] as markup among words: a real minus sign, and a formula where it has a power of ten.
-///
-/// ```
-/// assert_eq!(tracefig::figure::values::in_words("-2.5"), "−2.5");
-/// ```
 #[must_use]
-pub fn in_words(number: &str) -> String {
+pub(crate) fn in_words(number: &str) -> String {
     if number.contains('e') || number.contains('…') {
         format!("${}$", in_math(number))
     } else {
@@ -100,12 +80,24 @@ mod tests {
         assert_eq!(rounded(1.09e-9, 1.09e-9), "1.09e-9");
         assert_eq!(rounded(9.999, 9.999), "10");
         assert_eq!(rounded(0.000_999_9, 0.000_999_9), "0.001");
+        assert_eq!(number(4.293_51), "4.29");
     }
 
     #[test]
     fn digits_that_the_bounds_do_not_share_are_not_printed() {
         assert_eq!(rounded(0.123, 0.124), "0.12");
+        assert_eq!(rounded(0.308_487, 0.308_488), "0.308");
+        assert_eq!(rounded(0.499_999_999_999_999_94, 0.5), "0.5");
+        assert_eq!(rounded(0.31, 0.34), "0.3");
         assert_eq!(rounded(0.25, 1.0), "0.25…1");
         assert_eq!(in_math("0.25…1"), r"0.25 \ldots 1");
+    }
+
+    #[test]
+    fn formulas_have_powers_of_ten_and_words_a_real_minus_sign() {
+        assert_eq!(in_math("1.5e-9"), r"1.5 \times 10^{-9}");
+        assert_eq!(in_math("1e6"), "10^{6}");
+        assert_eq!(in_words("-2.5"), "−2.5");
+        assert_eq!(in_words("1.5e-9"), r"$1.5 \times 10^{-9}$");
     }
 }

@@ -3,16 +3,18 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::figure::budget::Budget;
+use crate::figure::context::Context;
+use crate::figure::placement::Sought;
+use crate::figure::sketch::Request;
 use crate::scene::{Fault, LabelOverride, Problem, Scene, Spanned};
 use crate::typeset::{Style, typeset};
 
-use super::super::context::Context;
-use super::super::sketch::Request;
-use super::super::values;
-use super::Sought;
+use super::fill::fill;
 
 /// Sets the labels of one panel.
 pub(crate) struct Wording<'w> {
+    /// The panel's moment and runs, where values are read.
     pub(crate) context: &'w Context<'w>,
     /// The size in page pixels at which a size of the usual page is set here.
     pub(crate) type_size: &'w dyn Fn(f64) -> f64,
@@ -22,6 +24,9 @@ impl Wording<'_> {
     /// A label with its text; none where the scene hides it or nobody gives it a text.
     ///
     /// `origin` is the place of its layer in the scene.
+    ///
+    /// # Errors
+    /// Where the text names a value that the query does not have, or can't be typeset.
     pub(crate) fn set(&self, request: &Request, origin: &Range<usize>) -> Result<Option<Sought>, Problem> {
         let label = &request.label;
         let given = overridden(self.context.scene, label.key);
@@ -53,21 +58,35 @@ impl Wording<'_> {
     }
 }
 
+/// Sets every label of a panel once, so that a text that can't be set is said before anything is drawn. `requests` come
+/// with the places of their layers in the scene.
+///
+/// # Errors
+/// When the labels are more than can be set.
+pub(crate) fn check_texts<'r>(
+    context: &Context,
+    requests: impl Iterator<Item = (&'r Request, &'r Range<usize>)>,
+    budget: &mut Budget,
+    problems: &mut Vec<Problem>,
+) -> Result<(), Problem> {
+    let wording = Wording { context, type_size: &|px| px };
+    for (request, span) in requests {
+        match wording.set(request, span) {
+            Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
+            Ok(None) => {}
+            Err(problem) => problems.push(problem),
+        }
+    }
+    Ok(())
+}
+
 /// What a scene says of a label.
 fn overridden<'s>(scene: &'s Scene, key: &str) -> Option<&'s (Spanned<String>, LabelOverride)> {
     scene.labels.iter().find(|(k, _)| k.value == key)
 }
 
-/// A text of the scene with its values filled in.
-pub(crate) fn fill(text: &str, context: &Context, span: &Range<usize>) -> Result<String, Problem> {
-    values::fill(text, context).map_err(|unknown| {
-        let fault = Fault::UnknownWord { what: "value", got: unknown.name, known: unknown.known };
-        Problem::new(fault, span.clone())
-    })
-}
-
-/// A text that can't be set.
-pub(crate) fn bad_markup(message: &str, markup: &str, span: &Range<usize>) -> Problem {
+/// A text that can't be typeset: the typesetter's words and the text with its values filled in.
+pub(crate) fn bad_markup(message: &str, markup: &str, at: &Range<usize>) -> Problem {
     let message = format!("`{markup}` can't be typeset: {message}");
-    Problem::new(Fault::Other { code: "bad-markup", message, help: None }, span.clone())
+    Problem::new(Fault::Other { code: "bad-markup", message, help: None }, at.clone())
 }

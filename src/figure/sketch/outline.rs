@@ -5,6 +5,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::drawing::{Contour, Segment};
+use crate::figure::frame::Frame;
 use crate::geometry::{Body, DVec2, Pose, perp};
 
 /// The longest piece of an arc that a chord may stand for when an outline is sampled: 5°. On a radius of 200 page
@@ -13,7 +15,7 @@ const SAMPLE_ANGLE: f64 = TAU / 72.0;
 
 /// A piece of an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Piece {
+pub(crate) enum Piece {
     /// Straight to a point.
     Line(DVec2),
     /// Along a circle, after a straight line to its start.
@@ -31,79 +33,63 @@ pub enum Piece {
 
 /// A contour in world or configuration space.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Outline {
+pub(crate) struct Outline {
     /// Where it begins.
-    pub start: DVec2,
+    pub(crate) start: DVec2,
     /// What follows.
-    pub pieces: Vec<Piece>,
+    pub(crate) pieces: Vec<Piece>,
     /// Whether it returns to its beginning.
-    pub closed: bool,
+    pub(crate) closed: bool,
 }
 
 /// The point of a circle at an angle in radians, counter-clockwise from +x.
-///
-/// ```
-/// use tracefig::{figure::on_circle, geometry::DVec2};
-/// assert_eq!(on_circle(DVec2::new(1.0, 2.0), 3.0, 0.0), DVec2::new(4.0, 2.0));
-/// ```
 #[must_use]
-pub fn on_circle(center: DVec2, radius: f64, angle: f64) -> DVec2 {
+pub(crate) fn on_circle(center: DVec2, radius: f64, angle: f64) -> DVec2 {
     center + radius * DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
 /// The direction of a vector: radians in (−π, π], counter-clockwise from +x.
-///
-/// ```
-/// use tracefig::{figure::angle_of, geometry::DVec2};
-/// assert_eq!(angle_of(DVec2::new(0.0, 2.0)), std::f64::consts::FRAC_PI_2);
-/// ```
 #[must_use]
-pub fn angle_of(v: DVec2) -> f64 {
+pub(crate) fn angle_of(v: DVec2) -> f64 {
     libm::atan2(v.y, v.x)
 }
 
 impl Outline {
     /// An open line through `points`.
     #[must_use]
-    pub fn polyline(points: &[DVec2]) -> Self {
+    pub(crate) fn polyline(points: &[DVec2]) -> Self {
         let start = points.first().copied().unwrap_or(DVec2::ZERO);
         Self { start, pieces: points.iter().skip(1).map(|&p| Piece::Line(p)).collect(), closed: false }
     }
 
     /// A line through `points` and back.
     #[must_use]
-    pub fn polygon(points: &[DVec2]) -> Self {
+    pub(crate) fn polygon(points: &[DVec2]) -> Self {
         Self { closed: true, ..Self::polyline(points) }
     }
 
     /// A whole circle.
     #[must_use]
-    pub fn circle(center: DVec2, radius: f64) -> Self {
+    pub(crate) fn circle(center: DVec2, radius: f64) -> Self {
         Self { closed: true, ..Self::arc(center, radius, 0.0, TAU) }
     }
 
     /// Part of a circle; angles in radians, counter-clockwise.
     #[must_use]
-    pub fn arc(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
+    pub(crate) fn arc(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
         let first = on_circle(center, radius, start);
         Self { start: first, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: false }
     }
 
     /// A slice of a disc: centre, arc, and back.
     #[must_use]
-    pub fn sector(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
+    pub(crate) fn sector(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
         Self { start: center, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: true }
     }
 
     /// A convex core, counter-clockwise, swept by a disc of `radius` (0: the polygon itself).
-    ///
-    /// ```
-    /// use tracefig::{figure::Outline, geometry::DVec2};
-    /// let capsule = Outline::rounded(&[DVec2::ZERO, DVec2::X], 0.5);
-    /// assert_eq!(capsule.pieces.len(), 4, "two sides and two half circles");
-    /// ```
     #[must_use]
-    pub fn rounded(core: &[DVec2], radius: f64) -> Self {
+    pub(crate) fn rounded(core: &[DVec2], radius: f64) -> Self {
         match core {
             [] => Self::polygon(core),
             [center] => Self::circle(*center, radius),
@@ -114,7 +100,7 @@ impl Outline {
 
     /// A body as it stands in `pose`.
     #[must_use]
-    pub fn of_body(body: &Body, pose: &Pose) -> Self {
+    pub(crate) fn of_body(body: &Body, pose: &Pose) -> Self {
         let shape = &body.shape;
         if shape.core.is_empty() {
             let all: Vec<_> = shape.vertices.iter().map(|&v| pose.point(v)).collect();
@@ -127,7 +113,7 @@ impl Outline {
 
     /// The same elsewhere: every point moved by `by`, in world units.
     #[must_use]
-    pub fn moved(&self, by: DVec2) -> Self {
+    pub(crate) fn moved(&self, by: DVec2) -> Self {
         let piece = |piece: &Piece| match *piece {
             Piece::Line(p) => Piece::Line(p + by),
             Piece::Arc { center, radius, start, sweep } => {
@@ -139,7 +125,7 @@ impl Outline {
 
     /// The same after half a turn about a point: x becomes 2 `about` − x.
     #[must_use]
-    pub fn turned_about(&self, about: DVec2) -> Self {
+    pub(crate) fn turned_about(&self, about: DVec2) -> Self {
         let turned = |p: DVec2| 2.0 * about - p;
         let piece = |piece: &Piece| match *piece {
             Piece::Line(p) => Piece::Line(turned(p)),
@@ -156,7 +142,7 @@ impl Outline {
 
     /// Points along it, close enough that chords stand for arcs.
     #[must_use]
-    pub fn sampled(&self) -> Vec<DVec2> {
+    pub(crate) fn sampled(&self) -> Vec<DVec2> {
         let mut points = vec![self.start];
         for piece in &self.pieces {
             match *piece {
@@ -175,6 +161,30 @@ impl Outline {
             points.push(self.start);
         }
         points
+    }
+
+    /// The outline on the page, through a panel's map; arcs stay arcs.
+    #[must_use]
+    pub(crate) fn on_page(&self, frame: &Frame) -> Contour {
+        if let ([Piece::Arc { center, radius, sweep, .. }], true) = (self.pieces.as_slice(), self.closed)
+            && *sweep >= TAU
+        {
+            return Contour::Circle { center: frame.page(*center), radius: radius * frame.scale };
+        }
+        let mut segments = vec![Segment::Move(frame.page(self.start))];
+        segments.extend(self.pieces.iter().map(|piece| match *piece {
+            Piece::Line(p) => Segment::Line(frame.page(p)),
+            Piece::Arc { center, radius, start, sweep } => Segment::Arc {
+                center: frame.page(center),
+                radius: radius * frame.scale,
+                start: -(start - frame.turn()),
+                sweep: -sweep,
+            },
+        }));
+        if self.closed {
+            segments.push(Segment::Close);
+        }
+        Contour::Segments(segments)
     }
 
     fn offset(core: &[DVec2], radius: f64) -> Self {
@@ -197,6 +207,7 @@ impl Outline {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::{Point, Rect};
 
     #[test]
     fn a_rounded_outline_is_everywhere_its_radius_from_the_core() {
@@ -219,5 +230,40 @@ mod tests {
         let circle = Outline::rounded(&[DVec2::ONE], 2.0);
         assert_eq!(circle.pieces, [Piece::Arc { center: DVec2::ONE, radius: 2.0, start: 0.0, sweep: TAU }]);
         assert!(circle.closed);
+    }
+
+    #[test]
+    fn an_arc_on_the_page_begins_where_its_first_point_lies() {
+        let panel = Rect { x0: 20.0, y0: 40.0, x1: 220.0, y1: 140.0 };
+        let pose = Pose { position: DVec2::new(1.0, -2.0), cos: 0.8, sin: 0.6 };
+        let frame = Frame::fit(Some(pose), DVec2::new(-3.0, -1.0), DVec2::new(3.0, 1.0), panel);
+        let (c, r, start, sweep) = (DVec2::new(0.5, 0.25), 2.0, 0.7, 1.1);
+        let Contour::Segments(segments) = Outline::arc(c, r, start, sweep).on_page(&frame) else { panic!() };
+        let Segment::Arc { center, radius, start: s, sweep: w } = segments[1] else { panic!() };
+        for (angle, page) in [(start, s), (start + sweep, s + w)] {
+            let expected = frame.page(on_circle(c, r, angle));
+            let got = Point::new(center.x + radius * libm::cos(page), center.y + radius * libm::sin(page));
+            assert!((expected.x - got.x).abs() + (expected.y - got.y).abs() < 1e-9, "{expected:?} {got:?}");
+        }
+    }
+
+    #[test]
+    fn directions_are_counted_counter_clockwise_from_the_x_axis() {
+        assert_eq!(on_circle(DVec2::new(1.0, 2.0), 3.0, 0.0), DVec2::new(4.0, 2.0));
+        assert_eq!(angle_of(DVec2::new(0.0, 2.0)), 0.25 * TAU);
+    }
+
+    #[test]
+    fn a_capsule_has_two_straight_sides_and_two_half_circles() {
+        let capsule = Outline::rounded(&[DVec2::ZERO, DVec2::X], 0.5);
+        let sweeps: Vec<f64> = capsule
+            .pieces
+            .iter()
+            .filter_map(|piece| match piece {
+                Piece::Arc { sweep, .. } => Some(*sweep),
+                Piece::Line(_) => None,
+            })
+            .collect();
+        assert_eq!((capsule.pieces.len(), sweeps), (4, vec![0.5 * TAU; 2]));
     }
 }

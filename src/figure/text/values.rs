@@ -1,18 +1,17 @@
 //! The values that text may name, each a row: where it is read, and what it means.
 
 use crate::collision::{Answer, Outcome, QueryKind};
+use crate::figure::context::Context;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::super::Context;
-
 /// A number with its bounds; both ends are the same where the trace tells only a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Quantity {
+pub(crate) struct Quantity {
     /// Not above the exact value.
-    pub lo: f64,
+    pub(crate) lo: f64,
     /// Not below the exact value.
-    pub hi: f64,
+    pub(crate) hi: f64,
 }
 
 impl Quantity {
@@ -22,21 +21,18 @@ impl Quantity {
 }
 
 /// A value that text may name.
-pub struct Value {
+pub(crate) struct Value {
     /// As in `{=name}`.
-    pub name: &'static str,
-    /// One line for `tracefig list`.
-    pub about: &'static str,
+    pub(crate) name: &'static str,
     /// Reads it; None where the query does not have it.
-    pub of: fn(&Context) -> Option<Quantity>,
+    pub(crate) of: fn(&Context) -> Option<Quantity>,
 }
 
 /// A row whose value is found in an event of the scene's own run.
 macro_rules! told {
-    ($name:literal, $about:literal, $pattern:pat => $value:expr) => {
+    ($name:literal, $pattern:pat => $value:expr) => {
         Value {
             name: $name,
-            about: $about,
             of: |context| {
                 context.run().find_told(|event| match event {
                     $pattern => Some(Quantity::exactly($value)),
@@ -47,68 +43,80 @@ macro_rules! told {
     };
 }
 
-/// Every value, in the order in which `tracefig list` prints them.
-pub static VALUES: &[Value] = &[
-    Value {
-        name: "separation",
-        about: "signed separation at the panel's moment, world units",
-        of: separation,
-    },
-    Value { name: "depth", about: "penetration depth at the panel's moment, positive", of: depth },
-    Value { name: "time", about: "time of first contact, else the panel's moment", of: time },
-    Value {
-        name: "n.x",
-        about: "x of the unit normal from A to B",
-        of: |c| normal(c).map(|n| n.x).map(Quantity::exactly),
-    },
-    Value {
-        name: "n.y",
-        about: "y of the unit normal from A to B",
-        of: |c| normal(c).map(|n| n.y).map(Quantity::exactly),
-    },
-    Value { name: "bound", about: "time of the article's first step, or the motion bound", of: bound },
-    Value { name: "iterations", about: "distance queries made", of: iterations },
-    Value { name: "tolerance", about: "tolerance in force, world units", of: tolerance },
-    Value { name: "last_step", about: "number of the last step, from 0", of: last_step },
-    Value { name: "step.time", about: "moment of the panel's step", of: |c| step(c, |at, _, _| Some(at)) },
-    Value { name: "step.next", about: "moment after the panel's step", of: |c| step(c, |_, _, next| next) },
-    Value {
-        name: "step.separation",
-        about: "separation at the panel's step",
-        of: |c| step(c, |_, s, _| Some(s)),
-    },
-    told!("centers", "distance of two circles' centres", Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()),
-    told!("radii", "sum of two circles' radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
-    told!("p", "the article's p, signed", Event::PenetrationMeasured { p, .. } => *p),
-    told!("P.x", "x of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.x),
-    told!("P.y", "y of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.y),
-    told!("V.x", "x of V, in the box's frame", Event::Clamped { v, .. } => v.x),
-    told!("V.y", "y of V, in the box's frame", Event::Clamped { v, .. } => v.y),
-    told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
-    told!("clamped.y", "y of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.y),
-    told!("r", "the circle's radius", Event::Clamped { radius, .. } => *radius),
-    Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
-    Value { name: "D.x", about: "x of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.x) },
-    Value { name: "D.y", about: "y of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.y) },
-    told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
-    told!("radius", "distance of the farthest point from the body's origin", Event::MotionBounded { radius, .. } => *radius),
-    told!("L", "arc length θ r", Event::MotionBounded { arc, .. } => *arc),
-    told!("min.x", "smallest x", Event::BoundsFound { min, .. } => min.x),
-    told!("min.y", "smallest y", Event::BoundsFound { min, .. } => min.y),
-    told!("max.x", "largest x", Event::BoundsFound { max, .. } => max.x),
-    told!("max.y", "largest y", Event::BoundsFound { max, .. } => max.y),
-    Value { name: "h.x", about: "half-extent in x", of: |c| half_extents(c).map(|h| Quantity::exactly(h.x)) },
-    Value { name: "h.y", about: "half-extent in y", of: |c| half_extents(c).map(|h| Quantity::exactly(h.y)) },
-    Value {
-        name: "c.x",
-        about: "x of the bounds' centre",
-        of: |c| center(c).map(|p| Quantity::exactly(p.x)),
-    },
-    Value {
-        name: "c.y",
-        about: "y of the bounds' centre",
-        of: |c| center(c).map(|p| Quantity::exactly(p.y)),
-    },
+/// Every value, in the order in which an unknown one lists those that its query has.
+pub(crate) static VALUES: &[Value] = &[
+    // Signed separation at the panel's moment, world units.
+    Value { name: "separation", of: separation },
+    // Penetration depth at the panel's moment, positive.
+    Value { name: "depth", of: depth },
+    // Time of first contact, else the panel's moment.
+    Value { name: "time", of: time },
+    // x of the unit normal from A to B.
+    Value { name: "n.x", of: |c| normal(c).map(|n| n.x).map(Quantity::exactly) },
+    // y of the unit normal from A to B.
+    Value { name: "n.y", of: |c| normal(c).map(|n| n.y).map(Quantity::exactly) },
+    // Time of the article's first step, or the motion bound.
+    Value { name: "bound", of: bound },
+    // Distance queries made.
+    Value { name: "iterations", of: iterations },
+    // Tolerance in force, world units.
+    Value { name: "tolerance", of: tolerance },
+    // Number of the last step, from 0.
+    Value { name: "last_step", of: last_step },
+    // Moment of the panel's step.
+    Value { name: "step.time", of: |c| step(c, |at, _, _| Some(at)) },
+    // Moment after the panel's step.
+    Value { name: "step.next", of: |c| step(c, |_, _, next| next) },
+    // Separation at the panel's step.
+    Value { name: "step.separation", of: |c| step(c, |_, s, _| Some(s)) },
+    // Distance of two circles' centres.
+    told!("centers", Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()),
+    // Sum of two circles' radii.
+    told!("radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
+    // The article's p, signed.
+    told!("p", Event::PenetrationMeasured { p, .. } => *p),
+    // x of the penetration vector.
+    told!("P.x", Event::PenetrationMeasured { vector, .. } => vector.x),
+    // y of the penetration vector.
+    told!("P.y", Event::PenetrationMeasured { vector, .. } => vector.y),
+    // x of V, in the box's frame.
+    told!("V.x", Event::Clamped { v, .. } => v.x),
+    // y of V, in the box's frame.
+    told!("V.y", Event::Clamped { v, .. } => v.y),
+    // x of V clamped to the half-extents.
+    told!("clamped.x", Event::Clamped { clamped, .. } => clamped.x),
+    // y of V clamped to the half-extents.
+    told!("clamped.y", Event::Clamped { clamped, .. } => clamped.y),
+    // The circle's radius.
+    told!("r", Event::Clamped { radius, .. } => *radius),
+    // Length of D = B − B_c.
+    Value { name: "D", of: |c| d(c, DVec2::length) },
+    // x of D: B − B_c, or the gap of two AABBs.
+    Value { name: "D.x", of: |c| d(c, |d| d.x) },
+    // y of D: B − B_c, or the gap of two AABBs.
+    Value { name: "D.y", of: |c| d(c, |d| d.y) },
+    // Angle turned, degrees.
+    told!("theta", Event::MotionBounded { theta, .. } => theta.to_degrees()),
+    // Distance of the farthest point from the body's origin.
+    told!("radius", Event::MotionBounded { radius, .. } => *radius),
+    // Arc length θ r.
+    told!("L", Event::MotionBounded { arc, .. } => *arc),
+    // Smallest x.
+    told!("min.x", Event::BoundsFound { min, .. } => min.x),
+    // Smallest y.
+    told!("min.y", Event::BoundsFound { min, .. } => min.y),
+    // Largest x.
+    told!("max.x", Event::BoundsFound { max, .. } => max.x),
+    // Largest y.
+    told!("max.y", Event::BoundsFound { max, .. } => max.y),
+    // Half-extent in x.
+    Value { name: "h.x", of: |c| half_extents(c).map(|h| Quantity::exactly(h.x)) },
+    // Half-extent in y.
+    Value { name: "h.y", of: |c| half_extents(c).map(|h| Quantity::exactly(h.y)) },
+    // x of the bounds' centre.
+    Value { name: "c.x", of: |c| center(c).map(|p| Quantity::exactly(p.x)) },
+    // y of the bounds' centre.
+    Value { name: "c.y", of: |c| center(c).map(|p| Quantity::exactly(p.y)) },
 ];
 
 fn separation(context: &Context) -> Option<Quantity> {

@@ -45,14 +45,8 @@ const COMMANDS: [(&str, &str); 40] = [
 ];
 
 /// Markup without its dollars, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`.
-///
-/// ```
-/// use tracefig::figure::alt::plain;
-/// assert_eq!(plain(r"the distance $\|D\| - r_A = 1.5$"), "the distance ‖D‖ − r_A = 1.5");
-/// assert_eq!(plain(r"$\frac{d}{v}$ costs 5 \$"), "d/v costs 5 $");
-/// ```
 #[must_use]
-pub fn plain(markup: &str) -> String {
+pub(crate) fn plain(markup: &str) -> String {
     let mut out = String::with_capacity(markup.len());
     let mut formula = String::new();
     let mut inside = false;
@@ -166,6 +160,8 @@ mod tests {
     #[test]
     fn the_formulas_of_the_figures_read_well() {
         assert_eq!(plain(r"$v = v_A - v_B$"), "v = v_A − v_B");
+        assert_eq!(plain(r"the distance $\|D\| - r_A = 1.5$"), "the distance ‖D‖ − r_A = 1.5");
+        assert_eq!(plain(r"$\frac{d}{v}$ costs 5 \$"), "d/v costs 5 $");
         assert_eq!(plain(r"$A'$ at $t = 0.5$"), "A′ at t = 0.5");
         assert_eq!(
             plain(r"$t \ge \frac{d}{v \cdot n + r_A|\omega_A|} = 0.308$"),

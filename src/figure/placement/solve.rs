@@ -1,11 +1,12 @@
 //! Greedy by regret, then 1-opt, then pairs, until nothing moves.
 
-use super::super::frame::Frame;
-use super::super::sketch::Obstacle;
+use crate::drawing::{Point, Rect};
+use crate::figure::frame::Frame;
+use crate::figure::sketch::Obstacle;
+
 use super::candidates::{Candidate, candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
 use super::{LEADING, Labelled, Placed, Sought};
-use crate::drawing::{Point, Rect};
 
 /// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
 const PASSES: usize = 64;
@@ -213,7 +214,7 @@ impl Problem {
 }
 
 fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame) -> Placed {
-    use super::super::label::{Anchor, Corner};
+    use crate::figure::sketch::{Anchor, Corner};
     let bounds = candidate.rect;
     // The lines of a note are read as a paragraph or a column of equations.
     let align = match sought.anchor {

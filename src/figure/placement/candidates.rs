@@ -2,11 +2,10 @@
 //! another panel of a series has the same slot.
 
 use crate::drawing::{Offset, Point, Rect};
+use crate::figure::frame::Frame;
+use crate::figure::sketch::{Anchor, Best, Corner, on_circle};
 use crate::scene::LabelPlace;
 
-use super::super::frame::Frame;
-use super::super::label::{Anchor, Best, Corner};
-use super::super::outline::on_circle;
 use super::{Sought, about, distance_to, inside, nearest_in};
 
 /// A place, and what it costs by itself.

@@ -6,8 +6,8 @@
 mod axis;
 mod marks;
 
-pub use axis::Axis;
-pub use marks::Marker;
+pub(crate) use axis::Axis;
+pub(crate) use marks::Marker;
 
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Rect, Role, Stroke, Text};
 use crate::typeset::{Style, TypesetError, typeset};
@@ -27,36 +27,36 @@ const NAME_PITCH: f64 = 18.0;
 
 /// A named set of points.
 #[derive(Clone, Debug)]
-pub struct Series {
+pub(crate) struct Series {
     /// Markup.
-    pub name: String,
+    pub(crate) name: String,
     /// Its colour.
-    pub role: Role,
+    pub(crate) role: Role,
     /// Its marker.
-    pub marker: Marker,
+    pub(crate) marker: Marker,
     /// Lengths of dashes and gaps, page pixels; empty for a solid line.
-    pub dash: Vec<f64>,
+    pub(crate) dash: Vec<f64>,
     /// Points in the axes' units.
-    pub points: Vec<(f64, f64)>,
+    pub(crate) points: Vec<(f64, f64)>,
 }
 
 /// A chart.
 #[derive(Clone, Debug)]
-pub struct Chart {
+pub(crate) struct Chart {
     /// Prefix of ids.
-    pub id: String,
+    pub(crate) id: String,
     /// Markup.
-    pub title: String,
+    pub(crate) title: String,
     /// The horizontal axis.
-    pub x: Axis,
+    pub(crate) x: Axis,
     /// The vertical axis.
-    pub y: Axis,
+    pub(crate) y: Axis,
     /// What it shows.
-    pub series: Vec<Series>,
+    pub(crate) series: Vec<Series>,
     /// Page pixels.
-    pub width: f64,
+    pub(crate) width: f64,
     /// Page pixels.
-    pub height: f64,
+    pub(crate) height: f64,
 }
 
 /// Draws a chart with the colours that `color` gives to roles.
@@ -64,7 +64,7 @@ pub struct Chart {
 /// # Errors
 ///
 /// A [`TypesetError`] of the title, an axis's name or a series's name.
-pub fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawing, TypesetError> {
+pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawing, TypesetError> {
     let names: Vec<Name> = chart.series.iter().map(Name::set).collect::<Result<_, _>>()?;
     let widest = names.iter().map(|n| n.line.width).fold(0.0, f64::max);
     let plot =

@@ -6,8 +6,6 @@ use crate::drawing::Role;
 use crate::geometry::Side;
 use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
 
-use super::layer::Layer;
-
 /// What an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
@@ -50,7 +48,7 @@ pub static COMMON: &[OptionSpec] = &[
 
 /// A value that fits its option.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Setting {
+pub(crate) enum Setting {
     /// Of a flag.
     Flag(bool),
     /// Of a number, or a time.
@@ -65,7 +63,7 @@ pub enum Setting {
 
 /// The options of one layer of a scene, checked.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
+pub(crate) struct Options {
     given: Vec<(&'static str, Setting)>,
 }
 
@@ -75,14 +73,14 @@ impl Options {
     /// # Errors
     ///
     /// Every unknown option and every value that does not fit, with its place in the scene.
-    pub fn read(layer: &Layer, spec: &LayerSpec, scene: &Scene) -> Result<Self, Vec<Problem>> {
+    pub(crate) fn read(own: &[OptionSpec], spec: &LayerSpec, scene: &Scene) -> Result<Self, Vec<Problem>> {
         let mut options = Self::default();
         let mut problems = Vec::new();
         for (key, value) in &spec.options {
-            let known = || layer.options.iter().chain(COMMON);
+            let known = || own.iter().chain(COMMON);
             let Some(option) = known().find(|o| o.name == key.value) else {
                 let known = known().map(|o| o.name.to_owned()).collect();
-                let place = format!("the layer `{}`", layer.name);
+                let place = format!("the layer `{}`", spec.name.value);
                 let fault = Fault::UnknownKey { key: key.value.clone(), place, known };
                 problems.push(Problem::new(fault, key.span.clone()));
                 continue;
@@ -102,19 +100,19 @@ impl Options {
 
     /// A flag, or `default` where the scene does not say.
     #[must_use]
-    pub fn flag(&self, name: &str, default: bool) -> bool {
+    pub(crate) fn flag(&self, name: &str, default: bool) -> bool {
         if let Some(Setting::Flag(b)) = self.get(name) { *b } else { default }
     }
 
     /// A number, if given.
     #[must_use]
-    pub fn number(&self, name: &str) -> Option<f64> {
+    pub(crate) fn number(&self, name: &str) -> Option<f64> {
         if let Some(Setting::Number(x)) = self.get(name) { Some(*x) } else { None }
     }
 
     /// A word, or `default`.
     #[must_use]
-    pub fn word<'o>(&'o self, name: &str, default: &'o str) -> &'o str {
+    pub(crate) fn word<'o>(&'o self, name: &str, default: &'o str) -> &'o str {
         match self.get(name) {
             Some(Setting::Words(words)) => words.first().map_or(default, String::as_str),
             _ => default,
@@ -123,31 +121,31 @@ impl Options {
 
     /// Words or lines, if given.
     #[must_use]
-    pub fn words(&self, name: &str) -> Option<&[String]> {
+    pub(crate) fn words(&self, name: &str) -> Option<&[String]> {
         if let Some(Setting::Words(words)) = self.get(name) { Some(words) } else { None }
     }
 
     /// Whether a list of words holds one; `default` where the scene does not say.
     #[must_use]
-    pub fn shows(&self, name: &str, word: &str, default: bool) -> bool {
+    pub(crate) fn shows(&self, name: &str, word: &str, default: bool) -> bool {
         self.words(name).map_or(default, |words| words.iter().any(|w| w == word))
     }
 
     /// The bodies of the option `of`, or `default`.
     #[must_use]
-    pub fn of(&self, default: &[Side]) -> Vec<Side> {
+    pub(crate) fn of(&self, default: &[Side]) -> Vec<Side> {
         if let Some(Setting::Bodies(sides)) = self.get("of") { sides.clone() } else { default.to_vec() }
     }
 
     /// The role, or the layer's own.
     #[must_use]
-    pub fn role(&self, default: Role) -> Role {
+    pub(crate) fn role(&self, default: Role) -> Role {
         if let Some(Setting::Role(role)) = self.get("role") { *role } else { default }
     }
 
     /// A moment: a number, or one of the words start, hit, end.
     #[must_use]
-    pub fn when(&self, name: &str) -> Option<When> {
+    pub(crate) fn when(&self, name: &str) -> Option<When> {
         match self.get(name)? {
             Setting::Number(t) => Some(When::Time(*t)),
             Setting::Words(words) => match words.first().map(String::as_str) {

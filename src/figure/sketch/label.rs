@@ -3,11 +3,11 @@
 use crate::drawing::Role;
 use crate::geometry::{DVec2, perp};
 
-use super::outline::Outline;
+use super::Outline;
 
 /// What a label belongs to, in the panel's space. Places are found from it.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Anchor {
+pub(crate) enum Anchor {
     /// A point: around it.
     Point {
         /// The point.
@@ -59,7 +59,7 @@ pub enum Anchor {
 
 /// Which part of a line a label belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Best {
+pub(crate) enum Best {
     /// Its middle.
     Middle,
     /// Its tip.
@@ -68,7 +68,7 @@ pub enum Best {
 
 /// A corner or side of the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Corner {
+pub(crate) enum Corner {
     /// Upper left.
     TopLeft,
     /// Upper middle.
@@ -85,12 +85,12 @@ pub enum Corner {
 
 impl Corner {
     /// The words for them in a scene.
-    pub const WORDS: &'static [&'static str] =
+    pub(crate) const WORDS: &'static [&'static str] =
         &["top-left", "top", "top-right", "bottom-left", "bottom", "bottom-right"];
 
     /// The corner of a word.
     #[must_use]
-    pub fn of_word(word: &str) -> Option<Self> {
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
         match word {
             "top-left" => Some(Self::TopLeft),
             "top" => Some(Self::Top),
@@ -106,37 +106,37 @@ impl Corner {
 impl Anchor {
     /// Around a point with a usual marker.
     #[must_use]
-    pub fn point(at: DVec2) -> Self {
+    pub(crate) fn point(at: DVec2) -> Self {
         Self::Point { at, clear: super::pen::MARKER, toward: DVec2::ZERO }
     }
 
     /// Around a point, on the side of `toward` if there is room.
     #[must_use]
-    pub fn point_toward(at: DVec2, toward: DVec2) -> Self {
+    pub(crate) fn point_toward(at: DVec2, toward: DVec2) -> Self {
         Self::Point { at, clear: super::pen::MARKER, toward }
     }
 
     /// At the tip of a vector.
     #[must_use]
-    pub fn tip(from: DVec2, to: DVec2) -> Self {
+    pub(crate) fn tip(from: DVec2, to: DVec2) -> Self {
         Self::Along { from, to, best: Best::Tip }
     }
 
     /// Beside the middle of a line.
     #[must_use]
-    pub fn middle(from: DVec2, to: DVec2) -> Self {
+    pub(crate) fn middle(from: DVec2, to: DVec2) -> Self {
         Self::Along { from, to, best: Best::Middle }
     }
 
     /// Inside an area, best where the others are not.
     #[must_use]
-    pub fn inside(area: &Outline, avoid: &[Outline]) -> Self {
+    pub(crate) fn inside(area: &Outline, avoid: &[Outline]) -> Self {
         Self::Inside { area: area.sampled(), avoid: avoid.iter().map(Outline::sampled).collect() }
     }
 
     /// The points of the panel's space that it is made of.
     #[must_use]
-    pub fn points(&self) -> Vec<DVec2> {
+    pub(crate) fn points(&self) -> Vec<DVec2> {
         match self {
             Self::Point { at, .. } => vec![*at],
             Self::Along { from, to, .. } | Self::Beside { from, to, .. } => vec![*from, *to],
@@ -151,7 +151,7 @@ impl Anchor {
 
 /// Which label gives way to which, from the weakest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Rank {
+pub(crate) enum Rank {
     /// Numbers of iterations, words beside what is clear already.
     Word,
     /// Lengths, times, vectors.
@@ -166,7 +166,7 @@ pub enum Rank {
 
 /// How large a label is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Size {
+pub(crate) enum Size {
     /// Names of shapes: 17 px.
     Name,
     /// Points and vectors: 16 px.
@@ -180,7 +180,7 @@ pub enum Size {
 impl Size {
     /// Page pixels an em.
     #[must_use]
-    pub fn px(self) -> f64 {
+    pub(crate) fn px(self) -> f64 {
         match self {
             Self::Name => 17.0,
             Self::Point => 16.0,
@@ -192,49 +192,49 @@ impl Size {
 
 /// A label that a layer asks for.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Label {
+pub(crate) struct Label {
     /// Its key in `[labels]`.
-    pub key: &'static str,
+    pub(crate) key: &'static str,
     /// Default lines of markup; `{=…}` stands for values.
-    pub lines: Vec<String>,
+    pub(crate) lines: Vec<String>,
     /// What it belongs to.
-    pub anchor: Anchor,
+    pub(crate) anchor: Anchor,
     /// Its colour.
-    pub role: Role,
+    pub(crate) role: Role,
     /// Who gives way.
-    pub rank: Rank,
+    pub(crate) rank: Rank,
     /// How large.
-    pub size: Size,
+    pub(crate) size: Size,
 }
 
 impl Label {
     /// A label of one line, of rank `Measure`, 16 px. Without text it appears only where a scene gives it one.
     #[must_use]
-    pub fn new(key: &'static str, text: impl Into<String>, anchor: Anchor, role: Role) -> Self {
+    pub(crate) fn new(key: &'static str, text: impl Into<String>, anchor: Anchor, role: Role) -> Self {
         Self { key, lines: vec![text.into()], anchor, role, rank: Rank::Measure, size: Size::Point }
     }
 
     /// With several lines.
     #[must_use]
-    pub fn lines(self, lines: &[String]) -> Self {
+    pub(crate) fn lines(self, lines: &[String]) -> Self {
         Self { lines: lines.to_vec(), ..self }
     }
 
     /// With a rank.
     #[must_use]
-    pub fn rank(self, rank: Rank) -> Self {
+    pub(crate) fn rank(self, rank: Rank) -> Self {
         Self { rank, ..self }
     }
 
     /// With a size.
     #[must_use]
-    pub fn size(self, size: Size) -> Self {
+    pub(crate) fn size(self, size: Size) -> Self {
         Self { size, ..self }
     }
 }
 
 /// The direction to the left of from → to, of unit length; zero where they coincide.
 #[must_use]
-pub fn left_of(from: DVec2, to: DVec2) -> DVec2 {
+pub(crate) fn left_of(from: DVec2, to: DVec2) -> DVec2 {
     perp(to - from).normalize_or_zero()
 }

@@ -1,44 +1,29 @@
-//! Values of the answer in text: `{=time}`, `{=separation}`, `{=D.x}` … in captions, labels and notes.
-//!
-//! A value is written with at most three significant digits, and with no more than its bounds allow: digits in which
-//! the two ends of the bounds, rounded, differ are not printed.
+//! Fills in the values of a text: `{=time}`, `{=separation}`, `{=D.x}` … in captions, labels and notes.
 
-mod number;
-mod table;
+use std::ops::Range;
 
-pub use number::{in_math, in_words, number, rounded};
-pub use table::{Quantity, VALUES, Value};
+use crate::figure::context::Context;
+use crate::scene::{Fault, Problem};
 
-use super::Context;
-
-/// A `{=name}` that the query does not have.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnknownValue {
-    /// Byte offset of the `{=` in the text.
-    pub offset: usize,
-    /// The name as written.
-    pub name: String,
-    /// The names that this query has, in the order of the table.
-    pub known: Vec<String>,
-}
+use super::number::{in_math, in_words, rounded};
+use super::values::VALUES;
 
 /// The text with every `{=name}` replaced by its value. Braces alone belong to LaTeX.
 ///
 /// # Errors
-///
-/// [`UnknownValue`] where the query of this context has no such value, or the `{=` is not closed.
-pub fn fill(text: &str, context: &Context) -> Result<String, UnknownValue> {
+/// Where the query of this context has no such value, or the `{=` is not closed; `at` is the text's place in the scene.
+pub(crate) fn fill(text: &str, context: &Context, at: &Range<usize>) -> Result<String, Problem> {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find("{=") {
         let (before, from) = rest.split_at(start);
         out.push_str(before);
-        let offset = text.len() - from.len();
         let end = from.find('}').unwrap_or(from.len());
         let name = &from[2..end];
         let quantity = VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(context));
         let Some(quantity) = quantity else {
-            return Err(UnknownValue { offset, name: name.to_owned(), known: known(context) });
+            let fault = Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) };
+            return Err(Problem::new(fault, at.clone()));
         };
         let number = rounded(quantity.lo, quantity.hi);
         out.push_str(&if inside_formula(&out) { in_math(&number) } else { in_words(&number) });
@@ -48,9 +33,8 @@ pub fn fill(text: &str, context: &Context) -> Result<String, UnknownValue> {
     Ok(out)
 }
 
-/// The names of the values that this query has.
-#[must_use]
-pub fn known(context: &Context) -> Vec<String> {
+/// The names of the values that this query has, in the order of the table.
+fn known(context: &Context) -> Vec<String> {
     VALUES.iter().filter(|v| (v.of)(context).is_some()).map(|v| v.name.to_owned()).collect()
 }
 

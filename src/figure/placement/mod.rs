@@ -13,22 +13,19 @@ mod cost;
 mod faults;
 mod inside;
 mod solve;
-mod words;
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use crate::drawing::{Offset, Point, Rect, Role};
+use crate::figure::frame::Frame;
+use crate::figure::sketch::{Anchor, Obstacle, Rank};
 use crate::scene::LabelPlace;
 use crate::typeset::Line;
 
-use super::frame::Frame;
-use super::label::{Anchor, Rank};
-use super::sketch::Obstacle;
-
-pub use faults::{Fault, faults};
+pub use faults::Fault;
+pub(crate) use faults::faults;
 pub(crate) use solve::place;
-pub(crate) use words::{Wording, bad_markup, fill};
 
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]
@@ -62,21 +59,21 @@ pub struct Placed {
     /// Its key.
     pub key: &'static str,
     /// Its colour.
-    pub role: Role,
+    pub(crate) role: Role,
     /// Who gives way.
-    pub rank: Rank,
+    pub(crate) rank: Rank,
     /// What was set, with the left end of each baseline.
-    pub lines: Vec<(Point, Arc<Line>)>,
+    pub(crate) lines: Vec<(Point, Arc<Line>)>,
     /// The box of its glyphs.
     pub bounds: Rect,
     /// A line to what it belongs to, where it stands far from it.
-    pub leader: Option<(Point, Point)>,
+    pub(crate) leader: Option<(Point, Point)>,
     /// The part that it belongs to.
-    pub part: usize,
+    pub(crate) part: usize,
     /// Where what it belongs to lies, from the upper left corner of its panel.
-    pub home: Offset,
+    pub(crate) home: Offset,
     /// What a warning points at.
-    pub span: Range<usize>,
+    pub(crate) span: Range<usize>,
 }
 
 /// A panel with its labels.
@@ -85,11 +82,11 @@ pub struct Labelled {
     /// The panel on the page, and its map.
     pub frame: Frame,
     /// What labels keep off.
-    pub obstacles: Vec<Obstacle>,
+    pub(crate) obstacles: Vec<Obstacle>,
     /// The labels that found a place.
     pub placed: Vec<Placed>,
     /// Keys of labels that did not, with the places that warnings point at.
-    pub dropped: Vec<(&'static str, Range<usize>)>,
+    pub(crate) dropped: Vec<(&'static str, Range<usize>)>,
 }
 
 /// Whether a segment touches a rectangle, and over which length in page pixels.

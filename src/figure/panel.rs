@@ -1,0 +1,72 @@
+//! A panel and its layers, resolved: what [`plan`](super::plan::plan) makes and [`draw`](super::draw::draw) draws.
+
+use std::ops::Range;
+
+use crate::scene::{Panel, Scene};
+use crate::typeset::Line;
+
+use super::context::{Context, Moment};
+use super::frame::Frame;
+use super::layer::{Layer, Options};
+use super::page::unit;
+use super::runs::Runs;
+use super::sketch::{Request, Sketch, Sketched};
+use super::theme::Theme;
+
+/// A panel of a scene, resolved.
+#[derive(Debug)]
+pub(crate) struct PanelPlan<'s> {
+    /// The panel as the scene wrote it.
+    pub(crate) source: &'s Panel,
+    /// When it shows the bodies.
+    pub(crate) moment: Moment,
+    /// Its layers, in drawing order.
+    pub(crate) layers: Vec<LayerPlan<'s>>,
+    /// Its title, set.
+    pub(crate) title: Option<Line>,
+    /// Where its space lies on the page.
+    pub(crate) frame: Frame,
+}
+
+/// A layer of a panel with its options, checked.
+pub(crate) struct LayerPlan<'s> {
+    /// Its row in the table of layers.
+    pub(crate) layer: &'static Layer,
+    /// What the scene gave, each value fit for its option.
+    pub(crate) options: Options,
+    /// Where its name stands in the scene: what a warning about its labels points at.
+    pub(crate) span: &'s Range<usize>,
+}
+
+impl std::fmt::Debug for LayerPlan<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("LayerPlan").field("layer", &self.layer.name).field("options", &self.options).finish()
+    }
+}
+
+impl PanelPlan<'_> {
+    /// What the panel's layers may know.
+    pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
+        let Moment { time, step } = self.moment;
+        Context { scene, space: &self.source.space, time, step, runs }
+    }
+
+    /// Lets every layer draw, in the panel's frame and the theme's colours.
+    pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
+        let canvas = &context.scene.canvas;
+        let mut sketch = Sketch::new(self.frame, theme, unit(canvas.width, canvas.height));
+        for planned in &self.layers {
+            if sketch.is_full() {
+                break;
+            }
+            sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
+            (planned.layer.draw)(&mut sketch, context, &planned.options);
+        }
+        sketch.finish()
+    }
+
+    /// Where the layer that asked for a label stands in the scene.
+    pub(crate) fn span_of(&self, request: &Request) -> &Range<usize> {
+        self.layers.get(request.layer).map_or(&self.source.span, |planned| planned.span)
+    }
+}
