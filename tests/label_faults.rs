@@ -14,7 +14,7 @@ use std::path::Path;
 
 use tracefig::drawing::Drawing;
 use tracefig::figure::layer::{LAYERS, Shows};
-use tracefig::figure::{Fault, draw, plan};
+use tracefig::figure::{LabelFault, draw, plan};
 use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Scene, Source, read};
 
@@ -142,7 +142,7 @@ fn leave_picture(seed: u64, drawing: &Drawing) {
     std::fs::write(Path::new(&folder).join(format!("{seed}.png")), bytes).unwrap();
 }
 
-fn word(fault: &Fault) -> String {
+fn word(fault: &LabelFault) -> String {
     let text = fault.to_string();
     let key = fault.label().0;
     format!("{key}: {}", text.replace(&format!("`{key}`"), "…"))

@@ -3,7 +3,7 @@
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 
 use annotate_snippets::{Level, Renderer};
-use tracefig::scene::{Ink, Refused};
+use tracefig::scene::{Explain, Ink, Refused};
 
 use super::Status;
 
@@ -44,7 +44,7 @@ impl Console {
     }
 
     /// Writes all that is wrong with a scene, after the results so far where both go to one place.
-    pub(crate) fn refuse(&mut self, refused: &Refused) -> io::Result<Status> {
+    pub(crate) fn refuse<F: Explain>(&mut self, refused: &Refused<F>) -> io::Result<Status> {
         self.out.flush()?;
         Self::message(&refused.render(self.ink));
         Ok(Status::Wrong)

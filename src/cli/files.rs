@@ -11,7 +11,7 @@ use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::theme::{self, Theme};
-use tracefig::figure::{Figure, draw, plan};
+use tracefig::figure::{Fault, Figure, draw, plan};
 use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
 
@@ -237,7 +237,7 @@ impl Files {
 }
 
 /// Adds the messages of warnings.
-fn warn(file: &SceneFile, warnings: &[Problem], ink: Ink, messages: &mut String) {
+fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut String) {
     for warning in warnings {
         messages.push_str(&message(&file.source, warning, Severity::Warning, ink));
     }

@@ -3,13 +3,13 @@
 use std::sync::Arc;
 
 use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke, Text};
-use crate::scene::{Fault as SceneFault, Problem};
 use crate::typeset::Line;
 
 use super::describe;
+use super::fault::{Fault, Problem};
 use super::page::{Page, type_size};
 use super::panel::PanelPlan;
-use super::placement::{Fault, Labelled, Placed, Sought, faults, place};
+use super::placement::{LabelFault, Labelled, Placed, Sought, faults, place};
 use super::plan::Plan;
 use super::runs::Run;
 use super::text::{Wording, plain};
@@ -34,7 +34,7 @@ pub struct Figure {
 impl Figure {
     /// Everything that is wrong with the labels.
     #[must_use]
-    pub fn faults(&self) -> Vec<Fault> {
+    pub fn faults(&self) -> Vec<LabelFault> {
         self.panels.iter().flat_map(faults).collect()
     }
 }
@@ -69,7 +69,10 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         fill_opacity,
     });
     let mut warnings = plan.warnings.clone();
-    warnings.extend(panels.iter().flat_map(faults).map(|fault| warning(&fault)));
+    warnings.extend(panels.iter().flat_map(faults).map(|fault| {
+        let span = fault.label().1.clone();
+        Problem::new(Fault::LabelClash(fault), span)
+    }));
     let drawing = Drawing {
         width: plan.page.width,
         height: plan.page.height,
@@ -182,12 +185,4 @@ fn rules(plan: &Plan, theme: &Theme) -> Item {
         group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
     }
     Item::Group(group)
-}
-
-fn warning(fault: &Fault) -> Problem {
-    let (key, span) = fault.label();
-    let help =
-        Some(format!("pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or give the panel a wider `view`"));
-    let fault = SceneFault::Other { code: "label-clash", message: fault.to_string(), help };
-    Problem::new(fault, span.clone())
 }

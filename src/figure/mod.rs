@@ -9,6 +9,7 @@ mod context;
 mod describe;
 mod difference;
 mod draw;
+mod fault;
 mod frame;
 pub mod layer;
 mod limits;
@@ -23,7 +24,8 @@ pub mod theme;
 mod view;
 
 pub use draw::{Figure, draw};
+pub use fault::Fault;
 pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
-pub use placement::{Fault, Labelled, Placed};
+pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan};

@@ -3,16 +3,16 @@
 //! Everything that can be wrong with a figure is found here and said with its place in the scene, so that drawing a
 //! plan cannot fail.
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
-use crate::scene::{Fault, LayerSpec, Panel, Problem, Scene, Space, When};
+use crate::scene::{self, LayerSpec, Panel, Scene, Space, When};
 use crate::typeset::{Line, Style, typeset};
 
 use super::budget::Budget;
 use super::context::{Context, Moment};
+use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Options, Shows};
 use super::page::{Page, type_size};
@@ -82,13 +82,12 @@ impl Plan<'_> {
 /// assert_eq!((figure.drawing.width, figure.drawing.height), (960.0, 540.0));
 /// assert!(figure.faults().is_empty());
 /// ```
-pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
+pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
     let runs = Runs::default();
     let mut problems = Vec::new();
     let theme = theme_of(scene, &mut problems);
     if scene.panels.is_empty() {
-        let message = "a figure needs at least one panel: expected `[[panels]]`".to_owned();
-        problems.push(other("no-panels", message, None, &scene.query.span));
+        problems.push(Problem::new(Fault::NoPanels, scene.query.span.clone()));
     }
     let mut panels: Vec<PanelPlan> =
         scene.panels.iter().filter_map(|panel| resolve(scene, &runs, panel, &mut problems)).collect();
@@ -103,8 +102,8 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<Problem>> {
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
         let said = fitted.and_then(|sketched| say(scene, &runs, &panels, &sketched, &mut problems));
-        problems.extend(said.err());
-        problems.extend(runs.overflow(scene));
+        problems.extend(said.err().map(Problem::from));
+        problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if problems.is_empty() {
         let caption_words = panels.first().and_then(|panel| caption_words(&panel.context(scene, &runs)));
@@ -123,7 +122,7 @@ fn say(
     panels: &[PanelPlan],
     sketched: &[Sketched],
     problems: &mut Vec<Problem>,
-) -> Result<(), Problem> {
+) -> Result<(), scene::Problem> {
     let mut budget = Budget::default();
     for (panel, sketched) in panels.iter().zip(sketched) {
         budget.take(sketched, &panel.source.span)?;
@@ -137,8 +136,8 @@ fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
     let Some(asked) = &scene.canvas.theme else { return &THEMES[0] };
     theme::find(&asked.value).unwrap_or_else(|| {
         let known = THEMES.iter().map(|t| t.name.to_owned()).collect();
-        let fault = Fault::UnknownWord { what: "theme", got: asked.value.clone(), known };
-        problems.push(Problem::new(fault, asked.span.clone()));
+        let fault = scene::Fault::UnknownWord { what: "theme", got: asked.value.clone(), known };
+        problems.push(Problem::new(fault.into(), asked.span.clone()));
         &THEMES[0]
     })
 }
@@ -167,13 +166,11 @@ fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>
     let context = Context { scene, space: &panel.space, time: own, step: None, runs };
     let found = context.moment(&when.value);
     if found.is_none() {
-        let message = match when.value {
-            When::Step(k) => {
-                format!("expected a step of the algorithm, got {k}: it took {}", context.steps().len())
-            }
-            _ => "the panel shows the moment of the hit, but the answer is not a hit".to_owned(),
+        let fault = match when.value {
+            When::Step(step) => Fault::NoSuchStep { step, took: context.steps().len() },
+            _ => Fault::NoHit,
         };
-        problems.push(other("no-such-moment", message, None, &when.span));
+        problems.push(Problem::new(fault, when.span.clone()));
     }
     let unturning = scene.query.kind.question().motion == crate::collision::Motion::Unturning;
     let still = unturning && panel.space == Space::Configuration;
@@ -188,31 +185,30 @@ fn resolve_layer<'s>(
     let span = &spec.name.span;
     let Some(layer) = layer::find(&spec.name.value) else {
         let known = layer::LAYERS.iter().map(|l| l.name.to_owned()).collect();
-        let fault = Fault::UnknownWord { what: "layer", got: spec.name.value.clone(), known };
-        problems.push(Problem::new(fault, span.clone()));
+        let fault = scene::Fault::UnknownWord { what: "layer", got: spec.name.value.clone(), known };
+        problems.push(Problem::new(fault.into(), span.clone()));
         return None;
     };
     let options = match Options::read(layer.options, spec, context.scene) {
         Ok(options) => options,
         Err(more) => {
-            problems.extend(more);
+            problems.extend(more.into_iter().map(Problem::from));
             return None;
         }
     };
     let configuration = *context.space == Space::Configuration;
-    let (wrong, place) = match layer.shows {
+    let (wrong, shows) = match layer.shows {
         Shows::World => (configuration, "the world"),
         Shows::Configuration => (!configuration, "configuration space"),
         Shows::Anywhere => (false, ""),
     };
     if wrong {
-        let message = format!("the layer `{}` shows {place}, and the panel another space", layer.name);
-        problems.push(other("unsuited-layer", message, None, span));
+        problems.push(Problem::new(Fault::UnsuitedLayer { layer: layer.name, shows }, span.clone()));
         return None;
     }
     if !(layer.fed)(context, &options) {
-        let message = format!("this scene can't feed the layer `{}`", layer.name);
-        problems.push(other("unfed-layer", message, Some(format!("it needs {}", layer.needs)), span));
+        let fault = Fault::UnfedLayer { layer: layer.name, needs: layer.needs };
+        problems.push(Problem::new(fault, span.clone()));
         return None;
     }
     Some(LayerPlan { layer, options, span })
@@ -229,19 +225,16 @@ fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) 
     for (key, _) in &scene.labels {
         if !known.contains(&key.value) {
             let place = "`[labels]`: no layer of this scene writes it".to_owned();
-            let fault = Fault::UnknownKey { key: key.value.clone(), place, known: known.clone() };
-            problems.push(Problem::new(fault, key.span.clone()));
+            let fault = scene::Fault::UnknownKey { key: key.value.clone(), place, known: known.clone() };
+            problems.push(Problem::new(fault.into(), key.span.clone()));
         }
     }
 }
 
-fn other(code: &'static str, message: String, help: Option<String>, span: &Range<usize>) -> Problem {
-    Problem::new(Fault::Other { code, message, help }, span.clone())
-}
-
 #[cfg(test)]
 mod tests {
-    use crate::scene::{Problem, Source, read};
+    use super::Problem;
+    use crate::scene::{Explain, Source, read};
 
     const BODIES: &str = r#"
         shapes.A = { kind = "circle", radius = 1, position = [-2, 0] }

@@ -1,4 +1,4 @@
-//! The stable codes of everything that can be wrong with a scene.
+//! The stable codes of everything that can be wrong with a scene or with the figure that it asks for: the one list.
 
 /// A code of an error and what it means, for `tracefig list errors`.
 #[derive(Clone, Copy, Debug)]
@@ -9,44 +9,49 @@ pub struct ErrorCode {
     pub about: &'static str,
 }
 
-const fn row(code: &'static str, about: &'static str) -> ErrorCode {
-    ErrorCode { code, about }
+/// Names each code once: as a constant, which a fault gives, and as a row of [`ERRORS`].
+macro_rules! codes {
+    ($($name:ident = $code:literal, $about:literal;)+) => {
+        $(pub(crate) const $name: ErrorCode = ErrorCode { code: $code, about: $about };)+
+
+        /// Every code that reading or drawing a scene can give, besides those of shapes
+        /// ([`SHAPE_ERRORS`](crate::geometry::shape::SHAPE_ERRORS)), some of which are here too.
+        pub static ERRORS: &[ErrorCode] = &[$($name),+];
+    };
 }
 
-/// Every code that reading a scene can give, besides those of shapes
-/// ([`SHAPE_ERRORS`](crate::geometry::shape::SHAPE_ERRORS)), some of which are here too.
-pub static ERRORS: &[ErrorCode] = &[
-    row("unreadable-file", "the file is missing, is no file, or may not be read"),
-    row("not-utf8", "the file is not UTF-8 text"),
-    row("empty-file", "the file holds nothing but blanks and comments"),
-    row("syntax", "the text is not TOML or not JSON"),
-    row("duplicate-key", "a key stands twice in one table"),
-    row("over-limit", "a file, list, text or number is larger than tracefig takes"),
-    row("unknown-key", "a key that means nothing in its table"),
-    row(
-        "unknown-word",
-        "a word that is none of those known there: a kind, algorithm, layer, space, theme, …",
-    ),
-    row("missing-key", "a table lacks a key that it must have"),
-    row("wrong-type", "a value of another type than its key holds"),
-    row("not-finite", "a number that is infinite or not a number"),
-    row("out-of-range", "a number outside of what its key allows, as a time outside [0, 1]"),
-    row("conflict", "two keys that exclude each other, or a key that does not apply there"),
-    row("unknown-body", "the query or a panel names a shape that the scene does not have"),
-    row("wrong-count", "the query is of too many or too few shapes"),
-    row("turning-body", "a linear sweep of a shape that turns"),
-    row("fixed-angle", "an angle or angular velocity on a kind of shape that does not turn"),
-    row("unsuited-algorithm", "an algorithm that does not answer this query of these shapes"),
-    row("unsuited-shape", "a shape that the query cannot be asked of, as an outline in a separation"),
-    row("no-panels", "a scene without panels is to be drawn"),
-    row("no-such-moment", "a panel shows a hit or a step that the answer does not have"),
-    row("unsuited-layer", "a layer that shows another space than its panel"),
-    row("unfed-layer", "a layer that needs what this query does not give"),
-    row("bad-markup", "a text whose formula can't be typeset"),
-    row("caption-dropped", "warning: the caption has more lines than the page has room for"),
-    row("label-clash", "warning: a label found no free place"),
-    row("internal", "a bug of tracefig"),
-];
+codes! {
+    UNREADABLE = "unreadable-file", "the file is missing, is no file, or may not be read";
+    NOT_UTF8 = "not-utf8", "the file is not UTF-8 text";
+    EMPTY = "empty-file", "the file holds nothing but blanks and comments";
+    SYNTAX = "syntax", "the text is not TOML or not JSON";
+    DUPLICATE_KEY = "duplicate-key", "a key stands twice in one table";
+    OVER_LIMIT = "over-limit", "a file, list, text or number is larger than tracefig takes";
+    UNKNOWN_KEY = "unknown-key", "a key that means nothing in its table";
+    UNKNOWN_WORD = "unknown-word",
+        "a word that is none of those known there: a kind, algorithm, layer, space, theme, …";
+    MISSING_KEY = "missing-key", "a table lacks a key that it must have";
+    WRONG_TYPE = "wrong-type", "a value of another type than its key holds";
+    NOT_FINITE = "not-finite", "a number that is infinite or not a number";
+    OUT_OF_RANGE = "out-of-range", "a number outside of what its key allows, as a time outside [0, 1]";
+    CONFLICT = "conflict", "two keys that exclude each other, or a key that does not apply there";
+    UNKNOWN_BODY = "unknown-body", "the query or a panel names a shape that the scene does not have";
+    WRONG_COUNT = "wrong-count", "the query is of too many or too few shapes";
+    TURNING_BODY = "turning-body", "a linear sweep of a shape that turns";
+    FIXED_ANGLE = "fixed-angle", "an angle or angular velocity on a kind of shape that does not turn";
+    UNSUITED_ALGORITHM = "unsuited-algorithm",
+        "an algorithm that does not answer this query of these shapes";
+    UNSUITED_SHAPE = "unsuited-shape",
+        "a shape that the query cannot be asked of, as an outline in a separation";
+    NO_PANELS = "no-panels", "a scene without panels is to be drawn";
+    NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that the answer does not have";
+    UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";
+    UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";
+    BAD_MARKUP = "bad-markup", "a text whose formula can't be typeset";
+    CAPTION_DROPPED = "caption-dropped", "warning: the caption has more lines than the page has room for";
+    LABEL_CLASH = "label-clash", "warning: a label found no free place";
+    INTERNAL = "internal", "a bug of tracefig";
+}
 
 #[cfg(test)]
 mod tests {

@@ -14,7 +14,7 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Element, Level, Origin, Renderer, Snippet};
 
-use super::problem::{Fault, Problem};
+use super::problem::{Explain, Problem};
 use super::source::Source;
 
 /// How grave a problem is.
@@ -54,14 +54,14 @@ const BEFORE: usize = 50;
 /// assert!(text.contains("1 | title = 1\n  |         ^"));
 /// ```
 #[must_use]
-pub fn message(source: &Source, problem: &Problem, severity: Severity, ink: Ink) -> String {
+pub fn message<F: Explain>(source: &Source, problem: &Problem<F>, severity: Severity, ink: Ink) -> String {
     message_at(source, problem, source.pointer(&problem.span), severity, ink)
 }
 
 /// The message of a problem whose JSON pointer is known; see [`message`].
-pub(super) fn message_at(
+pub(super) fn message_at<F: Explain>(
     source: &Source,
-    problem: &Problem,
+    problem: &Problem<F>,
     pointer: Option<String>,
     severity: Severity,
     ink: Ink,
@@ -72,7 +72,7 @@ pub(super) fn message_at(
     };
     let fault = &problem.fault;
     let mut elements: Vec<Element<'_>> = Vec::new();
-    if matches!(fault, Fault::Unreadable { .. }) {
+    if !fault.has_place() {
         elements.push(Origin::path(source.name.as_str()).into());
     } else {
         let place = source.place(problem.span.start);
@@ -139,6 +139,7 @@ fn quote(source: &Source, span: &Range<usize>) -> Quote {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Fault;
 
     fn plain(source: &Source, span: Range<usize>) -> String {
         let fault = Fault::Syntax { message: "broken".to_owned() };

@@ -3,7 +3,7 @@
 mod answer;
 mod body;
 mod checked;
-mod codes;
+pub(crate) mod codes;
 mod fields;
 mod json;
 mod labels;
@@ -28,7 +28,7 @@ pub use codes::{ERRORS, ErrorCode};
 pub use fields::{Field, Holds, TABLES, TableRows, shape_rows};
 pub use message::{Ink, Severity, message};
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
-pub use problem::{Fault, Problem};
+pub use problem::{Explain, Fault, Problem};
 pub use read::read;
 pub use schema::schema;
 pub use source::{Place, Source, Syntax};

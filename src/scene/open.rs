@@ -7,7 +7,7 @@ use std::path::Path;
 
 use super::limits::MAX_FILE_BYTES;
 use super::message::{Ink, Severity, message_at};
-use super::problem::{Fault, Problem};
+use super::problem::{Explain, Fault, Problem};
 use super::source::{Source, Syntax};
 use super::{Scene, json, read};
 
@@ -22,14 +22,14 @@ pub struct SceneFile {
 
 /// A scene that can't be answered or drawn, with all the reasons.
 #[derive(Clone, Debug)]
-pub struct Refused {
+pub struct Refused<F = Fault> {
     /// The text, as far as it could be read.
     pub source: Source,
     /// What is wrong, in the order of the text; at least one.
-    pub problems: Vec<Problem>,
+    pub problems: Vec<Problem<F>>,
 }
 
-impl Refused {
+impl<F: Explain> Refused<F> {
     /// All messages, a blank line between two; each quotes the line at fault.
     ///
     /// ```
@@ -58,13 +58,13 @@ impl Refused {
     }
 }
 
-impl fmt::Display for Refused {
+impl<F: Explain> fmt::Display for Refused<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.render(Ink::Plain).trim_end())
     }
 }
 
-impl std::error::Error for Refused {}
+impl<F: Explain + fmt::Debug> std::error::Error for Refused<F> {}
 
 /// Reads a scene file; TOML, unless its first character is `{`.
 ///

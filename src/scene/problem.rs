@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use crate::geometry::shape::{KINDS, Kind, ShapeError};
 
+use super::codes;
 use super::suggest::{nearest_or_all, quoted};
 
 /// What is wrong.
@@ -149,27 +150,20 @@ pub enum Fault {
     },
     /// Values that do not make a shape.
     Shape(ShapeError),
-    /// A fault that another room found, with its own code.
-    Other {
-        /// Stable code.
-        code: &'static str,
-        /// "expected X, got Y".
-        message: String,
-        /// What would help.
-        help: Option<String>,
-    },
 }
 
 /// What is wrong, and where: bytes of the source text.
+///
+/// `F` is what the reader of scenes can find wrong, or what the plan of a figure can.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Problem {
+pub struct Problem<F = Fault> {
     /// What is wrong.
-    pub fault: Fault,
+    pub fault: F,
     /// Where it is, in bytes of the source.
     pub span: Range<usize>,
 }
 
-impl Problem {
+impl<F> Problem<F> {
     /// A fault at a place.
     ///
     /// ```
@@ -181,8 +175,36 @@ impl Problem {
     /// assert_eq!(problem.fault.help().as_deref(), Some("did you mean `ghosts`?"));
     /// ```
     #[must_use]
-    pub fn new(fault: Fault, span: Range<usize>) -> Self {
+    pub fn new(fault: F, span: Range<usize>) -> Self {
         Self { fault, span }
+    }
+}
+
+/// A fault that can be shown to a reader: its `Display` says what is wrong, "expected X, got Y".
+pub trait Explain: fmt::Display {
+    /// The stable word for programs, one of [`ERRORS`](super::ERRORS) or of the codes of shapes.
+    fn code(&self) -> &'static str;
+
+    /// What would help, where something is known that would.
+    fn help(&self) -> Option<String>;
+
+    /// Whether it lies at a place in the text, which is then quoted; a file that can't be read has none.
+    fn has_place(&self) -> bool {
+        true
+    }
+}
+
+impl Explain for Fault {
+    fn code(&self) -> &'static str {
+        Self::code(self)
+    }
+
+    fn help(&self) -> Option<String> {
+        Self::help(self)
+    }
+
+    fn has_place(&self) -> bool {
+        !matches!(self, Self::Unreadable { .. })
     }
 }
 
@@ -195,27 +217,26 @@ impl Fault {
     #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Unreadable { .. } => "unreadable-file",
-            Self::NotUtf8 => "not-utf8",
-            Self::Empty => "empty-file",
-            Self::Syntax { .. } => "syntax",
-            Self::DuplicateKey { .. } => "duplicate-key",
-            Self::OverLimit { .. } => "over-limit",
-            Self::UnknownKey { .. } => "unknown-key",
-            Self::UnknownWord { .. } => "unknown-word",
-            Self::MissingKey { .. } => "missing-key",
-            Self::WrongType { .. } => "wrong-type",
-            Self::NotFinite { .. } => "not-finite",
-            Self::OutOfRange { .. } => "out-of-range",
-            Self::Conflict { .. } => "conflict",
-            Self::UnknownBody { .. } => "unknown-body",
-            Self::WrongCount { .. } => "wrong-count",
-            Self::TurningBody { .. } => "turning-body",
-            Self::FixedAngle { .. } => "fixed-angle",
-            Self::UnsuitedAlgorithm { .. } => "unsuited-algorithm",
-            Self::UnsuitedShape { .. } => "unsuited-shape",
+            Self::Unreadable { .. } => codes::UNREADABLE.code,
+            Self::NotUtf8 => codes::NOT_UTF8.code,
+            Self::Empty => codes::EMPTY.code,
+            Self::Syntax { .. } => codes::SYNTAX.code,
+            Self::DuplicateKey { .. } => codes::DUPLICATE_KEY.code,
+            Self::OverLimit { .. } => codes::OVER_LIMIT.code,
+            Self::UnknownKey { .. } => codes::UNKNOWN_KEY.code,
+            Self::UnknownWord { .. } => codes::UNKNOWN_WORD.code,
+            Self::MissingKey { .. } => codes::MISSING_KEY.code,
+            Self::WrongType { .. } => codes::WRONG_TYPE.code,
+            Self::NotFinite { .. } => codes::NOT_FINITE.code,
+            Self::OutOfRange { .. } => codes::OUT_OF_RANGE.code,
+            Self::Conflict { .. } => codes::CONFLICT.code,
+            Self::UnknownBody { .. } => codes::UNKNOWN_BODY.code,
+            Self::WrongCount { .. } => codes::WRONG_COUNT.code,
+            Self::TurningBody { .. } => codes::TURNING_BODY.code,
+            Self::FixedAngle { .. } => codes::FIXED_ANGLE.code,
+            Self::UnsuitedAlgorithm { .. } => codes::UNSUITED_ALGORITHM.code,
+            Self::UnsuitedShape { .. } => codes::UNSUITED_SHAPE.code,
             Self::Shape(error) => error.code,
-            Self::Other { code, .. } => code,
         }
     }
 
@@ -238,7 +259,6 @@ impl Fault {
             Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
             Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
             Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
-            Self::Other { help, .. } => help.clone(),
             _ => None,
         }
     }
@@ -257,9 +277,7 @@ impl fmt::Display for Fault {
             Self::Unreadable { reason } => write!(f, "can't read the scene: {reason}"),
             Self::NotUtf8 => f.write_str("expected UTF-8 text, got other bytes"),
             Self::Empty => f.write_str("expected a scene, got an empty file"),
-            Self::Syntax { message } | Self::Conflict { message } | Self::Other { message, .. } => {
-                f.write_str(message)
-            }
+            Self::Syntax { message } | Self::Conflict { message } => f.write_str(message),
             Self::DuplicateKey { key } => write!(f, "the key `{key}` stands twice"),
             Self::OverLimit { what, limit, unit, got } => {
                 write!(f, "{what}: expected at most {limit} {unit}, got {got}")

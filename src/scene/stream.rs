@@ -9,7 +9,7 @@ use super::limits::MAX_FILE_BYTES;
 use super::node::Node;
 use super::problem::{Fault, Problem};
 use super::source::Source;
-use super::{Scene, answer_json, read};
+use super::{Scene, answer_json, codes, read};
 use crate::collision::Answer;
 
 /// The reply to a line of a stream.
@@ -60,7 +60,7 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
             Err(_) => refuse(
                 id,
                 line,
-                &json!({ "code": "internal", "message": "a bug of tracefig; please report it" }),
+                &json!({ "code": codes::INTERNAL.code, "message": "a bug of tracefig; please report it" }),
             ),
         },
         Err(problems) => refuse(id, line, &error_json(&problems, &source)),

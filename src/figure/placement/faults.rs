@@ -14,7 +14,7 @@ const SEEMING: f64 = 0.5;
 
 /// Something that a reader of the figure trips over.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Fault {
+pub enum LabelFault {
     /// Two labels overlap.
     Overlap {
         /// The one.
@@ -68,7 +68,7 @@ pub enum Fault {
     },
 }
 
-impl Fault {
+impl LabelFault {
     /// The key of the label and where it comes from in the scene.
     #[must_use]
     pub fn label(&self) -> (&'static str, &Range<usize>) {
@@ -84,7 +84,7 @@ impl Fault {
     }
 }
 
-impl std::fmt::Display for Fault {
+impl std::fmt::Display for LabelFault {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Overlap { key, other, .. } => write!(f, "the label `{key}` overlaps the label `{other}`"),
@@ -99,15 +99,15 @@ impl std::fmt::Display for Fault {
 }
 
 /// Every fault of a panel's labels; at most one of a kind for each label (or pair).
-pub(crate) fn faults(panel: &Labelled) -> Vec<Fault> {
-    let mut found: Vec<Fault> =
-        panel.dropped.iter().map(|(key, span)| Fault::Dropped { key, span: span.clone() }).collect();
+pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
+    let mut found: Vec<LabelFault> =
+        panel.dropped.iter().map(|(key, span)| LabelFault::Dropped { key, span: span.clone() }).collect();
     for (i, label) in panel.placed.iter().enumerate() {
         let (key, span) = (label.key, label.span.clone());
         let rect = label.bounds.grown(-SEEMING);
         for other in &panel.placed[..i] {
             if rect.intersection(other.bounds.grown(-SEEMING)).is_some() {
-                found.push(Fault::Overlap { key, other: other.key, span: span.clone() });
+                found.push(LabelFault::Overlap { key, other: other.key, span: span.clone() });
             }
         }
         let marker =
@@ -116,20 +116,20 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<Fault> {
             |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < 0.75 * radius);
         let stroke = |c: &Cover| matches!(*c, Cover::Stroke { from, to, .. } if length_inside(from, to, &rect).is_some());
         if panel.obstacles.iter().any(|o| marker(&o.cover)) {
-            found.push(Fault::OnMarker { key, span: span.clone() });
+            found.push(LabelFault::OnMarker { key, span: span.clone() });
         }
         if panel.obstacles.iter().any(|o| head(&o.cover)) {
-            found.push(Fault::OnHead { key, span: span.clone() });
+            found.push(LabelFault::OnHead { key, span: span.clone() });
         }
         if panel.obstacles.iter().any(|o| o.part != label.part && stroke(&o.cover)) {
-            found.push(Fault::OnStroke { key, span: span.clone() });
+            found.push(LabelFault::OnStroke { key, span: span.clone() });
         }
         let edge = panel.frame.panel.grown(SPILL + SEEMING);
         if edge.union(label.bounds) != edge {
-            found.push(Fault::OverEdge { key, span: span.clone() });
+            found.push(LabelFault::OverEdge { key, span: span.clone() });
         }
         if label.leader.is_some_and(|(p, q)| (q - p).length() > LONGEST_LEADER) {
-            found.push(Fault::LongLeader { key, span });
+            found.push(LabelFault::LongLeader { key, span });
         }
     }
     found

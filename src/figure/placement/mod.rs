@@ -23,7 +23,7 @@ use crate::figure::sketch::{Anchor, Obstacle, Rank};
 use crate::scene::LabelPlace;
 use crate::typeset::Line;
 
-pub use faults::Fault;
+pub use faults::LabelFault;
 pub(crate) use faults::faults;
 pub(crate) use solve::place;
 

@@ -3,8 +3,9 @@
 //! A text that can't be set is told with its place before anything is drawn.
 
 use crate::figure::context::Context;
+use crate::figure::fault::{Fault, Problem};
 use crate::figure::page::{CAPTION_SIZE, Page, type_size};
-use crate::scene::{Fault, Problem, Spanned};
+use crate::scene::Spanned;
 use crate::typeset::{Line, Style, TypesetError, wrap};
 
 use super::fill::fill;
@@ -25,7 +26,7 @@ pub(crate) fn set<T>(
             return None;
         }
     };
-    typeset(&filled).map_err(|e| problems.push(bad_markup(&e.message, &filled, &text.span))).ok()
+    typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
 /// The lines of the caption; none where the page has no room for all of them, which is a warning. Its values are those
@@ -42,14 +43,8 @@ pub(crate) fn caption(
     let lines = set(text, context, problems, |t| wrap(t, style, measure)).unwrap_or_default();
     let most = Page::caption_lines(width, height);
     if lines.len() > most {
-        let message = format!(
-            "the caption takes {} lines and the page has room for {most}: it is left out",
-            lines.len()
-        );
-        let help =
-            Some("it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned());
-        warnings
-            .push(Problem::new(Fault::Other { code: "caption-dropped", message, help }, text.span.clone()));
+        let fault = Fault::CaptionDropped { lines: lines.len(), room: most };
+        warnings.push(Problem::new(fault, text.span.clone()));
         return Vec::new();
     }
     lines

@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use crate::figure::context::Context;
-use crate::scene::{Fault, Problem};
+use crate::figure::fault::Problem;
+use crate::scene::Fault;
 
 use super::number::{in_math, in_words, rounded};
 use super::values::VALUES;
@@ -23,7 +24,7 @@ pub(crate) fn fill(text: &str, context: &Context, at: &Range<usize>) -> Result<S
         let quantity = VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(context));
         let Some(quantity) = quantity else {
             let fault = Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) };
-            return Err(Problem::new(fault, at.clone()));
+            return Err(Problem::new(fault.into(), at.clone()));
         };
         let number = rounded(quantity.lo, quantity.hi);
         out.push_str(&if inside_formula(&out) { in_math(&number) } else { in_words(&number) });

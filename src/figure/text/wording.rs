@@ -5,10 +5,11 @@ use std::sync::Arc;
 
 use crate::figure::budget::Budget;
 use crate::figure::context::Context;
+use crate::figure::fault::{Fault, Problem};
 use crate::figure::placement::Sought;
 use crate::figure::sketch::Request;
-use crate::scene::{Fault, LabelOverride, Problem, Scene, Spanned};
-use crate::typeset::{Style, typeset};
+use crate::scene::{self, LabelOverride, Scene, Spanned};
+use crate::typeset::{Style, TypesetError, typeset};
 
 use super::fill::fill;
 
@@ -43,7 +44,7 @@ impl Wording<'_> {
         let style = Style::regular((self.type_size)(label.size.px()));
         let set = |line: &String| {
             let filled = fill(line, self.context, &place)?;
-            typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(&e.message, &filled, &place))
+            typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
         };
         Ok(Some(Sought {
             key: label.key,
@@ -68,7 +69,7 @@ pub(crate) fn check_texts<'r>(
     requests: impl Iterator<Item = (&'r Request, &'r Range<usize>)>,
     budget: &mut Budget,
     problems: &mut Vec<Problem>,
-) -> Result<(), Problem> {
+) -> Result<(), scene::Problem> {
     let wording = Wording { context, type_size: &|px| px };
     for (request, span) in requests {
         match wording.set(request, span) {
@@ -85,8 +86,7 @@ fn overridden<'s>(scene: &'s Scene, key: &str) -> Option<&'s (Spanned<String>, L
     scene.labels.iter().find(|(k, _)| k.value == key)
 }
 
-/// A text that can't be typeset: the typesetter's words and the text with its values filled in.
-pub(crate) fn bad_markup(message: &str, markup: &str, at: &Range<usize>) -> Problem {
-    let message = format!("`{markup}` can't be typeset: {message}");
-    Problem::new(Fault::Other { code: "bad-markup", message, help: None }, at.clone())
+/// A text that can't be typeset: `markup` is the text with its values filled in.
+pub(crate) fn bad_markup(error: TypesetError, markup: String, at: &Range<usize>) -> Problem {
+    Problem::new(Fault::BadMarkup { markup, reason: error.message }, at.clone())
 }

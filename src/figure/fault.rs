@@ -1,0 +1,187 @@
+//! What can be wrong with a figure: what its plan refuses and what its drawing warns of.
+//!
+//! A [`Fault`] keeps fields and not sentences, as the reader's own [`scene::Fault`](crate::scene::Fault) does, and
+//! looks like one to who reads the message. Codes stand in the one list of [`ERRORS`](crate::scene::ERRORS).
+
+use std::fmt;
+
+use crate::scene::{self, Explain, codes};
+
+use super::placement::LabelFault;
+
+/// What is wrong with a figure, with its place in the scene.
+pub(crate) type Problem = scene::Problem<Fault>;
+
+/// What is wrong with a figure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fault {
+    /// A word, key, value or amount that the reader of scenes would refuse with the same words.
+    Scene(scene::Fault),
+    /// The scene asks for no panel.
+    NoPanels,
+    /// A panel shows a step that the algorithm did not take.
+    NoSuchStep {
+        /// The step that the panel shows, from 1.
+        step: usize,
+        /// How many steps the algorithm took.
+        took: usize,
+    },
+    /// A panel shows the moment of the hit, and the answer is none.
+    NoHit,
+    /// A layer that shows another space than its panel.
+    UnsuitedLayer {
+        /// Its name.
+        layer: &'static str,
+        /// What it shows, as "the world".
+        shows: &'static str,
+    },
+    /// A layer that draws what this query does not give.
+    UnfedLayer {
+        /// Its name.
+        layer: &'static str,
+        /// What it needs of the scene.
+        needs: &'static str,
+    },
+    /// A text that can't be typeset.
+    BadMarkup {
+        /// The text, its values filled in.
+        markup: String,
+        /// Why not, in the typesetter's words.
+        reason: String,
+    },
+    /// A warning: the page has no room for the caption, which is left out.
+    CaptionDropped {
+        /// How many lines the caption takes.
+        lines: usize,
+        /// How many lines the page has room for.
+        room: usize,
+    },
+    /// A warning: a label stands where a reader trips over it, or nowhere.
+    LabelClash(LabelFault),
+}
+
+impl From<scene::Fault> for Fault {
+    fn from(fault: scene::Fault) -> Self {
+        Self::Scene(fault)
+    }
+}
+
+impl From<scene::Problem> for Problem {
+    fn from(problem: scene::Problem) -> Self {
+        Self::new(problem.fault.into(), problem.span)
+    }
+}
+
+impl Explain for Fault {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Scene(fault) => fault.code(),
+            Self::NoPanels => codes::NO_PANELS.code,
+            Self::NoSuchStep { .. } | Self::NoHit => codes::NO_SUCH_MOMENT.code,
+            Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
+            Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
+            Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
+            Self::CaptionDropped { .. } => codes::CAPTION_DROPPED.code,
+            Self::LabelClash(_) => codes::LABEL_CLASH.code,
+        }
+    }
+
+    fn help(&self) -> Option<String> {
+        match self {
+            Self::Scene(fault) => fault.help(),
+            Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
+            Self::CaptionDropped { .. } => Some(
+                "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
+            ),
+            Self::LabelClash(fault) => {
+                let key = fault.label().0;
+                Some(format!(
+                    "pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or give the panel a wider `view`"
+                ))
+            }
+            Self::NoPanels
+            | Self::NoSuchStep { .. }
+            | Self::NoHit
+            | Self::UnsuitedLayer { .. }
+            | Self::BadMarkup { .. } => None,
+        }
+    }
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Scene(fault) => fault.fmt(f),
+            Self::NoPanels => f.write_str("a figure needs at least one panel: expected `[[panels]]`"),
+            Self::NoSuchStep { step, took } => {
+                write!(f, "expected a step of the algorithm, got {step}: it took {took}")
+            }
+            Self::NoHit => f.write_str("the panel shows the moment of the hit, but the answer is not a hit"),
+            Self::UnsuitedLayer { layer, shows } => {
+                write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
+            }
+            Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
+            Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
+            Self::CaptionDropped { lines, room } => {
+                write!(f, "the caption takes {lines} lines and the page has room for {room}: it is left out")
+            }
+            Self::LabelClash(fault) => fault.fmt(f),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{ERRORS, Ink, Severity, Source, message};
+
+    /// Everything but what scenes and labels say of themselves, with its message and its help.
+    fn all() -> Vec<(Fault, &'static str, &'static str)> {
+        vec![
+            (Fault::NoPanels, "a figure needs at least one panel: expected `[[panels]]`", ""),
+            (
+                Fault::NoSuchStep { step: 9, took: 3 },
+                "expected a step of the algorithm, got 9: it took 3",
+                "",
+            ),
+            (Fault::NoHit, "the panel shows the moment of the hit, but the answer is not a hit", ""),
+            (
+                Fault::UnsuitedLayer { layer: "one", shows: "the world" },
+                "the layer `one` shows the world, and the panel another space",
+                "",
+            ),
+            (
+                Fault::UnfedLayer { layer: "one", needs: "a hit" },
+                "this scene can't feed the layer `one`",
+                "it needs a hit",
+            ),
+            (
+                Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },
+                "`$x` can't be typeset: no end",
+                "",
+            ),
+            (
+                Fault::CaptionDropped { lines: 9, room: 4 },
+                "the caption takes 9 lines and the page has room for 4: it is left out",
+                "it stays in the alternative text; a larger canvas or a shorter text shows it",
+            ),
+            (
+                Fault::LabelClash(LabelFault::Dropped { key: "d", span: 0..1 }),
+                "the label `d` found no place and is left out",
+                "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
+            ),
+        ]
+    }
+
+    #[test]
+    fn every_fault_says_what_is_wrong_and_what_would_help_under_a_listed_code() {
+        let source = Source::new("s.toml", "title = 1");
+        for (fault, text, help) in all() {
+            assert_eq!((fault.to_string().as_str(), fault.help().unwrap_or_default().as_str()), (text, help));
+            assert!(ERRORS.iter().any(|row| row.code == fault.code()), "{} is in no list", fault.code());
+            let shown = message(&source, &Problem::new(fault.clone(), 8..9), Severity::Warning, Ink::Plain);
+            let head = format!("warning[{}]: {text}\n --> s.toml:1:9\n", fault.code());
+            assert!(shown.starts_with(&head), "{shown}");
+        }
+    }
+}
