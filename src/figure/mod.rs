@@ -17,6 +17,7 @@ mod page;
 mod panel;
 mod placement;
 mod plan;
+mod question;
 mod runs;
 mod sketch;
 mod text;

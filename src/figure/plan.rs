@@ -17,7 +17,8 @@ use super::frame::Frame;
 use super::layer::{self, Options, Shows};
 use super::page::{Page, type_size};
 use super::panel::{LayerPlan, PanelPlan};
-use super::runs::{Run, Runs, is_static};
+use super::question::{is_of_a_moment, keeps_the_difference};
+use super::runs::{Run, Runs};
 use super::sketch::Sketched;
 use super::text::{caption, caption_words, check_texts, set};
 use super::theme::{self, THEMES, Theme};
@@ -161,7 +162,7 @@ fn resolve<'s>(
 
 /// The panel's moment. A step of a sweep without turning changes the estimate, not the difference: that is as it was.
 fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>) -> Option<Moment> {
-    let own = if is_static(scene.query.kind) { scene.query.time } else { 0.0 };
+    let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
     let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
     let context = Context { scene, space: &panel.space, time: own, step: None, runs };
     let found = context.moment(&when.value);
@@ -172,8 +173,7 @@ fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>
         };
         problems.push(Problem::new(fault, when.span.clone()));
     }
-    let unturning = scene.query.kind.question().motion == crate::collision::Motion::Unturning;
-    let still = unturning && panel.space == Space::Configuration;
+    let still = keeps_the_difference(scene.query.kind) && panel.space == Space::Configuration;
     found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
 }
 

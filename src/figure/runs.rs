@@ -6,11 +6,12 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation, When};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation};
 use crate::scene::{Problem, Scene};
 use crate::trace::{Event, MOST_EVENTS, Trace};
 
 use super::limits::{MAX_RUNS, within};
+use super::question::is_of_a_moment;
 
 /// An answer, and how it was found.
 #[derive(Debug)]
@@ -102,7 +103,7 @@ pub(crate) struct Runs {
 impl Runs {
     /// The scene's own question at a moment (which matters only to bounds, overlap and separation).
     pub(crate) fn own(&self, scene: &Scene, time: f64) -> Arc<Run> {
-        let time = if is_static(scene.query.kind) { time } else { 0.0 };
+        let time = if is_of_a_moment(scene.query.kind) { time } else { 0.0 };
         self.run(scene.query.algorithm, &scene.query_at(time))
     }
 
@@ -161,11 +162,6 @@ impl Runs {
         done.push((key, Arc::clone(&run)));
         run
     }
-}
-
-/// Whether a question is about one moment.
-pub(crate) fn is_static(kind: QueryKind) -> bool {
-    kind.question().when == When::AtAMoment
 }
 
 /// Whether an event tells of the shape of B ⊖ A.

@@ -8,11 +8,11 @@ use std::ops::Range;
 
 use crate::geometry::DVec2;
 
-use super::Spanned;
 use super::fields::{ANY_NUMBER, Field, Holds};
 use super::limits::{MAX_NUMBER, MAX_TEXT, MAX_VERTICES};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
+use super::{Spanned, When};
 
 /// A table and those of its values that are what their rows say.
 pub(crate) struct Checked<'n> {
@@ -178,9 +178,9 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
         },
         Holds::Moment => match &node.value {
             NodeValue::Number(_) => in_range(node, row, 0.0, 1.0, p),
-            NodeValue::Text(word) if ["start", "hit", "end"].contains(&word.as_str()) => true,
+            NodeValue::Text(word) if When::of_word(word).is_some() => true,
             NodeValue::Text(word) => {
-                let known = ["start", "hit", "end"].map(str::to_owned).to_vec();
+                let known = When::WORDS.map(|(word, _)| word.to_owned()).to_vec();
                 p.add(Fault::UnknownWord { what: "moment", got: word.clone(), known }, &node.span);
                 false
             }

@@ -7,8 +7,8 @@ use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problems};
 use super::{LabelOverride, LabelPlace, Spanned};
 
-/// The eight directions, counter-clockwise from east in steps of 45°.
-const COMPASS: [&str; 8] = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
+/// The words of the eight directions, counter-clockwise from east in steps of 45°: the one list of them.
+pub(crate) const COMPASS: [&str; 8] = ["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
 
 /// Reads all labels; those that are wrong are told and left out.
 pub(super) fn read(top: &Checked<'_>, p: &mut Problems) -> Vec<(Spanned<String>, LabelOverride)> {

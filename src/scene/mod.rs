@@ -9,6 +9,7 @@ mod json;
 mod labels;
 pub mod limits;
 mod message;
+mod moment;
 mod node;
 mod open;
 mod panels;
@@ -26,7 +27,9 @@ use std::ops::Range;
 pub use answer::{answer_json, answer_text};
 pub use codes::{ERRORS, ErrorCode};
 pub use fields::{Field, Holds, TABLES, TableRows, shape_rows};
+pub(crate) use labels::COMPASS;
 pub use message::{Ink, Severity, message};
+pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
 pub use problem::{Explain, Fault, Problem};
 pub use read::read;
@@ -132,21 +135,6 @@ pub enum Space {
     Body(usize),
 }
 
-/// A moment as a panel or layer names it.
-#[derive(Clone, Debug, PartialEq)]
-pub enum When {
-    /// A number in [0, 1].
-    Time(f64),
-    /// The start of the motion, t = 0.
-    Start,
-    /// The first contact, where the answer has one.
-    Hit,
-    /// The end of the motion, t = 1.
-    End,
-    /// A step of the algorithm, counted from 1.
-    Step(usize),
-}
-
 /// One of the pictures that stand side by side in a figure.
 #[derive(Clone, Debug)]
 pub struct Panel {
@@ -201,7 +189,7 @@ pub struct LabelOverride {
 /// A pinned place of a label.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LabelPlace {
-    /// One of the eight directions, from 0 = E counter-clockwise in steps of 45°.
+    /// One of the eight directions of the compass, from 0 = E counter-clockwise in steps of 45°.
     Compass(u8),
     /// Offset of the label's centre from its anchor, page pixels, x right, y down.
     Offset(f64, f64),

@@ -75,11 +75,9 @@ fn space(table: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Op
 
 fn when(table: &Checked<'_>, p: &mut Problems) -> Option<Spanned<When>> {
     let time = table.get("time").and_then(|node| {
-        let when = match as_text(node) {
-            Some("start") => When::Start,
-            Some("hit") => When::Hit,
-            Some("end") => When::End,
-            _ => When::Time(as_number(node)?),
+        let when = match as_text(node).and_then(When::of_word) {
+            Some(when) => when,
+            None => When::Time(as_number(node)?),
         };
         Some(Spanned { value: when, span: node.span.clone() })
     });

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{CANVAS, Field, Holds, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows};
+use super::{COMPASS, When};
 
 /// JSON Schema (draft 2020-12) of a scene. Layers' own options are left open.
 ///
@@ -67,10 +68,10 @@ fn holds(field: &Field) -> Value {
         }
         Holds::Moment => json!({ "anyOf": [
             { "type": "number", "minimum": 0, "maximum": 1 },
-            { "enum": ["start", "hit", "end"] },
+            { "enum": When::WORDS.map(|(word, _)| word) },
         ] }),
         Holds::LabelPlace => {
-            json!({ "anyOf": [{ "enum": ["E", "NE", "N", "NW", "W", "SW", "S", "SE"] }, numbers(2)] })
+            json!({ "anyOf": [{ "enum": COMPASS }, numbers(2)] })
         }
         Holds::Layers => json!({ "type": "array", "items": { "anyOf": [
             { "type": "string" },

@@ -6,7 +6,8 @@
 
 use std::fmt::Write;
 
-use crate::collision::{Answer, Impact, Outcome, QueryKind, Reason};
+use crate::collision::{Answer, Impact, Outcome, Reason};
+use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::{in_words, plain, rounded};
 use crate::geometry::shape::KINDS;
@@ -166,10 +167,10 @@ fn steps(scene: &Scene, run: &Run) -> String {
     let algorithm = scene.query.algorithm.name;
     let advanced = run.events().filter(|e| matches!(e, Event::Advanced { .. })).count();
     let edges = run.events().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
-    match (run.kind, advanced, edges) {
+    match (is_found_on_the_difference(run.kind), advanced, edges) {
         (_, 1, _) => format!("Found by {algorithm} in 1 step. "),
         (_, 2.., _) => format!("Found by {algorithm} in {advanced} steps. "),
-        (QueryKind::Separation | QueryKind::LinearSweep, _, 1..) => {
+        (true, _, 1..) => {
             format!("Found by {algorithm} among the {edges} edges of the Minkowski difference. ")
         }
         _ => format!("Found by {algorithm}. "),

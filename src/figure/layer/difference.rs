@@ -13,8 +13,10 @@ use crate::figure::sketch::{
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
 
+use crate::scene::When;
+
 use super::half_extents::ON_LINE;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, fade};
+use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 
 /// Width of an edge that the algorithm skipped, page px, and its opacity.
 const THIN: (f64, f64) = (0.75, 0.55);
@@ -41,7 +43,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&["start", "hit", "end", "steps"]),
+            takes: Takes::When(&[When::START, When::HIT, When::END, STEPS]),
             default: "the panel's moment",
             about: "when, or at every step of the algorithm",
         },
@@ -67,7 +69,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "two convex bodies; for \"steps\" an advancement",
     fed: |context, options| match options.word("at", "") {
-        "steps" => !context.steps().is_empty(),
+        STEPS => !context.steps().is_empty(),
         _ => difference(context, when(context, options).unwrap_or(context.time)).is_some(),
     },
     draw,
@@ -88,7 +90,7 @@ fn when(context: &Context, options: &Options) -> Option<f64> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    if options.word("at", "") == "steps" {
+    if options.word("at", "") == STEPS {
         steps(sketch, context, options);
         return;
     }

@@ -6,7 +6,10 @@ use crate::figure::sketch::{Anchor, Dash, Label, Outline, Pen, Rank, Size, Sketc
 use crate::geometry::Side;
 use crate::scene::When;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, fade};
+use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
+
+/// The word for bodies pushed apart by the minimum translation, which is no moment.
+const SEPARATED: &str = "separated";
 
 /// Fill of a ghost: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
@@ -30,7 +33,7 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "at",
-            takes: Takes::When(&["hit", "separated", "start", "end", "steps"]),
+            takes: Takes::When(&[When::HIT, SEPARATED, When::START, When::END, STEPS]),
             default: "\"hit\"",
             about: "when, or \"separated\" by the minimum translation, or at every step of the algorithm",
         },
@@ -41,9 +44,9 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "B'", about: "the second body then" },
     ],
     needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", steps for \"steps\"",
-    fed: |context, options| match options.word("at", "hit") {
-        "separated" => separation(context).is_some(),
-        "steps" => !context.steps().is_empty(),
+    fed: |context, options| match options.word("at", When::HIT) {
+        SEPARATED => separation(context).is_some(),
+        STEPS => !context.steps().is_empty(),
         _ => when(context, options).is_some(),
     },
     draw,
@@ -60,9 +63,9 @@ fn when(context: &Context, options: &Options) -> Option<f64> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&context.sides()) {
-        match options.word("at", "hit") {
-            "separated" => separated(sketch, context, options, side),
-            "steps" => steps(sketch, context, options, side),
+        match options.word("at", When::HIT) {
+            SEPARATED => separated(sketch, context, options, side),
+            STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }
     }

@@ -80,6 +80,9 @@ pub struct Layer {
     pub(crate) draw: fn(&mut Sketch, &Context, &Options),
 }
 
+/// The word of a layer that draws something at every step of the algorithm.
+const STEPS: &str = "steps";
+
 /// Every layer.
 pub static LAYERS: &[Layer] = &[
     shapes::LAYER,

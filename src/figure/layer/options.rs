@@ -148,12 +148,7 @@ impl Options {
     pub(crate) fn when(&self, name: &str) -> Option<When> {
         match self.get(name)? {
             Setting::Number(t) => Some(When::Time(*t)),
-            Setting::Words(words) => match words.first().map(String::as_str) {
-                Some("start") => Some(When::Start),
-                Some("hit") => Some(When::Hit),
-                Some("end") => Some(When::End),
-                _ => None,
-            },
+            Setting::Words(words) => When::of_word(words.first()?),
             _ => None,
         }
     }

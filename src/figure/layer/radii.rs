@@ -8,11 +8,10 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 
+use crate::scene::COMPASS;
+
 use super::half_extents::beside;
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
-
-/// The eight directions that a radius can be drawn in, from E counter-clockwise.
-const COMPASS: &[&str] = &["E", "NE", "N", "NW", "W", "SW", "S", "SE"];
 
 /// Distance of the first length from the larger circle, and of the lengths from each other, in page px: a label of 16
 /// fits between.
@@ -32,7 +31,7 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "toward",
-            takes: Takes::Word(COMPASS),
+            takes: Takes::Word(&COMPASS),
             default: "square to the normal",
             about: "direction of the line",
         },

@@ -13,6 +13,8 @@ use crate::figure::text::number;
 use crate::geometry::{Feature, Side};
 use crate::trace::Event;
 
+use crate::scene::When;
+
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// How far the carrier line reaches beyond its edge, in world units.
@@ -25,7 +27,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&["start", "hit", "end"]),
+            takes: Takes::When(&[When::START, When::HIT, When::END]),
             default: "the panel's moment",
             about: "when the bodies are asked for their separation",
         },

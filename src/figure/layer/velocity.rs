@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-use crate::scene::Space;
+use crate::scene::{Space, When};
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
@@ -25,13 +25,13 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "accent",
-            takes: Takes::Word(&["hit"]),
+            takes: Takes::Word(&[When::HIT]),
             default: "none",
             about: "the part up to the hit in the accent, with its time",
         },
         OptionSpec {
             name: "cut",
-            takes: Takes::Word(&["hit"]),
+            takes: Takes::Word(&[When::HIT]),
             default: "none",
             about: "ends at the hit, all in the accent",
         },
@@ -51,8 +51,8 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a body that moves; for \"contact\" and \"hit\" a hit",
     fed: |context, options| {
         let hit = options.word("from", "center") == "contact"
-            || options.word("cut", "") == "hit"
-            || options.word("accent", "") == "hit";
+            || options.word("cut", "") == When::HIT
+            || options.word("accent", "") == When::HIT;
         !(moving(context).is_empty() || hit && context.hit().is_none())
     },
     draw,
@@ -108,7 +108,7 @@ fn arrow(sketch: &mut Sketch, context: &Context, options: &Options, m: &Motion) 
     let hit = context.hit().map(|(time, _)| time);
     let role = options.role(Role::Ink);
     let (from, tip) = (m.from, m.from + m.v);
-    if let (Some(time), "hit") = (hit, options.word("cut", "")) {
+    if let (Some(time), When::HIT) = (hit, options.word("cut", "")) {
         let tip = from + m.v * time;
         sketch.part("velocity").arrow(from, tip, Pen::highlighted(options.role(Role::Now)));
         sketch.label(Label::new(m.key, m.text, Anchor::middle(from, tip), options.role(Role::Now)));
@@ -116,7 +116,7 @@ fn arrow(sketch: &mut Sketch, context: &Context, options: &Options, m: &Motion) 
     }
     sketch.part("velocity").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new(m.key, m.text, Anchor::tip(from, tip), role));
-    if let (Some(time), "hit") = (hit, options.word("accent", "")) {
+    if let (Some(time), When::HIT) = (hit, options.word("accent", "")) {
         until_hit(sketch, from, m.v, time);
     }
 }

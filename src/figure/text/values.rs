@@ -1,7 +1,8 @@
 //! The values that text may name, each a row: where it is read, and what it means.
 
-use crate::collision::{Answer, Outcome, QueryKind};
+use crate::collision::{Answer, Outcome};
 use crate::figure::context::Context;
+use crate::figure::question::has_a_tolerance;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -179,7 +180,7 @@ fn iterations(context: &Context) -> Option<Quantity> {
 
 fn tolerance(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
-        Answer::Impact(impact) if context.scene.query.kind == QueryKind::TimeOfImpact => {
+        Answer::Impact(impact) if has_a_tolerance(context.scene.query.kind) => {
             Some(Quantity::exactly(impact.tolerance))
         }
         _ => None,
