@@ -1,0 +1,113 @@
+//! The long text: a paragraph.
+
+use std::fmt::Write;
+
+use crate::figure::question::is_found_on_the_difference;
+use crate::figure::runs::Run;
+use crate::figure::text::plain;
+use crate::geometry::shape::KINDS;
+use crate::geometry::{Body, DVec2};
+use crate::scene::{Panel, Scene, Space, When};
+use crate::trace::Event;
+
+use super::number::{point, value};
+use super::result::{capitalized, result};
+
+/// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
+pub(crate) fn long(scene: &Scene, run: &Run) -> String {
+    let mut text = String::new();
+    for &index in &scene.query.of {
+        if let Some((name, body)) = scene.shapes.get(index) {
+            let _ = write!(text, "{} ", body_in_words(&name.value, body));
+        }
+    }
+    let _ = write!(text, "{} ", capitalized(&result(scene, run)));
+    text.push_str(&steps(scene, run));
+    text.push_str(&panels(scene));
+    text.trim_end().to_owned()
+}
+
+/// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
+fn body_in_words(name: &str, body: &Body) -> String {
+    let shape = &body.shape;
+    let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
+    let mut text = format!("{name} is {}", kind.map_or(shape.kind, |kind| kind.in_words));
+    if kind.is_some_and(|kind| kind.fields.iter().any(|field| field.name == "vertices")) {
+        let _ = write!(text, " of {} corners", shape.vertices.len());
+    }
+    if let Some(h) = body.shape.half_extents {
+        let _ = write!(text, " of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
+    }
+    if body.shape.radius > 0.0 {
+        let _ = write!(text, " of radius {}", value(body.shape.radius));
+    }
+    let _ = write!(text, " at {}", point(middle(body)));
+    if body.angle.0 != 0.0 {
+        let _ = write!(text, ", turned by {}°", value(body.angle.0));
+    }
+    if body.velocity != DVec2::ZERO {
+        let _ = write!(text, ", moving by {}", point(body.velocity));
+    }
+    if body.spin.0 != 0.0 {
+        let _ = write!(text, ", turning by {}°", value(body.spin.0));
+    }
+    text.push('.');
+    text
+}
+
+/// The mean of a body's vertices at t = 0, which says where it is better than an origin outside it.
+fn middle(body: &Body) -> DVec2 {
+    #[expect(clippy::cast_precision_loss, reason = "a count of corners is far below 2^53")]
+    let count = body.shape.vertices.len().max(1) as f64;
+    body.pose_at(0.0).point(body.shape.vertices.iter().copied().sum::<DVec2>() / count)
+}
+
+/// How the answer was found: the algorithm, and how many steps or edges it took.
+fn steps(scene: &Scene, run: &Run) -> String {
+    let algorithm = scene.query.algorithm.name;
+    let advanced = run.events().filter(|e| matches!(e, Event::Advanced { .. })).count();
+    let edges = run.events().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
+    match (is_found_on_the_difference(run.kind), advanced, edges) {
+        (_, 1, _) => format!("Found by {algorithm} in 1 step. "),
+        (_, 2.., _) => format!("Found by {algorithm} in {advanced} steps. "),
+        (true, _, 1..) => {
+            format!("Found by {algorithm} among the {edges} edges of the Minkowski difference. ")
+        }
+        _ => format!("Found by {algorithm}. "),
+    }
+}
+
+/// What each panel shows: its space, its moment, its layers by name.
+fn panels(scene: &Scene) -> String {
+    let mut text = String::new();
+    let many = scene.panels.len() > 1;
+    for (i, panel) in scene.panels.iter().enumerate() {
+        let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
+        let which = if many { format!("Panel {}{title}", i + 1) } else { format!("The picture{title}") };
+        let layers: Vec<&str> = panel.layers.iter().map(|l| l.name.value.as_str()).collect();
+        let _ = write!(text, "{which} shows {}{}: {}. ", space(scene, panel), when(panel), layers.join(", "));
+    }
+    text
+}
+
+/// What a panel shows, as "the world".
+fn space(scene: &Scene, panel: &Panel) -> String {
+    match panel.space {
+        Space::World => "the world".to_owned(),
+        Space::Configuration => "configuration space".to_owned(),
+        Space::Body(body) => {
+            format!("the frame of {}", scene.shapes.get(body).map_or("", |(name, _)| &name.value))
+        }
+    }
+}
+
+/// A panel's moment, as " at the start"; empty where the scene names none.
+fn when(panel: &Panel) -> String {
+    panel.when.as_ref().map_or(String::new(), |when| match when.value {
+        When::Time(t) => format!(" at t = {}", value(t)),
+        When::Start => " at the start".to_owned(),
+        When::Hit => " at the first contact".to_owned(),
+        When::End => " at the end".to_owned(),
+        When::Step(k) => format!(" in step {k}"),
+    })
+}

@@ -1,0 +1,80 @@
+//! What came out, as a sentence.
+
+use crate::collision::{Answer, Impact, Outcome, Reason};
+use crate::figure::runs::Run;
+use crate::scene::Scene;
+
+use super::number::{number, point, value};
+
+/// The result of `run` as a sentence that begins with a small letter.
+pub(super) fn result(scene: &Scene, run: &Run) -> String {
+    let (a, b) = (name(scene, 0), name(scene, 1));
+    match &run.answer {
+        Answer::Bounds(bounds) => format!(
+            "the bounding box of {a}{} reaches from {} to {}.",
+            if b.is_empty() { String::new() } else { format!(" and {b}") },
+            point(bounds.min),
+            point(bounds.max)
+        ),
+        Answer::Overlap(overlap) => match overlap.overlap {
+            Some(true) => format!("{a} and {b} overlap."),
+            Some(false) => format!("{a} and {b} do not overlap."),
+            None => format!("rounding forbids to say whether {a} and {b} overlap."),
+        },
+        Answer::Separation(s) => {
+            let (lo, hi) = (s.bounds.lo, s.bounds.hi);
+            if lo > 0.0 {
+                format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
+            } else if hi < 0.0 {
+                let depth = number(-hi, -lo);
+                format!(
+                    "{a} and {b} overlap; the shortest push that parts them is {depth} along {}.",
+                    point(*s.normal)
+                )
+            } else {
+                format!("{a} and {b} touch.")
+            }
+        }
+        Answer::Impact(impact) => impact_in_words(a, b, impact),
+        Answer::MotionBound(found) => {
+            let pair = if b.is_empty() { a.to_owned() } else { format!("{a} and {b}") };
+            format!("no point of {pair} travels farther than {}.", value(found.bound))
+        }
+    }
+}
+
+/// The result of a query for the first contact of the bodies named `a` and `b`.
+fn impact_in_words(a: &str, b: &str, impact: &Impact) -> String {
+    match &impact.outcome {
+        Outcome::Hit { time, contact } => format!(
+            "{a} first touches {b} at t = {}, at {}.",
+            number(time.lo, time.hi),
+            point((contact.points[0] + contact.points[1]) / 2.0)
+        ),
+        Outcome::Miss => format!("{a} and {b} do not touch."),
+        Outcome::Overlapping { .. } => format!("{a} and {b} touch or overlap from the start."),
+        Outcome::Unresolved { reason, free_until } => {
+            let why = match reason {
+                Reason::WithinRounding => "rounding forbids more",
+                Reason::WithinTolerance => "they come within the tolerance",
+                Reason::IterationLimit => "the step cap was reached",
+                Reason::Stalled => "the steps no longer advanced",
+            };
+            format!(
+                "{a} and {b} are apart until t = {}; whether they touch is undecided: {why}.",
+                value(*free_until)
+            )
+        }
+    }
+}
+
+/// The name of the query's first (0) or second (1) body; empty where there is none.
+fn name(scene: &Scene, which: usize) -> &str {
+    scene.query.of.get(which).and_then(|&i| scene.shapes.get(i)).map_or("", |(name, _)| &name.value)
+}
+
+/// A sentence with a capital.
+pub(super) fn capitalized(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
