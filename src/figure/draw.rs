@@ -12,6 +12,7 @@ use super::panel::PanelPlan;
 use super::placement::{LabelFault, Labelled, Placed, Sought, faults, place};
 use super::plan::Plan;
 use super::runs::Run;
+use super::sketch::{Request, Sketched};
 use super::text::{Wording, plain};
 use super::theme::{Side, Theme};
 
@@ -57,8 +58,8 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
     let mut panels: Vec<Labelled> = Vec::new();
-    for (i, panel) in plan.panels.iter().enumerate() {
-        let (group, labelled) = draw_panel(plan, theme, i, &earlier(plan, &panels, i));
+    for panel in &plan.panels {
+        let (group, labelled) = draw_panel(plan, theme, &panels);
         items.push(Item::Group(group));
         items.extend(panel.title.as_ref().map(|line| title(line, &labelled, theme)));
         panels.push(labelled);
@@ -89,35 +90,39 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     Figure { drawing, panels, warnings }
 }
 
-/// The labels of the panels before that show the same space in the same size: where they stand, the same stands again.
-fn earlier(plan: &Plan, panels: &[Labelled], index: usize) -> Vec<(Rect, Placed)> {
+/// The panels before one that show the same space in the same size: where their labels stand, the same stand again.
+pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> {
     let this = &plan.panels[index];
-    let same = |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
-    let series = plan.panels.iter().zip(panels).filter(|(p, _)| same(p));
-    series.flat_map(|(_, l)| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect()
+    let same = move |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
+    (0..index).filter(move |&i| same(&plan.panels[i]))
 }
 
-fn draw_panel(plan: &Plan, theme: &Theme, index: usize, earlier: &[(Rect, Placed)]) -> (Group, Labelled) {
+/// What a panel's layers draw in a theme, and the labels that seek their places there.
+pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec<Sought>) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
     let sketched = panel.sketch(&context, theme);
     let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
     let wording = Wording { context: &context, type_size: &size };
-    let sought: Vec<Sought> = sketched
-        .requests
-        .iter()
-        .filter_map(|request| {
-            let span = panel.layers.get(request.layer).map_or(&panel.source.span, |l| l.span);
-            // A text that can't be set was said by the plan.
-            wording.set(request, span).ok().flatten()
-        })
-        .collect();
-    let labelled = place(&sought, &sketched.frame, &sketched.obstacles, earlier);
+    // A text that can't be set was said by the plan.
+    let set = |request: &Request| wording.set(request, panel.span_of(request)).ok().flatten();
+    let sought = sketched.requests.iter().filter_map(set).collect();
+    (sketched, sought)
+}
+
+/// Draws a panel beside those before it.
+fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labelled) {
+    let index = before.len();
+    let (sketched, sought) = sought(plan, theme, index);
+    let series = earlier(plan, index).map(|i| &before[i]);
+    let series: Vec<(Rect, Placed)> =
+        series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
+    let labelled = place(&sought, &sketched.frame, &sketched.obstacles, &series);
     let mut layers = Group::new("layers");
     layers.clip = Some(sketched.frame.panel);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
     let mut group = Group::new(format!("panel-{}", index + 1));
-    group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
+    group.label = plan.panels[index].source.title.as_ref().map(|t| plain(&t.value));
     group.items = vec![Item::Group(layers), labels(&labelled, theme)];
     (group, labelled)
 }

@@ -11,7 +11,12 @@ pub(super) const LAYER: Layer = Layer {
     about: "lines of text at a corner",
     shows: Shows::Anywhere,
     options: &[
-        OptionSpec { name: "at", takes: Takes::Word(Corner::WORDS), default: "\"top-left\"", about: "where" },
+        OptionSpec {
+            name: "at",
+            takes: Takes::Word(&Corner::WORDS),
+            default: "\"top-left\"",
+            about: "where",
+        },
         OptionSpec {
             name: "lines",
             takes: Takes::Lines,

@@ -4,13 +4,16 @@ use std::ops::Range;
 
 use crate::figure::sketch::Cover;
 
-use super::cost::SPILL;
-use super::{Labelled, distance_to, length_inside};
+use super::Labelled;
+use super::rect::{distance_to, length_inside};
+use super::weights::Costs;
 
 /// A leader line longer than this is a fault, page pixels.
 const LONGEST_LEADER: f64 = 40.0;
 /// Boxes of glyphs that share less than this in one direction only seem to touch, page pixels.
 const SEEMING: f64 = 0.5;
+/// The part of an arrowhead's disc, about its middle, that the head itself covers.
+const HEAD: f64 = 0.75;
 
 /// Something that a reader of the figure trips over.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,7 +116,7 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
         let marker =
             |c: &Cover| matches!(*c, Cover::Marker { at, radius } if distance_to(&rect, at) < radius);
         let head =
-            |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < 0.75 * radius);
+            |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < HEAD * radius);
         let stroke = |c: &Cover| matches!(*c, Cover::Stroke { from, to, .. } if length_inside(from, to, &rect).is_some());
         if panel.obstacles.iter().any(|o| marker(&o.cover)) {
             found.push(LabelFault::OnMarker { key, span: span.clone() });
@@ -124,7 +127,7 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
         if panel.obstacles.iter().any(|o| o.part != label.part && stroke(&o.cover)) {
             found.push(LabelFault::OnStroke { key, span: span.clone() });
         }
-        let edge = panel.frame.panel.grown(SPILL + SEEMING);
+        let edge = panel.frame.panel.grown(Costs::TUNED.spill + SEEMING);
         if edge.union(label.bounds) != edge {
             found.push(LabelFault::OverEdge { key, span: span.clone() });
         }

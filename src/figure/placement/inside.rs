@@ -6,68 +6,75 @@
 
 use crate::drawing::{Offset, Point, Rect};
 
-use super::about;
-use super::candidates::Candidate;
+use super::Candidate;
+use super::rect::{DIRECTIONS, about, bounds, length_inside, reach};
+use super::weights::Places;
 
-/// Points of the grid along the longer side of an area.
-const GRID: u32 = 22;
-/// Places inside that a label is offered.
-const INSIDE: usize = 20;
-/// Reluctance to stand as far from the area's middle as its line is: among equally remote places the middle one.
-const OFF_MIDDLE: f64 = 0.8;
-/// Room between a name and the area's line, page pixels.
-const ROOM: f64 = 5.0;
-/// Reluctance to stand in a part that another area covers.
-const SHARED: f64 = 9.0;
-/// Reluctance to stand outside of the area.
-const OUTSIDE: f64 = 7.0;
+/// How much remoter than the line itself, in shares of the pole's distance, a place may count: one on the line costs
+/// `off_pole`, one outside of the area at most twice that.
+const MOST_OFF_POLE: f64 = 2.0;
+/// The search for a pole ends at steps of this, page pixels: what no eye sees.
+const FINE: f64 = 0.5;
+/// A step towards the pole has to gain this, page pixels, so that rounding never decides between equal places.
+const PAYS: f64 = 0.01;
+/// The directions about an area from the best, as places in [`DIRECTIONS`]: upper right, up, right, upper left, left,
+/// lower right, down, lower left.
+const OUTSIDE: [usize; 8] = [1, 2, 0, 3, 4, 7, 6, 5];
 
-/// Inside first, then around.
-pub(super) fn places(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64), panel: &Rect) -> Vec<Candidate> {
-    let points = grid(area, avoid, panel);
+/// Places for a name inside an area, best where no area to avoid is, then around it; all in page pixels.
+pub(super) fn places(
+    area: &[Point],
+    avoid: &[Vec<Point>],
+    size: (f64, f64),
+    panel: &Rect,
+    w: &Places,
+) -> Vec<Candidate> {
+    let points = grid(area, avoid, panel, w);
     let best = points.first().map_or(1.0, |p| p.1.max(1.0));
-    let Some(bounds) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
+    let Some(bounds) = bounds(area.iter().copied()) else { return Vec::new() };
     let reach = 0.5 * libm::hypot(bounds.width(), bounds.height()).max(1.0);
     let mut inside: Vec<Candidate> = Vec::new();
     for (center, room) in points {
         let rect = about(center, size);
-        if fits(&rect, area) {
-            let off_pole = 5.0 * (1.0 - room / best).clamp(0.0, 2.0);
-            let off_middle = OFF_MIDDLE * (center - bounds.center()).length() / reach;
-            let reluctance = off_pole + off_middle + shared(&rect, avoid);
+        if fits(&rect, area, w) {
+            let off_pole = w.off_pole * (1.0 - room / best).clamp(0.0, MOST_OFF_POLE);
+            let off_middle = w.off_middle * (center - bounds.center()).length() / reach;
+            let reluctance = off_pole + off_middle + shared(&rect, avoid, w);
             inside.push(Candidate { rect, reluctance, leader: None });
         }
     }
     inside.sort_by(|a, b| a.reluctance.total_cmp(&b.reluctance));
-    let spread = (0.25 * size.0).max(10.0);
+    let spread = (w.spread * size.0).max(w.least_spread);
     let mut all: Vec<Candidate> = Vec::new();
     for candidate in inside {
         let near = |c: &Candidate| (c.rect.center() - candidate.rect.center()).length() < spread;
-        if all.len() < INSIDE && !all.iter().any(near) {
+        if all.len() < w.inside && !all.iter().any(near) {
             all.push(candidate);
         }
     }
-    all.extend(outside(area, avoid, size));
+    all.extend(outside(area, avoid, size, w));
     all
 }
 
 /// What it costs to stand on another area.
-fn shared(rect: &Rect, avoid: &[Vec<Point>]) -> f64 {
-    if avoid.iter().any(|a| meets(rect, a)) { SHARED } else { 0.0 }
+fn shared(rect: &Rect, avoid: &[Vec<Point>], w: &Places) -> f64 {
+    if avoid.iter().any(|a| meets(rect, a, w)) { w.shared } else { 0.0 }
 }
 
-/// The pole of inaccessibility of an area without others, and its distance from the boundary.
-pub(super) fn pole(area: &[Point], avoid: &[Vec<Point>]) -> (Point, f64) {
+/// The pole of inaccessibility of an area on the page.
+pub(super) fn pole(area: &[Point], w: &Places) -> Point {
     let everywhere = Rect { x0: f64::MIN, y0: f64::MIN, x1: f64::MAX, y1: f64::MAX };
     let fallback = area.first().copied().unwrap_or_default();
-    grid(area, avoid, &everywhere).first().copied().unwrap_or((fallback, 0.0))
+    grid(area, &[], &everywhere, w).first().map_or(fallback, |&(pole, _)| pole)
 }
 
-/// Points inside the area and the panel, the farthest from all boundaries first, the best refined.
-fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)> {
-    let Some(all) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
+/// Points inside the area and the panel, the farthest from all boundaries first, the best refined; each with that
+/// distance, page pixels.
+fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
+    let Some(all) = bounds(area.iter().copied()) else { return Vec::new() };
     let Some(bounds) = all.intersection(*panel) else { return Vec::new() };
-    let step = bounds.width().max(bounds.height()) / f64::from(GRID);
+    let count = u32::try_from(w.grid).unwrap_or(1);
+    let step = bounds.width().max(bounds.height()) / f64::from(count);
     let room = |p: Point| room_at(p, area, avoid, panel);
     let mut points = Vec::new();
     if step <= 0.0 {
@@ -75,9 +82,9 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)>
     }
     // Odd multiples of half a step about the middle keep the grid symmetric for symmetric shapes.
     let middle = bounds.center();
-    for i in 0..GRID {
-        for j in 0..GRID {
-            let at = |k: u32| (f64::from(k) - 0.5 * f64::from(GRID - 1)) * step;
+    for i in 0..count {
+        for j in 0..count {
+            let at = |k: u32| (f64::from(k) - 0.5 * f64::from(count - 1)) * step;
             let p = middle + Offset::new(at(i), at(j));
             if bounds.contains(p) && contains(area, p) {
                 points.push((p, room(p)));
@@ -86,23 +93,23 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> Vec<(Point, f64)>
     }
     points.sort_by(|a, b| b.1.total_cmp(&a.1));
     // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is best.
-    let starts = points.iter().take(4).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
+    let starts =
+        points.iter().take(w.refined).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
     let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &room)).collect();
     refined.extend(points);
     refined.sort_by(|a, b| b.1.total_cmp(&a.1));
     refined
 }
 
-/// Moves to a better neighbour until the step is under half a pixel.
+/// Moves to a better neighbour until the step is too small to be seen.
 fn climb(start: Point, step: f64, room: &impl Fn(Point) -> f64) -> (Point, f64) {
     let (mut p, mut best, mut step) = (start, room(start), step);
-    while step > 0.5 {
+    while step > FINE {
         let mut moved = false;
         for (dx, dy) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
             let q = p + Offset::new(dx, dy) * step;
             let r = room(q);
-            // A step has to pay, so that rounding never decides between equal places.
-            if r > best + 0.01 {
+            if r > best + PAYS {
                 (p, best, moved) = (q, r, true);
             }
         }
@@ -124,11 +131,13 @@ fn room_at(p: Point, area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> f64 
     })
 }
 
+/// The edges of a closed line through points.
 fn edges(line: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
     let last = line.last().copied();
     line.windows(2).map(|pair| (pair[0], pair[1])).chain(last.zip(line.first().copied()))
 }
 
+/// The distance of a point from a closed line, page pixels.
 fn distance_to_line(line: &[Point], p: Point) -> f64 {
     let mut least = f64::INFINITY;
     for (a, b) in edges(line) {
@@ -153,50 +162,40 @@ fn contains(line: &[Point], p: Point) -> bool {
 }
 
 /// Whether a label has room inside the area.
-fn fits(rect: &Rect, area: &[Point]) -> bool {
-    contains(area, rect.center()) && !crosses(&rect.grown(ROOM), area)
+fn fits(rect: &Rect, area: &[Point], w: &Places) -> bool {
+    contains(area, rect.center()) && !crosses(&rect.grown(w.area_room), area)
 }
 
 /// Whether a label touches an area.
-fn meets(rect: &Rect, area: &[Point]) -> bool {
-    contains(area, rect.center()) || crosses(&rect.grown(2.0), area)
+fn meets(rect: &Rect, area: &[Point], w: &Places) -> bool {
+    contains(area, rect.center()) || crosses(&rect.grown(w.shared_room), area)
 }
 
+/// Whether a closed line runs through a rectangle.
 fn crosses(rect: &Rect, line: &[Point]) -> bool {
-    edges(line).any(|(a, b)| super::length_inside(a, b, rect).is_some())
+    edges(line).any(|(a, b)| length_inside(a, b, rect).is_some())
 }
 
 /// Around the area, touching it from outside in eight directions.
-fn outside(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64)) -> Vec<Candidate> {
-    let Some(bounds) = area.iter().map(|&p| Rect::new(p, p)).reduce(Rect::union) else { return Vec::new() };
+fn outside(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64), w: &Places) -> Vec<Candidate> {
+    let Some(bounds) = bounds(area.iter().copied()) else { return Vec::new() };
     let center = bounds.center();
-    let directions = [
-        (1.0, -1.0),
-        (0.0, -1.0),
-        (1.0, 0.0),
-        (-1.0, -1.0),
-        (-1.0, 0.0),
-        (1.0, 1.0),
-        (0.0, 1.0),
-        (-1.0, 1.0),
-    ];
-    directions
-        .iter()
-        .enumerate()
-        .filter_map(|(i, &(dx, dy))| {
-            let u = Offset::new(dx, dy).unit()?;
-            let reach = area.iter().map(|&p| (p - center).dot(u)).fold(0.0, f64::max);
-            let half = 0.5 * (u.dx.abs() * size.0 + u.dy.abs() * size.1);
-            let rank = f64::from(u8::try_from(i).unwrap_or(8));
-            let rect = about(center + u * (reach + ROOM + half), size);
-            Some(Candidate { rect, reluctance: OUTSIDE + 0.3 * rank + shared(&rect, avoid), leader: None })
-        })
-        .collect()
+    let place = |(rank, direction): (f64, usize)| {
+        let (dx, dy) = DIRECTIONS[direction];
+        let u = Offset::new(dx, dy).unit()?;
+        let far = area.iter().map(|&p| (p - center).dot(u)).fold(0.0, f64::max);
+        let rect = about(center + u * (far + w.area_room + reach(u, size)), size);
+        let reluctance = w.outside + w.outside_next * rank + shared(&rect, avoid, w);
+        Some(Candidate { rect, reluctance, leader: None })
+    };
+    (0_u8..).map(f64::from).zip(OUTSIDE).filter_map(place).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const W: &Places = &Places::TUNED;
 
     fn square(x0: f64, y0: f64, side: f64) -> Vec<Point> {
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -206,27 +205,28 @@ mod tests {
 
     #[test]
     fn the_pole_of_a_square_is_its_middle() {
-        let (pole, room) = pole(&square(10.0, 20.0, 80.0), &[]);
+        let area = square(10.0, 20.0, 80.0);
+        let pole = pole(&area, W);
         assert!((pole.x - 50.0).abs() < 1.0 && (pole.y - 60.0).abs() < 1.0, "{pole:?}");
-        assert!((room - 40.0).abs() < 1.0);
+        assert!((distance_to_line(&area, pole) - 40.0).abs() < 1.0);
     }
 
     #[test]
     fn a_name_keeps_out_of_the_part_that_another_body_covers() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
         let (a, b) = (square(10.0, 10.0, 100.0), square(60.0, 10.0, 100.0));
-        let best = places(&a, std::slice::from_ref(&b), (12.0, 12.0), &panel)
+        let best = places(&a, std::slice::from_ref(&b), (12.0, 12.0), &panel, W)
             .into_iter()
             .min_by(|p, q| p.reluctance.total_cmp(&q.reluctance))
             .unwrap();
         assert!(best.rect.x1 < 60.0 && best.rect.x0 > 10.0, "{best:?}");
-        assert!(fits(&best.rect, &a) && !meets(&best.rect, &b));
+        assert!(fits(&best.rect, &a, W) && !meets(&best.rect, &b, W));
     }
 
     #[test]
     fn a_name_that_has_no_room_inside_stands_outside() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
         let tiny = square(100.0, 100.0, 8.0);
-        assert!(places(&tiny, &[], (12.0, 12.0), &panel).iter().all(|c| !crosses(&c.rect, &tiny)));
+        assert!(places(&tiny, &[], (12.0, 12.0), &panel, W).iter().all(|c| !crosses(&c.rect, &tiny)));
     }
 }

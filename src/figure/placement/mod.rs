@@ -1,18 +1,23 @@
 //! Labels place themselves.
 //!
-//! A label has up to 16 candidate places around what it belongs to. A place costs more the more it hides: foreign
-//! strokes, markers, arrowheads, the panel's edge; two places that overlap cost each other most. Labels are set in the
-//! order of regret (who would lose most by waiting goes first), then one after the other moves to its best place
-//! until none wants to. No clock and no randomness: the same figure gives the same places.
+//! A label has up to 32 candidate places around what it belongs to, a name in an area some more. A place costs more
+//! the more it hides: foreign strokes, markers, arrowheads, the panel's edge; two places that overlap cost each other
+//! most. Labels are set in the order of regret (who would lose most by waiting goes first), then one after the other
+//! moves to its best place until none wants to. No clock and no randomness: the same figure gives the same places.
 //!
 //! The approach follows Christensen, Marks, Shieber, "An Empirical Study of Algorithms for Point-Feature Label
 //! Placement", ACM Transactions on Graphics 14(3), 1995, with regret as the greedy order.
+//!
+//! The way through: [`candidates`] and [`inside`] offer places, [`cost`] prices them, [`solve`] chooses among them,
+//! [`faults`] says what is still wrong. All their numbers are [`weights`].
 
 mod candidates;
 mod cost;
 mod faults;
 mod inside;
+mod rect;
 mod solve;
+mod weights;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -30,122 +35,77 @@ pub(crate) use solve::place;
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]
 pub(crate) struct Sought {
+    /// Its key in `[labels]`.
     pub(crate) key: &'static str,
+    /// Its lines, set, from the top.
     pub(crate) lines: Vec<Arc<Line>>,
+    /// What it belongs to, in the panel's space.
     pub(crate) anchor: Anchor,
+    /// Its colour.
     pub(crate) role: Role,
+    /// Which label is left out where two clash beyond help.
     pub(crate) rank: Rank,
+    /// The number of the part of the drawing that it belongs to, whose strokes it may touch.
     pub(crate) part: usize,
+    /// Where the scene wants it, if it says so.
     pub(crate) pin: Option<LabelPlace>,
-    /// What a warning points at.
+    /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
 }
 
 /// Room between two lines of a label, page pixels.
-pub(crate) const LEADING: f64 = 6.0;
+const LEADING: f64 = 6.0;
 
 impl Sought {
     /// Width and height in page pixels.
-    pub(crate) fn size(&self) -> (f64, f64) {
+    fn size(&self) -> (f64, f64) {
         let width = self.lines.iter().map(|l| l.width).fold(0.0, f64::max);
         let height: f64 = self.lines.iter().map(|l| l.height() + LEADING).sum();
         (width, (height - LEADING).max(0.0))
     }
 }
 
+/// A place that a label may take, and what it costs by itself.
+#[derive(Clone, Debug, PartialEq)]
+struct Candidate {
+    /// The box of its glyphs there, page pixels.
+    rect: Rect,
+    /// How far it is from the best kind of place: 1 is a slight preference, 10 a strong one.
+    reluctance: f64,
+    /// The line that leads from what it belongs to, where it stands far off, page pixels.
+    leader: Option<(Point, Point)>,
+}
+
 /// A label at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// Its key.
+    /// Its key in the `[labels]` of a scene, as `d` for a distance.
     pub key: &'static str,
     /// Its colour.
     pub(crate) role: Role,
-    /// Who gives way.
-    pub(crate) rank: Rank,
-    /// What was set, with the left end of each baseline.
+    /// What was set, with the left end of each baseline, page pixels.
     pub(crate) lines: Vec<(Point, Arc<Line>)>,
-    /// The box of its glyphs.
+    /// The box of its glyphs, page pixels.
     pub bounds: Rect,
-    /// A line to what it belongs to, where it stands far from it.
+    /// A line to what it belongs to, where it stands far from it, page pixels.
     pub(crate) leader: Option<(Point, Point)>,
-    /// The part that it belongs to.
+    /// The number of the part of the drawing that it belongs to.
     pub(crate) part: usize,
-    /// Where what it belongs to lies, from the upper left corner of its panel.
+    /// Where what it belongs to lies, page pixels from the upper left corner of its panel.
     pub(crate) home: Offset,
-    /// What a warning points at.
+    /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
 }
 
 /// A panel with its labels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Labelled {
-    /// The panel on the page, and its map.
+    /// The panel on the page, and its map from its space.
     pub frame: Frame,
     /// What labels keep off.
     pub(crate) obstacles: Vec<Obstacle>,
-    /// The labels that found a place.
+    /// The labels that found a place, in the order in which the layers asked for them.
     pub placed: Vec<Placed>,
     /// Keys of labels that did not, with the places that warnings point at.
     pub(crate) dropped: Vec<(&'static str, Range<usize>)>,
-}
-
-/// Whether a segment touches a rectangle, and over which length in page pixels.
-fn length_inside(from: Point, to: Point, rect: &Rect) -> Option<f64> {
-    let d = to - from;
-    let (mut lo, mut hi) = (0.0_f64, 1.0_f64);
-    for (start, step, min, max) in [(from.x, d.dx, rect.x0, rect.x1), (from.y, d.dy, rect.y0, rect.y1)] {
-        if step == 0.0 {
-            if start < min || start > max {
-                return None;
-            }
-            continue;
-        }
-        let (a, b) = ((min - start) / step, (max - start) / step);
-        (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
-    }
-    (lo <= hi).then(|| (hi - lo) * d.length())
-}
-
-/// Distance of a point from a rectangle, page pixels; 0 inside.
-fn distance_to(rect: &Rect, p: Point) -> f64 {
-    (p - nearest_in(rect, p)).length()
-}
-
-/// Distance of a segment from a rectangle, page pixels; 0 where they touch.
-fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
-    if length_inside(from, to, rect).is_some() {
-        return 0.0;
-    }
-    let d = to - from;
-    let beside = |corner: Point| {
-        let t = if d.dot(d) > 0.0 { ((corner - from).dot(d) / d.dot(d)).clamp(0.0, 1.0) } else { 0.0 };
-        (corner - (from + d * t)).length()
-    };
-    let corners = [(rect.x0, rect.y0), (rect.x1, rect.y0), (rect.x1, rect.y1), (rect.x0, rect.y1)];
-    let ends = distance_to(rect, from).min(distance_to(rect, to));
-    corners.iter().map(|&(x, y)| beside(Point::new(x, y))).fold(ends, f64::min)
-}
-
-/// The point of a rectangle nearest to a point.
-fn nearest_in(rect: &Rect, p: Point) -> Point {
-    Point::new(p.x.clamp(rect.x0, rect.x1), p.y.clamp(rect.y0, rect.y1))
-}
-
-/// The rectangle of a size about a centre.
-fn about(center: Point, (w, h): (f64, f64)) -> Rect {
-    let half = Offset::new(0.5 * w, 0.5 * h);
-    Rect::new(center + -half, center + half)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_segment_that_crosses_a_rectangle_is_measured_inside_it() {
-        let rect = Rect { x0: 0.0, y0: 0.0, x1: 4.0, y1: 3.0 };
-        assert_eq!(length_inside(Point::new(-1.0, 1.0), Point::new(9.0, 1.0), &rect), Some(4.0));
-        assert_eq!(length_inside(Point::new(-1.0, 4.0), Point::new(9.0, 4.0), &rect), None);
-        assert_eq!(length_inside(Point::new(1.0, 1.0), Point::new(1.0, 2.0), &rect), Some(1.0));
-    }
 }

@@ -1,93 +1,104 @@
 //! Greedy by regret, then 1-opt, then pairs, until nothing moves.
 
+use std::sync::Arc;
+
 use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
-use crate::figure::sketch::Obstacle;
+use crate::figure::sketch::{Anchor, Corner, Obstacle};
 
-use super::candidates::{Candidate, candidates, home, is_in_view, nudged};
+use super::candidates::{candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
-use super::{LEADING, Labelled, Placed, Sought};
+use super::weights::{TUNED, Weights};
+use super::{Candidate, LEADING, Labelled, Placed, Sought};
 
 /// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
 const PASSES: usize = 64;
 /// A move has to gain this much, so that rounding never decides between equal places.
 const GAIN: f64 = 1e-6;
-/// Labels that still overlap another one by this many page pixels in both directions are left out, the weaker first.
-const CLASH: f64 = 1.0;
+/// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay so
+/// whatever the last bits of an answer are, and the first of them is taken.
+const PARTS: f64 = 1e6;
 
-/// Two labels of one key and text name the same thing if what they belong to is so near, page pixels.
-const SAME_THING: f64 = 12.0;
-/// A label that costs more than this where it stands is offered places about its places.
-const TROUBLE: f64 = 8.0;
-/// Of its cheapest places, so many.
-const NUDGED_PLACES: usize = 12;
-
-/// A label that costs more than this where it stands may disturb others to stand better.
-const UNEASY: f64 = 3.0;
-/// Of its cheapest places, so many are tried.
-const EJECTING: usize = 24;
-
-/// The candidates of every label with their own costs.
-struct Problem {
+/// The candidates of every label, and which one each has at the moment.
+struct Problem<'w> {
+    /// For each label its candidates, each with what it costs whatever the other labels do.
     places: Vec<Vec<(Candidate, f64)>>,
+    /// For each label the index of its candidate.
     chosen: Vec<usize>,
+    /// The numbers that decide.
+    weights: &'w Weights,
 }
 
-/// Places the labels of a panel. `earlier` are those of the panels before it in the series.
+/// Places the labels of a panel. `earlier` are those of the panels before it in the series, each with its panel.
 pub(crate) fn place(
     sought: &[Sought],
     frame: &Frame,
     obstacles: &[Obstacle],
     earlier: &[(Rect, Placed)],
 ) -> Labelled {
-    let sought = &worth_naming(sought, frame);
-    let surroundings = Surroundings { frame, obstacles, earlier };
-    let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame)).collect();
+    place_by(&TUNED, sought, frame, obstacles, earlier)
+}
+
+/// Places the labels of a panel by other numbers than the tuned ones.
+pub(super) fn place_by(
+    weights: &Weights,
+    sought: &[Sought],
+    frame: &Frame,
+    obstacles: &[Obstacle],
+    earlier: &[(Rect, Placed)],
+) -> Labelled {
+    let sought = &worth_naming(sought, frame, weights);
+    let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs };
+    let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame, &weights.places)).collect();
     let priced = |(s, at): (&Sought, &Point), all: Vec<Candidate>| {
         let near_by = near_by(s, &all, &surroundings);
         let cost = |c: &Candidate| steady(own_cost(s, *at, c, &near_by, &surroundings));
         all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect::<Vec<_>>()
     };
-    let places = sought.iter().zip(&homes).map(|s| priced(s, candidates(s.0, frame))).collect();
-    let mut problem = Problem { places, chosen: vec![0; sought.len()] };
+    let places = sought.iter().zip(&homes);
+    let places = places.map(|s| priced(s, candidates(s.0, frame, &weights.places))).collect();
+    let mut problem = Problem { places, chosen: vec![0; sought.len()], weights };
     problem.greedy();
     problem.improve();
     let all: Vec<usize> = (0..sought.len()).collect();
+    let search = &weights.search;
     for (label, s) in sought.iter().zip(&homes).enumerate() {
-        if s.0.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < TROUBLE {
+        if s.0.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < search.trouble {
             continue;
         }
-        let cheapest = problem.cheapest(label, NUDGED_PLACES);
-        let more = cheapest.into_iter().flat_map(|slot| nudged(&problem.places[label][slot].0)).collect();
+        let cheapest = problem.cheapest(label, search.nudged_places);
+        let more =
+            cheapest.into_iter().flat_map(|slot| nudged(&problem.places[label][slot].0, search)).collect();
         problem.places[label].extend(priced(s, more));
     }
     problem.improve();
     problem.finish(sought, frame, obstacles)
 }
 
-/// A cost in millionths: places that are as good as each other, as above and below a level edge, stay so whatever the last
-/// bits of an answer are, and the first of them is taken.
+/// A cost rounded to whole [`PARTS`].
 fn steady(cost: f64) -> f64 {
-    (1e6 * cost).round() / 1e6
+    (PARTS * cost).round() / PARTS
 }
 
 /// Two layers may name the same thing: it is named once. What the view cuts off is not named.
-fn worth_naming(sought: &[Sought], frame: &Frame) -> Vec<Sought> {
+fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Sought> {
+    let home = |s: &Sought| home(&s.anchor, frame, &weights.places);
     let same = |a: &Sought, b: &Sought| {
         let text = |s: &Sought| s.lines.iter().map(|l| l.markup.clone()).collect::<Vec<_>>();
-        let apart = home(&a.anchor, frame) - home(&b.anchor, frame);
-        a.key == b.key && text(a) == text(b) && apart.length() < SAME_THING
+        let apart = home(a) - home(b);
+        a.key == b.key && text(a) == text(b) && apart.length() < weights.search.same_thing
     };
     let mut kept: Vec<Sought> = Vec::new();
     for one in sought {
-        if is_in_view(&one.anchor, frame) && !kept.iter().any(|other| same(one, other)) {
+        if is_in_view(&one.anchor, frame, &weights.places) && !kept.iter().any(|other| same(one, other)) {
             kept.push(one.clone());
         }
     }
     kept
 }
 
-impl Problem {
+impl Problem<'_> {
+    /// Where a label stands at the moment.
     fn candidate(&self, label: usize) -> &Candidate {
         &self.places[label][self.chosen[label]].0
     }
@@ -95,7 +106,7 @@ impl Problem {
     /// The cost of a place beside the labels in `set`.
     fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
         let (candidate, own) = &self.places[label][slot];
-        let pairs = set.iter().filter(|&&o| o != label).map(|&o| pair_cost(candidate, self.candidate(o)));
+        let pairs = set.iter().filter(|&&o| o != label).map(|&o| self.pair(candidate, self.candidate(o)));
         own + pairs.sum::<f64>()
     }
 
@@ -121,6 +132,12 @@ impl Problem {
         order
     }
 
+    /// What two places cost each other.
+    fn pair(&self, a: &Candidate, b: &Candidate) -> f64 {
+        pair_cost(a, b, &self.weights.costs)
+    }
+
+    /// Sets the label that would lose most by waiting, then the next.
     fn greedy(&mut self) {
         let mut waiting: Vec<usize> =
             (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
@@ -139,6 +156,7 @@ impl Problem {
         }
     }
 
+    /// Moves one label after the other to its best place, until none wants to.
     fn improve(&mut self) {
         let all: Vec<usize> = (0..self.places.len()).collect();
         for _ in 0..PASSES {
@@ -161,17 +179,17 @@ impl Problem {
     /// keeps the first that lowers the sum of all costs.
     fn eject(&mut self, label: usize, all: &[usize]) -> bool {
         let now = self.cost(label, self.chosen[label], all);
-        if now < UNEASY {
+        if now < self.weights.search.uneasy {
             return false;
         }
         let (before, kept) = (self.total(all), self.chosen.clone());
-        for slot in self.cheapest(label, EJECTING) {
+        for slot in self.cheapest(label, self.weights.search.ejecting) {
             if self.places[label][slot].1 >= now {
                 break;
             }
             self.chosen[label] = slot;
             let disturbed =
-                |&&o: &&usize| o != label && pair_cost(self.candidate(label), self.candidate(o)) > 0.0;
+                |&&o: &&usize| o != label && self.pair(self.candidate(label), self.candidate(o)) > 0.0;
             let disturbed: Vec<usize> = all.iter().filter(disturbed).copied().collect();
             for other in disturbed {
                 self.chosen[other] = self.best(other, all).0;
@@ -191,30 +209,32 @@ impl Problem {
 
     /// The labels at their places, without those that clash beyond help.
     fn finish(&self, sought: &[Sought], frame: &Frame, obstacles: &[Obstacle]) -> Labelled {
+        let clash = self.weights.search.clash;
         let mut order: Vec<usize> = (0..sought.len()).collect();
         order.sort_by_key(|&i| std::cmp::Reverse(sought[i].rank));
         let mut kept: Vec<usize> = Vec::new();
         let mut dropped = Vec::new();
         for &i in &order {
             let rect = self.candidate(i).rect;
-            let clash = |&o: &usize| {
+            let clashes = |&o: &usize| {
                 let both = rect.intersection(self.candidate(o).rect);
-                both.is_some_and(|r| r.width() > CLASH && r.height() > CLASH)
+                both.is_some_and(|r| r.width() > clash && r.height() > clash)
             };
-            if kept.iter().any(clash) {
+            if kept.iter().any(clashes) {
                 dropped.push((sought[i].key, sought[i].span.clone()));
             } else {
                 kept.push(i);
             }
         }
         kept.sort_unstable();
-        let placed = kept.iter().map(|&i| placed(&sought[i], self.candidate(i), frame)).collect();
+        let placed =
+            kept.iter().map(|&i| placed(&sought[i], self.candidate(i), frame, self.weights)).collect();
         Labelled { frame: *frame, obstacles: obstacles.to_vec(), placed, dropped }
     }
 }
 
-fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame) -> Placed {
-    use crate::figure::sketch::{Anchor, Corner};
+/// A label at its place: its lines below each other, centred but for notes.
+fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame, weights: &Weights) -> Placed {
     let bounds = candidate.rect;
     // The lines of a note are read as a paragraph or a column of equations.
     let align = match sought.anchor {
@@ -225,12 +245,12 @@ fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame) -> Placed {
     let mut lines = Vec::with_capacity(sought.lines.len());
     for line in &sought.lines {
         let x = bounds.x0 + align * (bounds.width() - line.width);
-        lines.push((Point::new(x, y + line.ascent), std::sync::Arc::clone(line)));
+        lines.push((Point::new(x, y + line.ascent), Arc::clone(line)));
         y += line.height() + LEADING;
     }
-    let Sought { key, role, rank, part, .. } = *sought;
-    let home = home(&sought.anchor, frame) - Point::new(frame.panel.x0, frame.panel.y0);
-    Placed { key, role, rank, lines, bounds, leader: candidate.leader, part, home, span: sought.span.clone() }
+    let Sought { key, role, part, .. } = *sought;
+    let home = home(&sought.anchor, frame, &weights.places) - Point::new(frame.panel.x0, frame.panel.y0);
+    Placed { key, role, lines, bounds, leader: candidate.leader, part, home, span: sought.span.clone() }
 }
 
 #[cfg(test)]

@@ -84,22 +84,38 @@ pub(crate) enum Corner {
 }
 
 impl Corner {
-    /// The words for them in a scene.
-    pub(crate) const WORDS: &'static [&'static str] =
-        &["top-left", "top", "top-right", "bottom-left", "bottom", "bottom-right"];
+    /// Every place with its word in a scene, and where it lies from the panel's middle: x to the right, y down.
+    const ALL: [(&'static str, Self, (f64, f64)); 6] = [
+        ("top-left", Self::TopLeft, (-1.0, -1.0)),
+        ("top", Self::Top, (0.0, -1.0)),
+        ("top-right", Self::TopRight, (1.0, -1.0)),
+        ("bottom-left", Self::BottomLeft, (-1.0, 1.0)),
+        ("bottom", Self::Bottom, (0.0, 1.0)),
+        ("bottom-right", Self::BottomRight, (1.0, 1.0)),
+    ];
 
-    /// The corner of a word.
-    #[must_use]
-    pub(crate) fn of_word(word: &str) -> Option<Self> {
-        match word {
-            "top-left" => Some(Self::TopLeft),
-            "top" => Some(Self::Top),
-            "top-right" => Some(Self::TopRight),
-            "bottom-left" => Some(Self::BottomLeft),
-            "bottom" => Some(Self::Bottom),
-            "bottom-right" => Some(Self::BottomRight),
-            _ => None,
+    /// The words for them in a scene.
+    pub(crate) const WORDS: [&'static str; 6] = {
+        let mut words = [""; 6];
+        let mut i = 0;
+        while i < words.len() {
+            words[i] = Self::ALL[i].0;
+            i += 1;
         }
+        words
+    };
+
+    /// The place of a word; `None` for any other word.
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.iter().find(|(known, ..)| *known == word).map(|&(_, corner, _)| corner)
+    }
+
+    /// Where it lies from the panel's middle, −1, 0 or 1 each: x to the right, y down.
+    pub(crate) fn direction(self) -> (f64, f64) {
+        Self::ALL
+            .iter()
+            .find(|(_, corner, _)| *corner == self)
+            .map_or((0.0, 0.0), |&(.., direction)| direction)
     }
 }
 

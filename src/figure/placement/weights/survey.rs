@@ -1,0 +1,179 @@
+//! What goes wrong at twice and at half of each number: labels are placed again by the numbers that differ in one.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::drawing::Rect;
+use crate::figure::draw::{earlier, sought};
+use crate::figure::layer::{LAYERS, Shows};
+use crate::figure::placement::solve::place_by;
+use crate::figure::placement::{Labelled, Sought, faults};
+use crate::figure::plan::{Plan, plan};
+use crate::figure::sketch::Sketched;
+use crate::scene::{Scene, Source, open, read};
+
+use super::{Costs, Places, Search, TUNED, Weights};
+
+#[path = "../../../../tests/random_scenes/mod.rs"]
+mod random_scenes;
+
+/// How many random scenes are surveyed besides the committed figures.
+const SCENES: u64 = 400;
+/// A label that is nearer than this to where it was, page pixels, has not moved.
+const STILL: f64 = 0.01;
+
+/// A number, a count or a list of numbers that can be multiplied.
+pub(super) trait Scale {
+    /// Multiplies by `by`; a count is at least 1.
+    fn scale(&mut self, by: f64);
+}
+
+impl Scale for f64 {
+    fn scale(&mut self, by: f64) {
+        *self *= by;
+    }
+}
+
+impl Scale for usize {
+    fn scale(&mut self, by: f64) {
+        let scaled = (f64::from(u32::try_from(*self).unwrap()) * by).floor();
+        *self = (1_u32..).take_while(|&n| f64::from(n) <= scaled).last().unwrap_or(1).try_into().unwrap();
+    }
+}
+
+impl<const N: usize> Scale for [f64; N] {
+    fn scale(&mut self, by: f64) {
+        self.iter_mut().for_each(|x| *x *= by);
+    }
+}
+
+/// The panels of a figure, ready for their labels.
+struct Case {
+    panels: Vec<(Sketched, Vec<Sought>)>,
+    /// For each panel those before it whose labels stand where its own should stand too.
+    series: Vec<Vec<usize>>,
+}
+
+impl Case {
+    fn of(plan: &Plan) -> Self {
+        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i)).collect();
+        let series = (0..panels.len()).map(|i| earlier(plan, i).collect()).collect();
+        Self { panels, series }
+    }
+
+    /// The labels by some numbers.
+    fn placed(&self, weights: &Weights) -> Vec<Labelled> {
+        let mut all: Vec<Labelled> = Vec::new();
+        for ((sketched, sought), series) in self.panels.iter().zip(&self.series) {
+            let before = series.iter().map(|&i| &all[i]);
+            let before: Vec<(Rect, _)> =
+                before.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
+            all.push(place_by(weights, sought, &sketched.frame, &sketched.obstacles, &before));
+        }
+        all
+    }
+}
+
+/// The committed figures.
+fn committed() -> Vec<Case> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|p| p.extension().is_some_and(|e| e == "toml"));
+    paths.sort();
+    paths.iter().map(|p| Case::of(&plan(&open(p).unwrap().scene).unwrap())).collect()
+}
+
+/// Random scenes that show anything.
+fn random() -> Vec<Case> {
+    let scene = |seed| read(&Source::new("random", &random_scenes::scene_text(seed))).unwrap();
+    (0..SCENES)
+        .filter_map(|seed| random_scenes::fed(scene(seed)))
+        .map(|s| Case::of(&plan(&s).unwrap()))
+        .collect()
+}
+
+/// What the survey counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Count {
+    faults: usize,
+    moved: usize,
+}
+
+/// Faults by some numbers, and how many labels stand elsewhere than `tuned`.
+fn count(cases: &[Case], tuned: &[Vec<Labelled>], weights: &Weights) -> Count {
+    let mut count = Count::default();
+    for (case, tuned) in cases.iter().zip(tuned) {
+        for (now, then) in case.placed(weights).iter().zip(tuned) {
+            count.faults += faults(now).len();
+            let still = |p: &crate::figure::Placed| {
+                let same = then.placed.iter().filter(|q| q.key == p.key && q.part == p.part);
+                same.into_iter().any(|q| (q.bounds.center() - p.bounds.center()).length() < STILL)
+            };
+            count.moved += now.placed.iter().filter(|p| !still(p)).count();
+        }
+    }
+    count
+}
+
+/// Every number by name, with what multiplies it.
+fn knobs() -> Vec<(String, Box<dyn Fn(&mut Weights, f64)>)> {
+    let mut all: Vec<(String, Box<dyn Fn(&mut Weights, f64)>)> = Vec::new();
+    for &(name, turn) in Places::KNOBS {
+        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.places, by))));
+    }
+    for &(name, turn) in Costs::KNOBS {
+        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.costs, by))));
+    }
+    for &(name, turn) in Search::KNOBS {
+        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.search, by))));
+    }
+    all
+}
+
+#[test]
+#[ignore = "takes minutes; run by hand when a number is changed"]
+fn survey() {
+    let sets = [committed(), random()];
+    let tuned = sets.each_ref().map(|cases| cases.iter().map(|c| c.placed(&TUNED)).collect::<Vec<_>>());
+    let counts = |weights: &Weights| [0, 1].map(|i| count(&sets[i], &tuned[i], weights));
+    let mut table = String::new();
+    let labels = tuned.each_ref().map(|all| all.iter().flatten().map(|l| l.placed.len()).sum::<usize>());
+    let [figures, random] = counts(&TUNED);
+    let _ = writeln!(
+        table,
+        "tuned: {} figures, {} labels, {} faults; {} random scenes, {} labels, {} faults",
+        sets[0].len(),
+        labels[0],
+        figures.faults,
+        sets[1].len(),
+        labels[1],
+        random.faults
+    );
+    let _ = writeln!(table, "{:16} {:>5} {:>16} {:>16}", "", "", "figures", "random");
+    for (name, turn) in knobs() {
+        for by in [2.0, 0.5, 0.0] {
+            let mut weights = TUNED.clone();
+            turn(&mut weights, by);
+            let [f, r] = counts(&weights);
+            let _ = writeln!(
+                table,
+                "{name:16} {by:>5} {:>6} {:>4} moved {:>6} {:>4} moved",
+                f.faults, f.moved, r.faults, r.moved
+            );
+        }
+    }
+    println!("{table}");
+    assert_eq!((figures, random.moved), (Count::default(), 0), "the tuned numbers are those of the figures");
+}
+
+#[test]
+fn a_number_that_is_multiplied_moves_labels_and_the_tuned_ones_move_none() {
+    let cases = committed();
+    let tuned: Vec<_> = cases.iter().map(|c| c.placed(&TUNED)).collect();
+    assert!(count(&cases, &tuned, &TUNED) == Count::default());
+    let mut weights = TUNED.clone();
+    weights.places.gap.scale(2.0);
+    weights.search.nudged_places.scale(0.5);
+    assert_eq!(weights.search.nudged_places, 6);
+    assert!(count(&cases, &tuned, &weights).moved > 0);
+}

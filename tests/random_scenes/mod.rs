@@ -1,0 +1,120 @@
+//! Scenes of random bodies, queries and layers, for counting what goes wrong with labels that nobody has looked at.
+//!
+//! Whoever declares this module brings the names of the library into scope, from outside or from within.
+
+use std::fmt::Write;
+
+use super::{LAYERS, Scene, Shows, plan};
+
+/// `SplitMix64` (Steele, Lea, Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z ^ (z >> 31)) % n
+    }
+
+    /// A multiple of a quarter in [lo, hi].
+    fn quarter(&mut self, lo: i32, hi: i32) -> f64 {
+        let steps = u64::try_from((hi - lo) * 4 + 1).unwrap();
+        f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap()) / 4.0
+    }
+
+    fn of<'w>(&mut self, words: &[&'w str]) -> &'w str {
+        words[usize::try_from(self.below(words.len() as u64)).unwrap()]
+    }
+}
+
+fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String {
+    let mut text = format!("[shapes.{name}]\n");
+    let kind = r.of(&["circle", "box", "polygon", "capsule", "aabb"]);
+    let kind = if turns && kind == "aabb" { "box" } else { kind };
+    let _ = writeln!(text, "kind = \"{kind}\"");
+    let _ = match kind {
+        "circle" => writeln!(text, "radius = {}", r.quarter(1, 2)),
+        "box" | "aabb" => writeln!(text, "half_extents = [{}, {}]", r.quarter(1, 3), r.quarter(1, 2)),
+        "capsule" => writeln!(text, "points = [[-1, 0], [1, 0.5]]\nradius = {}", 0.25 + r.quarter(0, 1)),
+        _ => {
+            let n = 3 + r.below(5);
+            let corners: Vec<String> = (0..n)
+                .map(|k| {
+                    let angle = std::f64::consts::TAU * (k as f64 + 0.3) / n as f64;
+                    format!("[{:.2}, {:.2}]", 2.0 * libm::cos(angle), 1.5 * libm::sin(angle))
+                })
+                .collect();
+            writeln!(text, "vertices = [{}]", corners.join(", "))
+        }
+    };
+    let _ = writeln!(text, "position = [{x}, {}]", r.quarter(-2, 2));
+    if kind != "aabb" && kind != "circle" {
+        let _ = writeln!(text, "angle_deg = {}", 15 * r.below(24));
+    }
+    if moves {
+        let toward = if x < 0.0 { 1.0 } else { -1.0 };
+        let _ = writeln!(text, "velocity = [{}, {}]", toward * r.quarter(3, 8), r.quarter(-2, 2));
+    }
+    if turns {
+        let _ = writeln!(text, "angular_velocity_deg = {}", 30 * r.below(7));
+    }
+    text
+}
+
+fn layers(r: &mut Random, configuration: bool) -> String {
+    let fits = |shows: Shows| shows == Shows::Anywhere || (shows == Shows::Configuration) == configuration;
+    let all: Vec<&str> = LAYERS
+        .iter()
+        .filter(|l| fits(l.shows) && !["note", "shapes"].contains(&l.name))
+        .map(|l| l.name)
+        .collect();
+    let mut chosen: Vec<&str> =
+        if configuration { vec!["axes", "difference", "origin"] } else { vec!["shapes"] };
+    for _ in 0..=r.below(4) {
+        let layer = r.of(&all);
+        if !chosen.contains(&layer) {
+            chosen.push(layer);
+        }
+    }
+    chosen.iter().map(|l| format!("{l:?}")).collect::<Vec<_>>().join(", ")
+}
+
+/// The scene of a number: the same for the same tables of layers.
+pub(crate) fn scene_text(seed: u64) -> String {
+    let mut r = Random(seed);
+    let kind = r.of(&[
+        "separation",
+        "separation",
+        "overlap",
+        "bounds",
+        "linear-sweep",
+        "time-of-impact",
+        "motion-bound",
+    ]);
+    let moves = ["linear-sweep", "time-of-impact", "motion-bound"].contains(&kind);
+    let turns = ["time-of-impact", "motion-bound"].contains(&kind);
+    let near = r.quarter(0, 4);
+    let mut text = shape(&mut r, "A", -near - 0.5, moves, turns);
+    text += &shape(&mut r, "B", near + 0.5, moves, turns);
+    let of = if ["bounds", "motion-bound"].contains(&kind) { "[\"A\"]" } else { "[\"A\", \"B\"]" };
+    let _ = write!(text, "[query]\nkind = \"{kind}\"\nof = {of}\n");
+    let panels = 1 + r.below(3);
+    for _ in 0..panels {
+        let configuration = of.contains('B') && r.below(3) == 0;
+        let space = if configuration { "configuration" } else { "world" };
+        let _ =
+            write!(text, "[[panels]]\nspace = \"{space}\"\nlayers = [{}]\n", layers(&mut r, configuration));
+    }
+    text
+}
+
+/// The scene without the layers that it can't feed; none where nothing is left to show.
+pub(crate) fn fed(mut scene: Scene) -> Option<Scene> {
+    let Err(problems) = plan(&scene).map(|_| ()) else { return Some(scene) };
+    for panel in &mut scene.panels {
+        panel.layers.retain(|l| problems.iter().all(|p| p.span != l.name.span));
+    }
+    let shown = scene.panels.iter().any(|p| !p.layers.is_empty());
+    (shown && plan(&scene).is_ok()).then_some(scene)
+}
