@@ -18,7 +18,7 @@ mod costs;
 mod places;
 mod search;
 #[cfg(test)]
-mod survey;
+mod tests;
 
 pub(super) use costs::Costs;
 pub(super) use places::Places;
@@ -55,7 +55,7 @@ macro_rules! numbers {
             /// Every number by name, with what multiplies it.
             #[cfg(test)]
             pub(super) const KNOBS: &[(&str, fn(&mut Self, f64))] = &[
-                $((stringify!($name), |group, by| super::survey::Scale::scale(&mut group.$name, by)),)+
+                $((stringify!($name), |group, by| super::tests::Scale::scale(&mut group.$name, by)),)+
             ];
         }
     };
