@@ -1,7 +1,7 @@
 //! A layer is one file and one row: its name stands as a string in its own file and in no other of `src/`.
 //!
-//! Whoever needs to know something of a layer by its name would have to be found and changed with it. Where the same
-//! word means something else, as the kind of query `separation`, [`HOMONYMS`] says what.
+//! Whoever needs to know something of a layer by its name would have to be found and changed with it. Where
+//! the same word means something else, as the kind of query `separation`, [`HOMONYMS`] says what.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -10,25 +10,26 @@ use crate::trace::Event;
 use super::runs::{Run, Runs};
 use super::sketch::Outline;
 
-/// A panel's moment.
+/// The moment that a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Moment {
-    /// In [0, 1].
+    /// The time, in [0, 1].
     pub(crate) time: f64,
     /// The algorithm's step, from 1, in a panel that shows one.
     pub(crate) step: Option<usize>,
 }
 
-/// What a layer may know.
+/// What a layer may know of the figure, at its panel's moment.
 pub(crate) struct Context<'f> {
-    /// The scene.
+    /// The scene that the figure shows.
     pub(crate) scene: &'f Scene,
-    /// What the panel shows.
+    /// The space that the panel shows.
     pub(crate) space: &'f Space,
     /// The panel's moment, in [0, 1].
     pub(crate) time: f64,
     /// The algorithm's step that the panel shows, from 1.
     pub(crate) step: Option<usize>,
+    /// The algorithm runs of the figure so far, to which the layers add.
     pub(crate) runs: &'f Runs,
 }
 
@@ -39,12 +40,13 @@ impl Context<'_> {
         if self.scene.query.of.len() > 1 { vec![Side::A, Side::B] } else { vec![Side::A] }
     }
 
+    /// A body of the query with its name.
     fn shape(&self, side: Side) -> Option<&(crate::scene::Spanned<String>, Body)> {
         let index = usize::from(side == Side::B);
         self.scene.query.of.get(index).and_then(|&i| self.scene.shapes.get(i))
     }
 
-    /// A body of the query.
+    /// A body of the query; `None` for B where the query is about one.
     #[must_use]
     pub(crate) fn body(&self, side: Side) -> Option<&Body> {
         self.shape(side).map(|(_, body)| body)
@@ -73,44 +75,46 @@ impl Context<'_> {
         format!("{word}-{}", if side == Side::A { "A" } else { "B" })
     }
 
-    /// Where a body is at a moment, in the world.
+    /// Where a body is at `time` in [0, 1]: its origin in world units and its rotation.
     #[must_use]
     pub(crate) fn pose(&self, side: Side, time: f64) -> Option<Pose> {
         self.body(side).map(|body| body.pose_at(time))
     }
 
-    /// A body's outline at a moment, in the world.
+    /// A body's outline at `time` in [0, 1], in world units.
     #[must_use]
     pub(crate) fn outline(&self, side: Side, time: f64) -> Option<Outline> {
         self.body(side).map(|body| Outline::of_body(body, &body.pose_at(time)))
     }
 
-    /// A vertex of a body, by its number in the file's order, at a moment, in the world.
+    /// A vertex of a body at `time` in [0, 1], in world units; `index` is its number in the file's order.
     #[must_use]
     pub(crate) fn vertex(&self, side: Side, index: usize, time: f64) -> Option<DVec2> {
         let body = self.body(side)?;
         Some(body.pose_at(time).point(*body.shape.vertices.get(index)?))
     }
 
-    /// The scene's own question at the panel's moment.
+    /// The run of the scene's own question at the panel's moment.
     #[must_use]
     pub(crate) fn run(&self) -> Arc<Run> {
         self.runs.own(self.scene, self.time)
     }
 
-    /// The separation of the pair at a moment, whatever the scene asks.
+    /// A run that asks for the separation of the pair at `time` in [0, 1], whatever the scene asks; `None`
+    /// for one body, and for shapes whose separation no algorithm answers.
     #[must_use]
     pub(crate) fn separation_at(&self, time: f64) -> Option<Arc<Run>> {
         self.runs.separation(self.scene, time)
     }
 
-    /// A run that tells the edges of B ⊖ A at a moment.
+    /// A run that tells the edges of B ⊖ A at `time` in [0, 1]; `None` where no algorithm does.
     #[must_use]
     pub(crate) fn difference_at(&self, time: f64) -> Option<Arc<Run>> {
         self.runs.difference(self.scene, time)
     }
 
-    /// The first contact: its time and the pair then. None without one.
+    /// The first contact: the last time in [0, 1] proved free, and the pair then, in world units; at t = 0
+    /// for bodies that overlap from the start. `None` for any other answer.
     #[must_use]
     pub(crate) fn hit(&self) -> Option<(f64, Separation)> {
         match &self.run().answer {
@@ -123,7 +127,7 @@ impl Context<'_> {
         }
     }
 
-    /// A moment that a scene names. None where there is no hit, or no such step.
+    /// The moment that a scene names; `None` where there is no hit, or no such step.
     #[must_use]
     pub(crate) fn moment(&self, when: &When) -> Option<Moment> {
         let at = |time| Some(Moment { time, step: None });
@@ -139,7 +143,7 @@ impl Context<'_> {
         }
     }
 
-    /// The moments of an advancement's steps, in order.
+    /// The times of an advancement's steps, each in [0, 1], in order; none for an algorithm without steps.
     #[must_use]
     pub(crate) fn steps(&self) -> Vec<f64> {
         let time = |e: &Event| if let Event::Advanced { at, .. } = e { Some(at.time) } else { None };

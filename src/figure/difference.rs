@@ -1,8 +1,8 @@
 //! B ⊖ A put together from what an algorithm told: its edges in order, with the body that each comes from.
 //!
-//! An algorithm finds the edges in the order that suits it: the article's goes through A's edges, then B's. Each runs
-//! counter-clockwise, so the outline is the chain in which one edge begins where another ends. Where edges of both
-//! bodies lie on one line, B's comes first (`DifferenceEdgeFound` says so).
+//! An algorithm finds the edges in the order that suits it: the article's goes through A's edges, then B's.
+//! Each runs counter-clockwise, so the outline is the chain in which one edge begins where another ends.
+//! Where edges of both bodies lie on one line, B's comes first (`DifferenceEdgeFound` says so).
 
 use std::collections::BTreeMap;
 
@@ -11,8 +11,9 @@ use crate::trace::Event;
 
 use super::sketch::Outline;
 
-/// Ends of edges of the same outline agree up to this part of its size. They are differences of the same corners,
-/// rounded in different order: off by some ε of the coordinates. A thousand times more would still be far below a pixel.
+/// Ends of edges of the same outline agree up to this part of its size. They are differences of the same
+/// vertices, rounded in different order: off by some ε of the coordinates. A thousand times more would still
+/// be far below a pixel.
 const JOINED: f64 = 1e-12;
 
 /// An edge of B ⊖ A.
@@ -20,11 +21,11 @@ const JOINED: f64 = 1e-12;
 pub(crate) struct Edge {
     /// The body whose edge it is.
     pub(crate) source: Side,
-    /// That edge's number on its body.
+    /// The number of the edge on that body, in the file's order.
     pub(crate) index: usize,
     /// Start, in configuration space, counter-clockwise.
     pub(crate) from: DVec2,
-    /// End.
+    /// End, in configuration space.
     pub(crate) to: DVec2,
     /// Outward unit normal.
     pub(crate) normal: DVec2,
@@ -48,14 +49,14 @@ impl Difference {
     #[must_use]
     pub(crate) fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
         let mut found: Vec<Edge> = Vec::new();
-        // At most two normals a number, those of a segment's two sides.
+        // At most two normals a number, those of a segment's two edges.
         let mut known: BTreeMap<(bool, usize), Vec<DVec2>> = BTreeMap::new();
         let (mut center, mut radius) = (None, 0.0);
         for event in events {
             match *event {
                 Event::Started { .. } if !found.is_empty() || center.is_some() => break,
                 Event::DifferenceEdgeFound { source, edge, from, to, normal, distance, .. } => {
-                    // A segment's two sides, there and back, bear one number.
+                    // A segment's two edges, there and back, bear one number.
                     let normals = known.entry((source == Side::B, edge)).or_default();
                     if !normals.iter().any(|n| n.dot(normal) > 0.0) {
                         normals.push(normal);
@@ -72,25 +73,25 @@ impl Difference {
         Some(Self { edges: chain(found), center, radius })
     }
 
-    /// Its outline: arcs about the core's corners where it is round.
+    /// The outline, in configuration space: arcs about the core's vertices where it is round.
     #[must_use]
     pub(crate) fn outline(&self) -> Outline {
-        let corners: Vec<DVec2> = match self.center {
+        let vertices: Vec<DVec2> = match self.center {
             Some(center) if self.edges.is_empty() => vec![center],
             _ => self.edges.iter().map(|e| e.from).collect(),
         };
-        Outline::rounded(&corners, self.radius)
+        Outline::rounded(&vertices, self.radius)
     }
 
-    /// An edge as it is drawn: moved outward by the radius.
+    /// The ends of an edge as it is drawn: moved outward by the radius.
     #[must_use]
-    pub(crate) fn side(&self, edge: &Edge) -> (DVec2, DVec2) {
+    pub(crate) fn drawn(&self, edge: &Edge) -> (DVec2, DVec2) {
         let out = edge.normal * self.radius;
         (edge.from + out, edge.to + out)
     }
 
-    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot: both bodies' supporting
-    /// edges face each other there. `None` where no edges are aligned on the nearest side.
+    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot: both bodies'
+    /// supporting edges face each other there. `None` where no edges are aligned at the nearest one.
     #[must_use]
     pub(crate) fn joint(&self) -> Option<DVec2> {
         let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
@@ -104,18 +105,19 @@ impl Difference {
         })
     }
 
-    /// Largest coordinate, the measure of its rounding errors.
+    /// The largest coordinate, the measure of rounding errors.
     fn size(&self) -> f64 {
         size(&self.edges)
     }
 }
 
+/// The largest coordinate of edges, in units of configuration space.
 fn size(edges: &[Edge]) -> f64 {
     edges.iter().map(|e| e.from.abs().max(e.to.abs()).max_element()).fold(0.0, f64::max)
 }
 
-/// The edges end to end. Starts with an edge of B if there is one, so that a side shared by both is not entered at its
-/// middle.
+/// The edges end to end. Starts with an edge of B if there is one, so that an edge shared by both is not
+/// entered at its middle.
 fn chain(found: Vec<Edge>) -> Vec<Edge> {
     let close = JOINED * size(&found);
     let Some(first) =
@@ -136,25 +138,30 @@ fn chain(found: Vec<Edge>) -> Vec<Edge> {
 
 /// Edges that are not in the chain yet, found by where they begin.
 struct Left<'e> {
+    /// All edges, in the order in which they were told.
     edges: &'e [Edge],
+    /// How far apart two ends may be that are the same vertex, in units of configuration space.
     close: f64,
     /// Numbers of edges by the x of their start; ties in the order in which they were told.
     by_start: Vec<usize>,
+    /// For each edge whether it is in the chain.
     taken: Vec<bool>,
 }
 
 impl<'e> Left<'e> {
+    /// All edges, before any is taken.
     fn new(edges: &'e [Edge], close: f64) -> Self {
         let mut by_start: Vec<usize> = (0..edges.len()).collect();
         by_start.sort_by(|&i, &j| edges[i].from.x.total_cmp(&edges[j].from.x));
         Self { edges, close, by_start, taken: vec![false; edges.len()] }
     }
 
+    /// Puts an edge into the chain.
     fn take(&mut self, i: usize) {
         self.taken[i] = true;
     }
 
-    /// The edge that begins at a point, B's first; where none does, the one that begins nearest.
+    /// The edge that begins at `end`, B's first; where none does, the one that begins nearest.
     fn after(&self, end: DVec2) -> Option<usize> {
         let x = |i: usize| self.edges[i].from.x;
         let from = self.by_start.partition_point(|&i| x(i) < end.x - self.close);
@@ -190,7 +197,7 @@ mod tests {
 
     #[test]
     fn edges_told_body_by_body_become_one_chain() {
-        // Two unit squares, corner on corner at the origin; B's edge comes first on each shared side.
+        // Two unit squares, vertex on vertex at the origin; B's edge comes first on each shared edge.
         let told = [
             edge(Side::A, 0, (2.0, 2.0), (1.0, 2.0)),
             edge(Side::A, 1, (0.0, 1.0), (0.0, 0.0)),
@@ -216,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn a_segment_gives_both_of_its_sides() {
+    fn a_segment_gives_both_of_its_edges() {
         // A point at the origin and a segment.
         let told = [edge(Side::B, 0, (1.0, 0.0), (3.0, 0.0)), edge(Side::B, 0, (3.0, 0.0), (1.0, 0.0))];
         assert_eq!(Difference::of(told.iter()).unwrap().edges.len(), 2);
@@ -228,7 +235,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_is_only_where_both_bodies_share_the_nearest_side() {
+    fn a_joint_is_only_where_both_bodies_share_the_nearest_edge() {
         let told = [
             edge(Side::B, 0, (-2.0, -1.0), (0.0, -1.0)),
             edge(Side::A, 2, (0.0, -1.0), (3.0, -1.0)),

@@ -21,10 +21,10 @@ const HALO: f64 = 2.5;
 /// Width of leader lines and of the lines between panels, page pixels.
 const THIN: f64 = 0.75;
 
-/// A figure, drawn.
+/// A figure, drawn in a theme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// What an output format draws.
+    /// The display list that an output format writes, page pixels, y down.
     pub drawing: Drawing,
     /// Each panel's map from its space to the page, what labels keep off, and its labels.
     pub panels: Vec<Labelled>,
@@ -33,20 +33,42 @@ pub struct Figure {
 }
 
 impl Figure {
-    /// Everything that is wrong with the labels.
+    /// Everything that is wrong with the labels, panel by panel; none for a figure without fault. The same is
+    /// said in [`Figure::warnings`].
+    ///
+    /// ```
+    /// use tracefig::{figure::{LabelFault, draw, plan}, scene::{Source, read}};
+    /// let text = r#"
+    /// shapes.A = { kind = "circle", radius = 1 }
+    /// query = { kind = "bounds", of = ["A"] }
+    /// labels.O.at = [0, 0]
+    /// panels = [{ space = "world", layers = ["origin"] }]
+    /// "#;
+    /// let scene = read(&Source::new("pinned.toml", text)).unwrap();
+    /// let plan = plan(&scene).unwrap();
+    /// let figure = draw(&plan, plan.theme, "pinned");
+    /// assert!(matches!(figure.faults()[..], [LabelFault::OnMarker { key: "O", .. }]));
+    /// assert_eq!(figure.warnings.len(), 1);
+    /// ```
     #[must_use]
     pub fn faults(&self) -> Vec<LabelFault> {
         self.panels.iter().flat_map(faults).collect()
     }
 }
 
-/// Draws a plan in a theme. `id` is the prefix of every id in an SVG; metadata and hash are left to who writes files.
+/// Draws a plan in a theme; it cannot fail.
+///
+/// `id` is the prefix of every id in an SVG. Metadata and hash of the drawing are left empty, to who writes
+/// files.
 ///
 /// ```
 /// use tracefig::{figure::{draw, plan, theme}, geometry::DVec2, scene::{Source, read}};
-/// let text = r#"{"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]},
-///     "panels": [{"space": "world", "view": [-2, -1, 2, 1], "layers": ["shapes"]}]}"#;
-/// let scene = read(&Source::new("circle.json", text)).unwrap();
+/// let text = r#"
+/// shapes.A = { kind = "circle", radius = 1 }
+/// query = { kind = "bounds", of = ["A"] }
+/// panels = [{ space = "world", view = [-2, -1, 2, 1], layers = ["shapes"] }]
+/// "#;
+/// let scene = read(&Source::new("circle.toml", text)).unwrap();
 /// let plan = plan(&scene).unwrap();
 /// let figure = draw(&plan, theme::find("dark").unwrap(), "circle");
 /// let panel = &figure.panels[0];
@@ -90,7 +112,8 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     Figure { drawing, panels, warnings }
 }
 
-/// The panels before one that show the same space in the same size: where their labels stand, the same stand again.
+/// The panels before one that show the same space in the same size: where their labels stand, the same stand
+/// again.
 pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> {
     let this = &plan.panels[index];
     let same = move |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
@@ -136,12 +159,13 @@ fn description(plan: &Plan, run: &Run) -> String {
     }
 }
 
-/// A layer names a part before it knows whether it will draw anything in it.
+/// A layer without the parts that it began and drew nothing in.
 fn without_empty_parts(mut layer: Group) -> Group {
     layer.items.retain(|item| !matches!(item, Item::Group(part) if part.items.is_empty()));
     layer
 }
 
+/// The labels of a panel, each with its halo and its leader line.
 fn labels(panel: &Labelled, theme: &Theme) -> Item {
     let mut group = Group::new("labels");
     for label in &panel.placed {
@@ -160,10 +184,12 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
     Item::Group(group)
 }
 
+/// A line of text in ink, its baseline beginning at `origin`.
 fn text(line: &Line, origin: Point, theme: &Theme) -> Item {
     Item::Text(Text { line: Arc::new(line.clone()), origin, paint: theme.paint(Role::Ink), halo: None })
 }
 
+/// The title over a panel.
 fn title(line: &Line, panel: &Labelled, theme: &Theme) -> Item {
     let at = Page::title_baseline(&panel.frame.panel);
     let mut group = Group::new("title");
@@ -171,6 +197,7 @@ fn title(line: &Line, panel: &Labelled, theme: &Theme) -> Item {
     Item::Group(group)
 }
 
+/// The caption below the panels.
 fn caption(plan: &Plan, theme: &Theme) -> Item {
     let mut group = Group::new("caption");
     group.label.clone_from(&plan.caption_words);

@@ -1,7 +1,8 @@
 //! What can be wrong with a figure: what its plan refuses and what its drawing warns of.
 //!
-//! A [`Fault`] keeps fields and not sentences, as the reader's own [`scene::Fault`](crate::scene::Fault) does, and
-//! looks like one to who reads the message. Codes stand in the one list of [`ERRORS`](crate::scene::ERRORS).
+//! A [`Fault`] keeps fields and not sentences, as the reader's own [`scene::Fault`](crate::scene::Fault)
+//! does, and looks like one to who reads the message. Codes stand in the one list of
+//! [`ERRORS`](crate::scene::ERRORS).
 
 use std::fmt;
 
@@ -30,14 +31,14 @@ pub enum Fault {
     NoHit,
     /// A layer that shows another space than its panel.
     UnsuitedLayer {
-        /// Its name.
+        /// The name of the layer.
         layer: &'static str,
-        /// What it shows, as "the world".
+        /// The space that it shows, as "the world".
         shows: &'static str,
     },
     /// A layer that draws what this query does not give.
     UnfedLayer {
-        /// Its name.
+        /// The name of the layer.
         layer: &'static str,
         /// What it needs of the scene.
         needs: &'static str,

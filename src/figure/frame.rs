@@ -4,7 +4,8 @@
 //! page(p) = middle + scale · (x, −y)   with (x, y) = pose⁻¹(p) − center
 //! ```
 //!
-//! In a `body` panel the world is first brought into the frame of a body (pose⁻¹); elsewhere that is left out.
+//! In a `body` panel the world is first brought into the frame of a body (pose⁻¹); elsewhere that is left
+//! out.
 
 use crate::drawing::{Point, Rect};
 use crate::geometry::{DVec2, Pose};
@@ -25,7 +26,8 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Shows the rectangle from `lo` to `hi`, in units of the space, as large as `panel` allows, and centred in it.
+    /// Shows the rectangle from `lo` to `hi`, in units of the space, as large as `panel` allows, and centred
+    /// in it.
     pub(crate) fn fit(pose: Option<Pose>, lo: DVec2, hi: DVec2, panel: Rect) -> Self {
         let size = (hi - lo).max(DVec2::splat(f64::MIN_POSITIVE));
         let scale = (panel.width() / size.x).min(panel.height() / size.y);
@@ -38,9 +40,12 @@ impl Frame {
     ///
     /// ```
     /// use tracefig::{figure::{draw, plan}, geometry::DVec2, scene::{Source, read}};
-    /// let text = r#"{"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]},
-    ///     "panels": [{"space": "world", "view": [-2, -1, 2, 1], "layers": ["shapes"]}]}"#;
-    /// let scene = read(&Source::new("circle.json", text)).unwrap();
+    /// let text = r#"
+    /// shapes.A = { kind = "circle", radius = 1 }
+    /// query = { kind = "bounds", of = ["A"] }
+    /// panels = [{ space = "world", view = [-2, -1, 2, 1], layers = ["shapes"] }]
+    /// "#;
+    /// let scene = read(&Source::new("circle.toml", text)).unwrap();
     /// let plan = plan(&scene).unwrap();
     /// let frame = draw(&plan, plan.theme, "circle").panels[0].frame;
     /// let (middle, above) = (frame.page(DVec2::ZERO), frame.page(DVec2::Y));

@@ -1,8 +1,8 @@
 //! How much a figure may show, so that no scene, however it was made, takes seconds or gigabytes to draw.
 //!
-//! Each limit is far above what a reader can tell apart on a page, and its doc says which cost it holds down. A scene
-//! within [`crate::scene::limits`] can still ask for 200 layers of 4,096 vertices in each of 32 panels: what it asks
-//! for is known only once its layers have drawn.
+//! Each limit is far above what a reader can tell apart on a page, and its doc says which cost it holds down.
+//! A scene within [`crate::scene::limits`] can still ask for 200 layers of 4,096 vertices in each of 32
+//! panels: what it asks for is known only once its layers have drawn.
 
 use std::ops::Range;
 
@@ -20,8 +20,8 @@ pub(crate) const MAX_PAIRS: usize = 2_000_000;
 pub(crate) const MAX_GLYPHS: usize = 20_000;
 /// Bytes of all texts as the layers write them, which are counted before they are set.
 pub(crate) const MAX_TEXT_BYTES: usize = 60_000;
-/// Pairs of vertices that all runs look at, at most, where the slowest algorithm looks at every pair: ten runs of the
-/// largest shapes.
+/// Pairs of vertices that all runs look at, at most, where the slowest algorithm looks at every pair: ten
+/// runs of the largest shapes.
 pub(crate) const MAX_RUNS: usize = 170_000_000;
 /// Million page pixels of all areas: at twice the size, as images are, painting one takes 2 ms.
 const MAX_MEGAPIXELS: f64 = 600.0;
@@ -29,13 +29,15 @@ const MAX_MEGAPIXELS: f64 = 600.0;
 pub(crate) const PATTERNED: f64 = 15.0;
 /// Length of line, in page pixels, that counts as one point where it is dashed: a dash and its gap.
 pub(crate) const DASH: f64 = 5.0;
-/// How many obstacles a point of an area counts as that a label may stand in: it is looked at ten times as often.
+/// How many obstacles a point of an area counts as that a label may stand in: it is looked at ten times as
+/// often.
 pub(crate) const INSIDE: usize = 10;
 
 /// Holds `got` of a countable thing to its limit.
 ///
 /// # Errors
-/// When there are more than the limit; `what` and `unit` name the thing in the message, `at` is its place in the scene.
+/// When there are more than the limit; `what` and `unit` name the thing in the message, `at` is its place in
+/// the scene.
 pub(crate) fn within(
     what: &str,
     unit: &'static str,

@@ -1,8 +1,8 @@
 //! From a scene to a drawing: panels, layers, labels, theme.
 //!
-//! [`plan`] resolves what a scene asks to show against the tables of layers and themes and says with the scene's places
-//! what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets each layer draw what
-//! they told, and places the labels. No figure has code of its own.
+//! [`plan`] resolves what a scene asks to show against the tables of layers and themes and says with the
+//! scene's places what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets
+//! each layer draw what they told, and places the labels. No figure has code of its own.
 
 mod budget;
 mod context;

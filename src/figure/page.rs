@@ -1,54 +1,63 @@
 //! The page: cells of panels, titles above them, a caption below.
 //!
-//! On 960 × 540 a panel reaches from y = 44 (20 without titles) to 476 and the caption has two lines below. Other pages
-//! keep these margins and give the rest to the panels, in the arrangement of rows that leaves them largest.
+//! On 960 × 540 a panel reaches from y = 44 (20 without titles) to 476 and the caption has two lines below.
+//! Other pages keep these margins and give the rest to the panels, in the arrangement of rows that leaves
+//! them largest.
 
 use crate::drawing::{Point, Rect};
 
 /// Left and right margin, and the gap between panels, page pixels.
 const MARGIN: f64 = 24.0;
-/// Above the panels, without their titles.
+/// Room above the panels, without their titles, page pixels.
 const TOP: f64 = 20.0;
-/// What a row of titles takes.
+/// Height of a row of titles, page pixels.
 const TITLE: f64 = 24.0;
-/// From a title's baseline to its panel.
+/// From a title's baseline down to its panel, page pixels.
 const TITLE_DROP: f64 = 12.0;
-/// Below the panels where there is no caption.
+/// Room below the panels where there is no caption, page pixels.
 const BOTTOM: f64 = 20.0;
-/// What a caption of two lines takes below the panels.
+/// Room below the panels for a caption of two lines, page pixels.
 const CAPTION: f64 = 64.0;
-/// From the panels to the first baseline of the caption.
+/// From the panels down to the first baseline of the caption, page pixels.
 const CAPTION_DROP: f64 = 24.0;
-/// From one baseline of the caption to the next, on the usual page.
+/// From one baseline of the caption to the next, on the usual page, page pixels.
 const CAPTION_STEP: f64 = 20.0;
-/// Type size of the caption, on the usual page.
+/// Type size of the caption, on the usual page, page pixels an em.
 pub(crate) const CAPTION_SIZE: f64 = 14.0;
-/// The page that type sizes are made for.
+/// The share of `CAPTION_DROP` that stays on the smallest pages, whose letters are not as small as their
+/// margins.
+const LEAST_DROP: f64 = 0.75;
+/// Width and height of the page that type sizes are made for, page pixels.
 const USUAL: (f64, f64) = (960.0, 540.0);
-/// No base size is set smaller, page pixels.
+/// The smallest base size that is set, page pixels an em.
 const SMALLEST_TYPE: f64 = 11.0;
+/// How much wider than high a panel looks best: what lies beyond it in width counts for nothing.
+const WIDE: f64 = 1.2;
 /// The share of the page's height that a caption may take; a longer one is left to the alternative text.
 const CAPTION_SHARE: f64 = 0.34;
 
 /// Where things lie on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Page {
+    /// Width of the page, page pixels.
     pub(crate) width: f64,
+    /// Height of the page, page pixels.
     pub(crate) height: f64,
-    /// The panels, row by row.
+    /// The panels, row by row, page pixels.
     pub(crate) cells: Vec<Rect>,
-    /// Lines between panels.
+    /// Lines between panels, page pixels.
     pub(crate) rules: Vec<(Point, Point)>,
-    /// First baseline of the caption, left end.
+    /// Left end of the first baseline of the caption, page pixels.
     pub(crate) caption: Point,
-    /// From one baseline of the caption to the next.
+    /// From one baseline of the caption to the next, page pixels.
     pub(crate) step: f64,
-    /// Width of a caption's line.
+    /// Width of a caption's line, page pixels.
     pub(crate) measure: f64,
 }
 
 impl Page {
-    /// Cells for `panels` panels above a caption of `lines` lines.
+    /// Cells for `panels` panels, `titled` or not, above a caption of `lines` lines on a page of `width` ×
+    /// `height` pixels.
     pub(crate) fn new(width: f64, height: f64, panels: usize, titled: bool, lines: usize) -> Self {
         let margin = margin(width, height);
         let k = margin / MARGIN;
@@ -72,7 +81,7 @@ impl Page {
             cells.push(Rect { x0, y0, x1: x0 + size.0, y1: y0 + size.1 });
         }
         let rules = rules(&cells, columns, margin, titled);
-        let caption = Point::new(margin, body.y1 + CAPTION_DROP * k.max(0.75));
+        let caption = Point::new(margin, body.y1 + CAPTION_DROP * k.max(LEAST_DROP));
         Self { width, height, cells, rules, caption, step, measure: width - 2.0 * margin }
     }
 
@@ -85,18 +94,18 @@ impl Page {
         lines.max(2)
     }
 
-    /// Baseline of a title that is centred over a panel.
+    /// Middle of the baseline of a title over a panel, page pixels.
     pub(crate) fn title_baseline(cell: &Rect) -> Point {
         Point::new(cell.center().x, cell.y0 - TITLE_DROP)
     }
 }
 
-/// Margin of a page; smaller on small pages.
+/// Margin of a page of `width` × `height` pixels, page pixels: smaller on small pages.
 pub(crate) fn margin(width: f64, height: f64) -> f64 {
     MARGIN * (width / USUAL.0).min(height / USUAL.1).clamp(1.0 / 3.0, 1.0)
 }
 
-/// A type size on a page: smaller on small pages, never under 11 px.
+/// A type size on a page of `width` × `height` pixels: smaller on small pages, never under 11 px.
 pub(crate) fn type_size(width: f64, height: f64, size: f64) -> f64 {
     (size * unit(width, height)).max(SMALLEST_TYPE.min(size))
 }
@@ -106,15 +115,17 @@ pub(crate) fn unit(width: f64, height: f64) -> f64 {
     libm::sqrt((width / USUAL.0).min(height / USUAL.1).min(1.0))
 }
 
-/// From one baseline of the caption to the next.
+/// From one baseline of the caption to the next on a page, page pixels.
 fn caption_step(width: f64, height: f64) -> f64 {
     CAPTION_STEP * type_size(width, height, CAPTION_SIZE) / CAPTION_SIZE
 }
 
+/// Height of the row of titles, if there is one, page pixels.
 fn title(titled: bool) -> f64 {
     if titled { TITLE } else { 0.0 }
 }
 
+/// Width and height of each panel in so many columns and rows, page pixels.
 fn cell(body: &Rect, columns: usize, rows: usize, titled: bool, gap: f64) -> (f64, f64) {
     let (c, r) = (count(columns), count(rows));
     let width = (body.width() - (c - 1.0) * gap) / c;
@@ -126,7 +137,7 @@ fn cell(body: &Rect, columns: usize, rows: usize, titled: bool, gap: f64) -> (f6
 fn columns(body: &Rect, panels: usize, titled: bool, gap: f64) -> usize {
     let size = |columns: usize| {
         let (w, h) = cell(body, columns, panels.div_ceil(columns), titled, gap);
-        w.min(1.2 * h)
+        w.min(WIDE * h)
     };
     let mut best = 1;
     for columns in 2..=panels {
@@ -137,6 +148,7 @@ fn columns(body: &Rect, panels: usize, titled: bool, gap: f64) -> usize {
     best
 }
 
+/// Lines in the middle of the gaps between panels.
 fn rules(cells: &[Rect], columns: usize, gap: f64, titled: bool) -> Vec<(Point, Point)> {
     let mut rules = Vec::new();
     for (i, cell) in cells.iter().enumerate() {

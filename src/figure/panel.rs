@@ -1,4 +1,5 @@
-//! A panel and its layers, resolved: what [`plan`](super::plan::plan) makes and [`draw`](super::draw::draw) draws.
+//! A panel and its layers, resolved: what [`plan`](super::plan::plan) makes and [`draw`](super::draw::draw)
+//! draws.
 
 use std::ops::Range;
 
@@ -20,9 +21,9 @@ pub(crate) struct PanelPlan<'s> {
     pub(crate) source: &'s Panel,
     /// When it shows the bodies.
     pub(crate) moment: Moment,
-    /// Its layers, in drawing order.
+    /// The layers, in drawing order.
     pub(crate) layers: Vec<LayerPlan<'s>>,
-    /// Its title, set.
+    /// The title, set in type.
     pub(crate) title: Option<Line>,
     /// Where its space lies on the page.
     pub(crate) frame: Frame,
@@ -30,7 +31,7 @@ pub(crate) struct PanelPlan<'s> {
 
 /// A layer of a panel with its options, checked.
 pub(crate) struct LayerPlan<'s> {
-    /// Its row in the table of layers.
+    /// The row in the table of layers.
     pub(crate) layer: &'static Layer,
     /// What the scene gave, each value fit for its option.
     pub(crate) options: Options,

@@ -1,7 +1,7 @@
 //! What a scene asks to show, resolved: layers and their options, moments, texts, the page, the views.
 //!
-//! Everything that can be wrong with a figure is found here and said with its place in the scene, so that drawing a
-//! plan cannot fail.
+//! Everything that can be wrong with a figure is found here and said with its place in the scene, so that
+//! drawing a plan cannot fail.
 
 use std::sync::Arc;
 
@@ -24,21 +24,25 @@ use super::text::{caption, caption_words, check_texts, set};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
-/// A scene with more problems than this is not one; further ones are not told.
+/// How many problems are told at most: a scene with more is none.
 const MAX_PROBLEMS: usize = 50;
 
 /// A figure, ready to be drawn in any theme.
 #[derive(Debug)]
 pub struct Plan<'s> {
-    /// The scene that it shows.
+    /// The scene that the figure shows.
     pub scene: &'s Scene,
     /// The theme that the scene asks for, or the default.
     pub theme: &'static Theme,
+    /// The algorithm runs that the figure needed so far.
     pub(crate) runs: Runs,
+    /// The panels, in the order of the scene.
     pub(crate) panels: Vec<PanelPlan<'s>>,
+    /// The lines of the caption; none where the page has no room for it.
     pub(crate) caption: Vec<Line>,
     /// The caption in words, its values filled in.
     pub(crate) caption_words: Option<String>,
+    /// Where things lie on the page.
     pub(crate) page: Page,
     /// What should be better, with its place in the scene.
     pub(crate) warnings: Vec<Problem>,
@@ -62,7 +66,8 @@ impl Plan<'_> {
 ///
 /// # Errors
 ///
-/// Everything that is wrong with its panels, layers, options, labels, texts and theme, in the order of the scene.
+/// Everything that is wrong with its panels, layers, options, labels, texts and theme, in the order of the
+/// scene.
 ///
 /// ```
 /// use tracefig::{figure::{draw, plan}, scene::{Source, read}};
@@ -133,6 +138,7 @@ fn say(
     Ok(())
 }
 
+/// The theme that the scene asks for; the default where it does not say, or names one that there is not.
 fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
     let Some(asked) = &scene.canvas.theme else { return &THEMES[0] };
     theme::find(&asked.value).unwrap_or_else(|| {
@@ -143,6 +149,7 @@ fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
     })
 }
 
+/// A panel with its moment and its layers; `None`, with the reason told, where its moment does not exist.
 fn resolve<'s>(
     scene: &'s Scene,
     runs: &Runs,
@@ -160,7 +167,8 @@ fn resolve<'s>(
     Some(PanelPlan { source, moment, layers, title, frame })
 }
 
-/// The panel's moment. A step of a sweep without turning changes the estimate, not the difference: that is as it was.
+/// The panel's moment; `None`, with the reason told, where the answer does not have it. A step of a sweep
+/// without turning changes the estimate, not the difference: that is as it was.
 fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>) -> Option<Moment> {
     let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
     let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
@@ -177,6 +185,7 @@ fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>
     found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
 }
 
+/// A layer with its options; `None`, with the reasons told, where it can't be drawn in this panel.
 fn resolve_layer<'s>(
     context: &Context,
     spec: &'s LayerSpec,
@@ -214,7 +223,7 @@ fn resolve_layer<'s>(
     Some(LayerPlan { layer, options, span })
 }
 
-/// Keys of `[labels]` that no layer of the scene writes.
+/// Tells of keys of `[labels]` that no layer of the scene writes.
 fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
     let mut known: Vec<String> = Vec::new();
     for key in panels.iter().flat_map(|p| &p.layers).flat_map(|l| l.layer.labels) {

@@ -2,13 +2,14 @@
 
 use crate::collision::{Motion, QueryKind, When};
 
-/// Whether the question is about one moment, so that a panel at another moment asks it again there. The others are
-/// about all of [0, 1].
+/// Whether the question is about one moment, so that a panel at another moment asks it again there. The
+/// others are about all of [0, 1].
 pub(crate) fn is_of_a_moment(kind: QueryKind) -> bool {
     kind.question().when == When::AtAMoment
 }
 
-/// Whether the bodies keep their attitude all the way, so that B ⊖ A is at every step what it was at the start.
+/// Whether the bodies keep their attitude all the way, so that B ⊖ A is at every step what it was at the
+/// start.
 pub(crate) fn keeps_the_difference(kind: QueryKind) -> bool {
     kind.question().motion == Motion::Unturning
 }

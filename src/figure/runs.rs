@@ -1,7 +1,7 @@
 //! The algorithm runs behind a figure: each question once, when a panel or layer first asks it.
 //!
-//! The same query is asked at another moment by running it there; a layer that draws a distance in a scene about
-//! motion asks for the separation at that moment.
+//! The same query is asked at another moment by running it there; a layer that draws a distance in a scene
+//! about motion asks for the separation at that moment.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -13,18 +13,18 @@ use crate::trace::{Event, MOST_EVENTS, Trace};
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
 
-/// An answer, and how it was found.
+/// An answer to a query, and how it was found.
 #[derive(Debug)]
 pub(crate) struct Run {
-    /// What was asked.
+    /// The kind of query that was asked.
     pub(crate) kind: QueryKind,
-    /// The moment asked about; 0 where the question is about all of [0, 1].
+    /// The moment asked about, in [0, 1]; 0 where the question is about all of [0, 1].
     pub(crate) time: f64,
-    /// What came out.
+    /// The answer.
     pub(crate) answer: Answer,
-    /// How.
+    /// What the algorithm told on its way to the answer.
     pub(crate) trace: Trace,
-    /// Which of its events the figure shows.
+    /// Which of the events the figure shows, by their place in the trace.
     shown: Mutex<BTreeSet<usize>>,
 }
 
@@ -43,12 +43,12 @@ impl Run {
         }
     }
 
-    /// Its events.
+    /// All events, in the order in which they were told.
     pub(crate) fn events(&self) -> impl Iterator<Item = &Event> {
         self.trace.events.iter()
     }
 
-    /// What the figure shows of its events: all for which `pick` finds something count as shown from here on.
+    /// What the figure shows of the events: all for which `pick` finds something count as shown from here on.
     pub(crate) fn told<'r, T>(
         &'r self,
         mut pick: impl FnMut(&'r Event) -> Option<T> + 'r,
@@ -60,13 +60,14 @@ impl Run {
         })
     }
 
-    /// The first thing that `pick` finds in its events; that event counts as shown from here on.
+    /// The first thing that `pick` finds in the events; that event counts as shown from here on.
     pub(crate) fn find_told<'r, T>(&'r self, mut pick: impl FnMut(&'r Event) -> Option<T>) -> Option<T> {
         let (i, found) = self.events().enumerate().find_map(|(i, event)| Some((i, pick(event)?)))?;
         self.mark(i);
         Some(found)
     }
 
+    /// Counts an event as shown.
     fn mark(&self, index: usize) {
         self.shown.lock().unwrap_or_else(PoisonError::into_inner).insert(index);
     }
@@ -76,8 +77,8 @@ impl Run {
         self.find_told(|event| is_so(event).then_some(())).is_some()
     }
 
-    /// The events that were shown, in order, after the one that says which algorithm began at which moment; none where
-    /// nothing was.
+    /// The events that were shown, in order, after the one that says which algorithm began at which moment;
+    /// none where nothing was.
     #[must_use]
     pub(crate) fn shown(&self) -> Vec<&Event> {
         let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
@@ -97,6 +98,7 @@ type Key = (QueryKind, &'static str, u64);
 /// The runs of a figure so far, in the order they were asked for.
 #[derive(Debug, Default)]
 pub(crate) struct Runs {
+    /// Each run with what identifies it, in the order in which they were asked for.
     done: Mutex<Vec<(Key, Arc<Run>)>>,
 }
 
@@ -107,7 +109,8 @@ impl Runs {
         self.run(scene.query.algorithm, &scene.query_at(time))
     }
 
-    /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's default.
+    /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's
+    /// default.
     pub(crate) fn separation(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
         let algorithm = std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| a.takes(&query))?;
@@ -132,7 +135,7 @@ impl Runs {
         done.iter().map(|(_, run)| Arc::clone(run)).collect()
     }
 
-    /// What is wrong when the runs were too many, or told more than can be kept.
+    /// What is wrong when the runs were too many, or told more than can be kept; `None` when they were not.
     pub(crate) fn overflow(&self, scene: &Scene) -> Option<Problem> {
         let done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         let at = &scene.query.span;
@@ -143,6 +146,7 @@ impl Runs {
             .err()
     }
 
+    /// The run of a query by an algorithm: an earlier one where it was asked before.
     fn run(&self, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
         let key = (query.kind, algorithm.name, query.time.to_bits());
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
@@ -169,6 +173,7 @@ pub(crate) fn tells_difference(event: &Event) -> bool {
     matches!(event, Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. })
 }
 
+/// Pairs of vertices that the slowest algorithm looks at for a query.
 fn pairs(query: &Query) -> usize {
     query.a.shape.core.len() * query.b.map_or(1, |b| b.shape.core.len())
 }

@@ -1,7 +1,7 @@
 //! Which part of its space a panel shows.
 //!
-//! A panel with a `view` shows that rectangle, as large as it can be. The others show what they draw, with room for
-//! labels: those of one space share one view, and all share one scale.
+//! A panel with a `view` shows that rectangle, as large as it can be. The others show what they draw, with
+//! room for labels: those of one space share one view, and all share one scale.
 
 use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
@@ -19,16 +19,16 @@ use super::theme::Theme;
 const ROOM: f64 = 40.0;
 /// The share of a small panel's shorter side that this room may take at each side.
 const ROOM_SHARE: f64 = 0.12;
-/// How often a view is fitted again to what its layers drew in the view before: lines, heads and markers are as large
-/// in page pixels in every view, so what they reach in world units depends on it. After two passes the rest is under a
-/// pixel in all figures.
+/// How often a view is fitted again to what its layers drew in the view before: lines, heads and markers are
+/// as large in page pixels in every view, so what they reach in world units depends on it. After two passes
+/// the rest is under a pixel in all figures.
 const PASSES: usize = 2;
 
 /// Gives every panel its frame, and says what its layers draw there.
 ///
-/// A view is known only once its layers have drawn, and they draw in a view: so a panel without a `view` is sketched
-/// three times, in a first guess and in two better ones, of which the last stays. Where every panel has a `view`, once.
-/// [`draw`](super::draw::draw) sketches it again, in the theme that is asked for.
+/// A view is known only once its layers have drawn, and they draw in a view: so a panel without a `view` is
+/// sketched three times, in a first guess and in two better ones, of which the last stays. Where every panel
+/// has a `view`, once. [`draw`](super::draw::draw) sketches it again, in the theme that is asked for.
 ///
 /// # Errors
 ///
@@ -85,7 +85,7 @@ fn sketch(scene: &Scene, runs: &Runs, theme: &Theme, panels: &[PanelPlan]) -> Re
     Ok(all)
 }
 
-/// The pose of the body in whose frame a panel shows.
+/// The pose of the body in whose frame a panel shows; `None` for other panels.
 fn pose(scene: &Scene, panel: &PanelPlan) -> Option<Pose> {
     match panel.source.space {
         Space::Body(i) => scene.shapes.get(i).map(|(_, body)| body.pose_at(panel.moment.time)),
@@ -93,7 +93,8 @@ fn pose(scene: &Scene, panel: &PanelPlan) -> Option<Pose> {
     }
 }
 
-/// The bodies at the panel's moment, for the world; something of their size about the origin for other spaces.
+/// The bodies at the panel's moment, for the world; something of their size about the origin for other
+/// spaces.
 fn first_guess(scene: &Scene, panel: &PanelPlan, pose: Option<Pose>, cell: &Rect) -> Frame {
     let bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).map(|(_, body)| body);
     let points = bodies.flat_map(|body| Outline::of_body(body, &body.pose_at(panel.moment.time)).sampled());
@@ -106,6 +107,7 @@ fn first_guess(scene: &Scene, panel: &PanelPlan, pose: Option<Pose>, cell: &Rect
     padded(pose, lo, hi, cell)
 }
 
+/// The frame of a panel that shows the rectangle from `lo` to `hi`, with room for labels around it.
 fn padded(pose: Option<Pose>, lo: DVec2, hi: DVec2, cell: &Rect) -> Frame {
     let room = ROOM.min(ROOM_SHARE * cell.width().min(cell.height()));
     // A point, or nothing, still has a view about it.
@@ -113,7 +115,8 @@ fn padded(pose: Option<Pose>, lo: DVec2, hi: DVec2, cell: &Rect) -> Frame {
     Frame { panel: *cell, ..Frame::fit(pose, lo, hi, cell.grown(-room)) }
 }
 
-/// Panels of one space share their extent; all share the larger size, each about its own middle.
+/// Fits the panels anew to what they drew. Those of one space share their extent; all share the larger size,
+/// each about its own middle.
 fn share(panels: &mut [PanelPlan], extents: &[Option<(DVec2, DVec2)>], page: &Page) {
     let shared: Vec<Option<(DVec2, DVec2)>> = panels
         .iter()

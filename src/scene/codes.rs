@@ -1,4 +1,5 @@
-//! The stable codes of everything that can be wrong with a scene or with the figure that it asks for: the one list.
+//! The stable codes of everything that can be wrong with a scene or with the figure that it asks for: the one
+//! list.
 
 /// A code of an error and what it means, for `tracefig list errors`.
 #[derive(Clone, Copy, Debug)]

@@ -1,4 +1,5 @@
-//! Scenes of random bodies, queries and layers, for counting what goes wrong with labels that nobody has looked at.
+//! Scenes of random bodies, queries and layers, for counting what goes wrong with labels that nobody has
+//! looked at.
 //!
 //! Whoever declares this module brings the names of the library into scope, from outside or from within.
 

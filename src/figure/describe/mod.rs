@@ -1,8 +1,9 @@
-//! Figures in words: a [`short`] text for `alt`, a [`long`] one for `desc` and for readers who do not see the picture.
+//! Figures in words: a [`short`] text for `alt`, a [`long`] one for `desc` and for readers who do not see the
+//! picture.
 //!
-//! Both are generated from the scene, the answer and the trace: what is there, where it is, what was asked, the result
-//! with its number, how many steps it took, and what each panel shows. Words only: formulas are read out as they would
-//! be written in running text.
+//! Both are generated from the scene, the answer and the trace: what is there, where it is, what was asked,
+//! the result with its number, how many steps it took, and what each panel shows. Words only: formulas are
+//! read out as they would be written in running text.
 
 mod long;
 mod number;

@@ -1,5 +1,5 @@
-//! One step of an advancement along the ray: from the estimate to the closest point of B ⊖ A with its normal; where the
-//! tangent there cuts the ray lies the new estimate, never past the surface.
+//! One step of an advancement along the ray: from the estimate to the closest point of B ⊖ A with its normal;
+//! where the tangent there cuts the ray lies the new estimate, never past the surface.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -40,10 +40,13 @@ pub(super) const LAYER: Layer = Layer {
 
 /// What a step found, in configuration space.
 struct Step {
+    /// Where on the ray the step starts.
     estimate: DVec2,
+    /// The point of B ⊖ A closest to the estimate.
     closest: DVec2,
     /// Outward unit normal of B ⊖ A.
     outward: DVec2,
+    /// Where on the ray the next step starts; `None` at the last one.
     next: Option<DVec2>,
 }
 
@@ -93,6 +96,7 @@ fn tangent_direction(s: &Step, v: DVec2) -> DVec2 {
     if along.dot(s.next.unwrap_or(v) - s.closest) < 0.0 { -along } else { along }
 }
 
+/// Names a part in words, where the scene wants that.
 fn word(sketch: &mut Sketch, options: &Options, key: &'static str, anchor: Anchor, role: Role) {
     let text = match key {
         "closest" => "closest point",

@@ -1,4 +1,5 @@
-//! The arc that the extreme point of a turning body travels: L = θ r, from p to p′; no point of the body goes farther.
+//! The arc that the extreme point of a turning body travels: L = θ r, from p to p′; no point of the body goes
+//! farther.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -14,13 +15,13 @@ use crate::trace::Event;
 use super::half_extents::ON_LINE;
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// The angle mark's radius as a part of r: inside the body, clear of its centre.
+/// Radius of the angle mark, as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
 
-/// The length stands off the arc by half its line's width more than usual, page px.
+/// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
 
-/// Fill of the sector.
+/// Opacity of the sector's fill.
 const SECTOR: f64 = 0.06;
 
 pub(super) const LAYER: Layer = Layer {
@@ -54,25 +55,32 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// A turn of an extreme point about its body's origin.
+/// The turn of an extreme point about its body's origin.
 struct Turn {
+    /// The body that turns.
     side: Side,
+    /// Its origin, in the world, about which it turns.
     center: DVec2,
-    /// The extreme point before.
+    /// The extreme point before the turn, in the world.
     p: DVec2,
+    /// Distance of the extreme point from there, world units.
     radius: f64,
+    /// The extreme point's direction before, radians counter-clockwise from +x.
     start: f64,
+    /// How far it turns, radians, counter-clockwise where positive.
     sweep: f64,
+    /// Length of its arc, world units.
     arc: f64,
 }
 
 impl Turn {
-    /// The extreme point after.
+    /// The extreme point after the turn, in the world.
     fn after(&self) -> DVec2 {
         on_circle(self.center, self.radius, self.start + self.sweep)
     }
 }
 
+/// The turn that the algorithm told, of the body and vertex that the scene wants.
 fn turn(context: &Context, options: &Options) -> Option<Turn> {
     let wanted = options.of(&context.sides());
     let run = context.run();
@@ -126,6 +134,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     measures(sketch, options, &t, sector);
 }
 
+/// Names the extreme point before and after.
 fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
     for (key, text, point) in [("p", "$p$", t.p), ("p'", "$p'$", after)] {
         let anchor = Anchor::point_toward(point, point - t.center);
@@ -133,6 +142,7 @@ fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
     }
 }
 
+/// Names the angle, and with the sector its radius and the arc's length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
     let mark = Anchor::Arc { center: t.center, radius: MARK * t.radius, start: t.start, sweep: t.sweep };
     let theta = if sector {

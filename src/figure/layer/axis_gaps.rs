@@ -1,7 +1,8 @@
-//! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to the right (y).
+//! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to
+//! the right (y).
 //!
-//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end; where D < 0 the bars overlap, so each has its own track. The
-//! distance of the centres is the last.
+//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end; where D < 0 the bars overlap, so each has its
+//! own track. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -13,10 +14,11 @@ use crate::trace::Event;
 use super::half_extents::beside;
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
-/// Distance of the tracks from the boxes and from each other, in page px, below: a label of 16 fits between.
+/// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
 
-/// The same to the right.
+/// Distance of the tracks to the right from the boxes and from each other, page pixels: a label of 16 fits
+/// between.
 const BESIDE: f64 = 40.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -44,43 +46,55 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// The compared extents along one axis: of A and B each centre and half-extent, and D.
+/// What the algorithm compared along one axis, in world units.
 #[derive(Clone, Copy)]
 struct Extents {
+    /// The axis: `x` or `y`.
     name: char,
+    /// Coordinates of the centres of A and B.
     centers: [f64; 2],
+    /// Half-extents of A and B.
     half: [f64; 2],
+    /// D, negative where the boxes overlap.
     gap: f64,
 }
 
-/// A bar on a track.
+/// A length on a track beside the boxes.
 struct Bar {
+    /// Key of its label.
     key: &'static str,
+    /// Text of its label, markup.
     text: String,
+    /// The coordinates that it lies between.
     ends: [f64; 2],
+    /// Which track it lies on, from 0.
     track: usize,
+    /// How it is drawn.
     pen: Pen,
-    /// The label stands towards smaller coordinates of the track's own axis, or beyond its upper end.
+    /// Whether the label stands towards smaller coordinates of the track's own axis, not beyond its upper
+    /// end.
     low: bool,
 }
 
-/// Where an axis is drawn: a point for a coordinate on a track.
+/// Where the tracks of an axis lie in the world.
 struct Place {
     /// Where the tracks begin, across the axis.
     edge: f64,
     /// From one track to the next, across the axis.
     step: f64,
+    /// The axis: `x` or `y`.
     axis: char,
 }
 
 impl Place {
+    /// The point of a track at a coordinate; tracks count from 0.
     fn point(&self, along: f64, track: usize) -> DVec2 {
         let across = self.edge + self.step * (number_of(track) + 1.0);
         if self.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
     }
 }
 
-/// Centres, half-extents and D.
+/// Centres, half-extents and D, in world units, as the algorithm compared them.
 fn compared(context: &Context) -> Option<([DVec2; 2], [DVec2; 2], DVec2)> {
     context.run().find_told(|event| match *event {
         Event::ExtentsCompared { centers, half_extents, gap } => Some((centers, half_extents, gap)),
@@ -114,6 +128,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// Draws the tracks of one axis; `across` are the centres' other coordinates.
 fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, across: [f64; 2]) {
     let bars = bars(options, e);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };

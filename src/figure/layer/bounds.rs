@@ -1,4 +1,5 @@
-//! The AABB of a body, or of two together: its corners min and max, its centre, and the vertices that touch its sides.
+//! The AABB of a body, or of two together: its corners min and max, its centre, and the vertices that touch
+//! its sides.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -9,7 +10,8 @@ use crate::trace::{Event, SupportVertex};
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists them.
+/// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists
+/// them.
 const SIDES: [(&str, &str, DVec2); 4] = [
     ("touching.left", r"$x_{\min}$", DVec2::NEG_X),
     ("touching.bottom", r"$y_{\min}$", DVec2::NEG_Y),
@@ -49,12 +51,16 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// A box that was found.
+/// A box that the algorithm found.
 #[derive(Clone)]
 struct Found {
+    /// The body that it bounds; `None` for two together.
     of: Option<Side>,
+    /// The corner of smallest coordinates, in the world.
     min: DVec2,
+    /// The corner of largest coordinates, in the world.
     max: DVec2,
+    /// The vertices that touch its left, lower, right and upper side.
     touching: [Vec<SupportVertex>; 4],
 }
 
@@ -83,12 +89,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// The outline of a box.
 fn rectangle(found: &Found) -> Outline {
     let (min, max) = (found.min, found.max);
     Outline::polygon(&[min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)])
 }
 
-/// The vertices that touch each side; the first of each is named.
+/// Marks the vertices that touch each side; the first of each is named.
 fn touching(sketch: &mut Sketch, found: &Found) {
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
@@ -103,6 +110,7 @@ fn touching(sketch: &mut Sketch, found: &Found) {
     }
 }
 
+/// Marks and names the corners min and max and the centre.
 fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
     let center = 0.5 * (found.min + found.max);
     for (key, point) in [("min", found.min), ("max", found.max)] {

@@ -1,7 +1,7 @@
 //! A circle's centre clamped to a box: V and its components, what is left of them, `B_c`, and D = B − `B_c`.
 //!
-//! Everything lies in the box's frame and is drawn along the box's axes, so the layer stands in a world panel and in
-//! the panel of the box's own frame alike.
+//! Everything lies in the box's frame and is drawn along the box's axes, so the layer stands in a world panel
+//! and in the panel of the box's own frame alike.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -11,6 +11,7 @@ use crate::trace::Event;
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
+/// The words of the parts that can be shown alone.
 const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
 
 pub(super) const LAYER: Layer = Layer {
@@ -32,16 +33,23 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// What the algorithm found, in the world but for `v` and `kept`, which are in the box's frame.
+/// What the algorithm found, in the world where nothing else is said.
 struct Clamped {
+    /// The box.
     side: Side,
+    /// Where the box is.
     pose: Pose,
+    /// From the box's centre to the circle's, in the box's frame.
     v: DVec2,
+    /// What clamping left of `v`, in the box's frame.
     kept: DVec2,
+    /// The point of the box closest to the circle's centre.
     closest: DVec2,
+    /// From there to the circle's centre.
     d: DVec2,
 }
 
+/// What the algorithm told of its clamping.
 fn clamped(context: &Context) -> Option<Clamped> {
     context.run().find_told(|event| match *event {
         Event::Clamped { body, v, clamped, closest, d, .. } => Some(Clamped {
@@ -88,8 +96,8 @@ fn axes(c: &Clamped) -> [(DVec2, f64, f64); 2] {
     [(c.pose.vector(DVec2::X), c.v.x, c.kept.x), (c.pose.vector(DVec2::Y), c.v.y, c.kept.y)]
 }
 
-/// `V_x` and `V_y` as arrows along the box's axes, each with a dashed line from its tip to the circle's centre. A component
-/// that was not cut is drawn only once, as what is left of it.
+/// Draws `V_x` and `V_y` as arrows along the box's axes, each with a dashed line from its tip to the circle's
+/// centre. A component that was not cut is drawn only once, as what is left of it.
 fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
     let names = [("V_x", "$V_x$"), ("V_y", "$V_y$")];
     for ((axis, component, kept), (key, text)) in axes(c).into_iter().zip(names) {
@@ -107,7 +115,7 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
     }
 }
 
-/// The clamped components, thick.
+/// Draws what clamping left of the components, thick.
 fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped) {
     let role = options.role(Role::Now);
     let names =

@@ -20,7 +20,8 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// The last, so the best, candidate of the algorithm; moved out by the radius, which candidates leave out.
+/// The nearest point of B ⊖ A: the last, so the best, candidate of the algorithm; for round bodies, whose
+/// radius candidates leave out, the answer's.
 fn nearest(context: &Context) -> Option<DVec2> {
     let run = context.separation_at(context.time)?;
     let answer = *run.separation()?;

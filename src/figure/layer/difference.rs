@@ -1,5 +1,5 @@
-//! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's dashed too),
-//! diamonds at its vertices. Round bodies make it an arc.
+//! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's
+//! dashed too), diamonds at its vertices. Round bodies make it an arc.
 
 use std::collections::BTreeSet;
 
@@ -18,22 +18,23 @@ use crate::scene::When;
 use super::half_extents::ON_LINE;
 use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 
-/// Width of an edge that the algorithm skipped, page px, and its opacity.
+/// Width, page pixels, and opacity of an edge that the algorithm skipped.
 const THIN: (f64, f64) = (0.75, 0.55);
 
-/// At most this many iterations are drawn; more are a blur.
+/// How many iterations are drawn at most; more are a blur.
 const MOST: usize = 6;
 
-/// Width of the edges of earlier iterations, page px.
+/// Width of the edges of earlier iterations, page pixels.
 const EARLIER: f64 = 1.25;
 
-/// Opacity of the first and of the last but one of a series.
+/// Opacity of the first iteration, and of the last but one.
 const SERIES: [f64; 2] = [0.3, 0.8];
 
-/// Numbers of iterations closer than this, in page px, would touch: the later one is left out, but never the last.
+/// Distance, page pixels, below which numbers of iterations would touch: the later one is left out, but never
+/// the last.
 const NUMBER_GAP: f64 = 14.0;
 
-/// An edge that rises by less over its length, in page px, looks level.
+/// How far an edge that looks level rises over its length at most, page pixels.
 const LEVEL: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -80,11 +81,12 @@ pub(super) fn difference(context: &Context, time: f64) -> Option<Difference> {
     Difference::of(context.difference_at(time)?.told(tells_shape))
 }
 
-/// What tells of the difference, and where another search for it begins.
+/// An event that tells of the difference, or that another search for it begins.
 fn tells_shape(event: &Event) -> Option<&Event> {
     (tells_difference(event) || matches!(event, Event::Started { .. })).then_some(event)
 }
 
+/// The time at which the scene wants it; `None` where it does not say, or the answer has no such moment.
 fn when(context: &Context, options: &Options) -> Option<f64> {
     Some(context.moment(&options.when("at")?)?.time)
 }
@@ -110,14 +112,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// The area, and its line where no edge of a body is.
+/// Draws the area, and its line where no edge of a body is.
 fn area(sketch: &mut Sketch, options: &Options, found: &Difference) {
     let role = options.role(Role::Difference);
     sketch.part("difference").area(&found.outline(), Some(Wash::theme(role)), None);
     arcs(sketch, found, Pen::outline(role));
 }
 
-/// The outline where it is no body's edge: the arcs about the core's corners.
+/// Draws the outline where it is no body's edge: the arcs about the core's vertices.
 pub(super) fn arcs(sketch: &mut Sketch, found: &Difference, pen: Pen) {
     sketch.part("arcs");
     for piece in found.outline().pieces {
@@ -131,23 +133,24 @@ pub(super) fn arcs(sketch: &mut Sketch, found: &Difference, pen: Pen) {
     }
 }
 
-/// Solid in A's colour, dashed in B's.
+/// The pen of an edge: solid in A's colour, dashed in B's.
 pub(super) fn edge_pen(edge: &Edge) -> Pen {
     let pen = Pen::outline(edge.source.into());
     if edge.source == Side::B { pen.dash(Dash::Long) } else { pen }
 }
 
-/// The edges, as one part for each body that they come from.
+/// Draws the edges, as one part for each body that they come from.
 fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge) -> Pen) {
     for (side, part) in [(Side::A, "edges-A"), (Side::B, "edges-B")] {
         sketch.part(part);
         for edge in found.edges.iter().filter(|e| e.source == side) {
-            let (from, to) = found.side(edge);
+            let (from, to) = found.drawn(edge);
             sketch.line(from, to, pen(edge));
         }
     }
 }
 
+/// Marks the vertices of a sharp difference.
 fn diamonds(sketch: &mut Sketch, found: &Difference) {
     if found.radius > 0.0 {
         return;
@@ -158,6 +161,7 @@ fn diamonds(sketch: &mut Sketch, found: &Difference) {
     }
 }
 
+/// Names the difference inside it.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
     let bare = |side| context.name(side).trim_matches('$').to_owned();
     let text = format!(r"${} \ominus {}$", bare(Side::B), bare(Side::A));
@@ -167,7 +171,7 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Diffe
     sketch.part("name").label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));
 }
 
-/// `from A` and `from B` outside the first edge of each that faces up, away from the origin.
+/// Writes `from A` and `from B` outside the first edge of each that faces up, away from the origin.
 fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
     for (side, key) in [(Side::A, "from.A"), (Side::B, "from.B")] {
         let own = found.edges.iter().filter(|e| e.source == side);
@@ -176,7 +180,7 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
         else {
             continue;
         };
-        let (from, to) = found.side(edge);
+        let (from, to) = found.drawn(edge);
         // Counter-clockwise, so that outside is on the right of from → to, and on the left of to → from.
         let anchor = Anchor::Beside { from: to, to: from, offset: ON_LINE };
         let text = format!("from {}", context.name(side));
@@ -196,7 +200,7 @@ fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
     skipped.collect()
 }
 
-/// Every iteration's difference, fainter the earlier; the last one whole.
+/// Draws every iteration's difference, fainter the earlier; the last one whole.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let at = |(k, time): (usize, f64)| Some((k, difference(context, time)?));
     let all: Vec<(usize, Difference)> = thinned(&context.steps()).into_iter().filter_map(at).collect();
@@ -214,15 +218,15 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// The steps that are drawn, each with its number: at most [`MOST`]. An advancement closes in, so that its first steps
-/// are the ones that differ; those, and the last.
+/// The steps that are drawn, each with its number: at most [`MOST`]. An advancement closes in, so that its
+/// first steps are the ones that differ; those, and the last.
 fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
     let last = steps.len().saturating_sub(1);
     let all = steps.iter().copied().enumerate();
     all.filter(|&(k, _)| k + 1 < MOST || k == last).collect()
 }
 
-/// The number of each iteration below its lowest vertex.
+/// Writes the number of each iteration below its lowest vertex.
 fn numbers(sketch: &mut Sketch, all: &[(usize, Difference)]) {
     let level = sketch.px(LEVEL);
     let places: Vec<(usize, DVec2)> =
@@ -244,7 +248,8 @@ fn numbers(sketch: &mut Sketch, all: &[(usize, Difference)]) {
     }
 }
 
-/// The lowest vertex; the middle of the lowest edge where that looks level.
+/// The lowest vertex of a difference; the middle of its lowest edge where that looks level. `level` is in
+/// units of the space.
 fn lowest(found: &Difference, level: f64) -> Option<DVec2> {
     let points = found.outline().sampled();
     let bottom = points.iter().copied().min_by(|p, q| p.y.total_cmp(&q.y))?;

@@ -7,7 +7,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::{Layer, OptionSpec, Options, Shows, Takes};
 
-/// Drawn length of an axis where the scene does not say, in world units.
+/// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
 
 pub(super) const LAYER: Layer = Layer {

@@ -1,4 +1,5 @@
-//! Bodies at another moment or place, dotted: where they hit, where they were, every step between, or pushed apart.
+//! Bodies at another moment or place, dotted: where they hit, where they were, every step between, or pushed
+//! apart.
 
 use crate::collision::Separation;
 use crate::figure::context::Context;
@@ -11,13 +12,13 @@ use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
 
-/// Fill of a ghost: enough to see that it is a body, too little to be taken for one that is there.
+/// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
 
-/// At most this many ghosts of a series, the last included; more are a blur (rule 5 of the figures).
+/// How many ghosts of a series are drawn at most, the last included; more are a blur.
 const MOST: usize = 5;
 
-/// Opacity of the first and of the last but one of a series.
+/// Opacity of the first ghost of a series, and of the last but one.
 const SERIES: [f64; 2] = [0.35, 0.65];
 
 pub(super) const LAYER: Layer = Layer {
@@ -43,7 +44,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "A'", about: "the first body then" },
         LabelKey { key: "B'", about: "the second body then" },
     ],
-    needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", steps for \"steps\"",
+    needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", \
+        steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => separation(context).is_some(),
         STEPS => !context.steps().is_empty(),
@@ -57,6 +59,7 @@ fn separation(context: &Context) -> Option<Separation> {
     context.separation_at(context.time)?.separation().copied()
 }
 
+/// The time at which the scene wants the ghosts; `None` where the answer has no such moment.
 fn when(context: &Context, options: &Options) -> Option<f64> {
     Some(context.moment(&options.when("at").unwrap_or(When::Hit))?.time)
 }
@@ -71,7 +74,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Parted by the minimum translation: B by −s n, A by s n.
+/// Draws a body parted from the other by the minimum translation: B by −s n, A by s n.
 fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let (Some(answer), Some(outline)) = (separation(context), context.outline(side, context.time)) else {
         return;
@@ -80,6 +83,7 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
     ghost(sketch, context, options, side, &outline.moved(if side == Side::A { away } else { -away }));
 }
 
+/// Draws a body at another moment, if it is elsewhere then.
 fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(time) = when(context, options) else { return };
     let still = context.pose(side, time) == context.pose(side, context.time);
@@ -91,7 +95,7 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
     }
 }
 
-/// One ghost, named.
+/// Draws one ghost and names it.
 fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
     let role = options.role(side.into());
     let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
@@ -103,6 +107,7 @@ fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, 
     name(sketch, context, options, side, outline);
 }
 
+/// Names a ghost inside it, best where no body is.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
     let key = if side == Side::A { "A'" } else { "B'" };
     let others: Vec<Outline> =
@@ -115,7 +120,8 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, o
     );
 }
 
-/// Where the body was at each step after the first; of more than [`MOST`] the first ones and the last, which is named.
+/// Draws the body at each step after the first; of more than [`MOST`] the first ones and the last, which is
+/// named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };

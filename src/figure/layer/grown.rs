@@ -1,7 +1,7 @@
 //! B shrunk to a point while A grows by B's shape: what B ⊖ A looks like from where the bodies stand.
 //!
-//! With b the origin of B, the grown A is {b − x : x ∈ B ⊖ A} = A ⊕ (b − B): A swept by B turned through half a turn
-//! about b. Copies of that on A's corners span it.
+//! With b the origin of B, the grown A is {b − x : x ∈ B ⊖ A} = A ⊕ (b − B): A swept by B turned through half
+//! a turn about b. Copies of that on A's vertices span it.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -52,14 +52,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     if options.flag("copies", true) {
         sketch.part("copies").weight(Weight::Light);
-        for corner in corners(context) {
-            let copy = outline_b.turned_about(b).moved(corner - b);
+        for vertex in vertices(context) {
+            let copy = outline_b.turned_about(b).moved(vertex - b);
             sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
         }
     }
     sketch.part("grown-edges");
     for edge in &found.edges {
-        let (from, to) = found.side(edge);
+        let (from, to) = found.drawn(edge);
         sketch.line(turned(from), turned(to), edge_pen(edge));
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
@@ -69,8 +69,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("b", "$b$", Anchor::point(b), Role::B).rank(Rank::Point));
 }
 
-/// The corners of A's core, in the world.
-fn corners(context: &Context) -> Vec<DVec2> {
+/// The vertices of A's core, in the world.
+fn vertices(context: &Context) -> Vec<DVec2> {
     let Some(body) = context.body(Side::A) else { return Vec::new() };
     body.shape.core.iter().filter_map(|&i| context.vertex(Side::A, i, context.time)).collect()
 }

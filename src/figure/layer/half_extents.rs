@@ -9,10 +9,12 @@ use crate::geometry::DVec2;
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Distance of the lines from the box where the scene does not say, in page px: a dimension's label fits beside it.
+/// Distance of the lines from the box where the scene does not say, page pixels: a dimension's label fits
+/// beside it.
 const OFFSET: f64 = 24.0;
 
-/// A label that belongs to one side of a line: offset of its anchor to that side, in page px, too little to be seen.
+/// How far the anchor of a label is moved to the side of a line that it belongs to, page pixels: too little
+/// to be seen.
 pub(super) const ON_LINE: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -50,12 +52,17 @@ pub(super) const LAYER: Layer = Layer {
 
 /// A box with its axes, all in the world.
 struct Boxed {
+    /// The middle of the box.
     center: DVec2,
+    /// Unit vector along its x axis.
     x: DVec2,
+    /// Unit vector along its y axis.
     y: DVec2,
+    /// Half-extents along its own axes, world units.
     half: DVec2,
 }
 
+/// The bounds that the query found, or the first box that the scene wants.
 fn boxed(context: &Context, options: &Options) -> Option<Boxed> {
     if let Answer::Bounds(bounds) = context.run().answer {
         return Some(Boxed { center: bounds.center, x: DVec2::X, y: DVec2::Y, half: bounds.half_extents });
@@ -100,7 +107,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     );
 }
 
-/// Where the other bodies are from the box, along its axes.
+/// Where the other bodies are from the box, along its axes; only the signs count.
 fn others(context: &Context, b: &Boxed) -> DVec2 {
     let far = context.sides().into_iter().filter_map(|side| context.pose(side, context.time));
     let sum: DVec2 = far.map(|pose| pose.position - b.center).sum();
@@ -111,18 +118,23 @@ fn others(context: &Context, b: &Boxed) -> DVec2 {
     }
 }
 
-/// One half-extent.
+/// A half-extent to be drawn, in the world.
 struct Line {
+    /// Key of its label.
     key: &'static str,
+    /// The centre of the box.
     from: DVec2,
+    /// From the centre to the side that the half-extent reaches.
     along: DVec2,
-    /// From the centre to the line's own height.
+    /// From the centre to where the line is drawn, beside the box.
     out: DVec2,
     /// From the centre to the box's side on the way there.
     past: DVec2,
+    /// The half-extent, world units.
     length: f64,
 }
 
+/// Draws one half-extent.
 fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
     let bar = options.word("style", "dimension") == "bar";
     let role = options.role(Role::Ink);
@@ -138,7 +150,7 @@ fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
     sketch.label(Label::new(l.key, text, beside(p, q, l.out), role));
 }
 
-/// Beside a line, on the side of `out`.
+/// The anchor of a label beside a line of the world, on the side of `out`.
 pub(super) fn beside(p: DVec2, q: DVec2, out: DVec2) -> Anchor {
     let (from, to) = if left_of(p, q).dot(out) < 0.0 { (q, p) } else { (p, q) };
     Anchor::Beside { from, to, offset: ON_LINE }

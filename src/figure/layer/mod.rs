@@ -1,8 +1,8 @@
 //! The layers: what a panel can show, one layer a file, each a row in [`LAYERS`].
 //!
-//! A layer reads events and answers through a [`Context`] and draws with a [`Sketch`] in the panel's space. It never
-//! asks a scene for a coordinate of something that an algorithm can compute, and it does not place its labels: it
-//! says what they belong to.
+//! A layer reads events and answers through a [`Context`] and draws with a [`Sketch`] in the panel's space.
+//! It never asks a scene for a coordinate of something that an algorithm can compute, and it does not place
+//! its labels: it says what they belong to.
 
 mod advancement;
 mod arc;
@@ -43,9 +43,9 @@ pub use options::{COMMON, OptionSpec, Takes};
 /// Which panels a layer can stand in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shows {
-    /// World panels, and those of a body's frame.
+    /// Panels of the world, also in a body's frame.
     World,
-    /// Configuration space.
+    /// Panels of configuration space.
     Configuration,
     /// Any panel.
     Anywhere,
@@ -54,36 +54,36 @@ pub enum Shows {
 /// A label that a layer writes.
 #[derive(Clone, Copy, Debug)]
 pub struct LabelKey {
-    /// Its key in a scene's `[labels]`.
+    /// The key in a scene's `[labels]` that rewords, pins or hides it.
     pub key: &'static str,
-    /// One line for `tracefig list`.
+    /// What it says, for `tracefig list`.
     pub about: &'static str,
 }
 
 /// A row of the table of layers.
 pub struct Layer {
-    /// Its name in a scene.
+    /// The name by which a scene asks for it.
     pub name: &'static str,
-    /// One line for `tracefig list`.
+    /// What it draws, for `tracefig list`.
     pub about: &'static str,
     /// The panels it can stand in.
     pub shows: Shows,
-    /// Its options, beside those that every layer has.
+    /// The options of its own; every layer has [`COMMON`](super::COMMON) besides.
     pub options: &'static [OptionSpec],
-    /// The labels it writes.
+    /// The labels that it can write.
     pub labels: &'static [LabelKey],
     /// What it needs of the scene; the text of an error says it: "needs …".
     pub needs: &'static str,
-    /// Whether the scene can feed it.
+    /// Whether the scene can feed it at the panel's moment.
     pub(crate) fed: fn(&Context, &Options) -> bool,
-    /// Draws it.
+    /// Draws it into the panel.
     pub(crate) draw: fn(&mut Sketch, &Context, &Options),
 }
 
 /// The word of a layer that draws something at every step of the algorithm.
 const STEPS: &str = "steps";
 
-/// Every layer.
+/// Every layer, in the order of `tracefig list`.
 pub static LAYERS: &[Layer] = &[
     shapes::LAYER,
     ghosts::LAYER,
@@ -115,12 +115,12 @@ pub static LAYERS: &[Layer] = &[
     note::LAYER,
 ];
 
-/// The layer of a name.
+/// The layer of a name; `None` where there is none.
 pub(crate) fn find(name: &str) -> Option<&'static Layer> {
     LAYERS.iter().find(|l| l.name == name)
 }
 
-/// Opacities of a series of `count`, from the first to the last.
+/// Opacities of a series of `count`, evenly from the first to the last; of one, the last.
 fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     let steps = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);
     (0..=steps).map(

@@ -1,4 +1,5 @@
-//! The unit normal n from A to B along which B moves apart; turned round it is the N of the article's circles.
+//! The unit normal n from A to B along which B moves apart; turned round it is the N of the article's
+//! circles.
 
 use crate::collision::Separation;
 use crate::drawing::Role;
@@ -8,7 +9,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Drawn length of the unit vector where the scene does not say, in world units: its own.
+/// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -54,6 +55,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
 }
 
+/// Where the arrow starts, in the world.
 fn start(context: &Context, options: &Options, answer: &Separation) -> Option<DVec2> {
     let origin = |side| context.pose(side, context.time).map(|pose| pose.position);
     match options.word("from", "contact") {

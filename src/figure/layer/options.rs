@@ -6,12 +6,12 @@ use crate::drawing::Role;
 use crate::geometry::Side;
 use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
 
-/// What an option takes.
+/// What values an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
     /// `true` or `false`.
     Flag,
-    /// A number.
+    /// Any finite number.
     Number,
     /// One of these words.
     Word(&'static [&'static str]),
@@ -30,13 +30,13 @@ pub enum Takes {
 /// An option of a layer.
 #[derive(Clone, Copy, Debug)]
 pub struct OptionSpec {
-    /// Its key in a scene.
+    /// The key in the layer's table in a scene.
     pub name: &'static str,
-    /// What it takes.
+    /// What values it takes.
     pub takes: Takes,
     /// What holds where a scene says nothing, in words.
     pub default: &'static str,
-    /// One line for `tracefig list`, with its unit.
+    /// What it is for, with its unit, for `tracefig list`.
     pub about: &'static str,
 }
 
@@ -46,29 +46,30 @@ pub static COMMON: &[OptionSpec] = &[
     OptionSpec { name: "labels", takes: Takes::Flag, default: "true", about: "whether it writes its labels" },
 ];
 
-/// A value that fits its option.
+/// A value of an option, fit for what the option takes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Setting {
-    /// Of a flag.
+    /// The value of a [`Takes::Flag`].
     Flag(bool),
-    /// Of a number, or a time.
+    /// The value of a [`Takes::Number`], or the time of a [`Takes::When`].
     Number(f64),
-    /// Of words; one for a single word.
+    /// The words or lines of an option that takes them; one where it takes a single word.
     Words(Vec<String>),
-    /// Of bodies.
+    /// The bodies of a [`Takes::Bodies`].
     Bodies(Vec<Side>),
-    /// Of a role.
+    /// The value of a [`Takes::Role`].
     Role(Role),
 }
 
 /// The options of one layer of a scene, checked.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Options {
+    /// Each option that the scene gave, by name, in file order.
     given: Vec<(&'static str, Setting)>,
 }
 
 impl Options {
-    /// Checks what a scene says of a layer.
+    /// Checks what a scene says of a layer whose own options are `own`.
     ///
     /// # Errors
     ///
@@ -94,6 +95,7 @@ impl Options {
         if problems.is_empty() { Ok(options) } else { Err(problems) }
     }
 
+    /// What the scene gave for an option, the last where it stands twice.
     fn get(&self, name: &str) -> Option<&Setting> {
         self.given.iter().rev().find(|(n, _)| *n == name).map(|(_, s)| s)
     }
@@ -104,13 +106,13 @@ impl Options {
         if let Some(Setting::Flag(b)) = self.get(name) { *b } else { default }
     }
 
-    /// A number, if given.
+    /// A number, where the scene gave one.
     #[must_use]
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
         if let Some(Setting::Number(x)) = self.get(name) { Some(*x) } else { None }
     }
 
-    /// A word, or `default`.
+    /// A word, or `default` where the scene does not say.
     #[must_use]
     pub(crate) fn word<'o>(&'o self, name: &str, default: &'o str) -> &'o str {
         match self.get(name) {
@@ -119,7 +121,7 @@ impl Options {
         }
     }
 
-    /// Words or lines, if given.
+    /// Words or lines, where the scene gave some.
     #[must_use]
     pub(crate) fn words(&self, name: &str) -> Option<&[String]> {
         if let Some(Setting::Words(words)) = self.get(name) { Some(words) } else { None }
@@ -137,13 +139,14 @@ impl Options {
         if let Some(Setting::Bodies(sides)) = self.get("of") { sides.clone() } else { default.to_vec() }
     }
 
-    /// The role, or the layer's own.
+    /// The colour role that the scene gave, or the layer's own.
     #[must_use]
     pub(crate) fn role(&self, default: Role) -> Role {
         if let Some(Setting::Role(role)) = self.get("role") { *role } else { default }
     }
 
-    /// A moment: a number, or one of the words start, hit, end.
+    /// A moment: a number, or one of the words of [`When::WORDS`]; `None` for another word, and where the
+    /// scene does not say.
     #[must_use]
     pub(crate) fn when(&self, name: &str) -> Option<When> {
         match self.get(name)? {
@@ -156,8 +159,11 @@ impl Options {
 
 /// One value of one option, being read.
 struct Reading<'r> {
+    /// The name of the option.
     key: &'static str,
+    /// The scene, whose bodies an option may name.
     scene: &'r Scene,
+    /// Where the value stands in the scene.
     span: &'r Range<usize>,
 }
 
@@ -189,12 +195,14 @@ impl Reading<'_> {
         }
     }
 
+    /// A value of another type than the option takes.
     fn wrong_type(&self, expected: &str, value: &Value, span: &Range<usize>) -> Problem {
         let fault =
             Fault::WrongType { key: self.key.to_owned(), expected: expected.to_owned(), got: shown(value) };
         Problem::new(fault, span.clone())
     }
 
+    /// Every text of a list, read by `each`; anything else in it is a problem.
     fn texts<T>(
         &self,
         list: &[Spanned<Value>],
@@ -208,6 +216,7 @@ impl Reading<'_> {
             .collect()
     }
 
+    /// A word, if it is one of those known.
     fn one_of(&self, words: &[&str], word: &str, span: &Range<usize>) -> Result<String, Problem> {
         if words.contains(&word) {
             return Ok(word.to_owned());
@@ -217,12 +226,14 @@ impl Reading<'_> {
         Err(Problem::new(fault, span.clone()))
     }
 
+    /// A colour role by its word.
     fn role(&self, word: &str) -> Result<Role, Problem> {
         let names: Vec<_> = Role::ALL.iter().map(|r| r.name()).collect();
         let name = self.one_of(&names, word, self.span)?;
         Ok(Role::ALL.into_iter().find(|r| r.name() == name).unwrap_or(Role::Ink))
     }
 
+    /// A body of the query by its name.
     fn side(&self, name: &str, span: &Range<usize>) -> Result<Side, Problem> {
         let shapes = &self.scene.shapes;
         let names = self.scene.query.of.iter().filter_map(|&i| shapes.get(i)).map(|(n, _)| n.value.clone());
@@ -235,6 +246,7 @@ impl Reading<'_> {
     }
 }
 
+/// What an option takes, in the words of a message.
 fn expected(takes: Takes) -> String {
     match takes {
         Takes::Flag => "true or false".to_owned(),
@@ -248,10 +260,12 @@ fn expected(takes: Takes) -> String {
     }
 }
 
+/// Words for a message: `` `a`, `b` ``.
 fn quoted(words: &[&str]) -> String {
     words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", ")
 }
 
+/// A value as a message shows it.
 fn shown(value: &Value) -> String {
     match value {
         Value::Bool(b) => b.to_string(),

@@ -1,4 +1,5 @@
-//! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies overlap.
+//! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies
+//! overlap.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;

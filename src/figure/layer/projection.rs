@@ -1,7 +1,8 @@
-//! Both bodies projected on one axis of the separating-axis test: two intervals, and the gap or overlap between them.
+//! Both bodies projected on one axis of the separating-axis test: two intervals, and the gap or overlap
+//! between them.
 //!
-//! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis is drawn beside the
-//! bodies, square to the edge whose normal it is.
+//! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis is drawn
+//! beside the bodies, square to the edge whose normal it is.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -13,13 +14,13 @@ use crate::trace::Event;
 use super::half_extents::beside;
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
-/// Distance of the axis from the bodies, page px.
+/// Distance of the axis from the bodies, page pixels.
 const OFFSET: f64 = 26.0;
 
-/// Distance of the two intervals, and of the gap, from the axis, page px: beside each other where they overlap.
+/// Distance of the two intervals from the axis, page pixels: beside each other where they overlap.
 const TRACK: f64 = 6.0;
 
-/// How far the axis reaches past the intervals, page px; its arrow head stands free.
+/// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -41,15 +42,20 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// A tested axis.
+/// An axis that the algorithm tested.
 #[derive(Clone, Copy)]
 struct Tested {
+    /// The unit vector along the axis.
     n: DVec2,
+    /// From the least to the largest n·x of A's points.
     a: Enclosure,
+    /// From the least to the largest n·x of B's points.
     b: Enclosure,
+    /// Gap of the intervals, negative where they overlap.
     gap: f64,
 }
 
+/// The tested axis that the scene wants; else the one of the largest gap.
 fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let run = context.run();
     let all: Vec<Tested> = run
@@ -83,14 +89,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
         let track = sketch.px(track);
         for end in [interval.lo, interval.hi] {
-            let corner = points.iter().copied().min_by(|p, q| {
+            let vertex = points.iter().copied().min_by(|p, q| {
                 (p.dot(t.n) - end)
                     .abs()
                     .total_cmp(&(q.dot(t.n) - end).abs())
                     .then(q.dot(down).total_cmp(&p.dot(down)))
             });
-            if let Some(corner) = corner {
-                sketch.part("shadows").weight(Weight::Light).line(corner, at(end, track), Pen::extension());
+            if let Some(vertex) = vertex {
+                sketch.part("shadows").weight(Weight::Light).line(vertex, at(end, track), Pen::extension());
             }
         }
         let pen = Pen::highlighted(options.role(body.into()));
@@ -104,7 +110,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     gap(sketch, &t, at);
 }
 
-/// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view only above.
+/// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view
+/// only above.
 fn beside_bodies(sketch: &Sketch, t: &Tested, points: &[DVec2]) -> (DVec2, f64) {
     let side = perp(t.n);
     let down = if side.y > 0.0 || side.y == 0.0 && side.x < 0.0 { -side } else { side };
@@ -123,7 +130,8 @@ fn beside_bodies(sketch: &Sketch, t: &Tested, points: &[DVec2]) -> (DVec2, f64) 
     (down, far(down))
 }
 
-/// Between the facing ends: apart from A's upper end to B's lower one, overlapping the other way round.
+/// Draws the gap between the facing ends: apart from A's upper end to B's lower one, overlapping the other
+/// way round.
 fn gap(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(4.0 * TRACK);
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));

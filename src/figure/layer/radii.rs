@@ -1,4 +1,5 @@
-//! Radii: one as a line from a circle's centre to its rim, or r₁ and r₂ laid under the distance of the centres.
+//! Radii: one as a line from a circle's centre to its rim, or r₁ and r₂ laid under the distance of the
+//! centres.
 
 use crate::collision::Separation;
 use crate::drawing::Role;
@@ -13,9 +14,11 @@ use crate::scene::COMPASS;
 use super::half_extents::beside;
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
-/// Distance of the first length from the larger circle, and of the lengths from each other, in page px: a label of 16
-/// fits between.
+/// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
+
+/// Distance of the first length from the larger circle, in distances of tracks.
+const FIRST: f64 = 0.75;
 
 pub(super) const LAYER: Layer = Layer {
     name: "radii",
@@ -68,11 +71,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// The round bodies that the scene wants.
 fn round(context: &Context, options: &Options) -> Vec<Side> {
     let is_round = |side: &Side| context.body(*side).is_some_and(|body| body.shape.radius > 0.0);
     options.of(&context.sides()).into_iter().filter(is_round).collect()
 }
 
+/// Draws a radius as a line from the centre to the rim of each round body.
 fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sides = round(context, options);
     for &side in &sides {
@@ -93,7 +98,8 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// As asked for, else square to the normal, on its right: beside everything that runs between the bodies.
+/// The direction of such a line, a unit vector: as asked for, else square to the normal, on its right, beside
+/// everything that runs between the bodies.
 fn direction(context: &Context, options: &Options) -> DVec2 {
     let word = options.word("toward", "");
     if let Some(eighth) = COMPASS.iter().position(|w| *w == word) {
@@ -105,16 +111,22 @@ fn direction(context: &Context, options: &Options) -> DVec2 {
         .unwrap_or(DVec2::X)
 }
 
-/// A length on a track beside the circles.
+/// A length on a track beside the circles, in the world.
 struct Length {
+    /// Key of its label.
     key: &'static str,
+    /// Text of its label, markup.
     text: String,
+    /// What it lies between, on the line of the centres.
     ends: [DVec2; 2],
+    /// Colour of its label.
     role: Role,
+    /// How it is drawn.
     weight: Pen,
 }
 
-/// ‖A − B‖, r₁ and r₂ on tracks along the line of centres, below the circles: the radii overlap by the depth.
+/// Draws ‖A − B‖, r₁ and r₂ on tracks along the line of centres, below the circles: the radii overlap by the
+/// depth.
 fn lengths(sketch: &mut Sketch, context: &Context) {
     let Some((centers, radii, answer)) = compared(context) else { return };
     let n = answer.normal;
@@ -122,7 +134,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let down = if side.y > 0.0 { -side } else { side };
     let tracks = tracks(centers, radii, &answer);
     for (i, length) in tracks.iter().enumerate() {
-        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + 0.75)));
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
         sketch.part("lengths").bar(p, q, 0.0, length.weight);
         let anchor = beside(p, q, -down);
@@ -135,11 +147,12 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     };
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
-        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + 0.75)));
+        let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
         sketch.part("lengths").weight(Weight::Light).line(point, point + out, Pen::extension());
     }
 }
 
+/// ‖A − B‖, r₁ and r₂, each where it lies on the line of the centres.
 fn tracks(centers: [DVec2; 2], radii: [f64; 2], answer: &Separation) -> [Length; 3] {
     let n = answer.normal;
     let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };

@@ -1,4 +1,5 @@
-//! The ray from the origin along the relative velocity against B ⊖ A at t = 0: it enters when the bodies touch.
+//! The ray from the origin along the relative velocity against B ⊖ A at t = 0: it enters when the bodies
+//! touch.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;

@@ -1,4 +1,5 @@
-//! Witness points and the double arrow between them: the distance of bodies apart, the depth of bodies that overlap.
+//! Witness points and the double arrow between them: the distance of bodies apart, the depth of bodies that
+//! overlap.
 //!
 //! `p_B` − `p_A` = s n, so the arrow runs outside both bodies or inside both, and its length is |s|.
 
@@ -17,7 +18,7 @@ use crate::scene::When;
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// How far the carrier line reaches beyond its edge, in world units.
+/// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
@@ -72,6 +73,7 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// The run that answers with the separation at the moment that the scene wants.
 fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
     let time = match options.when("at") {
         Some(when) => context.moment(&when)?.time,
@@ -109,7 +111,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new(key, "", anchor, role).lines(&given.unwrap_or_else(|| vec![text])));
 }
 
-/// The closest points: under arrow heads, which meet in them, and over lines.
+/// Marks the closest points, if the scene wants them: under arrow heads, which meet in them, and over lines.
 fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     if options.flag("points", false) {
         sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
@@ -117,7 +119,7 @@ fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     }
 }
 
-/// The line of the edge that carries a witness point, a unit longer at both ends.
+/// Draws the line of the edge that carries a witness point, longer at both ends.
 fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
     for (side, feature) in [(Side::A, answer.features[0]), (Side::B, answer.features[1])] {
         let (Feature::Edge(i), Some(body), Some(pose)) =
@@ -140,8 +142,8 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
     }
 }
 
-/// Key and text in the algorithm's own words: the article calls the signed penetration of circles p, the distance of a
-/// circle from a box distance, and the depth of polygons d.
+/// Key and text of the label in the algorithm's own words: the article calls the signed penetration of
+/// circles p, the distance of a circle from a box distance, and the depth of polygons d.
 fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
     let (signed, depth) = (number(answer.separation), number(answer.separation.abs()));
     if run.tells(|e| matches!(e, Event::PenetrationMeasured { .. })) {

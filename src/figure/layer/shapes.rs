@@ -41,12 +41,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// Draws a body.
 fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
     sketch.part(context.part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
 }
 
+/// Names a body inside it, best where no other is; with `center`, marks its origin.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, center: bool) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());

@@ -1,5 +1,5 @@
-//! One step of GJK or EPA on B ⊖ A: the simplex, its point v closest to the origin, and the vertex w that is farthest
-//! towards the origin and comes next; or the polytope grown around the origin.
+//! One step of GJK or EPA on B ⊖ A: the simplex, its point v closest to the origin, and the vertex w that is
+//! farthest towards the origin and comes next; or the polytope grown around the origin.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -9,7 +9,7 @@ use crate::trace::Event;
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
-/// Fill of a simplex: it lies on the difference, which is filled too.
+/// Opacity of a simplex's fill: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
 
 pub(super) const LAYER: Layer = Layer {
@@ -31,15 +31,17 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// A simplex or polytope.
+/// A simplex or polytope that the algorithm told.
 struct Step {
+    /// Its vertices, in configuration space.
     vertices: Vec<DVec2>,
-    /// v, of a simplex that does not hold the origin.
+    /// Its point closest to the origin, v; `None` where the origin lies in it.
     closest: Option<DVec2>,
-    /// The vertex of the next step that this one lacks.
+    /// The vertex that it lacks and the next step has, w.
     next: Option<DVec2>,
 }
 
+/// The step that the scene wants; else the last.
 fn shown(context: &Context, options: &Options) -> Option<Step> {
     let run = context.run();
     let all: Vec<(&Vec<DVec2>, Option<DVec2>)> = run

@@ -9,10 +9,10 @@ use crate::geometry::Side;
 
 use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Radius where the scene does not say, world units.
+/// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
 
-/// How much of a turn the arrow shows: open enough to be no circle, and to let the velocity out.
+/// How far the arrow runs, radians: open enough to be no circle, and to let the velocity out.
 const SWEEP: f64 = 0.6 * TAU;
 
 pub(super) const LAYER: Layer = Layer {
@@ -32,6 +32,7 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// The bodies that turn.
 fn turning(context: &Context) -> Vec<Side> {
     let turns = |side: &Side| context.body(*side).is_some_and(|body| body.spin.0 != 0.0);
     context.sides().into_iter().filter(turns).collect()

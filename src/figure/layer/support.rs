@@ -10,8 +10,8 @@ use crate::trace::{Event, SupportVertex};
 use super::difference::difference;
 use super::{LabelKey, Layer, Options, Shows};
 
-/// A direction is the normal's if they differ by less: both are unit vectors rounded a few times. A hundred million
-/// times more is still a thousandth of a degree.
+/// How much a direction that is the normal's may differ from it: both are unit vectors rounded a few times. A
+/// hundred million times more is still a thousandth of a degree.
 const SAME_DIRECTION: f64 = 1e-12;
 
 pub(super) const LAYER: Layer = Layer {

@@ -1,7 +1,8 @@
 //! The outer tangents between a body and its ghost at the hit: the band that it sweeps.
 //!
-//! The band of a translated body is the convex hull of both places. Of the hull of all core vertices, the edges that
-//! lead from one place to the other are the tangents of the cores; moved out by the radius, those of the bodies.
+//! The band of a translated body is the convex hull of both places. Of the hull of all core vertices, the
+//! edges that lead from one place to the other are the tangents of the cores; moved out by the radius, those
+//! of the bodies.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -50,7 +51,8 @@ fn core(context: &Context, side: Side, time: f64) -> Vec<DVec2> {
     body.shape.core.iter().filter_map(|&i| context.vertex(side, i, time)).collect()
 }
 
-/// Hull edges from one of two sets to the other, moved out by `radius`.
+/// The edges of the common hull that lead from one of two sets to the other, moved out by `radius`, in the
+/// world.
 fn tangents(before: &[DVec2], after: &[DVec2], radius: f64) -> Vec<(DVec2, DVec2)> {
     let mut points: Vec<(DVec2, bool)> =
         before.iter().map(|&p| (p, false)).chain(after.iter().map(|&p| (p, true))).collect();
@@ -67,7 +69,7 @@ fn tangents(before: &[DVec2], after: &[DVec2], radius: f64) -> Vec<(DVec2, DVec2
     hull.windows(2).filter_map(across).collect()
 }
 
-/// One half of the hull, counter-clockwise: from the first point to the last, turning left only.
+/// Half of a convex hull, counter-clockwise: from the first point to the last, turning left only.
 fn half_hull<'p>(points: impl Iterator<Item = &'p (DVec2, bool)>) -> Vec<(DVec2, bool)> {
     let mut hull: Vec<(DVec2, bool)> = Vec::new();
     for &point in points {

@@ -1,4 +1,5 @@
-//! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the start.
+//! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
+//! start.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -7,7 +8,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::{LabelKey, Layer, Options, Shows};
 
-/// Pieces of a path: a full turn in as many chords is 0.3 px from a path of 200 px radius.
+/// How many pieces a path is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px radius.
 const PIECES: u32 = 64;
 
 pub(super) const LAYER: Layer = Layer {
@@ -44,7 +45,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Where the point of the body that is at `point` at the hit is from t = 0 on.
+/// Where the point of a body that is at `point` at the hit is from t = 0 until `time`, in the world.
 fn path(context: &Context, side: Side, point: DVec2, time: f64) -> Vec<DVec2> {
     let Some(local) = context.pose(side, time).map(|pose| pose.inverse_point(point)) else {
         return Vec::new();

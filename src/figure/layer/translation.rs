@@ -22,6 +22,7 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// The run that answers with the separation at the panel's moment.
 fn run(context: &Context) -> Option<Arc<Run>> {
     context.separation_at(context.time).filter(|run| run.separation().is_some())
 }

@@ -1,6 +1,8 @@
-//! A body's velocity in the world; in configuration space the relative velocity `v_A` − `v_B` from the origin.
+//! A body's velocity in the world; in configuration space the relative velocity `v_A` − `v_B` from the
+//! origin.
 //!
-//! Over t in [0, 1] a body moves by its velocity, so that the arrow is its path; the part up to the hit wears the accent.
+//! Over t in [0, 1] a body moves by its velocity, so that the arrow is its path; the part up to the hit wears
+//! the accent.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -58,6 +60,7 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// The bodies that move.
 fn moving(context: &Context) -> Vec<Side> {
     let moves = |side: &Side| context.body(*side).is_some_and(|body| body.velocity != DVec2::ZERO);
     context.sides().into_iter().filter(moves).collect()
@@ -78,13 +81,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// `v_A` − `v_B`: the way the origin goes, seen from B ⊖ A.
+/// The relative velocity `v_A` − `v_B`: the way the origin goes, seen from B ⊖ A.
 pub(super) fn relative(context: &Context) -> DVec2 {
     let velocity = |side| context.body(side).map_or(DVec2::ZERO, |body| body.velocity);
     velocity(Side::A) - velocity(Side::B)
 }
 
-/// The body's origin at the panel's moment, or the point of the body that is to touch.
+/// Where the arrow of a body starts at the panel's moment, in the world: at its origin, or at the point that
+/// is to touch.
 fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
     let now = context.pose(side, context.time);
     let touching = || {
@@ -96,14 +100,19 @@ fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
     if options.word("from", "center") == "contact" { touching().unwrap_or(center) } else { center }
 }
 
-/// An arrow to draw.
+/// An arrow to draw, in the panel's space.
 struct Motion {
+    /// Key of its label.
     key: &'static str,
+    /// Text of its label, markup.
     text: &'static str,
+    /// Tail.
     from: DVec2,
+    /// From tail to tip.
     v: DVec2,
 }
 
+/// Draws an arrow; up to the hit in the accent, where the scene wants that.
 fn arrow(sketch: &mut Sketch, context: &Context, options: &Options, m: &Motion) {
     let hit = context.hit().map(|(time, _)| time);
     let role = options.role(Role::Ink);
@@ -121,7 +130,7 @@ fn arrow(sketch: &mut Sketch, context: &Context, options: &Options, m: &Motion) 
     }
 }
 
-/// The part of a path up to the hit, in the accent, with its time.
+/// Draws the part of a path up to the hit, in the accent, with its time.
 pub(super) fn until_hit(sketch: &mut Sketch, from: DVec2, v: DVec2, time: f64) {
     let end = from + v * time;
     sketch.part("until-hit").line(from, end, Pen::highlighted(Role::Now));

@@ -1,5 +1,5 @@
-//! The candidate places of a label, by what it belongs to. Their order is fixed: the place of the same label in
-//! another panel of a series has the same slot.
+//! The candidate places of a label, by what it belongs to. Their order is fixed: the place of the same label
+//! in another panel of a series has the same slot.
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
@@ -12,11 +12,13 @@ use super::{Candidate, Sought, inside};
 
 /// Where a label may stand along a line, as parts of the way from its start: the middle first, then about it.
 const ALONG: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
-/// Where a label may stand along an arc, as parts of its sweep; its ends are a little farther in than a line's.
+/// Where a label may stand along an arc, as parts of its sweep; its ends are a little farther in than a
+/// line's.
 const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 /// Where the label of a tip may stand beside its vector, besides right at the head.
 const ALONG_VECTOR: [f64; 3] = [0.7, 0.5, 0.35];
-/// A normal that rises by less than this, as a unit offset, counts as level: rounding does not choose its side.
+/// A normal that rises by less than this, as a unit offset, counts as level: rounding does not choose its
+/// side.
 const LEVEL: f64 = 1e-9;
 
 /// The candidate places of a label, at least one.
@@ -64,8 +66,8 @@ pub(super) fn home(anchor: &Anchor, frame: &Frame, w: &Places) -> Point {
     }
 }
 
-/// The point that a pin's direction or offset is taken from, and the radius about it that a marker covers, both page
-/// pixels.
+/// The point that a pin's direction or offset is taken from, and the radius about it that a marker covers,
+/// both page pixels.
 fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
     match anchor {
         Anchor::Point { at, clear, .. } => (frame.page(*at), *clear),
@@ -144,8 +146,8 @@ fn leader(at: Point, clear: f64, rect: &Rect, w: &Places) -> Option<(Point, Poin
     (distance_to(rect, at) - clear > w.led * w.far_gap).then_some(ends)
 }
 
-/// Beside at most five points of a line, from the best, on the side of their normals or (more reluctantly by `other`)
-/// on the other one.
+/// Beside at most five points of a line, from the best, on the side of their normals or (more reluctantly by
+/// `other`) on the other one.
 fn sides(points: &[(Point, Offset)], size: (f64, f64), other: f64, w: &Places) -> Vec<Candidate> {
     let mut all = Vec::new();
     let off_middle = [0.0, w.off_best, w.off_best, w.off_end, w.off_end];
@@ -188,7 +190,8 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
     all
 }
 
-/// Beside a dimension line: on its far side first, then between it and what it measures, then beyond its ends.
+/// Beside a dimension line: on its far side first, then between it and what it measures, then beyond its
+/// ends.
 fn beside(from: Point, to: Point, offset: f64, size: (f64, f64), w: &Places) -> Vec<Candidate> {
     let Some(u) = (to - from).unit() else { return around(from, 0.0, None, size, w) };
     let shift = u.left() * offset;

@@ -19,7 +19,8 @@ pub(super) fn near_by<'p>(sought: &Sought, places: &[Candidate], scene: &Surroun
     bounded.filter(|(bounds, _)| bounds.intersection(reach).is_some()).collect()
 }
 
-/// Outside this box an obstacle costs a label nothing. A page pixel is to spare, so that rounding decides nothing.
+/// Outside this box an obstacle costs a label nothing. A page pixel is to spare, so that rounding decides
+/// nothing.
 fn influence(obstacle: &Obstacle, w: &Costs) -> Rect {
     match obstacle.cover {
         Cover::Stroke { from, to, .. } => Rect::new(from, to).grown(w.crowd_reach + 1.0),

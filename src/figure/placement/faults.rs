@@ -2,77 +2,84 @@
 
 use std::ops::Range;
 
+use crate::drawing::Rect;
 use crate::figure::sketch::Cover;
 
 use super::Labelled;
 use super::rect::{distance_to, length_inside};
 use super::weights::Costs;
 
-/// A leader line longer than this is a fault, page pixels.
+/// Length of a leader line beyond which it is a fault, page pixels.
 const LONGEST_LEADER: f64 = 40.0;
-/// Boxes of glyphs that share less than this in one direction only seem to touch, page pixels.
+/// How much boxes of glyphs may share in one direction and only seem to touch, page pixels.
 const SEEMING: f64 = 0.5;
 /// The part of an arrowhead's disc, about its middle, that the head itself covers.
 const HEAD: f64 = 0.75;
 
-/// Something that a reader of the figure trips over.
+/// A label that a reader of the figure trips over.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LabelFault {
-    /// Two labels overlap.
+    /// The label overlaps another one.
     Overlap {
-        /// The one.
+        /// The key of the label.
         key: &'static str,
-        /// The other.
+        /// The key of the other label.
         other: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A label covers a marker.
+    /// The label covers a marker.
     OnMarker {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A label covers an arrowhead.
+    /// The label covers an arrowhead.
     OnHead {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A stroke that is not its own runs through a label.
+    /// A line of something else runs through the label.
     OnStroke {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A label reaches over the edge of its panel.
+    /// The label reaches over the edge of its panel.
     OverEdge {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A leader line is longer than 40 px.
+    /// The line that leads to the label is longer than 40 page pixels.
     LongLeader {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
-    /// A label found no place.
+    /// The label found no place and is left out.
     Dropped {
-        /// The label.
+        /// The key of the label.
         key: &'static str,
-        /// Where the label comes from in the scene.
+        /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
 }
 
 impl LabelFault {
-    /// The key of the label and where it comes from in the scene.
+    /// The key of the label, as in `[labels]`, and where it comes from in the scene: bytes of its text.
+    ///
+    /// ```
+    /// use tracefig::figure::LabelFault;
+    /// let fault = LabelFault::Dropped { key: "d", span: 10..20 };
+    /// assert_eq!(fault.label(), ("d", &(10..20)));
+    /// ```
     #[must_use]
     pub fn label(&self) -> (&'static str, &Range<usize>) {
         match self {
@@ -113,18 +120,15 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
                 found.push(LabelFault::Overlap { key, other: other.key, span: span.clone() });
             }
         }
-        let marker =
-            |c: &Cover| matches!(*c, Cover::Marker { at, radius } if distance_to(&rect, at) < radius);
-        let head =
-            |c: &Cover| matches!(*c, Cover::Head { at, radius } if distance_to(&rect, at) < HEAD * radius);
-        let stroke = |c: &Cover| matches!(*c, Cover::Stroke { from, to, .. } if length_inside(from, to, &rect).is_some());
-        if panel.obstacles.iter().any(|o| marker(&o.cover)) {
+        let covers =
+            |hides: fn(&Cover, &Rect) -> bool| panel.obstacles.iter().any(|o| hides(&o.cover, &rect));
+        if covers(is_marker_under) {
             found.push(LabelFault::OnMarker { key, span: span.clone() });
         }
-        if panel.obstacles.iter().any(|o| head(&o.cover)) {
+        if covers(is_head_under) {
             found.push(LabelFault::OnHead { key, span: span.clone() });
         }
-        if panel.obstacles.iter().any(|o| o.part != label.part && stroke(&o.cover)) {
+        if panel.obstacles.iter().any(|o| o.part != label.part && is_stroke_under(&o.cover, &rect)) {
             found.push(LabelFault::OnStroke { key, span: span.clone() });
         }
         let edge = panel.frame.panel.grown(Costs::TUNED.spill + SEEMING);
@@ -136,4 +140,19 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
         }
     }
     found
+}
+
+/// Whether it is a marker that reaches under a label.
+fn is_marker_under(cover: &Cover, rect: &Rect) -> bool {
+    matches!(*cover, Cover::Marker { at, radius } if distance_to(rect, at) < radius)
+}
+
+/// Whether it is an arrowhead that reaches under a label.
+fn is_head_under(cover: &Cover, rect: &Rect) -> bool {
+    matches!(*cover, Cover::Head { at, radius } if distance_to(rect, at) < HEAD * radius)
+}
+
+/// Whether it is a stroke that runs under a label.
+fn is_stroke_under(cover: &Cover, rect: &Rect) -> bool {
+    matches!(*cover, Cover::Stroke { from, to, .. } if length_inside(from, to, rect).is_some())
 }

@@ -1,8 +1,9 @@
 //! Places inside an area: its pole of inaccessibility, the point farthest from its boundary, first.
 //!
-//! The pole is found on a grid that is refined about its best points; after Garcia-Castellanos, Lombardo, "Poles of
-//! inaccessibility: A calculation algorithm for the remotest places on earth", Scottish Geographical Journal 123(3),
-//! 2007. Other areas that cover part of this one count as boundary, so that the name of A stands in A only.
+//! The pole is found on a grid that is refined about its best points; after Garcia-Castellanos, Lombardo,
+//! "Poles of inaccessibility: A calculation algorithm for the remotest places on earth", Scottish
+//! Geographical Journal 123(3), 2007. Other areas that cover part of this one count as boundary, so that the
+//! name of A stands in A only.
 
 use crate::drawing::{Offset, Point, Rect};
 
@@ -10,15 +11,16 @@ use super::Candidate;
 use super::rect::{DIRECTIONS, about, bounds, length_inside, reach};
 use super::weights::Places;
 
-/// How much remoter than the line itself, in shares of the pole's distance, a place may count: one on the line costs
-/// `off_pole`, one outside of the area at most twice that.
+/// How much remoter than the line itself, in shares of the pole's distance, a place may count: one on the
+/// line costs `off_pole`, one outside of the area at most twice that.
 const MOST_OFF_POLE: f64 = 2.0;
 /// The search for a pole ends at steps of this, page pixels: what no eye sees.
 const FINE: f64 = 0.5;
-/// A step towards the pole has to gain this, page pixels, so that rounding never decides between equal places.
+/// A step towards the pole has to gain this, page pixels, so that rounding never decides between equal
+/// places.
 const PAYS: f64 = 0.01;
-/// The directions about an area from the best, as places in [`DIRECTIONS`]: upper right, up, right, upper left, left,
-/// lower right, down, lower left.
+/// The directions about an area from the best, as places in [`DIRECTIONS`]: upper right, up, right, upper
+/// left, left, lower right, down, lower left.
 const OUTSIDE: [usize; 8] = [1, 2, 0, 3, 4, 7, 6, 5];
 
 /// Places for a name inside an area, best where no area to avoid is, then around it; all in page pixels.
@@ -68,8 +70,8 @@ pub(super) fn pole(area: &[Point], w: &Places) -> Point {
     grid(area, &[], &everywhere, w).first().map_or(fallback, |&(pole, _)| pole)
 }
 
-/// Points inside the area and the panel, the farthest from all boundaries first, the best refined; each with that
-/// distance, page pixels.
+/// Points inside the area and the panel, the farthest from all boundaries first, the best refined; each with
+/// that distance, page pixels.
 fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
     let Some(all) = bounds(area.iter().copied()) else { return Vec::new() };
     let Some(bounds) = all.intersection(*panel) else { return Vec::new() };
@@ -92,7 +94,8 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect, w: &Places) -> Vec<(
         }
     }
     points.sort_by(|a, b| b.1.total_cmp(&a.1));
-    // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is best.
+    // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is
+    // best.
     let starts =
         points.iter().take(w.refined).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
     let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &room)).collect();

@@ -1,15 +1,16 @@
 //! Labels place themselves.
 //!
-//! A label has up to 32 candidate places around what it belongs to, a name in an area some more. A place costs more
-//! the more it hides: foreign strokes, markers, arrowheads, the panel's edge; two places that overlap cost each other
-//! most. Labels are set in the order of regret (who would lose most by waiting goes first), then one after the other
-//! moves to its best place until none wants to. No clock and no randomness: the same figure gives the same places.
+//! A label has up to 32 candidate places around what it belongs to, a name in an area some more. A place
+//! costs more the more it hides: foreign strokes, markers, arrowheads, the panel's edge; two places that
+//! overlap cost each other most. Labels are set in the order of regret (who would lose most by waiting goes
+//! first), then one after the other moves to its best place until none wants to. No clock and no randomness:
+//! the same figure gives the same places.
 //!
-//! The approach follows Christensen, Marks, Shieber, "An Empirical Study of Algorithms for Point-Feature Label
-//! Placement", ACM Transactions on Graphics 14(3), 1995, with regret as the greedy order.
+//! The approach follows Christensen, Marks, Shieber, "An Empirical Study of Algorithms for Point-Feature
+//! Label Placement", ACM Transactions on Graphics 14(3), 1995, with regret as the greedy order.
 //!
-//! The way through: [`candidates`] and [`inside`] offer places, [`cost`] prices them, [`solve`] chooses among them,
-//! [`faults`] says what is still wrong. All their numbers are [`weights`].
+//! The way through: [`candidates`] and [`inside`] offer places, [`cost`] prices them, [`solve`] chooses among
+//! them, [`faults`] says what is still wrong. All their numbers are [`weights`].
 
 mod candidates;
 mod cost;

@@ -2,8 +2,8 @@
 
 use crate::drawing::{Offset, Point, Rect};
 
-/// The eight directions on the page, y down, in the order of [`COMPASS`](crate::scene::COMPASS): from the east
-/// counter-clockwise.
+/// The eight directions on the page, y down, in the order of [`COMPASS`](crate::scene::COMPASS): from the
+/// east counter-clockwise.
 pub(super) const DIRECTIONS: [(f64, f64); 8] =
     [(1.0, 0.0), (1.0, -1.0), (0.0, -1.0), (-1.0, -1.0), (-1.0, 0.0), (-1.0, 1.0), (0.0, 1.0), (1.0, 1.0)];
 
@@ -65,8 +65,8 @@ pub(super) fn bounds(points: impl IntoIterator<Item = Point>) -> Option<Rect> {
     points.into_iter().map(|p| Rect::new(p, p)).reduce(Rect::union)
 }
 
-/// Twice the area, in square page pixels, of a triangle whose vertices count as on one line: far more than the last
-/// bits of an answer make, far less than is seen.
+/// Twice the area, in square page pixels, of a triangle whose vertices count as on one line: far more than
+/// the last bits of an answer make, far less than is seen.
 const FLAT: f64 = 1e-6;
 
 /// Whether two segments cross; those that only touch do not.

@@ -15,8 +15,8 @@ use super::{Candidate, LEADING, Labelled, Placed, Sought};
 const PASSES: usize = 64;
 /// A move has to gain this much, so that rounding never decides between equal places.
 const GAIN: f64 = 1e-6;
-/// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay so
-/// whatever the last bits of an answer are, and the first of them is taken.
+/// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay
+/// so whatever the last bits of an answer are, and the first of them is taken.
 const PARTS: f64 = 1e6;
 
 /// The candidates of every label, and which one each has at the moment.
@@ -29,7 +29,8 @@ struct Problem<'w> {
     weights: &'w Weights,
 }
 
-/// Places the labels of a panel. `earlier` are those of the panels before it in the series, each with its panel.
+/// Places the labels of a panel. `earlier` are those of the panels before it in the series, each with its
+/// panel.
 pub(crate) fn place(
     sought: &[Sought],
     frame: &Frame,
@@ -175,8 +176,8 @@ impl Problem<'_> {
         }
     }
 
-    /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there move, and
-    /// keeps the first that lowers the sum of all costs.
+    /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there
+    /// move, and keeps the first that lowers the sum of all costs.
     fn eject(&mut self, label: usize, all: &[usize]) -> bool {
         let now = self.cost(label, self.chosen[label], all);
         if now < self.weights.search.uneasy {

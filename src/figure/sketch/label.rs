@@ -5,86 +5,87 @@ use crate::geometry::{DVec2, perp};
 
 use super::Outline;
 
-/// What a label belongs to, in the panel's space. Places are found from it.
+/// What a label belongs to, in the panel's space, from which its places are found.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Anchor {
-    /// A point: around it.
+    /// A point, to stand around.
     Point {
-        /// The point.
+        /// The point, in the panel's space.
         at: DVec2,
-        /// Radius in page pixels that its marker covers.
+        /// Radius that its marker covers, page pixels.
         clear: f64,
         /// The side that it should stand on, as a direction in the panel's space; zero for none.
         toward: DVec2,
     },
-    /// A vector or line: beside it, or beyond its tip.
+    /// A vector or line, to stand beside or beyond.
     Along {
-        /// Tail.
+        /// Tail, in the panel's space.
         from: DVec2,
-        /// Tip.
+        /// Tip, in the panel's space.
         to: DVec2,
-        /// Which part of it is best.
+        /// Which part of the line is best to stand at.
         best: Best,
     },
-    /// A dimension line or bar that lies `offset` page pixels to the left of from → to.
+    /// A dimension line or bar beside what it measures, to stand on its far side.
     Beside {
-        /// Start.
+        /// Start of what is measured, in the panel's space.
         from: DVec2,
-        /// End.
+        /// End of what is measured, in the panel's space.
         to: DVec2,
-        /// Page pixels to the left.
+        /// How far to the left of from → to the line lies, page pixels.
         offset: f64,
     },
-    /// An arc: outside or inside of it, at its middle or quarters. Angles in radians, counter-clockwise.
+    /// An arc, to stand outside or inside of, at its middle or quarters.
     Arc {
-        /// Centre.
+        /// Centre, in the panel's space.
         center: DVec2,
-        /// World units.
+        /// Radius, in units of the panel's space.
         radius: f64,
-        /// Start.
+        /// Where it starts, radians counter-clockwise from +x.
         start: f64,
-        /// Sweep.
+        /// How far it runs, radians, counter-clockwise where positive.
         sweep: f64,
     },
-    /// An area: inside where there is room, else around.
+    /// An area, to stand inside of where there is room, else around.
     Inside {
-        /// Its contour, sampled.
+        /// Points along the area's contour, in the panel's space.
         area: Vec<DVec2>,
-        /// Areas that it should keep out of, sampled.
+        /// Points along the contours of areas to keep out of, in the panel's space.
         avoid: Vec<Vec<DVec2>>,
     },
-    /// A corner or side of the panel.
+    /// A corner or edge of the panel, to stand in.
     Corner(Corner),
 }
 
-/// Which part of a line a label belongs to.
+/// Which part of a line a label stands at best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Best {
-    /// Its middle.
+    /// Beside the middle of the line.
     Middle,
-    /// Its tip.
+    /// Beyond the tip of the line.
     Tip,
 }
 
-/// A corner or side of the panel.
+/// A corner of the panel, or the middle of its upper or lower edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Corner {
-    /// Upper left.
+    /// The upper left corner.
     TopLeft,
-    /// Upper middle.
+    /// The middle of the upper edge.
     Top,
-    /// Upper right.
+    /// The upper right corner.
     TopRight,
-    /// Lower left.
+    /// The lower left corner.
     BottomLeft,
-    /// Lower middle.
+    /// The middle of the lower edge.
     Bottom,
-    /// Lower right.
+    /// The lower right corner.
     BottomRight,
 }
 
 impl Corner {
-    /// Every place with its word in a scene, and where it lies from the panel's middle: x to the right, y down.
+    /// Every corner with its word in a scene, and where it lies from the panel's middle: x to the right, y
+    /// down.
     const ALL: [(&'static str, Self, (f64, f64)); 6] = [
         ("top-left", Self::TopLeft, (-1.0, -1.0)),
         ("top", Self::Top, (0.0, -1.0)),
@@ -94,7 +95,7 @@ impl Corner {
         ("bottom-right", Self::BottomRight, (1.0, 1.0)),
     ];
 
-    /// The words for them in a scene.
+    /// The words of all corners in a scene.
     pub(crate) const WORDS: [&'static str; 6] = {
         let mut words = [""; 6];
         let mut i = 0;
@@ -105,12 +106,12 @@ impl Corner {
         words
     };
 
-    /// The place of a word; `None` for any other word.
+    /// The corner of a word; `None` for any other word.
     pub(crate) fn of_word(word: &str) -> Option<Self> {
         Self::ALL.iter().find(|(known, ..)| *known == word).map(|&(_, corner, _)| corner)
     }
 
-    /// Where it lies from the panel's middle, −1, 0 or 1 each: x to the right, y down.
+    /// Where the corner lies from the panel's middle, −1, 0 or 1 each: x to the right, y down.
     pub(crate) fn direction(self) -> (f64, f64) {
         Self::ALL
             .iter()
@@ -120,37 +121,37 @@ impl Corner {
 }
 
 impl Anchor {
-    /// Around a point with a usual marker.
+    /// Around a point of the panel's space that has a usual marker.
     #[must_use]
     pub(crate) fn point(at: DVec2) -> Self {
         Self::Point { at, clear: super::pen::MARKER, toward: DVec2::ZERO }
     }
 
-    /// Around a point, on the side of `toward` if there is room.
+    /// Around a point of the panel's space, in the direction of `toward` if there is room there.
     #[must_use]
     pub(crate) fn point_toward(at: DVec2, toward: DVec2) -> Self {
         Self::Point { at, clear: super::pen::MARKER, toward }
     }
 
-    /// At the tip of a vector.
+    /// Beyond the tip of a vector of the panel's space.
     #[must_use]
     pub(crate) fn tip(from: DVec2, to: DVec2) -> Self {
         Self::Along { from, to, best: Best::Tip }
     }
 
-    /// Beside the middle of a line.
+    /// Beside the middle of a line of the panel's space.
     #[must_use]
     pub(crate) fn middle(from: DVec2, to: DVec2) -> Self {
         Self::Along { from, to, best: Best::Middle }
     }
 
-    /// Inside an area, best where the others are not.
+    /// Inside an area of the panel's space, best where the areas to avoid are not.
     #[must_use]
     pub(crate) fn inside(area: &Outline, avoid: &[Outline]) -> Self {
         Self::Inside { area: area.sampled(), avoid: avoid.iter().map(Outline::sampled).collect() }
     }
 
-    /// The points of the panel's space that it is made of.
+    /// Points of the panel's space that it is made of; none for a corner of the panel.
     #[must_use]
     pub(crate) fn points(&self) -> Vec<DVec2> {
         match self {
@@ -165,36 +166,36 @@ impl Anchor {
     }
 }
 
-/// Which label gives way to which, from the weakest.
+/// Which of two labels that clash beyond help is left out: the weaker one. From the weakest:
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Rank {
-    /// Numbers of iterations, words beside what is clear already.
+    /// The rank of numbers of iterations, and of words beside what is clear already.
     Word,
-    /// Lengths, times, vectors.
+    /// The rank of lengths, times and vectors.
     Measure,
-    /// Points.
+    /// The rank of points.
     Point,
-    /// Names of bodies, of the difference, of the origin.
+    /// The rank of names of bodies, of the difference, of the origin.
     Name,
-    /// Formulas at a corner of the panel.
+    /// The rank of notes at a corner of the panel.
     Note,
 }
 
 /// How large a label is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Size {
-    /// Names of shapes: 17 px.
+    /// 17 px, for names of shapes.
     Name,
-    /// Points and vectors: 16 px.
+    /// 16 px, for points and vectors.
     Point,
-    /// Notes and words: 14 px.
+    /// 14 px, for notes and words.
     Note,
-    /// Numbers of iterations: 12 px.
+    /// 12 px, for numbers of iterations.
     Small,
 }
 
 impl Size {
-    /// Page pixels an em.
+    /// The size on the usual page, page pixels an em.
     #[must_use]
     pub(crate) fn px(self) -> f64 {
         match self {
@@ -209,40 +210,41 @@ impl Size {
 /// A label that a layer asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Label {
-    /// Its key in `[labels]`.
+    /// The key in a scene's `[labels]`.
     pub(crate) key: &'static str,
-    /// Default lines of markup; `{=…}` stands for values.
+    /// The lines where a scene gives no others: markup, `{=…}` for values.
     pub(crate) lines: Vec<String>,
-    /// What it belongs to.
+    /// What it belongs to, in the panel's space.
     pub(crate) anchor: Anchor,
-    /// Its colour.
+    /// The colour of its letters.
     pub(crate) role: Role,
-    /// Who gives way.
+    /// Which label is left out where two clash beyond help.
     pub(crate) rank: Rank,
-    /// How large.
+    /// How large it is set.
     pub(crate) size: Size,
 }
 
 impl Label {
-    /// A label of one line, of rank `Measure`, 16 px. Without text it appears only where a scene gives it one.
+    /// A label of one line, of rank `Measure`, 16 px. Without text it appears only where a scene gives it
+    /// one.
     #[must_use]
     pub(crate) fn new(key: &'static str, text: impl Into<String>, anchor: Anchor, role: Role) -> Self {
         Self { key, lines: vec![text.into()], anchor, role, rank: Rank::Measure, size: Size::Point }
     }
 
-    /// With several lines.
+    /// The label with other lines.
     #[must_use]
     pub(crate) fn lines(self, lines: &[String]) -> Self {
         Self { lines: lines.to_vec(), ..self }
     }
 
-    /// With a rank.
+    /// The label with another rank.
     #[must_use]
     pub(crate) fn rank(self, rank: Rank) -> Self {
         Self { rank, ..self }
     }
 
-    /// With a size.
+    /// The label with another size.
     #[must_use]
     pub(crate) fn size(self, size: Size) -> Self {
         Self { size, ..self }

@@ -5,31 +5,32 @@ use crate::geometry::DVec2;
 
 use super::{Cover, Outline, Pen, Sketch};
 
-/// An arrowhead's length on a vector of 1.75 px, page pixels.
+/// Length of an arrowhead on a vector of 1.75 px, page pixels.
 const HEAD_LENGTH: f64 = 9.0;
-/// Its width across, page pixels.
+/// Width of that arrowhead across, page pixels.
 const HEAD_WIDTH: f64 = 6.5;
-/// A head grows by this for each pixel of the shaft above 1.75, page pixels.
+/// How much a head grows for each pixel of the shaft above 1.75, page pixels.
 const HEAD_GROWTH: f64 = 2.4;
-/// A shorter vector, in page pixels, gets a smaller head.
+/// The length of a vector, page pixels, below which its head is smaller: half of it, so that a shaft remains.
 const SHORT: f64 = 14.0;
-/// A shorter vector, in page pixels, is a dot.
+/// The length of a vector, page pixels, below which it is a dot: no direction can be seen.
 const DOT: f64 = 6.0;
 /// Radius of that dot, page pixels.
 const DOT_RADIUS: f64 = 2.2;
 
 impl Sketch<'_> {
-    /// The line of an outline, without its area.
+    /// Draws the line of an outline of the panel's space, without its area.
     pub(crate) fn stroke(&mut self, outline: &Outline, pen: Pen) -> &mut Self {
         self.area(outline, None, Some(pen))
     }
 
-    /// A straight line.
+    /// Draws a straight line between points of the panel's space.
     pub(crate) fn line(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.stroke(&Outline::polyline(&[from, to]), pen)
     }
 
-    /// A vector: a shaft that ends inside a filled head. Under 14 px the head is smaller, under 6 px it is a dot.
+    /// Draws a vector of the panel's space: a shaft that ends inside a filled head. Under 14 px the head is
+    /// smaller, under 6 px it is a dot.
     pub(crate) fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (tail, tip) = (self.frame.page(from), self.frame.page(to));
@@ -37,7 +38,7 @@ impl Sketch<'_> {
         self
     }
 
-    /// A shaft with a head at both ends.
+    /// Draws a shaft with a head at both ends, between points of the panel's space.
     pub(crate) fn double_arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (tail, tip) = (self.frame.page(from), self.frame.page(to));
@@ -45,6 +46,7 @@ impl Sketch<'_> {
         self
     }
 
+    /// Draws a vector on the page; with `both`, a head at its tail too.
     pub(super) fn page_arrow(&mut self, tail: Point, tip: Point, pen: Pen, both: bool) {
         let shaft = tip - tail;
         let length = shaft.length();
@@ -63,7 +65,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// A filled head with its point at `tip`, looking along the unit offset `u`.
+    /// Draws a filled head on the page with its point at `tip`, looking along the unit offset `u`.
     pub(super) fn page_head(&mut self, tip: Point, u: Offset, length: f64, pen: Pen) {
         let half = u.left() * (0.5 * length * HEAD_WIDTH / HEAD_LENGTH);
         let base = tip + u * -length;
@@ -72,13 +74,14 @@ impl Sketch<'_> {
         self.push_filled(Contour::polygon(&[tip, base + half, base + -half]), paint);
     }
 
+    /// Draws a dot on the page; `radius` in page pixels.
     pub(super) fn page_dot(&mut self, center: Point, radius: f64, pen: Pen) {
         let paint = self.paint(pen.role).with_opacity(pen.opacity);
         self.keep_off(Cover::Marker { at: center, radius });
         self.push_filled(Contour::Circle { center, radius }, paint);
     }
 
-    /// Length of a head on a shaft of `length` page pixels.
+    /// Length of a head on a shaft of `length` page pixels, page pixels.
     pub(super) fn head_length(&self, pen: Pen, length: f64) -> f64 {
         let usual = HEAD_LENGTH + HEAD_GROWTH * (pen.width - Pen::vector(Role::Ink).width).max(0.0);
         let share = if length < SHORT { 0.5 } else { 0.7 };

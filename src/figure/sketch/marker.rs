@@ -7,15 +7,15 @@ use super::{Cover, Marker, Pen, Sketch};
 
 /// Line width of hollow markers, page pixels.
 const HOLLOW: f64 = 1.75;
-/// Half the side of the square that looks as large as a disc of radius 1.
+/// Half the edge of the square that looks as large as a disc of radius 1.
 const SQUARE: f64 = 0.89;
 /// Half the diagonal of the diamond that looks as large as a disc of radius 1.
 const DIAMOND: f64 = 1.2;
-/// The ring of the origin and of a new estimate, in radii of the dot.
+/// Radius of the ring about the origin and about a new estimate, in radii of the dot.
 const RING: f64 = 1.75;
 
 impl Sketch<'_> {
-    /// A marker of `radius` page pixels at a point.
+    /// Draws a marker of `radius` page pixels, less on a small page, at a point of the panel's space.
     pub(crate) fn marker(&mut self, at: DVec2, marker: Marker, role: Role, radius: f64) -> &mut Self {
         self.reach(&[at]);
         let radius = radius * self.unit;
@@ -35,17 +35,20 @@ impl Sketch<'_> {
         }
     }
 
+    /// Draws a filled marker.
     fn solid(&mut self, contour: Contour, role: Role) -> &mut Self {
         let paint = self.paint(role);
         self.push(Item::Path(Path::filled(contour, paint)))
     }
 
+    /// Draws a marker in outline, filled with the background.
     fn hollow(&mut self, contour: Contour, role: Role) -> &mut Self {
         let stroke = self.stroke_of(Pen::vector(role).width(HOLLOW));
         let fill = Some(self.paint(Role::Background));
         self.push(Item::Path(Path { contour, fill, pattern: None, stroke: Some(stroke) }))
     }
 
+    /// Draws two lines across each other.
     fn cross(&mut self, p: Point, radius: f64, role: Role) -> &mut Self {
         for d in [Offset::new(radius, radius), Offset::new(radius, -radius)] {
             self.push_stroked(Contour::line(p + -d, p + d), Pen::vector(role));
@@ -55,7 +58,7 @@ impl Sketch<'_> {
 }
 
 impl Marker {
-    /// How far a marker of `radius` page pixels reaches from its point, page pixels.
+    /// How far a marker of `radius` page pixels reaches from its point at most, page pixels.
     #[must_use]
     pub(crate) fn reach(self, radius: f64) -> f64 {
         match self {
@@ -66,11 +69,13 @@ impl Marker {
     }
 }
 
+/// A square about a point of the page; `half` its edge in page pixels.
 fn square(p: Point, half: f64) -> Contour {
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
     Contour::polygon(&corners.map(|(x, y)| p + Offset::new(x * half, y * half)))
 }
 
+/// A square on its vertex about a point of the page; `reach` in page pixels.
 fn diamond(p: Point, reach: f64) -> Contour {
     let corners = [(0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)];
     Contour::polygon(&corners.map(|(x, y)| p + Offset::new(x * reach, y * reach)))

@@ -5,15 +5,17 @@ use crate::geometry::DVec2;
 
 use super::{Cover, Pen, Sketch, Weight};
 
-/// Length of a dimension's ticks, page pixels; wider lines have longer ones.
+/// Length of the ticks of a thin dimension line, page pixels.
 const TICK: f64 = 7.0;
-/// Length of a tick per pixel of the line's width, where that is more.
+/// Length of a tick in widths of its line, where that is more.
 const TICK_PER_WIDTH: f64 = 3.2;
-/// An extension line begins this far from the point it extends and ends so far beyond its dimension, page pixels.
+/// How far an extension line begins from the point that it extends, and ends beyond its dimension, page
+/// pixels.
 const EXTENSION_GAP: f64 = 3.0;
 
 impl Sketch<'_> {
-    /// A length, drawn `offset` page pixels to the left of from → to, with dashed extension lines to where it belongs.
+    /// Draws the length between points of the panel's space `offset` page pixels to the left of from → to,
+    /// with ticks at its ends and dashed extension lines to where it belongs.
     pub(crate) fn dimension(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
@@ -26,7 +28,8 @@ impl Sketch<'_> {
         self
     }
 
-    /// A thick bar with ticks, without extension lines: a length that the figure is about.
+    /// Draws a bar with ticks between points of the panel's space, `offset` page pixels to the left of from →
+    /// to and without extension lines: a length that the figure is about.
     pub(crate) fn bar(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
@@ -37,6 +40,7 @@ impl Sketch<'_> {
         self
     }
 
+    /// Draws a line on the page with a tick at either end, square to the unit offset `u`.
     fn page_ticked(&mut self, a: Point, b: Point, u: Offset, pen: Pen) {
         let half = u.left() * (0.5 * self.fitted(TICK.max(TICK_PER_WIDTH * pen.width)));
         for (from, to) in [(a, b), (a + -half, a + half), (b + -half, b + half)] {
@@ -45,7 +49,8 @@ impl Sketch<'_> {
         }
     }
 
-    /// A dashed line from a point to the end of its dimension, a little away from the one and beyond the other.
+    /// Draws a dashed line on the page from a point to the end of its dimension, a little away from the one
+    /// and beyond the other.
     fn extension(&mut self, from: Point, to: Point) {
         let gap = self.fitted(EXTENSION_GAP);
         let Some(u) = (to - from).unit().filter(|_| (to - from).length() > 2.0 * gap) else { return };

@@ -1,8 +1,8 @@
 //! What a layer draws with: primitives in the panel's space, mapped to the page by the panel's [`Frame`].
 //!
-//! Every primitive also says what it covers, so that labels keep off it. A layer names its parts (`part`), and what it
-//! draws until the next part belongs to that part; a label belongs to the part that is current when it is asked for,
-//! and may touch that part's strokes only.
+//! Every primitive also says what it covers, so that labels keep off it. A layer names its parts (`part`),
+//! and what it draws until the next part belongs to that part; a label belongs to the part that is current
+//! when it is asked for, and may touch that part's strokes only.
 
 mod label;
 mod line;
@@ -25,38 +25,39 @@ pub(crate) use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash
 /// How much labels mind what is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Weight {
-    /// Outlines, vectors, dimensions.
+    /// Crossed last: outlines, vectors, dimensions.
     Normal,
-    /// Construction, ghosts, axes: crossed before others.
+    /// Crossed before others: construction lines, ghosts.
     Light,
-    /// What lies outside of the subject, as axes: light, and it does not count for the fit of the view.
+    /// Crossed before others, and not counted for the fit of the view: what lies outside of the subject, as
+    /// axes.
     Background,
 }
 
 /// What a primitive covers on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Cover {
-    /// A piece of a line.
+    /// A straight piece of a line.
     Stroke {
-        /// From.
+        /// One end, page pixels.
         from: Point,
-        /// To.
+        /// The other end, page pixels.
         to: Point,
-        /// Half the line's width in page pixels.
+        /// Half the line's width, page pixels.
         half: f64,
     },
-    /// A marker.
+    /// A marker, as a disc.
     Marker {
-        /// Centre.
+        /// The centre of the disc, page pixels.
         at: Point,
-        /// Page pixels.
+        /// The radius of the disc, page pixels.
         radius: f64,
     },
     /// An arrowhead, as a disc about its middle.
     Head {
-        /// Middle.
+        /// The middle of the head, page pixels.
         at: Point,
-        /// Page pixels.
+        /// Half the head's length, page pixels.
         radius: f64,
     },
 }
@@ -64,18 +65,18 @@ pub(crate) enum Cover {
 /// Something that labels keep off.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Obstacle {
-    /// What it covers.
+    /// What it covers on the page.
     pub(crate) cover: Cover,
-    /// How much labels mind.
+    /// How much labels mind it.
     pub(crate) weight: Weight,
     /// The part that it belongs to: the number of the call of [`Sketch::part`] in its panel.
     pub(crate) part: usize,
 }
 
-/// A label that a layer asked for.
+/// A label that a layer asked for, with the part and layer that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Request {
-    /// What was asked.
+    /// What was asked for.
     pub(crate) label: Label,
     /// The part that it belongs to.
     pub(crate) part: usize,
@@ -83,27 +84,43 @@ pub(crate) struct Request {
     pub(crate) layer: usize,
 }
 
-/// A panel being drawn.
+/// A panel that layers draw in, one after the other.
 pub(crate) struct Sketch<'f> {
+    /// The map from the panel to the page.
     frame: Frame,
+    /// The colours.
     theme: &'f Theme,
+    /// The width on the page of what is one pixel wide on the usual page; at most 1.
     unit: f64,
+    /// What the layers drew so far, a group each, with a group for each part.
     layers: Vec<Group>,
+    /// The number of the current part.
     part: usize,
+    /// How much labels mind what is drawn now.
     weight: Weight,
+    /// Whether the current layer writes its labels.
     labels: bool,
+    /// What labels keep off so far.
     obstacles: Vec<Obstacle>,
+    /// The labels asked for so far.
     requests: Vec<Request>,
+    /// Smallest and largest coordinates of what was drawn, in the panel's space.
     extent: Option<(DVec2, DVec2)>,
+    /// Points of all lines so far.
     points: usize,
+    /// Million page pixels of all areas so far.
     painted: f64,
 }
 
 /// What a panel's layers drew and asked for.
 pub(crate) struct Sketched {
+    /// The map from the panel to the page by which it was drawn.
     pub(crate) frame: Frame,
+    /// A group for each layer, with a group for each part.
     pub(crate) layers: Vec<Group>,
+    /// What labels keep off.
     pub(crate) obstacles: Vec<Obstacle>,
+    /// The labels that were asked for.
     pub(crate) requests: Vec<Request>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     pub(crate) extent: Option<(DVec2, DVec2)>,
@@ -114,7 +131,8 @@ pub(crate) struct Sketched {
 }
 
 impl<'f> Sketch<'f> {
-    /// `unit` is the width on the page of what is one pixel wide on the usual page; at most 1.
+    /// An empty panel. `unit` is the width on the page of what is one pixel wide on the usual page; at most
+    /// 1.
     pub(crate) fn new(frame: Frame, theme: &'f Theme, unit: f64) -> Self {
         Self {
             frame,
@@ -132,12 +150,15 @@ impl<'f> Sketch<'f> {
         }
     }
 
+    /// What is drawn from here on belongs to a layer of this name; `labels` says whether its labels are
+    /// written.
     pub(crate) fn begin_layer(&mut self, name: &str, labels: bool) {
         self.layers.push(Group::new(name));
         self.labels = labels;
         self.part(name);
     }
 
+    /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
         let Self { frame, layers, obstacles, requests, extent, points, painted, .. } = self;
         Sketched { frame, layers, obstacles, requests, extent, points, painted }
@@ -148,8 +169,8 @@ impl<'f> Sketch<'f> {
         self.points > MAX_POINTS
     }
 
-    /// What is drawn from here on belongs to a part of this name: a group in the drawing, so that tests and pages
-    /// find it. Labels mind it as usual.
+    /// Begins a part of this name, a group in the drawing that tests and pages find: what is drawn from here
+    /// on belongs to it, and labels mind it as usual.
     pub(crate) fn part(&mut self, name: impl Into<String>) -> &mut Self {
         self.weight = Weight::Normal;
         self.part += 1;
@@ -159,7 +180,7 @@ impl<'f> Sketch<'f> {
         self
     }
 
-    /// How much labels mind what is drawn from here to the next part.
+    /// Sets how much labels mind what is drawn from here to the next part.
     pub(crate) fn weight(&mut self, weight: Weight) -> &mut Self {
         self.weight = weight;
         self
@@ -202,7 +223,7 @@ impl<'f> Sketch<'f> {
         length * self.frame.scale
     }
 
-    /// An area with its line.
+    /// Draws an area and its line, each where it is given; `outline` is in the panel's space.
     pub(crate) fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
         let path = Path {
             contour: outline.on_page(&self.frame),
@@ -235,19 +256,23 @@ impl<'f> Sketch<'f> {
         }
     }
 
+    /// The opaque paint of a role.
     fn paint(&self, role: Role) -> Paint {
         self.theme.paint(role)
     }
 
+    /// The paint of an area.
     fn wash(&self, wash: Wash) -> Paint {
         self.paint(wash.role).with_opacity(wash.opacity.unwrap_or(self.theme.fill_opacity))
     }
 
+    /// The pattern over an area, where the theme has one for its role.
     fn pattern(&self, wash: Wash) -> Option<Pattern> {
         let kind = self.theme.pattern(wash.role).filter(|_| wash.opacity.is_none())?;
         Some(Pattern { kind, paint: self.paint(wash.role).with_opacity(self.theme.pattern_opacity) })
     }
 
+    /// The stroke of a pen, as wide as fits the page.
     fn stroke_of(&self, pen: Pen) -> Stroke {
         let cap = if pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
         let paint = self.paint(pen.role).with_opacity(pen.opacity);
@@ -256,6 +281,7 @@ impl<'f> Sketch<'f> {
         Stroke { paint, width, dash, cap }
     }
 
+    /// Puts something into the current part.
     fn push(&mut self, item: Item) -> &mut Self {
         self.points += 1;
         if self.is_full() {
@@ -267,10 +293,12 @@ impl<'f> Sketch<'f> {
         self
     }
 
+    /// Puts an area on the page into the current part.
     fn push_filled(&mut self, contour: Contour, paint: Paint) {
         self.push(Item::Path(Path::filled(contour, paint)));
     }
 
+    /// Puts a line on the page into the current part.
     fn push_stroked(&mut self, contour: Contour, pen: Pen) {
         let stroke = self.stroke_of(pen);
         self.push(Item::Path(Path::stroked(contour, stroke)));
@@ -288,7 +316,7 @@ impl<'f> Sketch<'f> {
         }
     }
 
-    /// Labels keep off a line through points of the panel's space.
+    /// Makes labels keep off a line of `width` page pixels through points of the panel's space.
     fn cover(&mut self, points: &[DVec2], width: f64) {
         let page: Vec<Point> = points.iter().map(|&p| self.frame.page(p)).collect();
         for pair in page.windows(2) {
@@ -296,6 +324,7 @@ impl<'f> Sketch<'f> {
         }
     }
 
+    /// Makes labels keep off something of the current part.
     fn keep_off(&mut self, cover: Cover) {
         if self.is_full() {
             return;
@@ -304,7 +333,7 @@ impl<'f> Sketch<'f> {
     }
 }
 
-/// The whole part, for counts.
+/// The whole part of a number, for counts.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
 fn whole(x: f64) -> usize {
     x as usize

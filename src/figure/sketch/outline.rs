@@ -1,7 +1,7 @@
 //! Contours in world (or configuration) space: straight pieces and true arcs.
 //!
-//! A body is a convex core swept by a disc, so its outline is the core's edges moved outward by the radius, joined by
-//! arcs about the core's vertices. A circle has one vertex and one arc of a full turn.
+//! A body is a convex core swept by a disc, so its outline is the core's edges moved outward by the radius,
+//! joined by arcs about the core's vertices. A circle has one vertex and one arc of a full turn.
 
 use std::f64::consts::TAU;
 
@@ -9,24 +9,24 @@ use crate::drawing::{Contour, Segment};
 use crate::figure::frame::Frame;
 use crate::geometry::{Body, DVec2, Pose, perp};
 
-/// The longest piece of an arc that a chord may stand for when an outline is sampled: 5°. On a radius of 200 page
-/// pixels the chord is 0.2 px from the arc; twice the angle would show as corners in label distances.
+/// The longest piece of an arc that a chord may stand for when an outline is sampled: 5°. On a radius of 200
+/// page pixels the chord is 0.2 px from the arc; twice the angle would show as kinks in label distances.
 const SAMPLE_ANGLE: f64 = TAU / 72.0;
 
-/// A piece of an outline.
+/// A piece of an outline, after the piece before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Piece {
-    /// Straight to a point.
+    /// A straight line to this point.
     Line(DVec2),
-    /// Along a circle, after a straight line to its start.
+    /// An arc of a circle, after a straight line to its start.
     Arc {
-        /// Centre.
+        /// Centre of the circle.
         center: DVec2,
-        /// Radius, in world units.
+        /// Radius of the circle, in units of the space.
         radius: f64,
-        /// Where it starts: radians, counter-clockwise from +x.
+        /// Where the arc starts, radians counter-clockwise from +x.
         start: f64,
-        /// How far it runs, in radians, counter-clockwise where positive.
+        /// How far the arc runs, radians, counter-clockwise where positive.
         sweep: f64,
     },
 }
@@ -34,11 +34,11 @@ pub(crate) enum Piece {
 /// A contour in world or configuration space.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Outline {
-    /// Where it begins.
+    /// The point where it begins.
     pub(crate) start: DVec2,
-    /// What follows.
+    /// The pieces that follow.
     pub(crate) pieces: Vec<Piece>,
-    /// Whether it returns to its beginning.
+    /// Whether it returns to its beginning, straight if need be.
     pub(crate) closed: bool,
 }
 
@@ -62,32 +62,34 @@ impl Outline {
         Self { start, pieces: points.iter().skip(1).map(|&p| Piece::Line(p)).collect(), closed: false }
     }
 
-    /// A line through `points` and back.
+    /// A closed line through `points`.
     #[must_use]
     pub(crate) fn polygon(points: &[DVec2]) -> Self {
         Self { closed: true, ..Self::polyline(points) }
     }
 
-    /// A whole circle.
+    /// A whole circle; `radius` in units of the space.
     #[must_use]
     pub(crate) fn circle(center: DVec2, radius: f64) -> Self {
         Self { closed: true, ..Self::arc(center, radius, 0.0, TAU) }
     }
 
-    /// Part of a circle; angles in radians, counter-clockwise.
+    /// Part of a circle from `start` over `sweep`; angles in radians, counter-clockwise from +x.
     #[must_use]
     pub(crate) fn arc(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
         let first = on_circle(center, radius, start);
         Self { start: first, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: false }
     }
 
-    /// A slice of a disc: centre, arc, and back.
+    /// A slice of a disc from `start` over `sweep`: centre, arc, and back; angles in radians,
+    /// counter-clockwise from +x.
     #[must_use]
     pub(crate) fn sector(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
         Self { start: center, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: true }
     }
 
-    /// A convex core, counter-clockwise, swept by a disc of `radius` (0: the polygon itself).
+    /// A convex core swept by a disc: `core` are its vertices, counter-clockwise, and `radius` is in their
+    /// units; 0 leaves the polygon itself.
     #[must_use]
     pub(crate) fn rounded(core: &[DVec2], radius: f64) -> Self {
         match core {
@@ -98,7 +100,7 @@ impl Outline {
         }
     }
 
-    /// A body as it stands in `pose`.
+    /// A body as it stands in `pose`, in the world.
     #[must_use]
     pub(crate) fn of_body(body: &Body, pose: &Pose) -> Self {
         let shape = &body.shape;
@@ -111,7 +113,7 @@ impl Outline {
         Self::rounded(&core, shape.radius)
     }
 
-    /// The same elsewhere: every point moved by `by`, in world units.
+    /// The outline elsewhere: every point moved by `by`, in units of the space.
     #[must_use]
     pub(crate) fn moved(&self, by: DVec2) -> Self {
         let piece = |piece: &Piece| match *piece {
@@ -123,7 +125,7 @@ impl Outline {
         Self { start: self.start + by, pieces: self.pieces.iter().map(piece).collect(), closed: self.closed }
     }
 
-    /// The same after half a turn about a point: x becomes 2 `about` − x.
+    /// The outline after half a turn about a point: x becomes 2 `about` − x.
     #[must_use]
     pub(crate) fn turned_about(&self, about: DVec2) -> Self {
         let turned = |p: DVec2| 2.0 * about - p;
@@ -140,7 +142,8 @@ impl Outline {
         }
     }
 
-    /// Points along it, close enough that chords stand for arcs.
+    /// Points along the outline, close enough that chords stand for arcs; the first again at the end of a
+    /// closed one.
     #[must_use]
     pub(crate) fn sampled(&self) -> Vec<DVec2> {
         let mut points = vec![self.start];
@@ -187,18 +190,19 @@ impl Outline {
         Contour::Segments(segments)
     }
 
+    /// The edges of a convex core moved outward by `radius`, joined by arcs about its vertices.
     fn offset(core: &[DVec2], radius: f64) -> Self {
         let n = core.len();
         let normal = |i: usize| -perp(core[(i + 1) % n] - core[i]).normalize_or_zero();
         let mut pieces = Vec::with_capacity(2 * n);
         let start = core[0] + radius * normal(0);
         for i in 0..n {
-            let corner = core[(i + 1) % n];
-            pieces.push(Piece::Line(corner + radius * normal(i)));
+            let vertex = core[(i + 1) % n];
+            pieces.push(Piece::Line(vertex + radius * normal(i)));
             let from = angle_of(normal(i));
             let turn = angle_of(normal((i + 1) % n)) - from;
             let sweep = if turn <= 0.0 { turn + TAU } else { turn };
-            pieces.push(Piece::Arc { center: corner, radius, start: from, sweep });
+            pieces.push(Piece::Arc { center: vertex, radius, start: from, sweep });
         }
         Self { start, pieces, closed: true }
     }

@@ -7,16 +7,16 @@ use crate::drawing::Role;
 pub(crate) enum Dash {
     /// Unbroken.
     Solid,
-    /// Construction, 7 on 4 off.
+    /// Dashes of 7 px and gaps of 4: construction.
     Dashed,
-    /// Another time.
+    /// Dots: another time or place.
     Dotted,
-    /// An edge of a difference that comes from B: longer dashes than construction.
+    /// Longer dashes than construction: an edge of a difference that comes from B.
     Long,
 }
 
 impl Dash {
-    /// Lengths of dashes and gaps in page pixels for a line of this width.
+    /// Lengths of dashes and gaps, page pixels, for a line of `width` page pixels; none for an unbroken one.
     #[must_use]
     pub(crate) fn lengths(self, width: f64) -> Vec<f64> {
         match self {
@@ -31,82 +31,84 @@ impl Dash {
 /// How a line is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pen {
-    /// Its colour.
+    /// The colour of the line.
     pub(crate) role: Role,
-    /// Page pixels.
+    /// Width on the usual page, page pixels.
     pub(crate) width: f64,
-    /// Its pattern.
+    /// The line's pattern along itself.
     pub(crate) dash: Dash,
-    /// From 0 to 1.
+    /// Opacity, from 0 to 1.
     pub(crate) opacity: f64,
 }
 
 impl Pen {
+    /// An opaque line.
     const fn of(role: Role, width: f64, dash: Dash) -> Self {
         Self { role, width, dash, opacity: 1.0 }
     }
 
-    /// The outline of a body: 2.25 px.
+    /// A pen for the outline of a body: 2.25 px.
     #[must_use]
     pub(crate) const fn outline(role: Role) -> Self {
         Self::of(role, 2.25, Dash::Solid)
     }
 
-    /// What a figure is about: 3 px.
+    /// A pen for what a figure is about: 3 px.
     #[must_use]
     pub(crate) const fn highlighted(role: Role) -> Self {
         Self::of(role, 3.0, Dash::Solid)
     }
 
-    /// The shaft of a vector: 1.75 px.
+    /// A pen for the shaft of a vector: 1.75 px.
     #[must_use]
     pub(crate) const fn vector(role: Role) -> Self {
         Self::of(role, 1.75, Dash::Solid)
     }
 
-    /// Construction lines: 1.5 px, dashed.
+    /// A pen for construction lines: 1.5 px, dashed.
     #[must_use]
     pub(crate) const fn construction(role: Role) -> Self {
         Self::of(role, 1.5, Dash::Dashed)
     }
 
-    /// Another time or place: 1.5 px, dotted; at 1.25 the dots were lost on a third of the size.
+    /// A pen for bodies at another time or place: 1.5 px, dotted; at 1.25 the dots were lost on a third of
+    /// the size.
     #[must_use]
     pub(crate) const fn ghost(role: Role) -> Self {
         Self::of(role, 1.5, Dash::Dotted)
     }
 
-    /// Dimension lines: 1 px.
+    /// A pen for dimension lines: 1 px.
     #[must_use]
     pub(crate) const fn dimension(role: Role) -> Self {
         Self::of(role, 1.0, Dash::Solid)
     }
 
-    /// Coordinate axes: 1 px.
+    /// A pen for coordinate axes: 1 px, muted.
     #[must_use]
     pub(crate) const fn axis() -> Self {
         Self::of(Role::Muted, 1.0, Dash::Solid)
     }
 
-    /// Extension lines of dimensions: 0.75 px, dashed, muted.
+    /// A pen for extension lines of dimensions: 0.75 px, dashed, muted.
     #[must_use]
     pub(crate) const fn extension() -> Self {
         Self::of(Role::Muted, 0.75, Dash::Dashed)
     }
 
-    /// The same at another width in page pixels.
+    /// The pen at another width, page pixels.
     #[must_use]
     pub(crate) const fn width(self, width: f64) -> Self {
         Self { width, ..self }
     }
 
-    /// The same with another pattern.
+    /// The pen with another pattern.
     #[must_use]
     pub(crate) const fn dash(self, dash: Dash) -> Self {
         Self { dash, ..self }
     }
 
-    /// The same, fainter: from 0 to 1.
+    /// The pen at another opacity, from 0 to 1.
     #[must_use]
     pub(crate) const fn opacity(self, opacity: f64) -> Self {
         Self { opacity, ..self }
@@ -116,20 +118,20 @@ impl Pen {
 /// How an area is filled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Wash {
-    /// Its colour, and its pattern where the theme has one for the role.
+    /// The colour of the area, and its pattern where the theme has one for the role.
     pub(crate) role: Role,
-    /// From 0 to 1; none for the theme's own.
+    /// Opacity, from 0 to 1; `None` for the theme's own.
     pub(crate) opacity: Option<f64>,
 }
 
 impl Wash {
-    /// The theme's fill for a role.
+    /// The theme's own fill for a role.
     #[must_use]
     pub(crate) const fn theme(role: Role) -> Self {
         Self { role, opacity: None }
     }
 
-    /// A faint fill, without the theme's pattern.
+    /// A faint fill, without the theme's pattern; `opacity` from 0 to 1.
     #[must_use]
     pub(crate) const fn faint(role: Role, opacity: f64) -> Self {
         Self { role, opacity: Some(opacity) }
@@ -139,19 +141,19 @@ impl Wash {
 /// The shape of a marker.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Marker {
-    /// Points of A, and of nobody.
+    /// A filled disc: points of A, and of nobody.
     Disc,
-    /// Points of B.
+    /// A filled square: points of B.
     Square,
-    /// Vertices of a difference.
+    /// A filled square on its vertex: vertices of a difference.
     Diamond,
-    /// A square, not filled.
+    /// A square, not filled: supporting vertices.
     HollowSquare,
-    /// A centre.
+    /// Two lines across each other: a centre.
     Cross,
-    /// The origin: a dot in a ring.
+    /// A disc in a ring: the origin.
     Origin,
-    /// A disc in a ring: a new estimate.
+    /// A disc in a ring: a new estimate, or the vertex that comes next.
     RingedDisc,
 }
 

@@ -1,11 +1,12 @@
-//! Circles, arcs, angle marks, sectors.
+//! Circles and arcs.
 
 use crate::geometry::DVec2;
 
 use super::{Outline, Pen, Sketch, Wash, on_circle};
 
 impl Sketch<'_> {
-    /// A whole circle.
+    /// Draws a whole circle of the panel's space, its area and its line each where it is given; `radius` in
+    /// units of that space.
     pub(crate) fn circle(
         &mut self,
         center: DVec2,
@@ -16,12 +17,14 @@ impl Sketch<'_> {
         self.area(&Outline::circle(center, radius), wash, pen)
     }
 
-    /// Part of a circle; angles in radians, counter-clockwise in the panel's space.
+    /// Draws part of a circle of the panel's space from `start` over `sweep`; angles in radians,
+    /// counter-clockwise from +x.
     pub(crate) fn arc(&mut self, center: DVec2, radius: f64, start: f64, sweep: f64, pen: Pen) -> &mut Self {
         self.stroke(&Outline::arc(center, radius, start, sweep), pen)
     }
 
-    /// Part of a circle with a filled head at its end.
+    /// Draws part of a circle of the panel's space with a filled head at its end; angles as for
+    /// [`Sketch::arc`].
     pub(crate) fn arc_arrow(
         &mut self,
         center: DVec2,

@@ -12,7 +12,8 @@ use super::fill::fill;
 use super::plain;
 use super::wording::bad_markup;
 
-/// A text of the scene, filled and set by `typeset`; `None`, with the reason in `problems`, where it can't be.
+/// A text of the scene, filled and set by `typeset`; `None`, with the reason in `problems`, where it can't
+/// be.
 pub(crate) fn set<T>(
     text: &Spanned<String>,
     context: &Context,
@@ -29,8 +30,8 @@ pub(crate) fn set<T>(
     typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
-/// The lines of the caption; none where the page has no room for all of them, which is a warning. Its values are those
-/// of `context`, the first panel's.
+/// The lines of the caption; none where the page has no room for all of them, which is a warning. Its values
+/// are those of `context`, the first panel's.
 pub(crate) fn caption(
     context: &Context,
     problems: &mut Vec<Problem>,

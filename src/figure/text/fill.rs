@@ -12,7 +12,8 @@ use super::values::VALUES;
 /// The text with every `{=name}` replaced by its value. Braces alone belong to LaTeX.
 ///
 /// # Errors
-/// Where the query of this context has no such value, or the `{=` is not closed; `at` is the text's place in the scene.
+/// Where the query of this context has no such value, or the `{=` is not closed; `at` is the text's place in
+/// the scene.
 pub(crate) fn fill(text: &str, context: &Context, at: &Range<usize>) -> Result<String, Problem> {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;

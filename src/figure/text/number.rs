@@ -23,7 +23,8 @@ pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
 }
 
-/// To so many significant digits, without trailing zeros; with a power of ten where it is very large or small.
+/// A double to `digits` significant digits, without trailing zeros; with a power of ten where it is very
+/// large or small.
 fn significant(value: f64, digits: usize) -> String {
     if value == 0.0 {
         return "0".to_owned();
@@ -40,6 +41,7 @@ fn significant(value: f64, digits: usize) -> String {
     without_zeros(&format!("{rounded:.decimals$}")).to_owned()
 }
 
+/// Decimals without zeros at their end.
 fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
@@ -55,7 +57,8 @@ pub(crate) fn in_math(number: &str) -> String {
     number.split('…').map(power).collect::<Vec<_>>().join(r" \ldots ")
 }
 
-/// A number from [`rounded`] as markup among words: a real minus sign, and a formula where it has a power of ten.
+/// A number from [`rounded`] as markup among words: a real minus sign, and a formula where it has a power of
+/// ten.
 #[must_use]
 pub(crate) fn in_words(number: &str) -> String {
     if number.contains('e') || number.contains('…') {

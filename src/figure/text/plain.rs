@@ -145,10 +145,12 @@ fn group(text: &str) -> (&str, &str) {
     (text, "")
 }
 
+/// A term in brackets, unless it is one word.
 fn bracketed(text: &str) -> String {
     if text.chars().all(char::is_alphanumeric) { text.to_owned() } else { format!("({text})") }
 }
 
+/// A text with single spaces.
 fn squeezed(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

@@ -6,7 +6,7 @@ use crate::figure::question::has_a_tolerance;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-/// A number with its bounds; both ends are the same where the trace tells only a double.
+/// A number with its bounds; both are the same where the trace tells only a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Quantity {
     /// Not above the exact value.
@@ -16,6 +16,7 @@ pub(crate) struct Quantity {
 }
 
 impl Quantity {
+    /// A value that the trace tells as a double.
     fn exactly(value: f64) -> Self {
         Self { lo: value, hi: value }
     }
@@ -23,9 +24,9 @@ impl Quantity {
 
 /// A value that text may name.
 pub(crate) struct Value {
-    /// As in `{=name}`.
+    /// The name, as in `{=name}`.
     pub(crate) name: &'static str,
-    /// Reads it; None where the query does not have it.
+    /// Reads it; `None` where the query does not have it.
     pub(crate) of: fn(&Context) -> Option<Quantity>,
 }
 
@@ -120,17 +121,20 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "c.y", of: |c| center(c).map(|p| Quantity::exactly(p.y)) },
 ];
 
+/// The bounds of the separation at the panel's moment.
 fn separation(context: &Context) -> Option<Quantity> {
     let run = context.separation_at(context.time)?;
     let bounds = run.separation()?.bounds;
     Some(Quantity { lo: bounds.lo, hi: bounds.hi })
 }
 
+/// The bounds of the depth; `None` for bodies that are apart.
 fn depth(context: &Context) -> Option<Quantity> {
     let s = separation(context)?;
     (s.hi <= 0.0).then_some(Quantity { lo: -s.hi, hi: -s.lo })
 }
 
+/// The bounds of the time of first contact, or the panel's moment.
 fn time(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
         Answer::Impact(impact) => match impact.outcome {
@@ -143,13 +147,14 @@ fn time(context: &Context) -> Option<Quantity> {
     }
 }
 
+/// The unit normal from A to B of the scene's own answer.
 fn normal(context: &Context) -> Option<DVec2> {
     let run = context.run();
     Some(*run.separation()?.normal)
 }
 
-/// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion bound
-/// the bound itself.
+/// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion
+/// bound the bound itself.
 fn bound(context: &Context) -> Option<Quantity> {
     let run = context.run();
     match &run.answer {
@@ -171,6 +176,7 @@ fn first_step(context: &Context) -> Option<f64> {
     (approach > 0.0 && contact.separation > 0.0).then(|| contact.separation / approach)
 }
 
+/// How many distances the advancement asked for.
 fn iterations(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
         Answer::Impact(impact) => Some(Quantity::exactly(count(impact.iterations))),
@@ -178,6 +184,7 @@ fn iterations(context: &Context) -> Option<Quantity> {
     }
 }
 
+/// The tolerance of the answer, world units.
 fn tolerance(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
         Answer::Impact(impact) if has_a_tolerance(context.scene.query.kind) => {
@@ -187,15 +194,18 @@ fn tolerance(context: &Context) -> Option<Quantity> {
     }
 }
 
+/// The number of the last step, from 0.
 fn last_step(context: &Context) -> Option<Quantity> {
     context.steps().len().checked_sub(1).map(|last| Quantity::exactly(count(last)))
 }
 
+/// A count as a number.
 #[expect(clippy::cast_precision_loss, reason = "a step cap is far below 2^53")]
 fn count(n: usize) -> f64 {
     n as f64
 }
 
+/// What `pick` takes of the panel's step: its time, its separation, and the time after it.
 fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Option<Quantity> {
     let wanted = context.step?;
     let run = context.run();
@@ -207,6 +217,7 @@ fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Op
     pick(at, separation, next).map(Quantity::exactly)
 }
 
+/// What `pick` takes of D.
 fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     context.run().find_told(|event| match event {
         Event::Clamped { d, .. } => Some(Quantity::exactly(pick(*d))),
@@ -215,6 +226,7 @@ fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     })
 }
 
+/// Half-extents of the box or of the bounds.
 fn half_extents(context: &Context) -> Option<DVec2> {
     context.run().find_told(|event| match event {
         Event::Clamped { half_extents, .. } => Some(*half_extents),
@@ -223,6 +235,7 @@ fn half_extents(context: &Context) -> Option<DVec2> {
     })
 }
 
+/// The middle of the bounds.
 fn center(context: &Context) -> Option<DVec2> {
     context.run().find_told(|event| match event {
         Event::BoundsFound { min, max, .. } => Some((*min + *max) / 2.0),

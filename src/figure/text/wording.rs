@@ -59,8 +59,8 @@ impl Wording<'_> {
     }
 }
 
-/// Sets every label of a panel once, so that a text that can't be set is said before anything is drawn. `requests` come
-/// with the places of their layers in the scene.
+/// Sets every label of a panel once, so that a text that can't be set is said before anything is drawn.
+/// `requests` come with the places of their layers in the scene.
 ///
 /// # Errors
 /// When the labels are more than can be set.

@@ -20,59 +20,62 @@ use super::contrast::{blend, contrast};
 use super::vision::worst_difference;
 use super::{THEMES, Theme, find};
 
-/// Contrast of text against what lies under it, at least (WCAG 2.2, level AA).
+/// The least contrast of text against what lies under it (WCAG 2.2, level AA).
 const TEXT_CONTRAST: f64 = 4.5;
-/// ΔE2000 of shape A and shape B for the worst of four visions, at least.
+/// The least ΔE2000 of shape A and shape B for the worst of four visions.
 const BODIES_APART: f64 = 20.0;
-/// ΔE2000 of any other two roles, at least; dashes, markers and shapes tell them apart besides.
+/// The least ΔE2000 of any other two roles; dashes, markers and shapes tell them apart besides.
 const ROLES_APART: f64 = 9.0;
 
-/// Roles that colour lines and words.
+/// The roles that colour lines and words.
 const SPEAKING: [Role; 7] =
     [Role::A, Role::B, Role::Difference, Role::Now, Role::Translation, Role::Ink, Role::Muted];
 
-/// The file, as written.
+/// A theme file, as written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct File {
+    /// The theme that what is not given is taken from.
     based_on: Option<String>,
+    /// Opacity of areas, from 0 to 1.
     fill_opacity: Option<f64>,
     #[serde(default)]
+    /// `#RRGGBB` by the word of its role.
     colors: BTreeMap<String, String>,
 }
 
-/// Two roles that are too near each other.
+/// A pair of roles whose colours are too near each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shortcoming {
-    /// `contrast` or `ΔE2000`.
+    /// The measure: `contrast` or `ΔE2000`.
     pub measure: &'static str,
-    /// The two roles.
+    /// The two roles whose colours were compared.
     pub roles: [Role; 2],
-    /// What it is.
+    /// The value of the measure.
     pub value: f64,
-    /// What it must be at least.
+    /// The least value that would do.
     pub limit: f64,
 }
 
 /// Why a theme file is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ThemeError {
-    /// Not TOML, an unknown key or a wrong type; the text names the line and quotes it.
+    /// The file is not TOML, or has an unknown key or a wrong type; the text names the line and quotes it.
     Malformed(String),
-    /// No theme of the house has that name.
+    /// The theme that it is based on is none of the house.
     UnknownBase(String),
-    /// No role has that name.
+    /// A colour is given to a role that there is not.
     UnknownRole(String),
-    /// Not `#RRGGBB`.
+    /// A colour is not written `#RRGGBB`.
     NotAColor {
-        /// The role.
+        /// The role that it is given to.
         role: String,
         /// What was written.
         written: String,
     },
-    /// Not from 0 to 1.
+    /// The opacity of areas is not from 0 to 1.
     FillOpacity(f64),
-    /// Colours that can't be read or told apart.
+    /// The colours can't be read or told apart.
     Unfit(Vec<Shortcoming>),
 }
 
@@ -105,7 +108,7 @@ impl fmt::Display for ThemeError {
 
 impl std::error::Error for ThemeError {}
 
-/// Reads a theme file.
+/// Reads the text of a theme file into a theme of the name `user`.
 ///
 /// # Errors
 ///
@@ -140,6 +143,7 @@ pub fn parse(text: &str) -> Result<Theme, ThemeError> {
     if short.is_empty() { Ok(theme) } else { Err(ThemeError::Unfit(short)) }
 }
 
+/// The colour of `#RRGGBB`; `None` for anything else.
 fn color(written: &str) -> Option<Color> {
     let digits =
         written.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()))?;
@@ -147,8 +151,7 @@ fn color(written: &str) -> Option<Color> {
 }
 
 /// Everything in which a theme falls short of the limits; empty for a fit one.
-#[must_use]
-pub fn shortcomings(theme: &Theme) -> Vec<Shortcoming> {
+pub(crate) fn shortcomings(theme: &Theme) -> Vec<Shortcoming> {
     let mut all = Vec::new();
     let mut hold = |measure, roles, value: f64, limit| {
         if value < limit {

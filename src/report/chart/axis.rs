@@ -3,11 +3,11 @@
 /// An axis, linear or logarithmic.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
-    /// Markup, with the unit.
+    /// What it measures, with the unit, markup.
     pub(crate) name: String,
-    /// Smallest value shown.
+    /// The smallest value shown.
     pub(crate) lo: f64,
-    /// Largest value shown.
+    /// The largest value shown.
     pub(crate) hi: f64,
     /// Whether equal ratios are equal lengths.
     pub(crate) logarithmic: bool,
@@ -17,15 +17,18 @@ pub(crate) struct Axis {
 
 /// A value that the axis names.
 pub(super) struct Tick {
+    /// Where it is, in the unit of the axis.
     pub(super) value: f64,
+    /// What it is called, markup.
     pub(super) label: String,
 }
 
-/// Most ticks along an axis; more would touch each other.
+/// How many ticks an axis has at most; more would touch each other.
 const TICKS: i32 = 9;
 
 impl Axis {
-    /// A logarithmic axis over whole powers of ten that holds all of `values`.
+    /// A logarithmic axis over whole powers of ten that holds all of `values` above 0; from 1 to 10 without
+    /// any.
     #[must_use]
     pub(crate) fn powers_of_ten(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let logs: Vec<f64> = values.into_iter().filter(|v| *v > 0.0).map(libm::log10).collect();
@@ -52,6 +55,7 @@ impl Axis {
         f.clamp(0.0, 1.0)
     }
 
+    /// The values that the axis names: its marks, or powers of ten.
     pub(super) fn ticks(&self) -> Vec<Tick> {
         if !self.marks.is_empty() {
             return self.marks.iter().map(|&value| Tick { value, label: format!("{value}") }).collect();

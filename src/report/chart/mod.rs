@@ -1,7 +1,7 @@
 //! Charts: series of points on linear or logarithmic axes, in the look of the figures.
 //!
-//! A series is told apart by its colour, its marker and its dash, and is named beside its last point; names that
-//! would collide are pushed apart.
+//! A series is told apart by its colour, its marker and its dash, and is named beside its last point; names
+//! that would collide are pushed apart.
 
 mod axis;
 mod marks;
@@ -12,50 +12,50 @@ pub(crate) use marks::Marker;
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Rect, Role, Stroke, Text};
 use crate::typeset::{Style, TypesetError, typeset};
 
-/// Base size of the words of a chart, page pixels.
+/// Type size of the words of a chart, page pixels an em.
 const WORDS: f64 = 14.0;
 /// Space around the page, page pixels.
 const MARGIN: f64 = 24.0;
-/// Room left of the plot for tick labels and the axis's name.
+/// Room left of the plot for tick labels and the axis's name, page pixels.
 const LEFT: f64 = 84.0;
-/// Room below the plot for tick labels and the axis's name.
+/// Room below the plot for tick labels and the axis's name, page pixels.
 const BELOW: f64 = 60.0;
-/// Room above the plot for the title.
+/// Room above the plot for the title, page pixels.
 const ABOVE: f64 = 72.0;
 /// Distance of the names of two series, page pixels.
 const NAME_PITCH: f64 = 18.0;
 
-/// A named set of points.
+/// A named set of points, joined in order.
 #[derive(Clone, Debug)]
 pub(crate) struct Series {
-    /// Markup.
+    /// The name, markup.
     pub(crate) name: String,
-    /// Its colour.
+    /// The colour of line and points.
     pub(crate) role: Role,
-    /// Its marker.
+    /// The shape of its points.
     pub(crate) marker: Marker,
     /// Lengths of dashes and gaps, page pixels; empty for a solid line.
     pub(crate) dash: Vec<f64>,
-    /// Points in the axes' units.
+    /// The points, in the axes' units.
     pub(crate) points: Vec<(f64, f64)>,
 }
 
 /// A chart.
 #[derive(Clone, Debug)]
 pub(crate) struct Chart {
-    /// Prefix of ids.
+    /// The prefix of ids in an SVG.
     pub(crate) id: String,
-    /// Markup.
+    /// The title, markup.
     pub(crate) title: String,
     /// The horizontal axis.
     pub(crate) x: Axis,
     /// The vertical axis.
     pub(crate) y: Axis,
-    /// What it shows.
+    /// The series, each named beside its last point.
     pub(crate) series: Vec<Series>,
-    /// Page pixels.
+    /// Width of the page, page pixels.
     pub(crate) width: f64,
-    /// Page pixels.
+    /// Height of the page, page pixels.
     pub(crate) height: f64,
 }
 
@@ -97,33 +97,42 @@ fn describe(chart: &Chart) -> String {
 
 /// A series's name, set.
 struct Name {
+    /// The name, set.
     line: std::sync::Arc<crate::typeset::Line>,
 }
 
 impl Name {
+    /// Sets the name of a series.
     fn set(series: &Series) -> Result<Self, TypesetError> {
         Ok(Self { line: std::sync::Arc::new(typeset(&series.name, Style::regular(WORDS))?) })
     }
 }
 
+/// A chart being drawn.
 struct Artist<'a> {
+    /// The rectangle between the axes, page pixels.
     plot: Rect,
+    /// The colour of each role.
     color: &'a dyn Fn(Role) -> Color,
+    /// What is drawn.
     chart: &'a Chart,
+    /// What was drawn so far.
     items: Vec<Item>,
 }
 
 impl Artist<'_> {
+    /// The opaque paint of a role.
     fn paint(&self, role: Role) -> Paint {
         Paint::role(role, (self.color)(role))
     }
 
+    /// Draws a straight line; `width` in page pixels.
     fn line(&mut self, from: Point, to: Point, role: Role, width: f64) {
         let stroke = Stroke::solid(self.paint(role), width);
         self.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
     }
 
-    /// Words whose baseline starts where `place` says, given the set line.
+    /// Draws words whose baseline starts where `place` says, given the set line.
     fn words(
         &mut self,
         markup: &str,
@@ -138,6 +147,7 @@ impl Artist<'_> {
         Ok(())
     }
 
+    /// Where a point in the axes' units lies on the page.
     fn at(&self, (x, y): (f64, f64)) -> Point {
         let Rect { x0, y0, x1, y1 } = self.plot;
         let fx = self.chart.x.fraction(x);
@@ -145,6 +155,7 @@ impl Artist<'_> {
         Point::new(x0 + fx * (x1 - x0), y1 - fy * (y1 - y0))
     }
 
+    /// Draws the axes with their grid, ticks and names.
     fn axes(&mut self) -> Result<(), TypesetError> {
         let plot = self.plot;
         for tick in self.chart.x.ticks() {
@@ -170,6 +181,7 @@ impl Artist<'_> {
         self.words(&y, Style::regular(WORDS), Role::Ink, |_| Point::new(MARGIN, plot.y0 - 14.0))
     }
 
+    /// Draws every series.
     fn series(&mut self) {
         for series in &self.chart.series {
             let points: Vec<Point> = series.points.iter().map(|&p| self.at(p)).collect();
@@ -187,7 +199,7 @@ impl Artist<'_> {
         }
     }
 
-    /// Each name right of its series's last point, pushed down where it would meet the one above.
+    /// Writes each name right of its series's last point, pushed down where it would meet the one above.
     fn names(&mut self, names: &[Name]) {
         let x = self.plot.x1 + 20.0;
         let mut wanted: Vec<(f64, usize)> = self

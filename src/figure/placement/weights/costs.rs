@@ -35,7 +35,8 @@ super::numbers! {
         naming_reach: f64 = 30.0;
         /// A marker right beside the name of an area, falling to nothing at `naming_reach`.
         naming: f64 = 6.0;
-        /// How far a label may reach over the edge of its panel, page pixels: a quarter of the gap between panels.
+        /// How far a label may reach over the edge of its panel, page pixels: a quarter of the gap between
+        /// panels.
         spill: f64 = 6.0;
         /// Reaching over the panel's edge into that gap.
         spilled: f64 = 1.5;

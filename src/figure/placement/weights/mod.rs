@@ -1,18 +1,19 @@
 //! Every number that says where labels like to stand, by name.
 //!
-//! Costs and reluctances are in one unit: 1 is a slight preference, 10 a strong one, 60 and more a last resort.
-//! Lengths are page pixels of the page as it is, and do not shrink with it.
+//! Costs and reluctances are in one unit: 1 is a slight preference, 10 a strong one, 60 and more a last
+//! resort. Lengths are page pixels of the page as it is, and do not shrink with it.
 //!
-//! They were tuned by eye and by count on the committed figures, which must have no fault at all, and on the random
-//! scenes of `tests/label_faults.rs` (five faults in a hundred figures at most). What is wrong at twice and at half of
-//! a number was measured on both by [`survey`], which anybody can run again:
+//! They were tuned by eye and by count on the committed figures, which must have no fault at all, and on the
+//! random scenes of `tests/label_faults.rs` (five faults in a hundred figures at most). What is wrong at
+//! twice and at half of a number was measured on both by [`survey`], which anybody can run again:
 //!
 //! ```text
 //! cargo test --release --lib placement::weights -- --ignored --nocapture
 //! ```
 //!
-//! Each doc names the faults that the survey counted with the number alone at twice and at half. As tuned, 19 figures have
-//! none and @BASE@. "Only places" means that labels move and no fault appears that the survey can see.
+//! Each doc names the faults that the survey counted with the number alone at twice and at half. As tuned, 19
+//! figures have none and @BASE@. "Only places" means that labels move and no fault appears that the survey
+//! can see.
 
 mod costs;
 mod places;
@@ -39,7 +40,8 @@ pub(super) struct Weights {
 pub(super) static TUNED: Weights =
     Weights { places: Places::TUNED, costs: Costs::TUNED, search: Search::TUNED };
 
-/// A struct of numbers, its tuned values, and the means to try others: name, value and doc of each stand in one place.
+/// A struct of numbers, its tuned values, and the means to try others: name, value and doc of each stand in
+/// one place.
 macro_rules! numbers {
     ($(#[$about:meta])* $group:ident { $($(#[$doc:meta])* $name:ident: $kind:ty = $value:expr;)+ }) => {
         $(#[$about])*

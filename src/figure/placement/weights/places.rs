@@ -21,12 +21,13 @@ super::numbers! {
         led: f64 = 0.7;
         /// Room between either end of a leader line and what it joins, page pixels.
         leader_room: f64 = 2.0;
-        /// Reluctance to stand in each of the eight directions about a point, from the east counter-clockwise.
-        /// Mapmakers put names right above their place if they can.
+        /// Reluctance to stand in each of the eight directions about a point, from the east
+        /// counter-clockwise. Mapmakers put names right above their place if they can.
         around: [f64; 8] = [0.6, 0.0, 1.2, 1.4, 1.8, 2.4, 2.0, 1.6];
         /// Reluctance to stand square to the side that a layer asked for; opposite to it, twice as much.
         astray: f64 = 3.0;
-        /// How much of `around` counts where a layer asked for a side: enough to choose between two as near to it.
+        /// How much of `around` counts where a layer asked for a side: enough to choose between two as near
+        /// to it.
         around_asked: f64 = 0.05;
         /// Reluctance to stand at the second and third of a line's places instead of the first.
         off_best: f64 = 1.0;
@@ -64,7 +65,8 @@ super::numbers! {
         refined: usize = 4;
         /// Reluctance to stand on the area's boundary instead of at its pole, the remotest point from it.
         off_pole: f64 = 5.0;
-        /// Reluctance to stand as far from the area's middle as its line is: among places as remote, the middle one.
+        /// Reluctance to stand as far from the area's middle as its line is: among places as remote, the
+        /// middle one.
         off_middle: f64 = 0.8;
         /// Places inside an area are at least this share of the name's width from each other.
         spread: f64 = 0.25;

@@ -3,7 +3,8 @@
 super::numbers! {
     /// Limits of the search, and what makes it try harder.
     Search {
-        /// Two labels of one key and text name the same thing if what they belong to is nearer than this, page pixels.
+        /// Two labels of one key and text name the same thing if what they belong to is nearer than this,
+        /// page pixels.
         same_thing: f64 = 12.0;
         /// A label that costs more than this where it stands is offered places about its places.
         trouble: f64 = 8.0;

@@ -1,4 +1,5 @@
-//! What goes wrong at twice and at half of each number: labels are placed again by the numbers that differ in one.
+//! What goes wrong at twice and at half of each number: labels are placed again by the numbers that differ in
+//! one.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -49,6 +50,7 @@ impl<const N: usize> Scale for [f64; N] {
 
 /// The panels of a figure, ready for their labels.
 struct Case {
+    /// For each panel what its layers drew, and the labels that seek their places there.
     panels: Vec<(Sketched, Vec<Sought>)>,
     /// For each panel those before it whose labels stand where its own should stand too.
     series: Vec<Vec<usize>>,
@@ -95,7 +97,9 @@ fn random() -> Vec<Case> {
 /// What the survey counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Count {
+    /// What a reader trips over.
     faults: usize,
+    /// Labels that stand elsewhere than by the tuned numbers.
     moved: usize,
 }
 
