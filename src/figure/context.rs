@@ -69,12 +69,6 @@ impl Context<'_> {
         }
     }
 
-    /// The name of a part of the drawing that belongs to a body: `part("body", Side::A)` is `body-A`.
-    #[must_use]
-    pub(crate) fn part(&self, word: &str, side: Side) -> String {
-        format!("{word}-{}", if side == Side::A { "A" } else { "B" })
-    }
-
     /// Where a body is at `time` in [0, 1]: its origin in world units and its rotation.
     #[must_use]
     pub(crate) fn pose(&self, side: Side, time: f64) -> Option<Pose> {

@@ -72,9 +72,7 @@ pub(super) fn message_at<F: Explain>(
     };
     let fault = &problem.fault;
     let mut elements: Vec<Element<'_>> = Vec::new();
-    if !fault.has_place() {
-        elements.push(Origin::path(source.name.as_str()).into());
-    } else {
+    if fault.has_place() {
         let place = source.place(problem.span.start);
         let origin = Origin::path(source.name.as_str()).line(place.line).char_column(place.column);
         let Quote { line, span, from_start } = quote(source, &problem.span);
@@ -90,6 +88,8 @@ pub(super) fn message_at<F: Explain>(
             elements.push(origin.into());
             elements.push(quoted.into());
         }
+    } else {
+        elements.push(Origin::path(source.name.as_str()).into());
     }
     elements.extend(fault.help().map(|help| Level::HELP.message(help).into()));
     elements.extend(

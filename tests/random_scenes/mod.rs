@@ -29,6 +29,11 @@ impl Random {
     }
 }
 
+/// A small count as a number.
+fn number(count: u64) -> f64 {
+    f64::from(u32::try_from(count).unwrap())
+}
+
 fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String {
     let mut text = format!("[shapes.{name}]\n");
     let kind = r.of(&["circle", "box", "polygon", "capsule", "aabb"]);
@@ -42,7 +47,7 @@ fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String
             let n = 3 + r.below(5);
             let corners: Vec<String> = (0..n)
                 .map(|k| {
-                    let angle = std::f64::consts::TAU * (k as f64 + 0.3) / n as f64;
+                    let angle = std::f64::consts::TAU * (number(k) + 0.3) / number(n);
                     format!("[{:.2}, {:.2}]", 2.0 * libm::cos(angle), 1.5 * libm::sin(angle))
                 })
                 .collect();

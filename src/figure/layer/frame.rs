@@ -5,7 +5,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{Layer, OptionSpec, Options, Shows, Takes};
+use super::{Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
@@ -30,7 +30,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&[Side::A]) {
         let Some(pose) = context.pose(side, context.time) else { continue };
         for axis in [DVec2::X, DVec2::Y] {
-            sketch.part(context.part("frame", side)).arrow(pose.position, pose.point(axis * length), pen);
+            sketch.part(part("frame", side)).arrow(pose.position, pose.point(axis * length), pen);
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Dash, Label, Outline, Pen, Rank, Size, Sketc
 use crate::geometry::Side;
 use crate::scene::When;
 
-use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
+use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade, part};
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
@@ -99,11 +99,7 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
 fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
     let role = options.role(side.into());
     let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
-    sketch.part(context.part("ghost", side)).weight(Weight::Light).area(
-        outline,
-        wash,
-        Some(Pen::ghost(role)),
-    );
+    sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));
     name(sketch, context, options, side, outline);
 }
 
@@ -131,13 +127,13 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     for (&time, opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
-            sketch.part(context.part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
+            sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
         }
     }
     if let Some(outline) = context.outline(side, last) {
         let pen = Pen::outline(role).dash(Dash::Dotted);
         let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
-        sketch.part(context.part("ghost", side)).area(&outline, wash, Some(pen));
+        sketch.part(part("ghost", side)).area(&outline, wash, Some(pen));
         name(sketch, context, options, side, &outline);
     }
 }

@@ -36,6 +36,7 @@ mod velocity;
 
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
+use crate::geometry::Side;
 
 pub(crate) use options::Options;
 pub use options::{COMMON, OptionSpec, Takes};
@@ -126,6 +127,11 @@ fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     (0..=steps).map(
         move |i| if steps == 0 { last } else { first + (last - first) * f64::from(i) / f64::from(steps) },
     )
+}
+
+/// The name of a part of the drawing that belongs to a body: `part("body", Side::A)` is `body-A`.
+fn part(word: &str, side: Side) -> String {
+    format!("{word}-{}", if side == Side::A { "A" } else { "B" })
 }
 
 /// A small count as a number.

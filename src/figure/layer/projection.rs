@@ -12,7 +12,7 @@ use crate::geometry::{DVec2, Enclosure, Side, perp};
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
 /// Distance of the axis from the bodies, page pixels.
 const OFFSET: f64 = 26.0;
@@ -100,12 +100,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             }
         }
         let pen = Pen::highlighted(options.role(body.into()));
-        sketch.part(context.part("interval", body)).bar(
-            at(interval.lo, track),
-            at(interval.hi, track),
-            0.0,
-            pen,
-        );
+        sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
     gap(sketch, &t, at);
 }

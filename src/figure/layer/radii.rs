@@ -12,7 +12,7 @@ use crate::trace::Event;
 use crate::scene::COMPASS;
 
 use super::half_extents::beside;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
@@ -93,7 +93,7 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
             (_, Side::A) => ("r1", format!("$r_1 = {number}$")),
             (_, Side::B) => ("r2", format!("$r_2 = {number}$")),
         };
-        sketch.part(context.part("radius", side)).line(center, rim, Pen::dimension(role).width(1.5));
+        sketch.part(part("radius", side)).line(center, rim, Pen::dimension(role).width(1.5));
         sketch.label(Label::new(key, text, Anchor::middle(center, rim), role));
     }
 }

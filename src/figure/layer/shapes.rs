@@ -4,7 +4,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash};
 use crate::geometry::{Pose, Side};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",
@@ -45,7 +45,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
-    sketch.part(context.part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
+    sketch.part(part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
 }
 
 /// Names a body inside it, best where no other is; with `center`, marks its origin.
@@ -60,7 +60,7 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
         .filter_map(|s| context.outline(s, context.time))
         .collect();
     let pose = context.pose(side, context.time).filter(|_| center);
-    sketch.part(context.part("body", side)).label(
+    sketch.part(part("body", side)).label(
         Label::new(key, context.name(side), Anchor::inside(&outline, &others), role)
             .rank(Rank::Name)
             .size(Size::Name),
@@ -68,7 +68,7 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
     if let Some(Pose { position, .. }) = pose {
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };
         let key = if side == Side::A { "a" } else { "b" };
-        sketch.part(context.part("center", side)).marker(position, marker, role, MARKER);
+        sketch.part(part("center", side)).marker(position, marker, role, MARKER);
         sketch.label(Label::new(key, "", Anchor::point(position), role).rank(Rank::Point));
     }
 }

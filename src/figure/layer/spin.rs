@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
 use crate::geometry::Side;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
@@ -50,14 +50,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let away = angle_of(-body.velocity);
         let start = if body.velocity.length_squared() > 0.0 { away } else { PI } - 0.5 * sweep;
         let center = pose.position;
-        sketch.part(context.part("spin", side)).marker(center, Marker::Disc, role, SMALL_MARKER);
-        sketch.part(context.part("spin", side)).arc_arrow(
-            center,
-            radius,
-            start,
-            sweep,
-            Pen::vector(role).width(1.5),
-        );
+        sketch.part(part("spin", side)).marker(center, Marker::Disc, role, SMALL_MARKER);
+        sketch.part(part("spin", side)).arc_arrow(center, radius, start, sweep, Pen::vector(role).width(1.5));
         let (key, text) =
             if side == Side::A { ("omega_A", r"$\omega_A$") } else { ("omega_B", r"$\omega_B$") };
         sketch.label(Label::new(key, text, Anchor::Arc { center, radius, start, sweep }, role));

@@ -9,7 +9,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 
-use super::{Layer, OptionSpec, Options, Shows, Takes};
+use super::{Layer, OptionSpec, Options, Shows, Takes, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",
@@ -36,7 +36,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         let radius = context.body(side).map_or(0.0, |body| body.shape.radius);
         for (p, q) in tangents(&before, &after, radius) {
-            sketch.part(context.part("sweep", side)).weight(Weight::Light).line(
+            sketch.part(part("sweep", side)).weight(Weight::Light).line(
                 p,
                 q,
                 Pen::construction(options.role(Role::Muted)).width(1.25),

@@ -6,7 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{LabelKey, Layer, Options, Shows};
+use super::{LabelKey, Layer, Options, Shows, part};
 
 /// How many pieces a path is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px radius.
 const PIECES: u32 = 64;
@@ -35,10 +35,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = options.role(side.into());
         if path.first() != path.last() {
             let pen = Pen::ghost(role).width(1.75).dash(Dash::Dotted);
-            sketch.part(context.part("track", side)).area(&Outline::polyline(&path), None, Some(pen));
+            sketch.part(part("track", side)).area(&Outline::polyline(&path), None, Some(pen));
         }
         if let (Some(&start), Some(&next)) = (path.first(), path.get(1)) {
-            sketch.part(context.part("track", side)).marker(start, marker, role, LARGE_MARKER);
+            sketch.part(part("track", side)).marker(start, marker, role, LARGE_MARKER);
             let anchor = Anchor::point_toward(start, start - next);
             sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
         }

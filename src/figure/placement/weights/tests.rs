@@ -35,16 +35,19 @@ impl Scale for f64 {
     }
 }
 
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small counts")]
+#[expect(clippy::cast_precision_loss, reason = "small counts")]
 impl Scale for usize {
     fn scale(&mut self, by: f64) {
-        let scaled = (f64::from(u32::try_from(*self).unwrap()) * by).floor();
-        *self = (1_u32..).take_while(|&n| f64::from(n) <= scaled).last().unwrap_or(1).try_into().unwrap();
+        *self = ((*self as f64 * by) as usize).max(1);
     }
 }
 
 impl<const N: usize> Scale for [f64; N] {
     fn scale(&mut self, by: f64) {
-        self.iter_mut().for_each(|x| *x *= by);
+        for x in self.iter_mut() {
+            *x *= by;
+        }
     }
 }
 
@@ -119,17 +122,20 @@ fn count(cases: &[Case], tuned: &[Vec<Labelled>], weights: &Weights) -> Count {
     count
 }
 
+/// What multiplies one number.
+type Turn = Box<dyn Fn(&mut Weights, f64)>;
+
 /// Every number by name, with what multiplies it.
-fn knobs() -> Vec<(String, Box<dyn Fn(&mut Weights, f64)>)> {
-    let mut all: Vec<(String, Box<dyn Fn(&mut Weights, f64)>)> = Vec::new();
+fn knobs() -> Vec<(&'static str, Turn)> {
+    let mut all: Vec<(&str, Turn)> = Vec::new();
     for &(name, turn) in Places::KNOBS {
-        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.places, by))));
+        all.push((name, Box::new(move |w, by| turn(&mut w.places, by))));
     }
     for &(name, turn) in Costs::KNOBS {
-        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.costs, by))));
+        all.push((name, Box::new(move |w, by| turn(&mut w.costs, by))));
     }
     for &(name, turn) in Search::KNOBS {
-        all.push((name.to_owned(), Box::new(move |w: &mut Weights, by| turn(&mut w.search, by))));
+        all.push((name, Box::new(move |w, by| turn(&mut w.search, by))));
     }
     all
 }
