@@ -1,6 +1,6 @@
 //! The layers: what a panel can show, one layer a file, each a row in [`LAYERS`].
 //!
-//! A layer reads events and answers through a [`Context`] and draws with a [`Sketch`] in the panel's space.
+//! A layer reads events and answers through a `Context` and draws with a `Sketch` in the panel's space.
 //! It never asks a scene for a coordinate of something that an algorithm can compute, and it does not place
 //! its labels: it says what they belong to.
 
@@ -69,7 +69,7 @@ pub struct Layer {
     pub about: &'static str,
     /// The panels it can stand in.
     pub shows: Shows,
-    /// The options of its own; every layer has [`COMMON`](super::COMMON) besides.
+    /// The options of its own; every layer has [`COMMON`] besides.
     pub options: &'static [OptionSpec],
     /// The labels that it can write.
     pub labels: &'static [LabelKey],

@@ -3,7 +3,7 @@
 use crate::collision::{Answer, Outcome};
 use crate::figure::context::Context;
 use crate::figure::question::has_a_tolerance;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{Body, DVec2, Side};
 use crate::trace::Event;
 
 /// A number with its bounds; both are the same where the trace tells only a double.
@@ -164,12 +164,14 @@ fn bound(context: &Context) -> Option<Quantity> {
     }
 }
 
+/// The article's first step. r is the distance of the farthest vertex of the core: a disc about a vertex is carried and
+/// not turned, so the radius of a round body never counts.
 fn first_step(context: &Context) -> Option<f64> {
     let start = context.separation_at(0.0)?;
     let contact = start.separation()?;
     let (a, b) = (context.body(Side::A)?, context.body(Side::B)?);
-    let turning = |body: &crate::geometry::Body| {
-        let farthest = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius;
+    let turning = |body: &Body| {
+        let farthest = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
         farthest * body.spin.0.to_radians().abs()
     };
     let approach = (a.velocity - b.velocity).dot(*contact.normal) + turning(a) + turning(b);
@@ -241,4 +243,32 @@ fn center(context: &Context) -> Option<DVec2> {
         Event::BoundsFound { min, max, .. } => Some((*min + *max) / 2.0),
         _ => None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::plan;
+    use crate::figure::text::{in_words, rounded};
+    use crate::scene::{Source, read};
+    use crate::trace::Event;
+
+    #[test]
+    fn the_bound_of_a_round_body_is_the_first_step_that_the_algorithm_takes() {
+        let text = r#"
+            caption = "{=bound}"
+            shapes.A = { kind = "capsule", points = [[-1, 0], [1, 0]], radius = 0.5, angular_velocity_deg = 90 }
+            shapes.B = { kind = "circle", radius = 1, position = [4, 0], velocity = [-2, 0] }
+            query = { kind = "time-of-impact", of = ["A", "B"], algorithm = "conservative-advancement" }
+            panels = [{ space = "world", layers = ["shapes"] }]
+        "#;
+        let scene = read(&Source::new("round.toml", text)).unwrap();
+        let plan = plan(&scene).unwrap();
+        let run = plan.own_run();
+        let mut steps = run.events().filter_map(|event| match event {
+            Event::Advanced { next, .. } => *next,
+            _ => None,
+        });
+        let first = steps.next().unwrap();
+        assert_eq!(plan.caption_words, Some(in_words(&rounded(first, first))));
+    }
 }
