@@ -173,38 +173,20 @@ fn bars(options: &Options, e: Extents) -> Vec<Bar> {
         ["h.A.y", "D.y", "h.B.y", "centers.y"]
     };
     let half = Pen::highlighted(role);
-    vec![
-        Bar {
-            key: keys[0],
-            text: format!("$h_{{A,{name}}} = {}$", number(e.half[0])),
-            ends: [a, facing[0]],
-            track: own(0),
-            pen: half,
-            low: name == 'y',
-        },
-        Bar {
-            key: keys[1],
-            text: format!("$D_{name} = {}$", number(e.gap)),
-            ends: facing,
-            track: own(1),
-            pen: Pen::highlighted(gap_role),
-            low: name == 'y',
-        },
-        Bar {
-            key: keys[2],
-            text: format!("$h_{{B,{name}}} = {}$", number(e.half[1])),
-            ends: [facing[1], b],
-            track: own(2),
-            pen: half,
-            low: false,
-        },
-        Bar {
-            key: keys[3],
-            text: format!("$|c_B - c_A|_{name} = {}$", number((b - a).abs())),
-            ends: [a, b],
-            track: own(2) + 1,
-            pen: Pen::dimension(Role::Ink),
-            low: true,
-        },
-    ]
+    let symbols = [
+        format!("h_{{A,{name}}}"),
+        format!("D_{name}"),
+        format!("h_{{B,{name}}}"),
+        format!("|c_B - c_A|_{name}"),
+    ];
+    let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
+    let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
+    let tracks = [own(0), own(1), own(2), own(2) + 1];
+    let pens = [half, Pen::highlighted(gap_role), half, Pen::dimension(Role::Ink)];
+    let low = [name == 'y', name == 'y', false, true];
+    let bar = |i: usize| {
+        let text = format!("${} = {}$", symbols[i], number(lengths[i]));
+        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], low: low[i] }
+    };
+    (0..keys.len()).map(bar).collect()
 }

@@ -38,8 +38,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
 use crate::geometry::Side;
 
-pub(crate) use options::Options;
-pub use options::{COMMON, OptionSpec, Takes};
+pub(crate) use options::{OptionSpec, Options, Takes};
 
 /// Which panels a layer can stand in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +68,7 @@ pub struct Layer {
     pub about: &'static str,
     /// The panels it can stand in.
     pub shows: Shows,
-    /// The options of its own; every layer has [`COMMON`] besides.
+    /// The options of its own; every layer has [`COMMON`](options::COMMON) besides.
     pub options: &'static [OptionSpec],
     /// The labels that it can write.
     pub labels: &'static [LabelKey],

@@ -20,7 +20,7 @@ const GAIN: f64 = 1e-6;
 const PARTS: f64 = 1e6;
 
 /// The candidates of every label, and which one each has at the moment.
-struct Problem<'w> {
+struct Choices<'w> {
     /// For each label its candidates, each with what it costs whatever the other labels do.
     places: Vec<Vec<(Candidate, f64)>>,
     /// For each label the index of its candidate.
@@ -58,22 +58,22 @@ pub(super) fn place_by(
     };
     let places = sought.iter().zip(&homes);
     let places = places.map(|s| priced(s, candidates(s.0, frame, &weights.places))).collect();
-    let mut problem = Problem { places, chosen: vec![0; sought.len()], weights };
-    problem.greedy();
-    problem.improve();
+    let mut choices = Choices { places, chosen: vec![0; sought.len()], weights };
+    choices.greedy();
+    choices.improve();
     let all: Vec<usize> = (0..sought.len()).collect();
     let search = &weights.search;
     for (label, s) in sought.iter().zip(&homes).enumerate() {
-        if s.0.pin.is_some() || problem.cost(label, problem.chosen[label], &all) < search.trouble {
+        if s.0.pin.is_some() || choices.cost(label, choices.chosen[label], &all) < search.trouble {
             continue;
         }
-        let cheapest = problem.cheapest(label, search.nudged_places);
+        let cheapest = choices.cheapest(label, search.nudged_places);
         let more =
-            cheapest.into_iter().flat_map(|slot| nudged(&problem.places[label][slot].0, search)).collect();
-        problem.places[label].extend(priced(s, more));
+            cheapest.into_iter().flat_map(|slot| nudged(&choices.places[label][slot].0, search)).collect();
+        choices.places[label].extend(priced(s, more));
     }
-    problem.improve();
-    problem.finish(sought, frame, obstacles)
+    choices.improve();
+    choices.finish(sought, frame, obstacles)
 }
 
 /// A cost rounded to whole [`PARTS`].
@@ -98,7 +98,7 @@ fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Soug
     kept
 }
 
-impl Problem<'_> {
+impl Choices<'_> {
     /// Where a label stands at the moment.
     fn candidate(&self, label: usize) -> &Candidate {
         &self.places[label][self.chosen[label]].0
