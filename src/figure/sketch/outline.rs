@@ -239,7 +239,10 @@ mod tests {
     #[test]
     fn an_arc_on_the_page_begins_where_its_first_point_lies() {
         let panel = Rect { x0: 20.0, y0: 40.0, x1: 220.0, y1: 140.0 };
-        let pose = Pose { position: DVec2::new(1.0, -2.0), cos: 0.8, sin: 0.6 };
+        let pose = Pose {
+            position: DVec2::new(1.0, -2.0),
+            rotation: crate::geometry::Rotation { cos: 0.8, sin: 0.6 },
+        };
         let frame = Frame::fit(Some(pose), DVec2::new(-3.0, -1.0), DVec2::new(3.0, 1.0), panel);
         let (c, r, start, sweep) = (DVec2::new(0.5, 0.25), 2.0, 0.7, 1.1);
         let Contour::Segments(segments) = Outline::arc(c, r, start, sweep).on_page(&frame) else { panic!() };
