@@ -1,15 +1,17 @@
-//! How the cost of a figure grows with its trace: time and memory for 10, 100, 1,000 and 10,000 shapes' worth of events.
+//! How the cost of a figure grows with its trace: time and memory for 10, 100, 1,000 and 10,000 shapes' worth
+//! of events.
 //!
 //! ```text
 //! cargo bench --bench growth
 //! ```
 //!
-//! A shape's worth are the events that one shape of Figure 4 leaves, four edges of a difference. Events come from many
-//! corners (up to the limit of a shape) or from many iterations. Each figure is read, answered with its trace, drawn, and
-//! written as SVG and PNG; of a few rounds the one with the least processor time counts. Memory is the most that was
-//! allocated at one time. What it has more than that of the smallest figure is told as a multiple of what the output (SVG,
-//! PNG and the trace as JSON lines) has more. The bench fails where events cost more than [`MOST_TIME`] times the time
-//! that fewer did, each, or where memory grows by more than [`MOST_MEMORY`] times the output.
+//! A shape's worth are the events that one shape of Figure 4 leaves, four edges of a difference. Events come
+//! from many vertices (up to the limit of a shape) or from many iterations. Each figure is read, answered
+//! with its trace, drawn, and written as SVG and PNG; of a few rounds the one with the least processor time
+//! counts. Memory is the most that was allocated at one time. What it has more than that of the smallest
+//! figure is told as a multiple of what the output (SVG, PNG and the trace as JSON lines) has more. The bench
+//! fails where events cost more than [`MOST_TIME`] times the time that fewer did, each, or where memory grows
+//! by more than [`MOST_MEMORY`] times the output.
 
 #![expect(clippy::print_stdout, reason = "a table for whoever runs it")]
 
@@ -26,11 +28,12 @@ use tracefig::trace::{Trace, json_lines};
 /// Events that a shape of Figure 4 leaves.
 const A_SHAPE: usize = 4;
 
-/// What an event of a longer trace may cost, as a multiple of one of a shorter: 1, and room for an unquiet machine.
+/// What an event of a longer trace may cost, as a multiple of one of a shorter: 1, and room for an unquiet
+/// machine.
 const MOST_TIME: f64 = 1.5;
 
-/// Bytes at one time for each byte of output. The display list keeps a path of some 400 bytes for an edge that an SVG says
-/// in 120: the aim of 2 is not reached.
+/// Bytes at one time for each byte of output. The display list keeps a path of some 400 bytes for an edge
+/// that an SVG says in 120: the aim of 2 is not reached.
 const MOST_MEMORY: f64 = 8.0;
 
 /// Rounds; the fastest counts.
@@ -44,7 +47,7 @@ struct Family {
 }
 
 const FAMILIES: [Family; 2] = [
-    Family { name: "many corners", scene: corners, sizes: [10, 100, 1_000, 4_096] },
+    Family { name: "many corners", scene: vertices, sizes: [10, 100, 1_000, 4_096] },
     Family { name: "many iterations", scene: iterations, sizes: [2, 23, 230, 2_300] },
 ];
 
@@ -77,18 +80,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     if slow.is_empty() { Ok(()) } else { Err(slow.join("; ").into()) }
 }
 
-/// Corners of a regular polygon about the origin.
-#[expect(clippy::cast_precision_loss, reason = "some thousand corners")]
+/// Vertices of a regular polygon about the origin.
+#[expect(clippy::cast_precision_loss, reason = "some thousand vertices")]
 fn polygon(count: usize, phase: f64) -> String {
-    let corner = |i: usize| {
+    let vertex = |i: usize| {
         let angle = std::f64::consts::TAU * (i as f64 + phase) / count as f64;
         format!("[{}, {}]", libm::cos(angle), libm::sin(angle))
     };
-    (0..count).map(corner).collect::<Vec<_>>().join(", ")
+    (0..count).map(vertex).collect::<Vec<_>>().join(", ")
 }
 
-/// Two regular polygons of so many corners, and their difference.
-fn corners(count: usize) -> String {
+/// Two regular polygons of so many vertices, and their difference.
+fn vertices(count: usize) -> String {
     format!(
         r#"{{"title": "Growth", "shapes": {{
             "A": {{"kind": "polygon", "vertices": [{}]}},
@@ -102,8 +105,8 @@ fn corners(count: usize) -> String {
     )
 }
 
-/// A wheel that turns by tenths of a degree close above a box: conservative advancement steps by the gap over the speed
-/// of its rim.
+/// A wheel that turns by tenths of a degree close above a box: conservative advancement steps by the gap over
+/// the speed of its rim.
 #[expect(clippy::cast_precision_loss, reason = "some thousand steps")]
 fn iterations(count: usize) -> String {
     let degrees = count as f64 / 10.0;

@@ -55,15 +55,15 @@ fn a_moving_untraced_query_allocates_nothing() {
 
 #[test]
 fn a_thousand_corners_allocate_nothing_either() {
-    let corners = |n: u32| {
-        let corner = |k: u32| {
+    let vertices = |n: u32| {
+        let vertex = |k: u32| {
             let angle = f64::from(k) * std::f64::consts::TAU / f64::from(n);
             DVec2::new(libm::cos(angle), libm::sin(angle))
         };
-        FieldValue::Points((0..n).map(corner).collect())
+        FieldValue::Points((0..n).map(vertex).collect())
     };
     let body = |n: u32, x: f64| Body {
-        shape: of_kind("polygon", &[("vertices", corners(n))]),
+        shape: of_kind("polygon", &[("vertices", vertices(n))]),
         position: DVec2::new(x, 0.25),
         angle: Degrees(x),
         velocity: DVec2::ZERO,

@@ -1,4 +1,5 @@
-//! Whatever is done to a scene file, reading and answering it ends in an answer or in problems that point into it.
+//! Whatever is done to a scene file, reading and answering it ends in an answer or in problems that point
+//! into it.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
@@ -161,9 +162,9 @@ fn no_hostile_text_takes_long() {
     let each =
         |count: usize, line: &dyn Fn(usize) -> String| (0..count).map(line).collect::<Vec<_>>().concat();
     let many = |piece: &str, bytes: usize| piece.repeat(bytes / piece.len());
-    let polygon = |corners: &str| {
+    let polygon = |vertices: &str| {
         format!(
-            "[shapes.A]\nkind = 'outline'\nvertices = [{corners}]\n[query]\nkind = 'bounds'\nof = ['A']\n"
+            "[shapes.A]\nkind = 'outline'\nvertices = [{vertices}]\n[query]\nkind = 'bounds'\nof = ['A']\n"
         )
     };
     let million = 1_000_000;

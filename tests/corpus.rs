@@ -1,4 +1,5 @@
-//! What fuzzing found stays found: the inputs of `fuzz/corpus` pass through the very functions of the fuzz targets.
+//! What fuzzing found stays found: the inputs of `fuzz/corpus` pass through the very functions of the fuzz
+//! targets.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 

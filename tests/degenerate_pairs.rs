@@ -1,5 +1,5 @@
-//! Pairs that have no obvious answer (coincident centres, points, segments, touching bodies) have a defined one, the
-//! same from every algorithm.
+//! Pairs that have no obvious answer (coincident centres, points, segments, touching bodies) have a defined
+//! one, the same from every algorithm.
 
 #![expect(
     clippy::unwrap_used,
@@ -110,7 +110,7 @@ fn a_circle_at_the_centre_of_a_square_has_four_ways_out() {
 }
 
 #[test]
-fn a_circle_centred_on_a_side_is_in_by_its_radius() {
+fn a_circle_centred_on_an_edge_is_in_by_its_radius() {
     let expected = Expected { separation: -0.75, ties: 1, normals: &[DVec2::X] };
     check(&at(square("box", 1.0), 0.0, 0.0), &at(circle(0.75), 1.0, 0.25), &expected);
 }

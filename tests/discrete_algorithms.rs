@@ -30,7 +30,7 @@ fn separation(algorithm: &Algorithm, a: &Body, b: &Body) -> Separation {
     }
 }
 
-fn corners(body: &Body) -> Vec<DVec2> {
+fn vertices(body: &Body) -> Vec<DVec2> {
     body.shape.vertices.iter().map(|&v| body.pose_at(0.0).point(v)).collect()
 }
 
@@ -38,7 +38,7 @@ fn corners(body: &Body) -> Vec<DVec2> {
 /// radii.
 fn brute_force(a: &Body, b: &Body) -> f64 {
     let mut points: Vec<DVec2> =
-        corners(a).iter().flat_map(|&p| corners(b).into_iter().map(move |q| q - p)).collect();
+        vertices(a).iter().flat_map(|&p| vertices(b).into_iter().map(move |q| q - p)).collect();
     points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     let half = |points: &mut dyn Iterator<Item = DVec2>| {
         let mut chain: Vec<DVec2> = Vec::new();
@@ -84,7 +84,8 @@ fn scale(a: &Body, b: &Body) -> f64 {
 
 /// The depth (or distance) of the cores along a direction: never above the separation for a unit vector.
 fn gap_along(a: &Body, b: &Body, n: DVec2) -> f64 {
-    let of = |body: &Body, n: DVec2| corners(body).iter().map(|p| p.dot(n)).fold(f64::NEG_INFINITY, f64::max);
+    let of =
+        |body: &Body, n: DVec2| vertices(body).iter().map(|p| p.dot(n)).fold(f64::NEG_INFINITY, f64::max);
     -of(b, -n) - of(a, n) - a.shape.radius - b.shape.radius
 }
 

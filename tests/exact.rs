@@ -1,7 +1,7 @@
 //! Every answer against the exact one: cases of `tracefig-reference` from a seed, checked in 320 bits.
 //!
-//! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the cases. A
-//! failure prints the scene, which `tracefig solve` reads as it stands.
+//! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the
+//! cases. A failure prints the scene, which `tracefig solve` reads as it stands.
 
 #![expect(
     clippy::expect_used,

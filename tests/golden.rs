@@ -1,4 +1,5 @@
-//! The committed figures are what the built binary draws, byte for byte; a figure changed by hand is found and shown.
+//! The committed figures are what the built binary draws, byte for byte; a figure changed by hand is found
+//! and shown.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -1,4 +1,5 @@
-//! No scene of a megabyte takes over 2 s or 500 MB, whatever it holds: it is drawn, or refused with its reason.
+//! No scene of a megabyte takes over 2 s or 500 MB, whatever it holds: it is drawn, or refused with its
+//! reason.
 //!
 //! Time is the processor's, so that a busy machine does not count. Without optimization it says nothing:
 //! `cargo test --release --test hostile`, with `TIMES` set to see what each takes.
@@ -44,13 +45,13 @@ fn world(layers: &str) -> String {
     panel("world", layers)
 }
 
-/// A convex polygon of as many corners as a shape may have, and its radius.
+/// A convex polygon of as many vertices as a shape may have, and its radius.
 fn round(name: &str, x: f64, motion: &str) -> String {
-    let corners = list(4096, |k| {
+    let vertices = list(4096, |k| {
         let angle = std::f64::consts::TAU * f64::from(u32::try_from(k).unwrap()) / 4096.0;
         format!("[{:.0},{:.0}]", RADIUS * libm::cos(angle), RADIUS * libm::sin(angle))
     });
-    format!("[shapes.{name}]\nkind = 'polygon'\nvertices = [{corners}]\nposition = [{x}, 0]\n{motion}\n")
+    format!("[shapes.{name}]\nkind = 'polygon'\nvertices = [{vertices}]\nposition = [{x}, 0]\n{motion}\n")
 }
 
 const RADIUS: f64 = 16_777_216.0;
@@ -173,7 +174,7 @@ fn texts() -> Vec<(&'static str, String, Fate)> {
             Some("over-limit"),
         ),
         (
-            "steps of many corners",
+            "steps of many vertices",
             rounds(
                 3.0,
                 ["velocity = [1e7, 0]\nangular_velocity_deg = 3600", ""],
@@ -224,22 +225,22 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
             + &world(layers)
     };
     let mut all = vec![
-        ("closest features of 8,192 corners", inside("closest-features"), None),
-        ("the article's difference of 8,192 corners", inside("minkowski"), None),
-        ("separating axes of 8,192 corners", inside("separating-axes"), None),
-        ("GJK with 8,192 corners", inside("gjk"), None),
+        ("closest features of 8,192 vertices", inside("closest-features"), None),
+        ("the article's difference of 8,192 vertices", inside("minkowski"), None),
+        ("separating axes of 8,192 vertices", inside("separating-axes"), None),
+        ("GJK with 8,192 vertices", inside("gjk"), None),
         (
-            "a figure full of corners",
+            "a figure full of vertices",
             rounds(3.0, ["", ""], "kind='separation'") + &world("'shapes', 'separation'").repeat(4),
             None,
         ),
         (
-            "copies on 4,096 corners",
+            "copies on 4,096 vertices",
             rounds(3.0, ["", ""], "kind='separation'") + &world("'grown'"),
             Some("over-limit"),
         ),
         (
-            "shapes of 4,096 corners",
+            "shapes of 4,096 vertices",
             rounds(3.0, ["", ""], "kind='separation'") + &world(&"'shapes',".repeat(200)),
             Some("over-limit"),
         ),
@@ -249,9 +250,9 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
                 + &configuration(&list(200, |i| format!("{{layer='difference',at=0.{i:03}}}"))),
             Some("over-limit"),
         ),
-        ("turning shapes of 4,096 corners", moving("'shapes', { layer='ghosts', at='hit' }"), None),
+        ("turning shapes of 4,096 vertices", moving("'shapes', { layer='ghosts', at='hit' }"), None),
         (
-            "a sweep of 4,096 corners",
+            "a sweep of 4,096 vertices",
             rounds(3.0, ["", "velocity = [-4e7, 0]"], "kind='linear-sweep'")
                 + &world("'shapes', 'ghosts', 'sweep', 'velocity'")
                 + &configuration("'difference', 'ray', 'origin'"),
@@ -297,7 +298,8 @@ fn teeth() -> String {
     outline + &world("'shapes', 'bounds'").repeat(32)
 }
 
-/// Runs a command under the limits of memory and, so that a hang ends, of time; what it said and how long it took.
+/// Runs a command under the limits of memory and, so that a hang ends, of time; what it said and how long it
+/// took.
 fn run(folder: &Path, arguments: &str) -> (Option<i32>, String, f64) {
     let script = format!(
         "ulimit -d {KILOBYTES}; ulimit -t {}; \"$0\" {arguments} >/dev/null; code=$?; times; exit $code",

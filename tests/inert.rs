@@ -1,4 +1,5 @@
-//! No text of a scene becomes a script or a reference to elsewhere in an SVG or HTML file: it is refused, or it is text.
+//! No text of a scene becomes a script or a reference to elsewhere in an SVG or HTML file: it is refused, or
+//! it is text.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 

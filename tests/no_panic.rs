@@ -1,8 +1,8 @@
-//! No scene makes tracefig panic: random ones from the tables of kinds, queries, algorithms, layers and options, and the
-//! scenes of `figures/`, both whole and broken, go all the way to SVG and PNG.
+//! No scene makes tracefig panic: random ones from the tables of kinds, queries, algorithms, layers and
+//! options, and the scenes of `figures/`, both whole and broken, go all the way to SVG and PNG.
 //!
-//! `TRACEFIG_SCENES=100000 cargo test --release --test no_panic -- --nocapture` runs as many as one likes from
-//! `TRACEFIG_SEED` on and prints what became of them.
+//! `TRACEFIG_SCENES=100000 cargo test --release --test no_panic -- --nocapture` runs as many as one likes
+//! from `TRACEFIG_SEED` on and prints what became of them.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic wherever it is")]
 
@@ -130,7 +130,7 @@ fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
             FieldType::Number => r.number().trim_start_matches('-').to_owned(),
             FieldType::Point => r.pair().replace('-', ""),
             FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", r.pair(), r.pair()),
-            FieldType::Points => corners(r),
+            FieldType::Points => vertices(r),
         };
         writeln!(text, "{} = {value}", field.name).unwrap();
     }
@@ -145,15 +145,15 @@ fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
     text
 }
 
-/// Corners on an ellipse, so that most polygons are convex.
-fn corners(r: &mut Random) -> String {
+/// Vertices on an ellipse, so that most polygons are convex.
+fn vertices(r: &mut Random) -> String {
     let (n, height) = (3 + r.below(7), f64::from(u32::try_from(1 + r.below(4)).unwrap()));
-    let corner = |k: usize| {
+    let vertex = |k: usize| {
         let angle = std::f64::consts::TAU * f64::from(u32::try_from(k).unwrap())
             / f64::from(u32::try_from(n).unwrap());
         format!("[{:.3}, {:.3}]", 2.0 * libm::cos(angle), height * libm::sin(angle))
     };
-    format!("[{}]", (0..n).map(corner).collect::<Vec<_>>().join(", "))
+    format!("[{}]", (0..n).map(vertex).collect::<Vec<_>>().join(", "))
 }
 
 fn layer(r: &mut Random, layer: &Layer) -> String {
@@ -279,8 +279,8 @@ fn mended(text: &str) -> String {
     text
 }
 
-/// The text broken at a few places: numbers replaced by extremes, lines dropped, doubled or moved, bytes flipped,
-/// brackets nested.
+/// The text broken at a few places: numbers replaced by extremes, lines dropped, doubled or moved, bytes
+/// flipped, brackets nested.
 fn broken(r: &mut Random, text: &str) -> String {
     let mut text = text.to_owned();
     for _ in 0..=r.below(4) {

@@ -10,9 +10,9 @@ use tracefig::figure::theme::find;
 use tracefig::figure::{draw, plan};
 use tracefig::output::{Options, Writer, format, rasterize};
 
-/// Mean difference of the channels, in levels of 255, over the whole page. Both draw edges with some sixteen levels, by
-/// areas here and by samples there; with a page's few per cent of edge pixels that comes to tenths of a level, or to
-/// two thirds where hatching makes edges everywhere.
+/// Mean difference of the channels, in levels of 255, over the whole page. Both draw edges with some sixteen
+/// levels, by areas here and by samples there; with a page's few per cent of edge pixels that comes to tenths
+/// of a level, or to two thirds where hatching makes edges everywhere.
 const MEAN: f64 = 1.0;
 
 /// Share of the channels that may differ by more than [`FAR`] levels: single pixels where several edges meet.

@@ -1,7 +1,8 @@
-//! The report's workloads and their committed answers: `src/report/answers.tsv` is what exact arithmetic gives.
+//! The report's workloads and their committed answers: `src/report/answers.tsv` is what exact arithmetic
+//! gives.
 //!
-//! Some answers of each workload are computed again on every run. `TRACEFIG_WRITE_ANSWERS=1 cargo test --test workloads`
-//! computes all of them and writes the file.
+//! Some answers of each workload are computed again on every run.
+//! `TRACEFIG_WRITE_ANSWERS=1 cargo test --test workloads` computes all of them and writes the file.
 
 #![expect(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -18,7 +19,7 @@ use tracefig_reference::scene::Scene;
 const DIGITS: usize = 40;
 /// Cases in each workload.
 const CASES: usize = 16;
-/// Largest number of corners whose answers are computed again on every run.
+/// Largest number of vertices whose answers are computed again on every run.
 const AGAIN: usize = 16;
 
 fn body_json(body: &Body) -> serde_json::Value {

@@ -1,4 +1,5 @@
-//! `box2d-rust`, a port of Box2D v3: GJK, SAT with clipping, conservative advancement; f32, at most eight corners.
+//! `box2d-rust`, a port of Box2D v3: GJK, SAT with clipping, conservative advancement; f32, at most eight
+//! vertices.
 
 use box2d_rust::distance::{
     DistanceInput, ShapeCastPairInput, ShapeProxy, SimplexCache, Sweep, ToiInput, ToiState, make_proxy, shape_cast,
@@ -17,8 +18,8 @@ use tracefig::report::{Case, Contender, Outcome, Preparation, Prepared};
 /// The library as a contender.
 pub struct Box2d;
 
-/// Its limit on the corners of a polygon.
-const CORNERS: usize = 8;
+/// Its limit on the vertices of a polygon.
+const VERTICES: usize = 8;
 
 #[expect(clippy::cast_possible_truncation, reason = "the library computes in f32")]
 fn vector(v: tracefig::geometry::DVec2) -> Vec2 {
@@ -80,7 +81,7 @@ impl Contender for Box2d {
         _: f64,
         preparation: Preparation,
     ) -> Option<Prepared<'c>> {
-        if case.a.shape.core.len() > CORNERS || case.b.shape.core.len() > CORNERS {
+        if case.a.shape.core.len() > VERTICES || case.b.shape.core.len() > VERTICES {
             return None;
         }
         let scratch = preparation == Preparation::FromScene;

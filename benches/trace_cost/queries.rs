@@ -36,18 +36,18 @@ fn queries<'s>(algorithm: &Algorithm, pairs: &'s [(Body, Body)]) -> Vec<Query<'s
     all.filter(|query| algorithm.takes(query)).collect()
 }
 
-/// Overlapping and apart: circles, AABBs, tilted boxes, circle and box, polygons of 5 and of 32 corners.
+/// Overlapping and apart: circles, AABBs, tilted boxes, circle and box, polygons of 5 and of 32 vertices.
 fn pairs() -> Vec<(Body, Body)> {
     let number = FieldValue::Number;
     let circle = |r: f64| shape("circle", &[("radius", number(r))]);
     let aabb = |x: f64, y: f64| shape("aabb", &[("half_extents", FieldValue::Point(DVec2::new(x, y)))]);
     let boxed = |x: f64, y: f64| shape("box", &[("half_extents", FieldValue::Point(DVec2::new(x, y)))]);
     let round = |n: u32| {
-        let corner = |k: u32| {
+        let vertex = |k: u32| {
             let angle = f64::from(k) * std::f64::consts::TAU / f64::from(n);
             DVec2::new(2.0 * libm::cos(angle), libm::sin(angle))
         };
-        shape("polygon", &[("vertices", FieldValue::Points((0..n).map(corner).collect()))])
+        shape("polygon", &[("vertices", FieldValue::Points((0..n).map(vertex).collect()))])
     };
     let shapes = [
         (circle(3.0), circle(2.5), 0.0, 0.0),

@@ -30,8 +30,8 @@ pub fn separation_line(scene: &Scene) -> Json {
     Json::object([("id", scene.id.clone()), ("result", fields)])
 }
 
-/// The line that a perfect solver prints for a sweep or a time of impact: `overlapping`, `miss`, or a `hit` within two
-/// neighbouring doubles. A graze that 2⁻¹¹⁰ of time does not decide is called a hit.
+/// The line that a perfect solver prints for a sweep or a time of impact: `overlapping`, `miss`, or a `hit`
+/// within two neighbouring doubles. A graze that 2⁻¹¹⁰ of time does not decide is called a hit.
 #[must_use]
 pub fn impact_line(scene: &Scene) -> Json {
     let setting = Setting::of(scene);
@@ -137,14 +137,15 @@ fn farthest(body: &Placed, direction: Point) -> impl Iterator<Item = usize> {
     (0..body.vertices.len()).filter(move |i| reach - body.vertices[*i].dot(direction) <= tiny)
 }
 
-/// From where to where the side that faces a direction reaches.
+/// From where to where the edge that faces a direction reaches.
 fn span(body: &Placed, direction: Point, along: Point) -> (Real, Real) {
     let mut places = farthest(body, direction).map(|i| body.vertices[i].dot(along));
     let first = places.next().unwrap_or(Real::ZERO);
     places.fold((first, first), |(lo, hi), place| (lo.min(place), hi.max(place)))
 }
 
-/// The feature that faces a direction, at a place along it, with its world ends: an edge of the file where one is there.
+/// The feature that faces a direction, at a place along it, with its world ends: an edge of the file where
+/// one is there.
 fn support(body: &Placed, direction: Point, along: Point, place: Real) -> (Feature, [Point; 2]) {
     let on_face: Vec<usize> = farthest(body, direction).collect();
     for i in 0..body.vertices.len() {

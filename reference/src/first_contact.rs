@@ -1,8 +1,8 @@
 //! When two moving bodies first come within a distance c: proved, by conservative subdivision in 320 bits.
 //!
-//! On an interval [m − h, m + h] the pair is farther apart than c if some axis, fixed in one of the bodies, says so. With the
-//! axis n of the closest features at m, owned by body R, O the other, `D = c_O − c_R`, `V = v_O − v_R`, `Δω = ω_O − ω_R`,
-//! and `p_j` the j-th vertex of O seen from its origin,
+//! On an interval [m − h, m + h] the pair is farther apart than c if some axis, fixed in one of the bodies,
+//! says so. With the axis n of the closest features at m, owned by body R, O the other, `D = c_O − c_R`,
+//! `V = v_O − v_R`, `Δω = ω_O − ω_R`, and `p_j` the j-th vertex of O seen from its origin,
 //!
 //! ```text
 //! f_j(m)    = n·(D + p_j) − max_R n·q − (r_A + r_B)                            ≤ s where j is least
@@ -11,9 +11,9 @@
 //! |f_j'''|  ≤ M = |ω_R|³ (|D| + |V| h) + 3 ω_R² |V| + |Δω|³ |p_j|
 //! ```
 //!
-//! so that min (f + f' x + ½ f'' x²) over |x| ≤ h, less ⅙ M h³, is a lower bound. Intervals that are not proved are halved,
-//! the earlier half first, down to 2⁻¹¹⁰; a moment where s ≤ c ends the search from above. No step of the solver's
-//! is used: neither its times nor its axes.
+//! so that min (f + f' x + ½ f'' x²) over |x| ≤ h, less ⅙ M h³, is a lower bound. Intervals that are not
+//! proved are halved, the earlier half first, down to 2⁻¹¹⁰; a moment where s ≤ c ends the search from above.
+//! No step of the solver's is used: neither its times nor its axes.
 
 use crate::float::Real;
 use crate::placement::{Placed, Point, convex_core, radians};
@@ -44,7 +44,8 @@ pub enum Passage {
         /// s ≤ c here.
         by: Real,
     },
-    /// Proved until `after`; between it and `until`, 2⁻¹¹⁰ apart, s comes so near to c that subdivision does not tell.
+    /// Proved until `after`; between it and `until`, 2⁻¹¹⁰ apart, s comes so near to c that subdivision does
+    /// not tell.
     Unsettled {
         /// Proved until here.
         after: Real,
@@ -69,7 +70,8 @@ pub fn finest() -> Real {
 }
 
 impl Motion {
-    /// Of a scene's two bodies. A disc about its body's origin looks the same however it turns, and is taken not to turn.
+    /// Of a scene's two bodies. A disc about its body's origin looks the same however it turns, and is taken
+    /// not to turn.
     #[must_use]
     pub fn of(bodies: &[Body]) -> Self {
         let each = [0, 1].map(|i| {
@@ -146,8 +148,8 @@ impl Motion {
         normals.iter().take(2).any(|(_, n)| (0..2).any(|owner| self.lowest(pair, owner, *n, half, c) > c))
     }
 
-    /// Lower bound of s over `half` before and after the moment of `pair`, along a world normal (from A to B) that turns with
-    /// its owner. Vertices that are sure to stay above `enough` are not looked at closely.
+    /// Lower bound of s over `half` before and after the moment of `pair`, along a world normal (from A to B)
+    /// that turns with its owner. Vertices that are sure to stay above `enough` are not looked at closely.
     #[must_use]
     pub fn lowest(&self, pair: &[Placed; 2], owner: usize, normal: Point, half: Real, enough: Real) -> Real {
         let other = 1 - owner;
@@ -189,7 +191,8 @@ impl Motion {
         (self.separation(from).separation - self.separation(to).separation).scaled(100)
     }
 
-    /// Whether the axis proves s > c over [from, to], by halving; the least moment at which it does not, otherwise.
+    /// Whether the axis proves s > c over [from, to], by halving; the least moment at which it does not,
+    /// otherwise.
     ///
     /// # Errors
     /// A moment at which the axis does not show the pair apart.

@@ -1,8 +1,9 @@
 //! Binary floats of 64·N bits, of fixed size: what "exact" means in this package.
 //!
-//! A value is ± 0.m · 2^exp with the top bit of m set, m an N-limb integer read as a fraction. Results are truncated, so
-//! one operation is wrong by less than 2^(1 − 64 N) of its result; with N = 5 that is 2⁻³¹⁹. Nothing here overflows or
-//! underflows: the exponent has 64 bits. No heap, so that a hundred thousand cases take seconds.
+//! A value is ± 0.m · 2^exp with the top bit of m set, m an N-limb integer read as a fraction. Results are
+//! truncated, so one operation is wrong by less than 2^(1 − 64 N) of its result; with N = 5 that is 2⁻³¹⁹.
+//! Nothing here overflows or underflows: the exponent has 64 bits. No heap, so that a hundred thousand cases
+//! take seconds.
 
 mod decimal;
 mod operators;
@@ -191,8 +192,8 @@ impl<const N: usize> Float<N> {
         }
         let exp = self.exp.clamp(-1200, 1100);
         let sticky = u64::from(self.m[..N - 1].iter().any(|limb| *limb != 0));
-        // 62 bits and a sticky one: `as` rounds to nearest even; two steps of scaling keep denormals to one rounding
-        // but for a double rounding of at most one unit.
+        // 62 bits and a sticky one: `as` rounds to nearest even; two steps of scaling keep denormals to one
+        // rounding but for a double rounding of at most one unit.
         #[expect(clippy::cast_precision_loss, reason = "the rounding to 53 bits is wanted")]
         let top = ((self.m[N - 1] >> 1) | sticky) as f64;
         let k = exp - 63;

@@ -1,6 +1,7 @@
 //! Where a body is at a moment: every vertex to 300 bits.
 //!
-//! Degrees are exact: a = angle + spin · t is reduced by the nearest multiple of 90 without rounding, and only the rest,
+//! Degrees are exact: a = angle + spin · t is reduced by the nearest multiple of 90 without rounding, and
+//! only the rest,
 //! |r| ≤ 45, meets π/180. So multiples of 90° are exact; so are cos 60° and sin 30°.
 
 use crate::float::Real;
@@ -193,8 +194,8 @@ impl Placed {
     }
 }
 
-/// Indices of the corners of the convex hull, counter-clockwise, without duplicates and without corners of 180°: Andrew's
-/// monotone chain, 1979, on exact doubles.
+/// Indices of the vertices of the convex hull, counter-clockwise, without duplicates and without vertices of
+/// 180°: Andrew's monotone chain, 1979, on exact doubles.
 #[must_use]
 pub fn convex_core(vertices: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..vertices.len()).collect();
@@ -260,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn the_core_drops_duplicates_and_flat_corners() {
+    fn the_core_drops_duplicates_and_flat_vertices() {
         let square = [
             [-1.0, -1.0],
             [0.0, -1.0],

@@ -1,4 +1,5 @@
-//! A scene as a line of JSON: its bodies as *core polygon + radius*, in the doubles of the file, and its question.
+//! A scene as a line of JSON: its bodies as *core polygon + radius*, in the doubles of the file, and its
+//! question.
 
 use crate::json::Json;
 
@@ -147,8 +148,8 @@ impl Body {
 /// ε of doubles.
 pub const EPSILON: f64 = f64::EPSILON;
 
-/// S: the largest coordinate (of a body's origin, or of one seen from the other), extent (from the body's origin, with the
-/// radius) or distance moved (of one body as the other sees it, or along an arc).
+/// S: the largest coordinate (of a body's origin, or of one seen from the other), extent (from the body's
+/// origin, with the radius) or distance moved (of one body as the other sees it, or along an arc).
 #[must_use]
 pub fn scale(bodies: &[Body], moving: bool) -> f64 {
     let largest = |[x, y]: [f64; 2]| x.abs().max(y.abs());

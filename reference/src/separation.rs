@@ -1,9 +1,9 @@
 //! Exact signed separation of two placed bodies, by all edges of B ⊖ A.
 //!
-//! B ⊖ A = {b − a} is a convex polygon (or a segment, or a point) whose edges are those of B and of A reversed, merged by
-//! direction. The origin outside it: the distance of the cores is the least distance to an edge. Inside: the depth is the
-//! least distance to an edge's line. The separation is that less the radii. No pruning and no early exit: what is
-//! slow here is simple, and the solver's short cuts are what it checks.
+//! B ⊖ A = {b − a} is a convex polygon (or a segment, or a point) whose edges are those of B and of A
+//! reversed, merged by direction. The origin outside it: the distance of the cores is the least distance to
+//! an edge. Inside: the depth is the least distance to an edge's line. The separation is that less the radii.
+//! No pruning and no early exit: what is slow here is simple, and the solver's short cuts are what it checks.
 
 use std::cmp::Ordering;
 
@@ -12,8 +12,8 @@ use crate::placement::{Placed, Point};
 
 /// Cosine-like measure below which two directions are the same: |sin| of their angle.
 ///
-/// Directions of one angle come out within 2⁻³¹⁵ of each other; doubles in degrees differ by 5e-324 at least, which is
-/// 2⁻¹⁰⁷⁹, but such an angle moves no corner by an amount that any check here could see.
+/// Directions of one angle come out within 2⁻³¹⁵ of each other; doubles in degrees differ by 5e-324 at least,
+/// which is 2⁻¹⁰⁷⁹, but such an angle moves no vertex by an amount that any check here could see.
 #[must_use]
 pub fn parallel_sine() -> Real {
     Real::power_of_two(-290)
@@ -33,8 +33,8 @@ pub struct Edge {
 pub struct Difference {
     /// Edges by direction; none for a point, two opposite ones for a segment.
     pub edges: Vec<Edge>,
-    /// A corner of it.
-    pub corner: Point,
+    /// A vertex of it.
+    pub vertex: Point,
     /// Whether it has interior points.
     pub solid: bool,
 }
@@ -44,8 +44,8 @@ fn half(d: Point) -> u8 {
     u8::from(d.y.signum() < 0 || (d.y.is_zero() && d.x.signum() < 0))
 }
 
-/// Distance, as a part of the size of B ⊖ A and its distance, below which cores touch: the rounding of 320 bits leaves a direction to
-/// what is farther apart than this, and none to what is nearer.
+/// Distance, as a part of the size of B ⊖ A and its distance, below which cores touch: the rounding of 320
+/// bits leaves a direction to what is farther apart than this, and none to what is nearer.
 #[must_use]
 pub fn touching() -> Real {
     Real::power_of_two(-200)
@@ -63,7 +63,8 @@ fn by_angle(a: Point, b: Point) -> Ordering {
     half(a).cmp(&half(b)).then_with(|| Real::ZERO.cmp(&a.cross(b)))
 }
 
-/// The edges of a convex ring from its lowest (of these the leftmost) vertex on, so that their angles rise from 0°.
+/// The edges of a convex ring from its lowest (of these the leftmost) vertex on, so that their angles rise
+/// from 0°.
 fn ring(points: &[Point]) -> (Point, Vec<Point>) {
     let n = points.len();
     let lowest = (0..n)
@@ -81,9 +82,9 @@ impl Difference {
         let reversed: Vec<Point> = a.core_points().map(Point::reversed).collect();
         let (start_a, edges_a) = ring(&reversed);
         let (start_b, edges_b) = ring(&b.core_points().collect::<Vec<_>>());
-        let corner = start_a.plus(start_b);
+        let vertex = start_a.plus(start_b);
         let (mut i, mut j) = (0, 0);
-        let mut at = corner;
+        let mut at = vertex;
         let mut edges = Vec::with_capacity(edges_a.len() + edges_b.len());
         while i < edges_a.len() || j < edges_b.len() {
             let order = match (edges_a.get(i), edges_b.get(j)) {
@@ -104,13 +105,13 @@ impl Difference {
             at = at.plus(along);
         }
         let solid = edges.len() > 2;
-        Self { edges, corner, solid }
+        Self { edges, vertex, solid }
     }
 
     /// Its largest coordinate.
     fn size(&self) -> Real {
         let size = |p: Point| p.x.abs().max(p.y.abs());
-        self.edges.iter().map(|edge| size(edge.start)).max().unwrap_or(Real::ZERO).max(size(self.corner))
+        self.edges.iter().map(|edge| size(edge.start)).max().unwrap_or(Real::ZERO).max(size(self.vertex))
     }
 
     /// Whether the origin is inside or on the boundary.
@@ -142,7 +143,7 @@ pub struct Exact {
     /// Whether B ⊖ A of the cores has interior points.
     pub solid: bool,
     /// Number of its edges.
-    pub sides: usize,
+    pub edges: usize,
 }
 
 /// The point of an edge nearest to the origin.
@@ -166,7 +167,7 @@ pub fn separation(a: &Placed, b: &Placed) -> Exact {
     if difference.holds_origin() {
         return inside(&difference, radii);
     }
-    let mut best = difference.corner;
+    let mut best = difference.vertex;
     let mut least = best.dot(best);
     for edge in &difference.edges {
         let point = nearest(edge);
@@ -192,7 +193,7 @@ pub fn separation(a: &Placed, b: &Placed) -> Exact {
         normal,
         ways,
         solid: difference.solid,
-        sides: difference.edges.len(),
+        edges: difference.edges.len(),
     }
 }
 
@@ -215,7 +216,7 @@ fn inside(difference: &Difference, radii: Real) -> Exact {
         normal: Some(best.normal),
         ways,
         solid: true,
-        sides: difference.edges.len(),
+        edges: difference.edges.len(),
     }
 }
 

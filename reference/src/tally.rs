@@ -1,4 +1,5 @@
-//! Many reports as one table: the worst of each measure by category, and every fault with the scene that shows it.
+//! Many reports as one table: the worst of each measure by category, and every fault with the scene that
+//! shows it.
 
 use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};

@@ -1,5 +1,5 @@
-//! The exact separation against answers from elsewhere: the committed hard cases and the storyboard's pairs, both computed
-//! by other programs in 256 bits or by head.
+//! The exact separation against answers from elsewhere: the committed hard cases and the storyboard's pairs,
+//! both computed by other programs in 256 bits or by head.
 
 use tracefig_reference::answer::separation_line;
 use tracefig_reference::check::{Setting, check};
@@ -141,7 +141,8 @@ fn a_flipped_sign_is_caught() {
 
 #[test]
 fn a_bound_cut_to_a_quarter_is_caught() {
-    // Bounds three roundings wide around the exact value, a quarter of them on one side of the double nearest to it.
+    // Bounds three roundings wide around the exact value, a quarter of them on one side of the double nearest
+    // to it.
     let faults = planted(&pair_of_polygons(), |result| {
         let s = result.number_at("separation").expect("there");
         result.set("separation_bounds", Json::from_pair([s, s]));

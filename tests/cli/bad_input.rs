@@ -1,4 +1,5 @@
-//! Every wrong scene gets its message: code, file, line and column, the line itself, what was expected, what is near.
+//! Every wrong scene gets its message: code, file, line and column, the line itself, what was expected, what
+//! is near.
 
 use crate::{CIRCLES, folder_with, run, tracefig};
 
@@ -138,7 +139,7 @@ fn numbers_that_are_not_finite_are_told() {
 }
 
 #[test]
-fn shapes_that_are_not_what_they_say_are_told_at_the_corner() {
+fn shapes_that_are_not_what_they_say_are_told_at_the_vertex() {
     let polygon = |vertices: &str| format!("kind = \"polygon\"\nvertices = {vertices}\n");
     let circle = "kind = \"circle\"\nradius = 2\n";
     says(circle, &polygon("[[0, 0], [2, 0], [0.5, 0.5], [0, 2]]"), "error[not-convex]: `vertices`: ");

@@ -1,4 +1,5 @@
-//! Runs that are killed, that race or whose disk is full: every file is whole, and what a dead run left is cleared.
+//! Runs that are killed, that race or whose disk is full: every file is whole, and what a dead run left is
+//! cleared.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -51,7 +52,8 @@ enum Found {
     Between,
 }
 
-/// Kills a run after a while. Afterwards every visible file is as it should be; they are then removed, parts are not.
+/// Kills a run after a while. Afterwards every visible file is as it should be; they are then removed, parts
+/// are not.
 fn kill(folder: &Path, after: Duration, whole: &BTreeMap<String, Vec<u8>>) -> Found {
     let mut child = start(folder, &[".", "--scale", "1", "-o", "out"]);
     thread::sleep(after);
@@ -74,8 +76,8 @@ fn kill(folder: &Path, after: Duration, whole: &BTreeMap<String, Vec<u8>>) -> Fo
     }
 }
 
-/// Kills runs in a folder at random points of a span that follows how long runs take; returns how many were killed
-/// between their first and their last file.
+/// Kills runs in a folder at random points of a span that follows how long runs take; returns how many were
+/// killed between their first and their last file.
 fn kill_many(folder: &Path, seed: u32, whole: &BTreeMap<String, Vec<u8>>) -> u32 {
     let (mut random, mut span, mut between) = (seed, Duration::from_millis(200), 0);
     for _ in 0..KILLS / THREADS {

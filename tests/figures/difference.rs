@@ -8,8 +8,9 @@ use super::{figure, look};
 
 type P = (f64, f64);
 
-/// Every edge of a difference, counter-clockwise as `(vertex, source of the edge that leaves it)`, is drawn in its
-/// source's colour, and so that it can be told without colour: B's are dashed, A's solid; every vertex is a diamond.
+/// Every edge of a difference, counter-clockwise as `(vertex, source of the edge that leaves it)`, is drawn
+/// in its source's colour, and so that it can be told without colour: B's are dashed, A's solid; every vertex
+/// is a diamond.
 fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
     for (i, &(from, source)) in edges.iter().enumerate() {
         let to = edges[(i + 1) % edges.len()].0;
@@ -39,7 +40,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
     for (x, y) in a {
         let copy = grown.polygon(B, &rhombus(x, y));
-        assert!(copy.is_some_and(dotted), "a dotted copy of B on A's corner ({x}, {y})");
+        assert!(copy.is_some_and(dotted), "a dotted copy of B on A's vertex ({x}, {y})");
     }
     let outline = [
         (-3.0, 0.0),
@@ -87,7 +88,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
 }
 
 #[test]
-fn demo_obb_shows_two_supporting_vertices_and_sides_that_are_part_red_part_green() {
+fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
     let world = look(&f, 0, 2, true, [-6.1, -5.3, 6.3, 6.6]);
     shows![
@@ -162,7 +163,8 @@ fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next(
     let view = [-1.5, -1.5, 12.5, 10.5];
     let panels = [0, 1, 2].map(|i| look(&f, i, 3, true, view));
     shows![
-        // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the origin.
+        // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the
+        // origin.
         panels[0].marker(Now, (11.5, 4.5)),
         panels[0].arrow(Translation, (0.0, 0.0), (11.5, 4.5)),
         panels[0].text_near("$w$", (2.5, 5.0), 40.0),

@@ -1,8 +1,8 @@
-//! The parts that each of the seventeen figures must show are in its `Drawing`, at the places that the storyboard's
-//! exact answers give after the panel's world → page transform.
+//! The parts that each of the seventeen figures must show are in its `Drawing`, at the places that the
+//! storyboard's exact answers give after the panel's world → page transform.
 //!
-//! The numbers here are transcribed from the storyboard, where they were computed with 256 bits; none comes from a
-//! solver of this crate. A golden picture can be accepted wrong; these can not.
+//! The numbers here are transcribed from the storyboard, where they were computed with 256 bits; none comes
+//! from a solver of this crate. A golden picture can be accepted wrong; these can not.
 
 #![expect(clippy::panic, reason = "a test fails by panicking")]
 

@@ -135,8 +135,8 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let one = look(&f, 0, 2, true, [-4.6, -4.2, 4.6, 4.8]);
     let two = look(&f, 1, 2, true, [-0.9, -0.9, 5.3, 5.1]);
     let turned = |(x, y): P| (0.5 * x - 0.75_f64.sqrt() * y, 0.75_f64.sqrt() * x + 0.5 * y);
-    let corners = [(-4.0, -0.9), (4.0, -0.9), (4.0, 0.9), (-4.0, 0.9)];
-    shows![one.polygon(A, &corners).is_some(), one.polygon(A, &corners.map(turned)).is_some_and(dashed),];
+    let vertices = [(-4.0, -0.9), (4.0, -0.9), (4.0, 0.9), (-4.0, 0.9)];
+    shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
     for panel in [&one, &two] {
         shows![
             panel.any_line((0.0, 0.0), p),
@@ -271,5 +271,5 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         .paths
         .iter()
         .filter(|s| s.stroke.as_ref().is_some_and(|k| k.paint.role == Some(A) && !k.dash.is_empty()));
-    assert_eq!(dotted_a.filter(|s| super::seen::corners(s).len() == 4).count(), 5, "five ghosts of A");
+    assert_eq!(dotted_a.filter(|s| super::seen::vertices(s).len() == 4).count(), 5, "five ghosts of A");
 }

@@ -36,7 +36,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 }
 
 #[test]
-fn figure_2_shows_the_box_its_corners_its_centre_and_who_touches_it() {
+fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
     let w = look(&f, 0, 1, false, [-6.6, -4.4, 9.0, 3.9]);
     let px = 1.0 / w.panel.scale;
@@ -102,13 +102,14 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
         f.says("clamp$(V) = (4, 1)$, $D = (1.5, 2)$"),
         f.says(r"distance $= \|D\| - r = 2.5 - 1 = 1.5$"),
     ];
-    // The blue dimension runs beside D, from B_c's level to the circle's, 16 px to the right of it: (0.8, −0.6).
+    // The blue dimension runs beside D, from B_c's level to the circle's, 16 px to the right of it: (0.8,
+    // −0.6).
     let off = 16.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
     shows![w.along(Translation, beside((4.0, 1.0)), beside((4.9, 2.2)))];
     let b_c = f.text_at("$B_c$");
-    let corner = w.panel.page((4.0, 1.0));
-    assert!(b_c.x < corner.x && b_c.y > corner.y, "B_c is named inside A, away from the distance line");
+    let vertex = w.panel.page((4.0, 1.0));
+    assert!(b_c.x < vertex.x && b_c.y > vertex.y, "B_c is named inside A, away from the distance line");
 }
 
 #[test]
@@ -168,8 +169,8 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
     let view = [-3.7, -3.0, 3.7, 6.0];
-    let corners = [(-3.0, -1.0), (3.0, -1.0), (3.0, 1.0), (-3.0, 1.0)];
-    let tilted = corners.map(turned);
+    let vertices = [(-3.0, -1.0), (3.0, -1.0), (3.0, 1.0), (-3.0, 1.0)];
+    let tilted = vertices.map(turned);
     let world = look(&f, 0, 3, true, view);
     shows![
         world.polygon(A, &tilted).is_some(),
@@ -180,7 +181,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     ];
     let body = look(&f, 1, 3, true, view);
     shows![
-        body.polygon(A, &corners).is_some(),
+        body.polygon(A, &vertices).is_some(),
         body.circle(B, (2.0, 3.5), 1.5).is_some(),
         body.arrow(Ink, (0.0, 0.0), (2.0, 3.5)),
         body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
@@ -245,7 +246,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         f.says("gap $= 1$"),
         f.says("$n$"),
     ];
-    // Along (3, 4)/5 A ends at −0.3, at its corner (−0.5, 0), and B begins at 0.7, on the edge 3x + 4y = 3.5.
+    // Along (3, 4)/5 A ends at −0.3, at its vertex (−0.5, 0), and B begins at 0.7, on the edge 3x + 4y = 3.5.
     let two = look(&f, 1, 2, true, view);
     let length = |p: (f64, f64), q: (f64, f64)| super::seen::distance(two.panel.page(p), two.panel.page(q));
     let along = (two.panel.page((0.6, 0.8)), two.panel.page((0.0, 0.0)));

@@ -1,12 +1,13 @@
 //! Looks into a [`Drawing`] for things at places, after the panel's own world → page transform.
 //!
-//! The transform here is the storyboard's description of the page, written down a second time: margins of 24, content
-//! from y = 44 (20 without panel titles) to 476, gaps of 24, one scale for both axes, the view in the middle.
+//! The transform here is the storyboard's description of the page, written down a second time: margins of 24,
+//! content from y = 44 (20 without panel titles) to 476, gaps of 24, one scale for both axes, the view in the
+//! middle.
 
 use tracefig::drawing::{Contour, Drawing, Item, Path, Point, Role, Segment};
 
-/// How far a thing may be from its place, in page pixels. Coordinates are exact to some 1e-13 px before they are
-/// written, so that a quarter of a pixel, which no eye sees, finds every thing that is out of place.
+/// How far a thing may be from its place, in page pixels. Coordinates are exact to some 1e-13 px before they
+/// are written, so that a quarter of a pixel, which no eye sees, finds every thing that is out of place.
 pub(crate) const NEAR: f64 = 0.25;
 
 /// What a figure shows, flattened.
@@ -91,8 +92,8 @@ fn fill_role(path: &Path) -> Option<Role> {
     path.fill.and_then(|f| f.role)
 }
 
-/// The corners of a contour, in order; arcs by their ends.
-pub(crate) fn corners(path: &Path) -> Vec<Point> {
+/// The vertices of a contour, in order; arcs by their ends.
+pub(crate) fn vertices(path: &Path) -> Vec<Point> {
     let Contour::Segments(segments) = &path.contour else { return Vec::new() };
     let mut points = Vec::new();
     for segment in segments {
@@ -118,7 +119,7 @@ fn closed(path: &Path) -> bool {
 
 /// Straight pieces of a path, the closing one too.
 fn edges(path: &Path) -> Vec<(Point, Point)> {
-    let points = corners(path);
+    let points = vertices(path);
     let mut edges: Vec<_> = points.windows(2).map(|w| (w[0], w[1])).collect();
     if closed(path) && points.len() > 2 {
         edges.push((points[points.len() - 1], points[0]));
@@ -148,12 +149,13 @@ impl Look<'_> {
         })
     }
 
-    /// An arrow of the role: a shaft that starts at `from` and points at `tip`, where a filled head has a corner.
+    /// An arrow of the role: a shaft that starts at `from` and points at `tip`, where a filled head has a
+    /// vertex.
     pub(crate) fn arrow(&self, role: Role, from: P, tip: P) -> bool {
         self.shaft(role, from, tip) && self.head(role, tip)
     }
 
-    /// A double-headed arrow: both heads have their corners at the ends.
+    /// A double-headed arrow: both heads have their vertices at the ends.
     pub(crate) fn double_arrow(&self, role: Role, p: P, q: P) -> bool {
         self.head(role, p) && self.head(role, q) && self.carried(role, p, q)
     }
@@ -162,7 +164,7 @@ impl Look<'_> {
     pub(crate) fn head(&self, role: Role, tip: P) -> bool {
         let tip = self.panel.page(tip);
         self.paths().any(|path| {
-            let c = corners(path);
+            let c = vertices(path);
             let small = path.contour.bounds().is_some_and(|b| b.width() < 16.0 && b.height() < 16.0);
             fill_role(path) == Some(role)
                 && small
@@ -193,11 +195,11 @@ impl Look<'_> {
         })
     }
 
-    /// A closed polygon with these corners, from any of them, in either direction, stroked in the role.
+    /// A closed polygon with these vertices, from any of them, in either direction, stroked in the role.
     pub(crate) fn polygon(&self, role: Role, points: &[P]) -> Option<&Path> {
         let points: Vec<_> = points.iter().map(|&p| self.panel.page(p)).collect();
         self.paths().find(|path| {
-            let c = corners(path);
+            let c = vertices(path);
             let n = points.len();
             stroke_role(path) == Some(role)
                 && c.len() == n
@@ -313,7 +315,7 @@ impl Look<'_> {
     pub(crate) fn curve(&self, role: Role, p: P, q: P) -> bool {
         let (p, q) = (self.panel.page(p), self.panel.page(q));
         self.paths().any(|path| {
-            let c = corners(path);
+            let c = vertices(path);
             let ends = c.first().zip(c.last());
             let joined =
                 ends.is_some_and(|(&a, &b)| (near(a, p) && near(b, q)) || (near(a, q) && near(b, p)));

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-/// Any line to `solve --jsonl` gets one line of JSON: a result or an error, no `internal` one, with bounds in order.
+/// Any line to `solve --jsonl` gets one line of JSON: a result or an error, no `internal` one, with bounds in
+/// order.
 pub(crate) fn holds(text: &str) {
     let line = text.replace(['\n', '\r'], " ");
     let reply = tracefig::solve_jsonl_line(&line, 1).line;

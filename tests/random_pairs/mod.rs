@@ -1,5 +1,5 @@
-//! Random pairs of every kind of shape, half of them on quarters, so that edges are parallel, bodies touch and centres
-//! coincide.
+//! Random pairs of every kind of shape, half of them on quarters, so that edges are parallel, bodies touch
+//! and centres coincide.
 
 use super::asking::of_kind;
 use tracefig::geometry::shape::FieldValue;
@@ -32,16 +32,16 @@ impl Random {
     }
 }
 
-/// Corners on an ellipse: convex, counter-clockwise.
+/// Vertices on an ellipse: convex, counter-clockwise.
 fn polygon(r: &mut Random, radius: f64) -> Shape {
     let n = 3 + r.below(6);
     let (a, b, start) = (r.within(0.5, 2.0), r.within(0.5, 2.0), r.within(0.0, 360.0));
-    let corners = (0..n).map(|k| {
+    let vertices = (0..n).map(|k| {
         let angle = (start + 360.0 * (k as f64 + r.within(-0.3, 0.3)) / n as f64).to_radians();
         DVec2::new(a * libm::cos(angle), b * libm::sin(angle))
     });
     let fields =
-        [("vertices", FieldValue::Points(corners.collect())), ("radius", FieldValue::Number(radius))];
+        [("vertices", FieldValue::Points(vertices.collect())), ("radius", FieldValue::Number(radius))];
     of_kind("polygon", &fields)
 }
 

@@ -1,7 +1,8 @@
 //! Separation, bounds, normal, ties, witness points and features at one moment.
 //!
-//! The proof that an answer is right needs no search: a direction n whose gap of supports is s, features that lie in
-//! those supports, points on the features, and `p_B − p_A = s n`. Each is measured here against the exact s.
+//! The proof that an answer is right needs no search: a direction n whose gap of supports is s, features that
+//! lie in those supports, points on the features, and `p_B − p_A = s n`. Each is measured here against the
+//! exact s.
 
 use super::{
     ERROR, NORMAL, POINTS, RELATIVE_ERROR, RELATIVE_FROM, RELATIVE_WIDTH, Report, Setting, UNRESOLVED, WIDTH,
@@ -33,7 +34,7 @@ pub struct Contact {
 /// A feature by its index in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Feature {
-    /// A corner.
+    /// A vertex.
     Vertex(usize),
     /// From vertex i to i + 1.
     Edge(usize),
@@ -65,7 +66,8 @@ impl Contact {
     }
 }
 
-/// Holds the claims of a contact against the pair; `counted` where the answer must have ties. Gives the exact answer.
+/// Holds the claims of a contact against the pair; `counted` where the answer must have ties. Gives the exact
+/// answer.
 pub fn check_contact(
     report: &mut Report,
     setting: &Setting,
@@ -109,7 +111,8 @@ pub(super) fn check_value(
     }
     let error = (Real::from(value) - s).abs();
     let width = Real::from(hi) - Real::from(lo);
-    // How much of the bounds is needed: where this never exceeds a quarter, bounds cut to a quarter would go unseen.
+    // How much of the bounds is needed: where this never exceeds a quarter, bounds cut to a quarter would go
+    // unseen.
     let side = if Real::from(value) < s {
         Real::from(hi) - Real::from(value)
     } else {
@@ -139,11 +142,13 @@ fn check_ties(report: &mut Report, setting: &Setting, exact: &Exact, contact: &C
     let [lo, hi] = contact.bounds.map(Real::from);
     let mut most = count(lo - (hi - lo).max(Real::from(setting.scale * EPSILON))).max(fewest);
     if exact.normal.is_none() {
-        // Points that coincide: every direction ties. A point at the end of a segment: a half-turn of directions.
+        // Points that coincide: every direction ties. A point at the end of a segment: a half-turn of
+        // directions.
         (fewest, most) = if exact.ways.is_empty() { (0, 0) } else { (0, 2) };
     } else if exact.core.abs() <= (hi - lo).scaled(1) + Real::from(UNRESOLVED * EPSILON * setting.scale) {
-        // Cores that touch within the bounds: all directions between two edges tie there, or all directions there are.
-        (fewest, most) = (0, exact.sides.max(most));
+        // Cores that touch within the bounds: all directions between two edges tie there, or all directions
+        // there are.
+        (fewest, most) = (0, exact.edges.max(most));
     }
     let fits = (fewest..=most).any(|n| u32::try_from(n).is_ok_and(|n| f64::from(n) == ties));
     if !fits {
@@ -180,7 +185,7 @@ fn check_normal(
         near = Some(Real::ZERO);
     }
     let off = near.unwrap_or(Real::one()).to_f64();
-    // The direction between two corners a distance d apart is as good as their places: εS / d.
+    // The direction between two vertices a distance d apart is as good as their places: εS / d.
     let hangs = exact.core.signum() >= 0 || setting.units(exact.core) <= RELATIVE_FROM;
     let by_place = if hangs { POINTS / setting.units(exact.core).max(f64::MIN_POSITIVE) } else { 0.0 };
     report.measures.push(("off n", off));
@@ -189,7 +194,8 @@ fn check_normal(
     }
 }
 
-/// Points on the features, features in the supports along n, `p_B − p_A = s n`, and the middle of a common span.
+/// Points on the features, features in the supports along n, `p_B − p_A = s n`, and the middle of a common
+/// span.
 fn check_witnesses(report: &mut Report, setting: &Setting, pair: &[Placed; 2], contact: &Contact) {
     let n = Point::of(contact.normal).unit();
     let [p_a, p_b] = contact.points.map(Point::of);
@@ -237,14 +243,15 @@ fn distance_to([from, to]: [Point; 2], point: Point) -> Real {
     }
 }
 
-/// The side of the core that holds a feature's points and faces `outward`, as nearly as doubles can say; None for a corner.
+/// The edge of the core that holds a feature's points and faces `outward`, as nearly as doubles can say; None
+/// for a vertex.
 fn face(body: &Placed, ends: [Point; 2], outward: Point) -> Option<[Point; 2]> {
     let core = &body.core;
     let count = core.len();
     let nearly = Real::from(4.0 * NORMAL);
-    let sides = (0..if count < 2 { 0 } else { count })
+    let edges = (0..if count < 2 { 0 } else { count })
         .map(|i| [core[i], core[(i + 1) % count]].map(|k| body.vertices[k]));
-    sides.into_iter().find(|[from, to]| {
+    edges.into_iter().find(|[from, to]| {
         let along = to.minus(*from);
         let facing = along.perp().reversed().dot(outward).signum() > 0;
         let square = along.dot(outward).abs() <= along.length() * nearly;

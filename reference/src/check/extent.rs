@@ -71,7 +71,8 @@ pub(super) fn check_overlap(report: &mut Report, scene: &Scene, setting: &Settin
     }
 }
 
-/// `motion-bound`: at least |v| + Σ r |ω|, and no more than that with r the reach of the whole body, rounded up.
+/// `motion-bound`: at least |v| + Σ r |ω|, and no more than that with r the reach of the whole body, rounded
+/// up.
 pub(super) fn check_motion_bound(report: &mut Report, scene: &Scene, result: &Json) {
     let Some(bound) = result.number_at("bound") else {
         report.fault("fields", format!("incomplete: {result}"));

@@ -1,8 +1,9 @@
 //! Holds a linear sweep or a time of impact against the exact motion.
 //!
-//! `hit`: free until `time_bounds[0]`, contact at or before `time_bounds[1]`, so that it is the first; the contact fields at `time`.
-//! `miss`: free for all of [0, 1]. `unresolved`: free until `time_bounds[0]`, and so near a graze that nobody could ask for more.
-//! Freedom is proved by our own subdivision, and again by replaying the solver's certificate where there is one.
+//! `hit`: free until `time_bounds[0]`, contact at or before `time_bounds[1]`, so that it is the first; the
+//! contact fields at `time`. `miss`: free for all of [0, 1]. `unresolved`: free until `time_bounds[0]`, and
+//! so near a graze that nobody could ask for more. Freedom is proved by our own subdivision, and again by
+//! replaying the solver's certificate where there is one.
 
 use super::contact::{check_contact, check_value};
 use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
@@ -149,7 +150,7 @@ impl Case<'_> {
             Passage::Below { .. } => true,
             Passage::Unsettled { after, until } => {
                 let crossed = self.crosses(after - wider, until + wider, Real::ZERO);
-                // A corner that touches a corner and leaves at once: s is no more than the speed times 2⁻¹¹⁰.
+                // A vertex that touches a vertex and leaves at once: s is no more than the speed times 2⁻¹¹⁰.
                 let touch = finest().scaled(8) * Real::from(self.setting.scale);
                 let touched = self.motion.separation((after + until).scaled(-1)).separation <= touch;
                 crossed || (touched && self.motion.separation(from).solid)
@@ -157,8 +158,8 @@ impl Case<'_> {
         }
     }
 
-    /// Whether a flat B ⊖ A passes over the origin within [from, to]: the origin changes its side of the carrying line by
-    /// more than `margin`, and stays between the ends by more than that.
+    /// Whether a flat B ⊖ A passes over the origin within [from, to]: the origin changes its side of the
+    /// carrying line by more than `margin`, and stays between the ends by more than that.
     fn crosses(&self, from: Real, to: Real, margin: Real) -> bool {
         let flat = |pair: [Placed; 2]| {
             let difference = Difference::of(&pair[0], &pair[1]);
@@ -224,8 +225,8 @@ impl Case<'_> {
     }
 }
 
-/// Replays a certificate: its records reach without a gap from 0 to the last free moment of the answer, and on each the axis
-/// keeps the pair apart.
+/// Replays a certificate: its records reach without a gap from 0 to the last free moment of the answer, and
+/// on each the axis keeps the pair apart.
 pub fn check_certificate(report: &mut Report, scene: &Scene, result: &Json, records: &[Record]) {
     let setting = Setting::of(scene);
     let motion = Motion::of(&scene.bodies);

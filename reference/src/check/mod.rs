@@ -1,7 +1,8 @@
 //! Holds an answer of `tracefig solve --jsonl` against the exact one.
 //!
-//! A check collects every fault it finds, and measures how far from its limit each claim is, so that a table can show the worst of a
-//! category. The limits are those that the project promises; ε is that of doubles and S the scale of the scene.
+//! A check collects every fault it finds, and measures how far from its limit each claim is, so that a table
+//! can show the worst of a category. The limits are those that the project promises; ε is that of doubles and
+//! S the scale of the scene.
 
 mod contact;
 mod extent;
@@ -107,7 +108,8 @@ impl Setting {
         [0, 1].map(|i| Placed::at(&bodies[i], &self.cores[i], t))
     }
 
-    /// A difference in units of ε·S; twice the least positive double counts as no error, for two points round to it.
+    /// A difference in units of ε·S; twice the least positive double counts as no error, for two points round
+    /// to it.
     #[must_use]
     pub fn units(&self, difference: Real) -> f64 {
         let least = Real::from(2.0 * f64::MIN_POSITIVE * EPSILON);

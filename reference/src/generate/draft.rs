@@ -109,12 +109,12 @@ impl Shape {
             6 => Self::Box(half, small),
             7 => Self::capsule(random, size, small),
             8 => {
-                let corners = 3 + random.below(9);
-                Self::polygon(random, corners, half, small)
+                let vertices = 3 + random.below(9);
+                Self::polygon(random, vertices, half, small)
             }
             _ => {
-                let corners = 3 + random.below(9);
-                Self::polygon(random, corners, half, 0.0)
+                let vertices = 3 + random.below(9);
+                Self::polygon(random, vertices, half, 0.0)
             }
         }
     }
@@ -125,8 +125,8 @@ impl Shape {
         if random.once_in(2) {
             return Self::Box(half, 0.0);
         }
-        let corners = 3 + random.below(9);
-        Self::polygon(random, corners, half, 0.0)
+        let vertices = 3 + random.below(9);
+        Self::polygon(random, vertices, half, 0.0)
     }
 
     /// A capsule of a core about as long as the size.
@@ -139,21 +139,22 @@ impl Shape {
         Self::Capsule([from, to], radius)
     }
 
-    /// A convex polygon with its corners on an ellipse, either winding, starting anywhere. Its origin is inside.
-    pub fn polygon(random: &mut Random, corners: usize, half: [f64; 2], radius: f64) -> Self {
-        #[expect(clippy::cast_precision_loss, reason = "corner counts are small")]
-        let step = 360.0 / corners as f64;
+    /// A convex polygon with its vertices on an ellipse, either winding, starting anywhere. Its origin is
+    /// inside.
+    pub fn polygon(random: &mut Random, vertices: usize, half: [f64; 2], radius: f64) -> Self {
+        #[expect(clippy::cast_precision_loss, reason = "vertex counts are small")]
+        let step = 360.0 / vertices as f64;
         let mut at = random.between(0.0, 360.0);
-        let mut list: Vec<[f64; 2]> = Vec::with_capacity(corners);
+        let mut list: Vec<[f64; 2]> = Vec::with_capacity(vertices);
         let start = at;
-        for k in 0..corners {
+        for k in 0..vertices {
             let turn = Rotation::of_degrees(Real::from(at));
             list.push([half[0] * turn.cos.to_f64(), half[1] * turn.sin.to_f64()]);
-            #[expect(clippy::cast_precision_loss, reason = "corner counts are small")]
+            #[expect(clippy::cast_precision_loss, reason = "vertex counts are small")]
             let next = start + step * (k + 1) as f64 + step * random.between(-0.3, 0.3);
             at = next;
         }
-        if convex_core(&list).len() != corners {
+        if convex_core(&list).len() != vertices {
             return Self::Box(half, radius);
         }
         if random.once_in(2) {
@@ -163,17 +164,17 @@ impl Shape {
     }
 }
 
-/// A box whose corners are turned back by an angle and rounded, and turned by it again in the scene: its sides are within an ulp
-/// or so of the axes, but not on them.
+/// A box whose vertices are turned back by an angle and rounded, and turned by it again in the scene: its
+/// edges are within an ulp or so of the axes, but not on them.
 pub(super) fn turned_back(random: &mut Random, half: [f64; 2], position: [f64; 2]) -> Draft {
     let angle = random.between(-180.0, 180.0);
     let turn = Rotation::of_degrees(Real::from(angle));
     let [x, y] = half;
-    let corners = [[-x, -y], [x, -y], [x, y], [-x, y]].map(|corner| {
-        let local = Point::of(corner).turned_back(turn);
+    let vertices = [[-x, -y], [x, -y], [x, y], [-x, y]].map(|vertex| {
+        let local = Point::of(vertex).turned_back(turn);
         [local.x.to_f64(), local.y.to_f64()]
     });
-    Draft::still(Shape::Polygon(corners.to_vec(), 0.0), position, angle)
+    Draft::still(Shape::Polygon(vertices.to_vec(), 0.0), position, angle)
 }
 
 /// A vector of a length in a random direction.

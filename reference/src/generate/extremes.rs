@@ -1,19 +1,10 @@
-//! Bodies in motion at the ends of the range of doubles and of shapes: far away, huge and tiny, thin, many-cornered, fast
-//! turning, nearly parallel.
+//! Bodies in motion at the ends of the range of doubles and of shapes: far away, huge and tiny, thin,
+//! many-cornered, fast turning, nearly parallel.
 
-use super::draft::{Draft, Shape, direction, sign};
-use super::impact::{IMPACT, SWEEP, approaching, spun};
-use super::scene;
+use super::draft::{Shape, direction, sign};
+use super::pair::{IMPACT, SWEEP, approaching, carried, scene, spun};
 use crate::json::Json;
 use crate::random::Random;
-
-/// Both carried off by a vector.
-fn carried(mut pair: [Draft; 2], [x, y]: [f64; 2]) -> [Draft; 2] {
-    for body in &mut pair {
-        body.position = [body.position[0] + x, body.position[1] + y];
-    }
-    pair
-}
 
 /// Coordinates to 1e12.
 pub(super) fn far(random: &mut Random) -> Json {
@@ -44,13 +35,13 @@ pub(super) fn sliver(random: &mut Random) -> Json {
     scene(random, IMPACT, pair, &[])
 }
 
-/// Up to 150 corners, and now and then 1000.
-pub(super) fn many_corners(random: &mut Random) -> Json {
+/// Up to 150 vertices, and now and then 1000.
+pub(super) fn many_vertices(random: &mut Random) -> Json {
     let polygon = |random: &mut Random, most: f64| {
         let target = random.magnitude(0.9, most);
-        let corners = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
+        let vertices = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
         let half = [random.between(0.5, 1.0), random.between(0.5, 1.0)];
-        Shape::polygon(random, usize::try_from(corners).unwrap_or(3), half, 0.0)
+        Shape::polygon(random, usize::try_from(vertices).unwrap_or(3), half, 0.0)
     };
     let shapes = if random.once_in(16) {
         [polygon(random, 3.0), polygon(random, 3.0)]

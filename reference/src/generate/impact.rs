@@ -1,72 +1,21 @@
 //! Cases of bodies in motion: a row a category.
 
 use super::draft::{Draft, Shape, direction, sign, turned_back};
-use super::separation::{moved_to, near_each_other, without_spin_of_aabb};
-use super::{Category, extremes, lattice, scene};
+use super::lattice;
+use super::pair::{IMPACT, SWEEP, approaching, moved_to, near_each_other, scene, spun};
 use crate::float::Real;
 use crate::json::Json;
 use crate::placement::{Point, Rotation};
 use crate::random::Random;
 
-/// All of them.
-pub(super) const CATEGORIES: &[Category] = &[
-    Category { name: "sweep", draw: sweep },
-    Category { name: "sweep-lattice", draw: sweep_lattice },
-    Category { name: "sweep-graze", draw: sweep_graze },
-    Category { name: "turning", draw: turning },
-    Category { name: "turning-tolerance", draw: tolerances },
-    Category { name: "spinning-bar", draw: spinning_bar },
-    Category { name: "rod-past-peg", draw: rod_past_peg },
-    Category { name: "arm", draw: arm },
-    Category { name: "flat", draw: flat },
-    Category { name: "stops-above", draw: stops_above },
-    Category { name: "no-relative-motion", draw: no_relative_motion },
-    Category { name: "starts-near", draw: starts_near },
-    Category { name: "near-graze", draw: near_graze },
-    Category { name: "far", draw: extremes::far },
-    Category { name: "sizes", draw: extremes::sizes },
-    Category { name: "sliver", draw: extremes::sliver },
-    Category { name: "parallel-slide", draw: parallel_slide },
-    Category { name: "many-corners", draw: extremes::many_corners },
-    Category { name: "many-turns", draw: extremes::many_turns },
-    Category { name: "near-parallel", draw: extremes::near_parallel },
-    Category { name: "sweep-extreme", draw: extremes::sweep },
-];
-
-pub(super) const SWEEP: &str = "linear-sweep";
-pub(super) const IMPACT: &str = "time-of-impact";
-
-/// Two bodies `apart` from each other that fly at each other, more or less.
-pub(super) fn approaching(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2] {
-    let away = size * random.between(2.5, 6.0);
-    let [x, y] = direction(random, away);
-    let speed = random.between(0.5, 2.0);
-    let off = size * random.between(0.0, 1.5);
-    let aside = direction(random, off);
-    let [a, b] = shapes;
-    let base = [random.between(-size, size), random.between(-size, size)];
-    let angles = [random.between(-180.0, 180.0), random.between(-180.0, 180.0)];
-    let share = random.unit();
-    let v = [x * speed + aside[0], y * speed + aside[1]];
-    let a = Draft::still(a, base, angles[0]).moving(v.map(|v| v * share), 0.0);
-    let b = Draft::still(b, [base[0] + x, base[1] + y], angles[1]).moving(v.map(|v| v * (share - 1.0)), 0.0);
-    [a, b].map(without_spin_of_aabb)
-}
-
-pub(super) fn spun(random: &mut Random, [mut a, mut b]: [Draft; 2], most: f64) -> [Draft; 2] {
-    a.spin = random.between(-most, most);
-    b.spin = if random.once_in(3) { 0.0 } else { random.between(-most, most) };
-    [a, b].map(without_spin_of_aabb)
-}
-
-fn sweep(random: &mut Random) -> Json {
+pub(super) fn sweep(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let pair = approaching(random, shapes, 1.0);
     scene(random, SWEEP, pair, &[])
 }
 
-/// Small integers: exact grazes along sides and past corners, hits at t = 0 and t = 1.
-fn sweep_lattice(random: &mut Random) -> Json {
+/// Small integers: exact grazes along edges and past vertices, hits at t = 0 and t = 1.
+pub(super) fn sweep_lattice(random: &mut Random) -> Json {
     let velocity = [lattice::halves(random, 6), lattice::halves(random, 6)];
     let pair = [lattice::body(random, 4).moving(velocity, 0.0), lattice::body(random, 4)];
     let kind = if random.once_in(4) { IMPACT } else { SWEEP };
@@ -74,7 +23,7 @@ fn sweep_lattice(random: &mut Random) -> Json {
 }
 
 /// Along a coordinate axis past a body, touching it exactly, or off by 10^−k.
-fn sweep_graze(random: &mut Random) -> Json {
+pub(super) fn sweep_graze(random: &mut Random) -> Json {
     let (r, q) = (lattice::positive(random, 2), lattice::positive(random, 2));
     let off = if random.once_in(2) { 0.0 } else { sign(random) * random.magnitude(-17.0, -3.0) };
     let round = |random: &mut Random, r: f64| match random.below(3) {
@@ -94,14 +43,14 @@ fn sweep_graze(random: &mut Random) -> Json {
     scene(random, kind, [a, b], &[])
 }
 
-fn turning(random: &mut Random) -> Json {
+pub(super) fn turning(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let pair = approaching(random, shapes, 1.0);
     let pair = spun(random, pair, 500.0);
     scene(random, IMPACT, pair, &[])
 }
 
-fn tolerances(random: &mut Random) -> Json {
+pub(super) fn tolerances(random: &mut Random) -> Json {
     let shapes = [Shape::sharp(random, 1.0), Shape::sharp(random, 1.0)];
     let pair = approaching(random, shapes, 1.0);
     let pair = spun(random, pair, 400.0);
@@ -109,17 +58,17 @@ fn tolerances(random: &mut Random) -> Json {
     scene(random, IMPACT, pair, &[("tolerance", Json::Number(tolerance))])
 }
 
-/// A bar turns, and its corner enters a wall by 10^−k, stays out of it by that, or grazes it.
-fn spinning_bar(random: &mut Random) -> Json {
+/// A bar turns, and its vertex enters a wall by 10^−k, stays out of it by that, or grazes it.
+pub(super) fn spinning_bar(random: &mut Random) -> Json {
     let mut half = [random.between(0.5, 2.0), random.between(0.05, 0.3)];
     let mut depth = sign(random) * random.magnitude(-12.0, -2.0);
     if random.once_in(6) {
-        // 3-4-5: the corner grazes the wall exactly.
+        // 3-4-5: the vertex grazes the wall exactly.
         (half, depth) = ([1.0, 0.75], 0.0);
     }
-    let corner = Point::of(half).length();
+    let vertex = Point::of(half).length();
     let wall = [0.5, 5.0];
-    let x = (corner + Real::from(wall[0]) - Real::from(depth)).to_f64();
+    let x = (vertex + Real::from(wall[0]) - Real::from(depth)).to_f64();
     let spin = sign(random) * random.one_of(&[180.0, 360.0, 90.0, 1800.0]);
     let angle = random.between(-30.0, 30.0);
     let a = Draft::still(Shape::Box(half, 0.0), [0.0, 0.0], angle).moving([0.0, 0.0], spin);
@@ -128,7 +77,7 @@ fn spinning_bar(random: &mut Random) -> Json {
 }
 
 /// A rod turns up to 20 times past a peg: only the first crossing counts.
-fn rod_past_peg(random: &mut Random) -> Json {
+pub(super) fn rod_past_peg(random: &mut Random) -> Json {
     let length = random.between(1.0, 3.0);
     let rod = if random.once_in(3) {
         Shape::Capsule([[-length, 0.0], [length, 0.0]], 0.0)
@@ -152,7 +101,7 @@ fn rod_past_peg(random: &mut Random) -> Json {
 }
 
 /// A point on an arm meets a segment: no interior, contact by crossing.
-fn arm(random: &mut Random) -> Json {
+pub(super) fn arm(random: &mut Random) -> Json {
     let reach = random.between(0.5, 2.0);
     let spin = sign(random) * random.one_of(&[180.0, 360.0, 3600.0]);
     let angle = random.one_of(&[30.0, 60.0, 45.0, 120.0, 77.0]);
@@ -163,7 +112,7 @@ fn arm(random: &mut Random) -> Json {
 }
 
 /// A point or a segment flies over a segment.
-fn flat(random: &mut Random) -> Json {
+pub(super) fn flat(random: &mut Random) -> Json {
     let part = |random: &mut Random| {
         if random.once_in(2) { Shape::Circle(0.0, [0.0, 0.0]) } else { Shape::capsule(random, 0.5, 0.0) }
     };
@@ -176,7 +125,7 @@ fn flat(random: &mut Random) -> Json {
 }
 
 /// A body comes down and stops 10^−k above a ground.
-fn stops_above(random: &mut Random) -> Json {
+pub(super) fn stops_above(random: &mut Random) -> Json {
     let gap = random.magnitude(-13.0, -3.0);
     let body = match random.below(3) {
         0 => Shape::Circle(0.0, [0.0, 0.0]),
@@ -196,7 +145,7 @@ fn stops_above(random: &mut Random) -> Json {
     scene(random, kind, [a, b], &[])
 }
 
-fn no_relative_motion(random: &mut Random) -> Json {
+pub(super) fn no_relative_motion(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let pair = near_each_other(random, shapes, 1.0);
     let pair = moved_to(pair, random.magnitude(-10.0, 0.0));
@@ -208,7 +157,7 @@ fn no_relative_motion(random: &mut Random) -> Json {
 }
 
 /// Touching, overlapping or nearly so at t = 0.
-fn starts_near(random: &mut Random) -> Json {
+pub(super) fn starts_near(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let mut pair = near_each_other(random, shapes, 1.0);
     let gap = sign(random) * random.magnitude(-14.0, -1.0);
@@ -224,7 +173,7 @@ fn starts_near(random: &mut Random) -> Json {
 }
 
 /// Round against round: the least distance of the centres is the sum of the radii, but for 10^−k.
-fn near_graze(random: &mut Random) -> Json {
+pub(super) fn near_graze(random: &mut Random) -> Json {
     let radii = [random.between(0.2, 2.0), random.between(0.2, 2.0)];
     let off = sign(random) * random.magnitude(-12.0, -2.0);
     let turn = Rotation::of_degrees(Real::from(random.between(0.0, 360.0)));
@@ -247,7 +196,7 @@ fn near_graze(random: &mut Random) -> Json {
 }
 
 /// Parallel faces that close while they slide, turning together or not at all.
-fn parallel_slide(random: &mut Random) -> Json {
+pub(super) fn parallel_slide(random: &mut Random) -> Json {
     let angle = if random.once_in(2) { 0.0 } else { random.between(-180.0, 180.0) };
     let turn = Rotation::of_degrees(Real::from(angle));
     let world = |x: f64, y: f64| {

@@ -1,4 +1,5 @@
-//! Shapes on small integers and halves: exact touches, exact ties, parallel faces, corners of 180° and doubled ones.
+//! Shapes on small integers and halves: exact touches, exact ties, parallel faces, vertices of 180° and
+//! doubled ones.
 
 use super::draft::{Draft, Shape};
 use crate::placement::convex_core;
@@ -51,7 +52,7 @@ pub(super) fn body(random: &mut Random, reach: usize) -> Draft {
     Draft::still(shape(random), position, angle)
 }
 
-/// Lattice polygons with corners of 180° and doubled corners put in, either winding.
+/// Lattice polygons with vertices of 180° and doubled vertices put in, either winding.
 pub(super) fn padded(random: &mut Random) -> Shape {
     let list = hull(random).unwrap_or_else(|| vec![[0.0, 0.0], [2.0, 0.0], [0.0, 2.0]]);
     let mut padded = Vec::new();

@@ -1,12 +1,13 @@
 //! Cases: ordinary ones, and every kind of hard one that is known to break collision code, from a seed.
 //!
-//! A case is a scene as JSON, so that a failure prints what reproduces it: `tracefig solve case.json`. Case i of a seed does not
-//! depend on how many cases are asked for. A category is one row of a table.
+//! A case is a scene as JSON, so that a failure prints what reproduces it: `tracefig solve case.json`. Case i
+//! of a seed does not depend on how many cases are asked for. A category is one row of a table.
 
 mod draft;
 mod extremes;
 mod impact;
 mod lattice;
+mod pair;
 mod separation;
 mod stillness;
 
@@ -23,6 +24,55 @@ pub struct Category {
     pub draw: fn(&mut Random) -> Json,
 }
 
+/// Cases at one moment.
+const AT_ONE_MOMENT: &[Category] = &[
+    Category { name: "ordinary", draw: separation::ordinary },
+    Category { name: "rounded", draw: separation::rounded },
+    Category { name: "lattice", draw: separation::on_lattice },
+    Category { name: "identical", draw: separation::identical },
+    Category { name: "near-parallel", draw: separation::near_parallel },
+    Category { name: "sliver", draw: separation::sliver },
+    Category { name: "near-touching", draw: separation::near_touching },
+    Category { name: "hair", draw: separation::hair },
+    Category { name: "far", draw: separation::far },
+    Category { name: "mixed-sizes", draw: separation::mixed_sizes },
+    Category { name: "denormal", draw: separation::denormal },
+    Category { name: "turns", draw: separation::turns },
+    Category { name: "many-corners", draw: separation::many_vertices },
+    Category { name: "collinear-duplicate", draw: separation::collinear },
+    Category { name: "flat", draw: separation::flat },
+    Category { name: "circles", draw: separation::circles },
+    Category { name: "moment", draw: separation::moment },
+    Category { name: "overlap", draw: stillness::overlap },
+    Category { name: "bounds", draw: stillness::bounds },
+    Category { name: "motion-bound", draw: stillness::motion_bound },
+];
+
+/// Cases of bodies in motion.
+const IN_MOTION: &[Category] = &[
+    Category { name: "sweep", draw: impact::sweep },
+    Category { name: "sweep-lattice", draw: impact::sweep_lattice },
+    Category { name: "sweep-graze", draw: impact::sweep_graze },
+    Category { name: "turning", draw: impact::turning },
+    Category { name: "turning-tolerance", draw: impact::tolerances },
+    Category { name: "spinning-bar", draw: impact::spinning_bar },
+    Category { name: "rod-past-peg", draw: impact::rod_past_peg },
+    Category { name: "arm", draw: impact::arm },
+    Category { name: "flat", draw: impact::flat },
+    Category { name: "stops-above", draw: impact::stops_above },
+    Category { name: "no-relative-motion", draw: impact::no_relative_motion },
+    Category { name: "starts-near", draw: impact::starts_near },
+    Category { name: "near-graze", draw: impact::near_graze },
+    Category { name: "far", draw: extremes::far },
+    Category { name: "sizes", draw: extremes::sizes },
+    Category { name: "sliver", draw: extremes::sliver },
+    Category { name: "parallel-slide", draw: impact::parallel_slide },
+    Category { name: "many-corners", draw: extremes::many_vertices },
+    Category { name: "many-turns", draw: extremes::many_turns },
+    Category { name: "near-parallel", draw: extremes::near_parallel },
+    Category { name: "sweep-extreme", draw: extremes::sweep },
+];
+
 /// Which table of categories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
@@ -37,8 +87,8 @@ impl Family {
     #[must_use]
     pub fn categories(self) -> &'static [Category] {
         match self {
-            Self::Separation => separation::CATEGORIES,
-            Self::Impact => impact::CATEGORIES,
+            Self::Separation => AT_ONE_MOMENT,
+            Self::Impact => IN_MOTION,
         }
     }
 
@@ -55,19 +105,6 @@ impl Family {
         }
         scene
     }
-}
-
-/// A scene of two bodies and a question. One time in eight their names are swapped, and with them their order in the file.
-pub(crate) fn scene(random: &mut Random, kind: &str, [a, b]: [Draft; 2], more: &[(&str, Json)]) -> Json {
-    let names = if random.once_in(8) { ["B", "A"] } else { ["A", "B"] };
-    let of = names.map(|name| Json::Text(name.to_owned())).to_vec();
-    let mut query = Json::object([("kind", Json::Text(kind.to_owned())), ("of", Json::List(of))]);
-    for (key, value) in more {
-        query.set(key, value.clone());
-    }
-    let mut shapes = vec![(names[0].to_owned(), a.json()), (names[1].to_owned(), b.json())];
-    shapes.sort_by(|x, y| x.0.cmp(&y.0));
-    Json::object([("shapes", Json::Object(shapes)), ("query", query)])
 }
 
 #[cfg(test)]

@@ -1,80 +1,43 @@
 //! Cases at one moment: a row a category.
 
 use super::draft::{Draft, Shape, direction, nudged, sign, turned_back};
-use super::{Category, lattice, scene, stillness};
-use crate::check::Setting;
+use super::lattice;
+use super::pair::{measured, moved_to, near_each_other, scene, without_spin_of_aabb};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::Point;
 use crate::random::Random;
-use crate::scene::Scene;
-use crate::separation::separation;
-
-/// All of them.
-pub(super) const CATEGORIES: &[Category] = &[
-    Category { name: "ordinary", draw: ordinary },
-    Category { name: "rounded", draw: rounded },
-    Category { name: "lattice", draw: on_lattice },
-    Category { name: "identical", draw: identical },
-    Category { name: "near-parallel", draw: near_parallel },
-    Category { name: "sliver", draw: sliver },
-    Category { name: "near-touching", draw: near_touching },
-    Category { name: "hair", draw: hair },
-    Category { name: "far", draw: far },
-    Category { name: "mixed-sizes", draw: mixed_sizes },
-    Category { name: "denormal", draw: denormal },
-    Category { name: "turns", draw: turns },
-    Category { name: "many-corners", draw: many_corners },
-    Category { name: "collinear-duplicate", draw: collinear },
-    Category { name: "flat", draw: flat },
-    Category { name: "circles", draw: circles },
-    Category { name: "moment", draw: moment },
-    Category { name: "overlap", draw: stillness::overlap },
-    Category { name: "bounds", draw: stillness::bounds },
-    Category { name: "motion-bound", draw: stillness::motion_bound },
-];
 
 fn ask(random: &mut Random, pair: [Draft; 2]) -> Json {
     scene(random, "separation", pair, &[])
 }
 
-/// Two bodies about their size apart, some overlapping.
-pub(super) fn near_each_other(random: &mut Random, shapes: [Shape; 2], size: f64) -> [Draft; 2] {
-    let away = size * random.between(0.0, 3.0);
-    let position = [random.between(-size, size), random.between(-size, size)];
-    let [x, y] = direction(random, away);
-    let [a, b] = shapes;
-    let angles = [random.between(-180.0, 180.0), random.between(-180.0, 180.0)];
-    [Draft::still(a, position, angles[0]), Draft::still(b, [position[0] + x, position[1] + y], angles[1])]
-}
-
-fn ordinary(random: &mut Random) -> Json {
+pub(super) fn ordinary(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.5)];
     let pair = near_each_other(random, shapes, 1.0);
     ask(random, pair)
 }
 
-fn rounded(random: &mut Random) -> Json {
+pub(super) fn rounded(random: &mut Random) -> Json {
     let radius = random.between(0.01, 0.8);
-    let corners = 3 + random.below(9);
+    let vertices = 3 + random.below(9);
     let half = [random.between(0.1, 1.0), random.between(0.1, 1.0)];
     let a = if random.once_in(2) {
         Shape::capsule(random, 1.0, radius)
     } else {
-        Shape::polygon(random, corners, half, radius)
+        Shape::polygon(random, vertices, half, radius)
     };
     let b = if random.once_in(3) { Shape::capsule(random, 1.0, radius) } else { Shape::Box(half, radius) };
     let pair = near_each_other(random, [a, b], 1.0);
     ask(random, pair)
 }
 
-fn on_lattice(random: &mut Random) -> Json {
+pub(super) fn on_lattice(random: &mut Random) -> Json {
     let pair = [lattice::body(random, 3), lattice::body(random, 3)];
     ask(random, pair)
 }
 
 /// The same shape twice at the same pose, or turned by a symmetry of it, or only moved.
-fn identical(random: &mut Random) -> Json {
+pub(super) fn identical(random: &mut Random) -> Json {
     let shape = if random.once_in(2) { lattice::shape(random) } else { Shape::any(random, 1.0) };
     let position = [random.between(-9.0, 9.0), random.between(-9.0, 9.0)];
     let angle = random.between(-720.0, 720.0);
@@ -88,8 +51,8 @@ fn identical(random: &mut Random) -> Json {
     ask(random, [a, b])
 }
 
-/// Sides from 1e-3 to 1e-17 rad off parallel; at any tilt, apart or inside.
-fn near_parallel(random: &mut Random) -> Json {
+/// Edges from 1e-3 to 1e-17 rad off parallel; at any tilt, apart or inside.
+pub(super) fn near_parallel(random: &mut Random) -> Json {
     let half = [random.between(0.5, 1.5), random.between(0.5, 1.5)];
     let tilt = if random.once_in(2) { 0.0 } else { random.between(-180.0, 180.0) };
     let off = sign(random) * random.magnitude(-17.0, -2.0);
@@ -118,7 +81,7 @@ fn needle(random: &mut Random) -> Shape {
     }
 }
 
-fn sliver(random: &mut Random) -> Json {
+pub(super) fn sliver(random: &mut Random) -> Json {
     let a = needle(random);
     let b = if random.once_in(2) { needle(random) } else { Shape::any(random, 1.0) };
     let size = random.magnitude(-1.0, 3.0);
@@ -127,7 +90,7 @@ fn sliver(random: &mut Random) -> Json {
 }
 
 /// B moved along the normal until s is about ± 10^−k, k from 2 to 18.
-fn near_touching(random: &mut Random) -> Json {
+pub(super) fn near_touching(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let pair = near_each_other(random, shapes, 1.0);
     let gap = sign(random) * random.magnitude(-18.0, -2.0);
@@ -135,25 +98,9 @@ fn near_touching(random: &mut Random) -> Json {
     ask(random, pair)
 }
 
-/// The pair with B moved along the normal, so that the separation is `gap` but for the rounding of B's position.
-pub(super) fn moved_to([a, mut b]: [Draft; 2], gap: f64) -> [Draft; 2] {
-    if let Some((n, s)) = measured(&[a.clone(), b.clone()]) {
-        b.position = nudged(b.position, n.times(Real::from(gap) - s));
-    }
-    [a, b]
-}
-
-/// Normal and separation of a pair at t = 0.
-fn measured(pair: &[Draft; 2]) -> Option<(Point, Real)> {
-    let text = scene(&mut Random::new(1), "separation", pair.clone(), &[]).to_string();
-    let parsed = Scene::parse(&text).ok()?;
-    let placed = Setting::of(&parsed).pair(&parsed.bodies, Real::ZERO);
-    let exact = separation(&placed[0], &placed[1]);
-    Some((exact.normal?, exact.separation))
-}
-
-/// A circle whose place is a sum of two doubles, so that s is down to 1e-33: only there the rounding of double-doubles shows.
-fn hair(random: &mut Random) -> Json {
+/// A circle whose place is a sum of two doubles, so that s is down to 1e-33: only there the rounding of
+/// double-doubles shows.
+pub(super) fn hair(random: &mut Random) -> Json {
     let a = if random.once_in(2) { Shape::sharp(random, 1.0) } else { Shape::any(random, 1.0) };
     let radius = if random.once_in(2) { 0.0 } else { random.between(0.0, 1.0) };
     let [a, b] = near_each_other(random, [a, Shape::Circle(radius, [0.0, 0.0])], 1.0);
@@ -176,7 +123,7 @@ fn centred_to([a, mut b]: [Draft; 2], radius: f64, gap: f64) -> [Draft; 2] {
     [a, b]
 }
 
-fn far(random: &mut Random) -> Json {
+pub(super) fn far(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let [mut a, mut b] = near_each_other(random, shapes, 1.0);
     let away = random.magnitude(4.0, 12.0);
@@ -188,7 +135,7 @@ fn far(random: &mut Random) -> Json {
     ask(random, pair)
 }
 
-fn mixed_sizes(random: &mut Random) -> Json {
+pub(super) fn mixed_sizes(random: &mut Random) -> Json {
     let sizes = [random.magnitude(-12.0, 12.0), random.magnitude(-12.0, 12.0)];
     let shapes = sizes.map(|size| Shape::any(random, size));
     let reach = if random.once_in(2) { sizes[0].max(sizes[1]) } else { sizes[0].min(sizes[1]) };
@@ -201,7 +148,7 @@ fn mixed_sizes(random: &mut Random) -> Json {
 }
 
 /// Sizes from 1e-300 down to a few times the least positive double.
-fn denormal(random: &mut Random) -> Json {
+pub(super) fn denormal(random: &mut Random) -> Json {
     let size = random.magnitude(-318.0, -300.0);
     let shapes = [Shape::any(random, size), Shape::any(random, size)];
     let [mut a, mut b] = near_each_other(random, shapes, size);
@@ -222,7 +169,7 @@ fn denormal(random: &mut Random) -> Json {
     ask(random, [a, b])
 }
 
-fn turns(random: &mut Random) -> Json {
+pub(super) fn turns(random: &mut Random) -> Json {
     let shapes = [Shape::sharp(random, 1.0), Shape::any(random, 1.0)];
     let [mut a, mut b] = near_each_other(random, shapes, 1.0);
     a.angle = sign(random) * random.magnitude(3.0, 15.0);
@@ -232,12 +179,12 @@ fn turns(random: &mut Random) -> Json {
     ask(random, [a, b])
 }
 
-fn many_corners(random: &mut Random) -> Json {
+pub(super) fn many_vertices(random: &mut Random) -> Json {
     let mut polygon = |most: f64| {
         let target = random.magnitude(0.9, most);
-        let corners = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
+        let vertices = (3..1000).find(|n| f64::from(*n) >= target).unwrap_or(1000);
         let half = [random.between(0.5, 1.0), random.between(0.5, 1.0)];
-        Shape::polygon(random, usize::try_from(corners).unwrap_or(3), half, 0.0)
+        Shape::polygon(random, usize::try_from(vertices).unwrap_or(3), half, 0.0)
     };
     let shapes = [polygon(3.0), polygon(2.0)];
     let mut pair = near_each_other(random, shapes, 1.0);
@@ -247,7 +194,7 @@ fn many_corners(random: &mut Random) -> Json {
     ask(random, pair)
 }
 
-fn collinear(random: &mut Random) -> Json {
+pub(super) fn collinear(random: &mut Random) -> Json {
     let a =
         Draft::still(lattice::padded(random), [lattice::halves(random, 2), lattice::halves(random, 2)], 0.0);
     let shape = if random.once_in(2) { lattice::padded(random) } else { lattice::shape(random) };
@@ -259,7 +206,7 @@ fn collinear(random: &mut Random) -> Json {
 }
 
 /// Points and segments: no interior, so that nothing is ever inside.
-fn flat(random: &mut Random) -> Json {
+pub(super) fn flat(random: &mut Random) -> Json {
     let a = part_of(random);
     let b = if random.once_in(3) { Shape::any(random, 1.0) } else { part_of(random) };
     let mut pair = near_each_other(random, [a, b], 1.0);
@@ -283,8 +230,8 @@ fn part_of(random: &mut Random) -> Shape {
     }
 }
 
-/// Circles: concentric, with a centre on a corner or on a side, nearly concentric.
-fn circles(random: &mut Random) -> Json {
+/// Circles: concentric, with a centre on a vertex or on an edge, nearly concentric.
+pub(super) fn circles(random: &mut Random) -> Json {
     let radius = random.between(0.1, 2.0);
     let half = [lattice::positive(random, 2), lattice::positive(random, 2)];
     let place = [lattice::halves(random, 2), lattice::halves(random, 2)];
@@ -300,7 +247,7 @@ fn circles(random: &mut Random) -> Json {
 }
 
 /// Moving and turning, asked at a time in [0, 1].
-fn moment(random: &mut Random) -> Json {
+pub(super) fn moment(random: &mut Random) -> Json {
     let shapes = [Shape::any(random, 1.0), Shape::any(random, 1.0)];
     let [a, b] = near_each_other(random, shapes, 1.0);
     let mut motion = |body: Draft| {
@@ -312,12 +259,4 @@ fn moment(random: &mut Random) -> Json {
     let pair = [motion(a), motion(b)].map(without_spin_of_aabb);
     let time = random.unit();
     scene(random, "separation", pair, &[("time", Json::Number(time))])
-}
-
-/// An AABB does not turn.
-pub(super) fn without_spin_of_aabb(mut body: Draft) -> Draft {
-    if matches!(body.shape, Shape::Aabb(_)) {
-        (body.spin, body.angle) = (0.0, 0.0);
-    }
-    body
 }

@@ -104,8 +104,8 @@ impl Canvas {
         self.pixmap.draw_pixmap(x, y, layer.pixmap.as_ref(), &paint, Transform::identity(), None);
     }
 
-    /// Left, top, width and height in whole pixels of this canvas that hold `extent`, with one pixel around it for
-    /// anti-aliasing; `None` where nothing of it is on the canvas.
+    /// Left, top, width and height in whole pixels of this canvas that hold `extent`, with one pixel around
+    /// it for anti-aliasing; `None` where nothing of it is on the canvas.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cut to the canvas before")]
     fn layer_place(&self, extent: Rect) -> Option<(i32, i32, u32, u32)> {
         let Frame { scale, x, y } = self.frame;

@@ -1,9 +1,10 @@
 //! Display lists as JSON, so that plotters in other languages can draw them.
 //!
-//! `[{"name", "width", "height", "background", "items": [ITEM…]}…]`; an ITEM is a group `{"clip", "opacity", "items"}` or a
-//! path `{"path": [PIECE…], "fill": COLOR, "stroke": {"color", "width", "dash", "round"}}`; a PIECE is `["M", x, y]`,
-//! `["L", x, y]`, `["C", x1, y1, x2, y2, x, y]` or `["Z"]` in page pixels, a COLOR `[red, green, blue, opacity]` from 0
-//! to 1. Text is the outlines of its glyphs, an arc is cubics, a pattern is lines in a group that its area clips.
+//! `[{"name", "width", "height", "background", "items": [ITEM…]}…]`; an ITEM is a group `{"clip", "opacity",
+//! "items"}` or a path `{"path": [PIECE…], "fill": COLOR, "stroke": {"color", "width", "dash", "round"}}`; a
+//! PIECE is `["M", x, y]`, `["L", x, y]`, `["C", x1, y1, x2, y2, x, y]` or `["Z"]` in page pixels, a COLOR
+//! `[red, green, blue, opacity]` from 0 to 1. Text is the outlines of its glyphs, an arc is cubics, a pattern
+//! is lines in a group that its area clips.
 
 use std::fmt::Write;
 

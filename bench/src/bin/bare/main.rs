@@ -1,10 +1,10 @@
-//! The bare program: it replays our own display lists through tiny-skia, and writes the `png` crate's fastest PNG and
-//! our SVG. It is the 1.0 that `tracefig render` is measured against.
+//! The bare program: it replays our own display lists through tiny-skia, and writes the `png` crate's fastest
+//! PNG and our SVG. It is the 1.0 that `tracefig render` is measured against.
 //!
-//! `bare SCENE…` makes the display lists before its clock starts, replays them, and prints the time of the fastest replay
-//! of each stage. `bare --once DIR SCENE…` draws each once, writes the files into a folder, and prints the processor time
-//! of that alone in milliseconds: what a program would need that knows nothing else. `bare --dump SCENE…` prints the
-//! display lists as JSON, for the plotters of `bench/peers`.
+//! `bare SCENE…` makes the display lists before its clock starts, replays them, and prints the time of the
+//! fastest replay of each stage. `bare --once DIR SCENE…` draws each once, writes the files into a folder,
+//! and prints the processor time of that alone in milliseconds: what a program would need that knows nothing
+//! else. `bare --dump SCENE…` prints the display lists as JSON, for the plotters of `bench/peers`.
 
 mod canvas;
 mod dump;
