@@ -307,7 +307,7 @@ fn run(folder: &Path, arguments: &str) -> (Option<i32>, String, f64) {
     );
     let output = Command::new("sh")
         .args(["-c", &script])
-        .arg(assert_cmd::cargo::cargo_bin!("tracefig"))
+        .arg(env!("CARGO_BIN_EXE_tracefig"))
         .current_dir(folder)
         .output()
         .unwrap();

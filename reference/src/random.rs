@@ -48,6 +48,12 @@ impl Random {
         usize::try_from(self.bits() % (n.max(1) as u64)).unwrap_or(0)
     }
 
+    /// A multiple of a quarter in [lo, hi]: makes ties, touching and parallel edges.
+    pub fn quarter(&mut self, lo: i32, hi: i32) -> f64 {
+        let steps = usize::try_from(4 * (hi - lo) + 1).unwrap_or(1);
+        f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap_or(0)) / 4.0
+    }
+
     /// True once in n.
     pub fn once_in(&mut self, n: usize) -> bool {
         self.below(n) == 0
@@ -56,6 +62,11 @@ impl Random {
     /// One of these.
     pub fn one_of<T: Copy>(&mut self, choices: &[T]) -> T {
         choices[self.below(choices.len())]
+    }
+
+    /// A reference to one of these, which need not be `Copy`.
+    pub fn pick<'a, T>(&mut self, choices: &'a [T]) -> &'a T {
+        &choices[self.below(choices.len())]
     }
 
     /// 10^x with x uniform in [lo, hi): a size whose order of magnitude is uniform.

@@ -1,5 +1,7 @@
 //! Shapes, queries, and the algorithms that take them.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use tracefig::collision::{ALGORITHMS, Algorithm, Query, QueryKind};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, Shape};

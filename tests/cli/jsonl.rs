@@ -2,11 +2,11 @@
 
 use serde_json::{Value, json};
 
-use crate::{run, tracefig};
+use crate::{TRACEFIG, run, run_on, tracefig};
 
 /// The lines that a stream is answered with, and the exit status.
 fn answers(lines: &str) -> (Vec<Value>, Option<i32>) {
-    let ran = run(tracefig(".".as_ref()).args(["solve", "--jsonl"]).write_stdin(lines));
+    let ran = run_on(tracefig(".".as_ref()).args(["solve", "--jsonl"]), lines);
     assert_eq!(ran.err, "");
     (ran.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect(), ran.code)
 }
@@ -117,7 +117,7 @@ fn overlap_bounds_and_motion_bound_have_their_fields() {
 fn the_id_is_copied_whatever_it_is() {
     for id in [r#""a""#, "7", "1e400", "[1, {\"x\": null}]", "true", "\"\\u00e9 \\n\""] {
         let scene = pair("overlap", r#""position": [3, 0]"#).replace(r#""x""#, id);
-        let ran = run(tracefig(".".as_ref()).args(["solve", "--jsonl"]).write_stdin(scene));
+        let ran = run_on(tracefig(".".as_ref()).args(["solve", "--jsonl"]), scene);
         assert!(ran.out.starts_with(&format!("{{\"id\":{id},\"result\":")), "{id}: {}", ran.out);
     }
     let without = pair("overlap", r#""position": [3, 0]"#).replace(r#""id": "x", "#, "");
@@ -150,7 +150,7 @@ fn bad_lines_get_an_error_line_and_the_run_goes_on() {
 fn an_answer_comes_before_the_next_line_is_written() {
     use std::io::{BufRead, BufReader, Write};
     use std::process::{Command, Stdio};
-    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+    let mut child = Command::new(TRACEFIG)
         .args(["solve", "--jsonl"])
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())

@@ -4,21 +4,28 @@
 
 mod bad_input;
 mod check;
+mod inert;
 mod jsonl;
+mod readme;
 mod render;
 mod report;
 mod streams;
 #[cfg(unix)]
 mod whole_files;
 
+use std::io::Write as _;
 use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::thread;
 
-use assert_cmd::Command;
 use tempfile::TempDir;
+
+/// Path of the built binary.
+const TRACEFIG: &str = env!("CARGO_BIN_EXE_tracefig");
 
 /// The built binary, in a folder, with no settings of whoever runs the tests.
 fn tracefig(folder: &Path) -> Command {
-    let mut command = assert_cmd::cargo::cargo_bin_cmd!("tracefig");
+    let mut command = Command::new(TRACEFIG);
     command
         .current_dir(folder)
         .env_remove("NO_COLOR")
@@ -41,13 +48,31 @@ struct Ran {
     err: String,
 }
 
-fn run(command: &mut Command) -> Ran {
-    let output = command.output().unwrap();
-    Ran {
-        code: output.status.code(),
-        out: String::from_utf8(output.stdout).unwrap(),
-        err: String::from_utf8(output.stderr).unwrap(),
+impl From<Output> for Ran {
+    fn from(output: Output) -> Self {
+        Self {
+            code: output.status.code(),
+            out: String::from_utf8(output.stdout).unwrap(),
+            err: String::from_utf8(output.stderr).unwrap(),
+        }
     }
+}
+
+/// Runs to the end, with nothing on standard input.
+fn run(command: &mut Command) -> Ran {
+    command.output().unwrap().into()
+}
+
+/// Runs to the end with a text on standard input, which the command need not read.
+fn run_on(command: &mut Command, input: impl AsRef<[u8]> + Send) -> Ran {
+    let command = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut stdin = child.stdin.take().unwrap();
+    thread::scope(|scope| {
+        // Beside the reading of what is printed, so that no full pipe stops both.
+        scope.spawn(move || drop(stdin.write_all(input.as_ref())));
+        child.wait_with_output().unwrap().into()
+    })
 }
 
 /// Two circles, 1 apart.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::{CIRCLES, folder_with, run, tracefig};
+use crate::{CIRCLES, folder_with, run, run_on, tracefig};
 
 /// [`CIRCLES`] with a panel.
 pub(crate) fn drawn() -> String {
@@ -86,7 +86,7 @@ fn a_dash_writes_the_one_file_to_standard_output() {
     let folder = folder_with("s.toml", &drawn());
     let svg = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-", "--format", "svg"]));
     assert!(svg.code == Some(0) && svg.out.starts_with("<svg"), "{}", svg.err);
-    let piped = run(tracefig(folder.path()).args(["render", "-", "--format", "svg"]).write_stdin(drawn()));
+    let piped = run_on(tracefig(folder.path()).args(["render", "-", "--format", "svg"]), drawn());
     assert!(piped.code == Some(0) && piped.out.starts_with("<svg"), "{}", piped.err);
     let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-"]));
     assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
@@ -208,19 +208,15 @@ fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tel
     std::fs::write(folder.path().join("pale.toml"), "[colors]\nink = \"#EEEEEE\"\n").unwrap();
     let figure = concat!(env!("CARGO_MANIFEST_DIR"), "/figures/01-penetration.toml");
     let render = |theme: &str| {
-        let mut command = assert_cmd::Command::cargo_bin("tracefig").unwrap();
-        command
-            .current_dir(folder.path())
-            .args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]);
-        command.assert()
+        run(tracefig(folder.path()).args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]))
     };
-    render("slides.toml,print").success();
+    assert_eq!(render("slides.toml,print").code, Some(0));
     let svg = std::fs::read_to_string(folder.path().join("01-penetration.slides.svg")).unwrap();
     assert!(svg.to_uppercase().contains("#FF6650"));
-    let refused = render("pale.toml").failure().code(2);
-    let said = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
-    assert!(said.contains("ink and background: contrast"), "{said}");
-    render("sepia").failure().code(2);
+    let refused = render("pale.toml");
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.err.contains("ink and background: contrast"), "{}", refused.err);
+    assert_eq!(render("sepia").code, Some(2));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! `report`: what is finished is kept when it is stopped.
 
-use crate::{run, tracefig};
+use crate::{TRACEFIG, run, tracefig};
 
 #[test]
 fn a_filter_that_matches_nothing_is_told() {
@@ -18,7 +18,7 @@ fn ctrl_c_leaves_what_is_finished() {
     // On a busy machine the signal may come before anyone listens: then once more, later.
     let ended = (1..6)
         .map(|seconds| {
-            let child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+            let child = Command::new(TRACEFIG)
                 .args(["report", "--quick", "-o", "out"])
                 .current_dir(folder.path())
                 .stdout(Stdio::null())

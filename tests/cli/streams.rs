@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-use crate::{CIRCLES, folder_with, run, tracefig};
+use crate::{CIRCLES, TRACEFIG, folder_with, run, run_on, tracefig};
 
 #[test]
 fn results_go_to_standard_output_and_messages_to_standard_error() {
@@ -18,15 +18,15 @@ fn results_go_to_standard_output_and_messages_to_standard_error() {
 #[test]
 fn a_dash_is_standard_input_in_either_language() {
     let folder = tempfile::tempdir().unwrap();
-    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin(CIRCLES));
+    let ran = run_on(tracefig(folder.path()).args(["solve", "-"]), CIRCLES);
     assert!(ran.out.starts_with("<stdin>: separation of A and B"), "{}{}", ran.out, ran.err);
     let json =
         r#" {"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": {"kind": "bounds", "of": ["A"]}}"#;
-    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin(json));
+    let ran = run_on(tracefig(folder.path()).args(["solve", "-"]), json);
     assert!(ran.out.starts_with("<stdin>: bounds of A"), "{}{}", ran.out, ran.err);
-    let ran = run(tracefig(folder.path()).args(["solve", "-"]).write_stdin("title = 1"));
+    let ran = run_on(tracefig(folder.path()).args(["solve", "-"]), "title = 1");
     assert!(ran.err.contains("--> <stdin>:1:9"), "{}", ran.err);
-    let ran = run(tracefig(folder.path()).args(["solve", "-", "-"]).write_stdin(CIRCLES));
+    let ran = run_on(tracefig(folder.path()).args(["solve", "-", "-"]), CIRCLES);
     assert_eq!(ran.code, Some(1));
 }
 
@@ -57,8 +57,7 @@ fn without_a_terminal_nothing_is_coloured() {
 #[cfg(target_os = "linux")]
 fn in_a_terminal(no_color: &str) -> Option<String> {
     let folder = folder_with("s.toml", "title = 1");
-    let binary = assert_cmd::cargo::cargo_bin!("tracefig");
-    let line = format!("'{}' solve s.toml", binary.display());
+    let line = format!("'{TRACEFIG}' solve s.toml");
     let output = Command::new("script")
         .args(["-qec", &line, "/dev/null"])
         .current_dir(folder.path())
@@ -87,7 +86,7 @@ fn a_closed_pipe_is_quiet() {
         [&["solve", "s.toml"][..], &["list"], &["man"], &["completions", "bash"], &["trace", "s.toml"]]
     {
         let folder = folder_with("s.toml", CIRCLES);
-        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+        let mut child = Command::new(TRACEFIG)
             .args(arguments)
             .current_dir(folder.path())
             .stdout(Stdio::piped())
@@ -106,7 +105,7 @@ fn a_closed_pipe_is_quiet() {
 fn a_full_disk_is_told() {
     let folder = folder_with("s.toml", CIRCLES);
     let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let output = Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+    let output = Command::new(TRACEFIG)
         .args(["solve", "s.toml"])
         .current_dir(folder.path())
         .stdout(full)

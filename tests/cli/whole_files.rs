@@ -7,8 +7,10 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread;
 use std::time::Duration;
 
+use tracefig_reference::random::Random;
+
 use crate::render::{drawn, names, set};
-use crate::{folder_with, run, tracefig};
+use crate::{TRACEFIG, folder_with, run, tracefig};
 
 /// Runs that are killed, over all threads.
 const KILLS: u32 = 200;
@@ -23,7 +25,7 @@ fn small() -> String {
 }
 
 fn start(folder: &Path, arguments: &[&str]) -> Child {
-    Command::new(assert_cmd::cargo::cargo_bin!("tracefig"))
+    Command::new(TRACEFIG)
         .arg("render")
         .args(arguments)
         .current_dir(folder)
@@ -78,12 +80,10 @@ fn kill(folder: &Path, after: Duration, whole: &BTreeMap<String, Vec<u8>>) -> Fo
 
 /// Kills runs in a folder at random points of a span that follows how long runs take; returns how many were
 /// killed between their first and their last file.
-fn kill_many(folder: &Path, seed: u32, whole: &BTreeMap<String, Vec<u8>>) -> u32 {
-    let (mut random, mut span, mut between) = (seed, Duration::from_millis(200), 0);
+fn kill_many(folder: &Path, seed: u64, whole: &BTreeMap<String, Vec<u8>>) -> u32 {
+    let (mut random, mut span, mut between) = (Random::new(seed), Duration::from_millis(200), 0);
     for _ in 0..KILLS / THREADS {
-        // Numerical Recipes' generator; its upper half is random enough for this.
-        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        match kill(folder, span * (random >> 16) / (1 << 16), whole) {
+        match kill(folder, span.mul_f64(random.unit()), whole) {
             Found::Late => span = span * 9 / 10,
             Found::Early => span = span * 11 / 10,
             Found::Between => between += 1,
@@ -110,7 +110,7 @@ fn runs_killed_at_200_random_points_leave_whole_files_and_the_next_run_clears_up
         let (folders, whole) = (&folders, &whole);
         let threads: Vec<_> = (0..THREADS)
             .zip(folders)
-            .map(|(i, folder)| scope.spawn(move || kill_many(folder.path(), i, whole)))
+            .map(|(i, folder)| scope.spawn(move || kill_many(folder.path(), i.into(), whole)))
             .collect();
         threads.into_iter().map(|thread| thread.join().unwrap()).sum()
     });
@@ -157,7 +157,7 @@ fn script(folder: &Path, shell: &[&str], script: &str) -> Output {
     Command::new(shell[0])
         .args(&shell[1..])
         .args(["-c", script])
-        .arg(assert_cmd::cargo::cargo_bin!("tracefig"))
+        .arg(TRACEFIG)
         .current_dir(folder)
         .output()
         .unwrap()

@@ -15,9 +15,11 @@ macro_rules! shows {
 }
 
 mod difference;
+mod golden;
 mod motion;
 mod overlap;
 mod seen;
+mod witness;
 
 use std::path::Path;
 

@@ -1,5 +1,5 @@
-//! What the fuzz targets of `fuzz/` hold of any text; `tests/corpus.rs` holds it of the inputs that fuzzing
-//! found.
+//! What the fuzz targets of `fuzz/` hold of any text; `tests/scenes/corpus.rs` holds it of the inputs that
+//! fuzzing found.
 
 pub(crate) mod render;
 pub(crate) mod scene;

@@ -1,43 +1,20 @@
 //! Random pairs of every kind of shape, half of them on quarters, so that edges are parallel, bodies touch
 //! and centres coincide.
 
-use super::asking::of_kind;
+#![expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
+
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Shape};
+use tracefig_reference::random::Random;
 
-/// `SplitMix64` (Steele, Lea, Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, n: u64) -> u64 {
-        self.next() % n
-    }
-
-    /// In [lo, hi).
-    fn within(&mut self, lo: f64, hi: f64) -> f64 {
-        lo + (hi - lo) * ((self.next() >> 11) as f64 / 9_007_199_254_740_992.0)
-    }
-
-    /// A multiple of a quarter in [lo, hi]: makes ties, touching and parallel edges.
-    fn quarter(&mut self, lo: i32, hi: i32) -> f64 {
-        let steps = u64::try_from((hi - lo) * 4 + 1).unwrap();
-        f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap()) / 4.0
-    }
-}
+use crate::asking::of_kind;
 
 /// Vertices on an ellipse: convex, counter-clockwise.
 fn polygon(r: &mut Random, radius: f64) -> Shape {
     let n = 3 + r.below(6);
-    let (a, b, start) = (r.within(0.5, 2.0), r.within(0.5, 2.0), r.within(0.0, 360.0));
+    let (a, b, start) = (r.between(0.5, 2.0), r.between(0.5, 2.0), r.between(0.0, 360.0));
     let vertices = (0..n).map(|k| {
-        let angle = (start + 360.0 * (k as f64 + r.within(-0.3, 0.3)) / n as f64).to_radians();
+        let angle = (start + 360.0 * (k as f64 + r.between(-0.3, 0.3)) / n as f64).to_radians();
         DVec2::new(a * libm::cos(angle), b * libm::sin(angle))
     });
     let fields =
@@ -74,12 +51,12 @@ fn body(r: &mut Random) -> Body {
         _ if !turns => 0.0,
         0 => 90.0 * r.quarter(-2, 2).round(),
         1 => 30.0,
-        _ => r.within(-720.0, 720.0),
+        _ => r.between(-720.0, 720.0),
     };
     let position = match r.below(8) {
         0 => DVec2::ZERO,
         1..4 => DVec2::new(r.quarter(-4, 4), r.quarter(-4, 4)),
-        _ => DVec2::new(r.within(-4.0, 4.0), r.within(-4.0, 4.0)),
+        _ => DVec2::new(r.between(-4.0, 4.0), r.between(-4.0, 4.0)),
     };
     Body { shape, position, angle: Degrees(angle), velocity: DVec2::ZERO, spin: Degrees(0.0) }
 }
@@ -87,7 +64,7 @@ fn body(r: &mut Random) -> Body {
 /// Seeded pairs of bodies at rest.
 pub(crate) fn pairs(count: u64) -> impl Iterator<Item = (u64, Body, Body)> {
     (0..count).map(|seed| {
-        let mut r = Random(seed);
+        let mut r = Random::new(seed);
         (seed, body(&mut r), body(&mut r))
     })
 }

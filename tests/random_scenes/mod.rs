@@ -5,29 +5,9 @@
 
 use std::fmt::Write;
 
+use tracefig_reference::random::Random;
+
 use super::{LAYERS, Scene, Shows, plan};
-
-/// `SplitMix64` (Steele, Lea, Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (z ^ (z >> 31)) % n
-    }
-
-    /// A multiple of a quarter in [lo, hi].
-    fn quarter(&mut self, lo: i32, hi: i32) -> f64 {
-        let steps = u64::try_from((hi - lo) * 4 + 1).unwrap();
-        f64::from(lo) + f64::from(u32::try_from(self.below(steps)).unwrap()) / 4.0
-    }
-
-    fn of<'w>(&mut self, words: &[&'w str]) -> &'w str {
-        words[usize::try_from(self.below(words.len() as u64)).unwrap()]
-    }
-}
 
 /// A small count as a number.
 fn number(count: u64) -> f64 {
@@ -36,7 +16,7 @@ fn number(count: u64) -> f64 {
 
 fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String {
     let mut text = format!("[shapes.{name}]\n");
-    let kind = r.of(&["circle", "box", "polygon", "capsule", "aabb"]);
+    let kind = r.one_of(&["circle", "box", "polygon", "capsule", "aabb"]);
     let kind = if turns && kind == "aabb" { "box" } else { kind };
     let _ = writeln!(text, "kind = \"{kind}\"");
     let _ = match kind {
@@ -78,7 +58,7 @@ fn layers(r: &mut Random, configuration: bool) -> String {
     let mut chosen: Vec<&str> =
         if configuration { vec!["axes", "difference", "origin"] } else { vec!["shapes"] };
     for _ in 0..=r.below(4) {
-        let layer = r.of(&all);
+        let layer = r.one_of(&all);
         if !chosen.contains(&layer) {
             chosen.push(layer);
         }
@@ -88,8 +68,8 @@ fn layers(r: &mut Random, configuration: bool) -> String {
 
 /// The scene of a number: the same for the same tables of layers.
 pub(crate) fn scene_text(seed: u64) -> String {
-    let mut r = Random(seed);
-    let kind = r.of(&[
+    let mut r = Random::new(seed);
+    let kind = r.one_of(&[
         "separation",
         "separation",
         "overlap",

@@ -7,7 +7,7 @@ use tracefig_reference::float::Real;
 use tracefig_reference::json::Json;
 use tracefig_reference::scene::{Kind, Scene};
 
-const HARD: &str = include_str!("data/hard.jsonl");
+const HARD: &str = include_str!("../data/hard.jsonl");
 
 /// A line as a user has it: without the answer.
 fn asked(line: &str) -> String {

@@ -1,16 +1,7 @@
 //! An untraced query allocates nothing, whoever answers it.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::cast_precision_loss,
-    reason = "a test fails by panicking; counts are far below 2^53"
-)]
-
-mod asking;
-mod random_pairs;
-
-use asking::{of_kind, query, takers};
-use random_pairs::pairs;
+use crate::asking::{of_kind, query, takers};
+use crate::random_pairs::pairs;
 use tracefig::collision::QueryKind;
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees};

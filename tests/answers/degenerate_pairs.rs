@@ -1,15 +1,9 @@
 //! Pairs that have no obvious answer (coincident centres, points, segments, touching bodies) have a defined
 //! one, the same from every algorithm.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test fails by panicking; counts are far below 2^53"
-)]
+#![expect(clippy::panic, reason = "a test fails by panicking")]
 
-mod asking;
-
-use asking::{of_kind, query, takers};
+use crate::asking::{of_kind, query, takers};
 use tracefig::collision::{Answer, QueryKind, Separation};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Body, DVec2, Degrees, Shape};

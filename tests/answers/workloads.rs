@@ -2,7 +2,7 @@
 //! gives.
 //!
 //! Some answers of each workload are computed again on every run.
-//! `TRACEFIG_WRITE_ANSWERS=1 cargo test --test workloads` computes all of them and writes the file.
+//! `TRACEFIG_WRITE_ANSWERS=1 cargo test --test answers workloads` computes all of them and writes the file.
 
 #![expect(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 

@@ -7,6 +7,8 @@ use std::path::Path;
 
 use roxmltree::{Document, Node};
 
+use crate::{run, tracefig};
+
 /// Texts that would act if they were not text.
 const HOSTILE: &[&str] = &[
     "<script>alert(1)</script>",
@@ -110,14 +112,20 @@ fn faults_of_html(text: &str) -> Vec<String> {
 
 /// The files that were drawn of a scene, and what is wrong with them.
 fn draw(folder: &Path, file: &str) -> (usize, Vec<String>) {
-    let run = assert_cmd::cargo::cargo_bin_cmd!("tracefig")
-        .current_dir(folder)
-        .args(["render", "--format", "svg,html", "--theme", "light,auto", "-o", "out", "--", file])
-        .output()
-        .unwrap();
+    let ran = run(tracefig(folder).args([
+        "render",
+        "--format",
+        "svg,html",
+        "--theme",
+        "light,auto",
+        "-o",
+        "out",
+        "--",
+        file,
+    ]));
     let mut faults = Vec::new();
-    if !matches!(run.status.code(), Some(0 | 1)) {
-        faults.push(String::from_utf8_lossy(&run.stderr).into_owned());
+    if !matches!(ran.code, Some(0 | 1)) {
+        faults.push(ran.err);
     }
     let mut drawn = 0;
     for entry in std::fs::read_dir(folder.join("out")).into_iter().flatten() {

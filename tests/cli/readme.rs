@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use assert_cmd::Command;
+use crate::{run, run_on, tracefig};
 
-const README: &str = include_str!("../README.md");
+const README: &str = include_str!("../../README.md");
 
 /// The fenced blocks of a language.
 fn blocks(language: &str) -> Vec<&'static str> {
@@ -28,7 +28,8 @@ fn the_example_scene_goes_through_every_command_shown() {
     assert!(commands.len() >= 4, "{commands:?}");
     for command in commands {
         let words: Vec<&str> = command.split_whitespace().skip(1).collect();
-        Command::cargo_bin("tracefig").unwrap().args(&words).current_dir(folder.path()).assert().success();
+        let ran = run(tracefig(folder.path()).args(&words));
+        assert_eq!(ran.code, Some(0), "{command}: {}", ran.err);
     }
     for file in ["scene.svg", "scene.png"] {
         assert!(folder.path().join(file).metadata().unwrap().len() > 1000, "{file}");
@@ -37,8 +38,7 @@ fn the_example_scene_goes_through_every_command_shown() {
 
 #[test]
 fn every_command_named_is_one() {
-    let help = Command::cargo_bin("tracefig").unwrap().arg("--help").output().unwrap();
-    let help = String::from_utf8(help.stdout).unwrap();
+    let help = run(tracefig(root()).arg("--help")).out;
     let mut named = 0;
     for part in README.split("`tracefig ").skip(1) {
         let word = part.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap();
@@ -74,12 +74,6 @@ fn the_two_commands_are_those_that_ci_runs() {
 fn the_line_piped_to_solve_is_answered() {
     let line = README.lines().find(|line| line.ends_with("| tracefig solve --jsonl")).unwrap();
     let scene = line.trim_start_matches("echo '").split("' | ").next().unwrap();
-    let run = Command::cargo_bin("tracefig")
-        .unwrap()
-        .args(["solve", "--jsonl"])
-        .write_stdin(scene)
-        .output()
-        .unwrap();
-    let answer = String::from_utf8(run.stdout).unwrap();
+    let answer = run_on(tracefig(root()).args(["solve", "--jsonl"]), scene).out;
     assert!(answer.contains("\"separation\":1.0") || answer.contains("\"separation\": 1.0"), "{answer}");
 }

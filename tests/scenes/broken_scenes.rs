@@ -3,15 +3,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
-#[path = "fuzz_bodies/solve.rs"]
-mod solve_body;
-
 use std::time::{Duration, Instant};
 
 use arbitrary::Unstructured;
 use tracefig::figure::{draw, plan};
 use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Ink, Source, open_text, read, solve};
+
+use crate::fuzz_bodies;
 
 /// The scenes of the figures, as TOML.
 fn figures() -> Vec<String> {
@@ -148,7 +147,7 @@ fn a_broken_scene_is_drawn_or_told_what_is_wrong() {
 fn any_line_of_a_stream_gets_one_line_of_json() {
     let good = r#"{"id": "a", "shapes": {"A": {"kind": "box", "half_extents": [1, 2], "angle_deg": 30}, "B": {"kind": "polygon", "vertices": [[0, 0], [1, 0], [0, 1]], "position": [4, 0]}}, "query": {"kind": "separation", "of": ["A", "B"]}}"#;
     arbtest::arbtest(|u| {
-        solve_body::holds(&broken(u, good)?);
+        fuzz_bodies::solve::holds(&broken(u, good)?);
         Ok(())
     })
     .budget_ms(2_000);

@@ -1,13 +1,16 @@
 //! Labels place themselves well on scenes that nobody has seen: random bodies, every query, every layer.
 //!
 //! A fault is an overlap with a label, a marker, an arrowhead or a foreign stroke, a dropped label, a label
-//! over its panel's edge, or a leader line over 40 px. `TRACEFIG_SCENES=10000 cargo test --test label_faults
-//! -- --nocapture` runs as many scenes as one likes and prints what went wrong; with
-//! `TRACEFIG_PICTURES=FOLDER` it also leaves their pictures there, to be looked at.
+//! over its panel's edge, or a leader line over 40 px.
+//!
+//! `TRACEFIG_SCENES=10000 cargo test --test scenes label_faults -- --nocapture` runs as many scenes as one
+//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves their pictures there, to
+//! be looked at.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 #![expect(clippy::cast_precision_loss, reason = "counts of scenes and vertices")]
 
+#[path = "../random_scenes/mod.rs"]
 mod random_scenes;
 
 use std::collections::BTreeMap;

@@ -3,8 +3,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
-mod fuzz_bodies;
-
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -14,6 +12,8 @@ use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::KINDS;
 use tracefig::scene::{Holds, TABLES, shape_rows};
+
+use crate::fuzz_bodies;
 
 fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz")
@@ -117,7 +117,7 @@ fn the_dictionary_of_the_fuzzer_has_every_word_of_a_scene() {
         "\\\\hat{",
         "\\\\text{",
     ];
-    let mut wanted = String::from("# Written by `TRACEFIG_WRITE=1 cargo test --test corpus`.\n");
+    let mut wanted = String::from("# Written by `TRACEFIG_WRITE=1 cargo test --test scenes corpus`.\n");
     for word in words().iter().map(String::as_str).chain(punctuation) {
         writeln!(wanted, "\"{word}\"").unwrap();
     }

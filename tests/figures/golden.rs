@@ -5,15 +5,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-
-use assert_cmd::Command;
+use std::process::{Command, Output};
 
 fn figures() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("figures")
 }
 
-fn check(folder: &Path) -> std::process::Output {
-    let mut command = Command::cargo_bin("tracefig").unwrap();
+fn check(folder: &Path) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_tracefig"));
     command.current_dir(folder).args(["check", "figures", "-o", "found"]).output().unwrap()
 }
 

@@ -1,8 +1,8 @@
 //! No scene makes tracefig panic: random ones from the tables of kinds, queries, algorithms, layers and
 //! options, and the scenes of `figures/`, both whole and broken, go all the way to SVG and PNG.
 //!
-//! `TRACEFIG_SCENES=100000 cargo test --release --test no_panic -- --nocapture` runs as many as one likes
-//! from `TRACEFIG_SEED` on and prints what became of them.
+//! `TRACEFIG_SCENES=100000 cargo test --release --test scenes no_panic -- --nocapture` runs as many as one
+//! likes from `TRACEFIG_SEED` on and prints what became of them.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic wherever it is")]
 
@@ -17,6 +17,7 @@ use tracefig::figure::{COMMON, Takes, draw, plan};
 use tracefig::geometry::shape::{FieldType, KINDS, Kind};
 use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Ink, answer_text, open_text, solve};
+use tracefig_reference::random::Random;
 
 /// Scenes of a usual run; few enough for a debug build.
 const SCENES: u64 = 400;
@@ -87,49 +88,28 @@ const PIECES: &[&str] = &[
     "kind = 'circle'\n",
 ];
 
-/// `SplitMix64` (Steele, Lea, Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        usize::try_from((z ^ (z >> 31)) % u64::try_from(n).unwrap()).unwrap()
+/// Mostly a number as on a figure.
+fn number(r: &mut Random) -> String {
+    if r.once_in(12) {
+        return r.one_of(EXTREMES).to_owned();
     }
+    format!("{}", r.quarter(-8, 8))
+}
 
-    fn one<'a, T>(&mut self, of: &'a [T]) -> &'a T {
-        &of[self.below(of.len())]
-    }
-
-    fn chance(&mut self, of: usize) -> bool {
-        self.below(of) == 0
-    }
-
-    /// Mostly a number as on a figure.
-    fn number(&mut self) -> String {
-        if self.chance(12) {
-            return (*self.one(EXTREMES)).to_owned();
-        }
-        let quarters = i32::try_from(self.below(65)).unwrap() - 32;
-        format!("{}", f64::from(quarters) / 4.0)
-    }
-
-    fn pair(&mut self) -> String {
-        format!("[{}, {}]", self.number(), self.number())
-    }
+fn point(r: &mut Random) -> String {
+    format!("[{}, {}]", number(r), number(r))
 }
 
 fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
     let mut text = format!("[shapes.{name}]\nkind = \"{}\"\n", kind.name);
     for field in kind.fields {
-        if !field.required && r.chance(2) {
+        if !field.required && r.once_in(2) {
             continue;
         }
         let value = match field.holds {
-            FieldType::Number => r.number().trim_start_matches('-').to_owned(),
-            FieldType::Point => r.pair().replace('-', ""),
-            FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", r.pair(), r.pair()),
+            FieldType::Number => number(r).trim_start_matches('-').to_owned(),
+            FieldType::Point => point(r).replace('-', ""),
+            FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", point(r), point(r)),
             FieldType::Points => vertices(r),
         };
         writeln!(text, "{} = {value}", field.name).unwrap();
@@ -137,8 +117,8 @@ fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
     for (key, is_pair) in
         [("position", true), ("angle_deg", false), ("velocity", true), ("angular_velocity_deg", false)]
     {
-        if r.chance(2) {
-            let value = if is_pair { r.pair() } else { r.number() };
+        if r.once_in(2) {
+            let value = if is_pair { point(r) } else { number(r) };
             writeln!(text, "{key} = {value}").unwrap();
         }
     }
@@ -159,19 +139,19 @@ fn vertices(r: &mut Random) -> String {
 fn layer(r: &mut Random, layer: &Layer) -> String {
     let mut text = format!("{{ layer = \"{}\"", layer.name);
     for option in layer.options.iter().chain(COMMON) {
-        if !r.chance(3) {
+        if !r.once_in(3) {
             continue;
         }
         let value = match option.takes {
-            Takes::Flag => r.one(&["true", "false"]).to_string(),
-            Takes::Number => r.number(),
-            Takes::Word(words) => format!("{:?}", r.one(words)),
-            Takes::Words(words) => format!("[{:?}, {:?}]", r.one(words), r.one(words)),
-            Takes::Bodies => r.one(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""]).to_string(),
-            Takes::When(words) if r.chance(2) => format!("{:?}", r.one(words)),
-            Takes::When(_) => r.one(&["0", "0.5", "1", "1e-300"]).to_string(),
-            Takes::Role => r.one(&["\"a\"", "\"b\"", "\"accent\"", "\"ink\""]).to_string(),
-            Takes::Lines => r.one(&["\"x\"", "[\"{=separation}\", \"$\\\\hat{n}$\"]", "\"\""]).to_string(),
+            Takes::Flag => r.pick(&["true", "false"]).to_string(),
+            Takes::Number => number(r),
+            Takes::Word(words) => format!("{:?}", r.pick(words)),
+            Takes::Words(words) => format!("[{:?}, {:?}]", r.pick(words), r.pick(words)),
+            Takes::Bodies => r.pick(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""]).to_string(),
+            Takes::When(words) if r.once_in(2) => format!("{:?}", r.pick(words)),
+            Takes::When(_) => r.pick(&["0", "0.5", "1", "1e-300"]).to_string(),
+            Takes::Role => r.pick(&["\"a\"", "\"b\"", "\"accent\"", "\"ink\""]).to_string(),
+            Takes::Lines => r.pick(&["\"x\"", "[\"{=separation}\", \"$\\\\hat{n}$\"]", "\"\""]).to_string(),
         };
         write!(text, ", {} = {value}", option.name).unwrap();
     }
@@ -180,10 +160,10 @@ fn layer(r: &mut Random, layer: &Layer) -> String {
 
 fn panel(r: &mut Random) -> String {
     let mut text = String::new();
-    let space = r.one(&["\"world\"", "\"configuration\"", "\"body\"\nframe = \"A\""]);
+    let space = r.pick(&["\"world\"", "\"configuration\"", "\"body\"\nframe = \"A\""]);
     let layers: Vec<String> = (0..=r.below(5))
         .map(|_| {
-            let chosen = r.one(LAYERS);
+            let chosen = r.pick(LAYERS);
             layer(r, chosen)
         })
         .collect();
@@ -194,11 +174,11 @@ fn panel(r: &mut Random) -> String {
         layers.join(", ")
     )
     .unwrap();
-    if r.chance(3) {
+    if r.once_in(3) {
         writeln!(
             text,
             "{}",
-            r.one(&[
+            r.pick(&[
                 "time = 0.5",
                 "time = \"hit\"",
                 "step = 2",
@@ -214,15 +194,15 @@ fn panel(r: &mut Random) -> String {
 /// A scene from the tables, most likely one that can be drawn.
 fn random_scene(r: &mut Random) -> String {
     let mut text = String::new();
-    if r.chance(2) {
+    if r.once_in(2) {
         text += "title = \"T $x$\"\ncaption = \"From {=time} to $\\\\frac{1}{2}$, {=separation}\"\n";
     }
     for name in ["A", "B"] {
-        let kind = r.one(KINDS);
+        let kind = r.pick(KINDS);
         text += &shape(r, kind, name);
     }
-    let question = r.one(QUERIES);
-    let single = question.bodies == Bodies::OneOrTwo && r.chance(2);
+    let question = r.pick(QUERIES);
+    let single = question.bodies == Bodies::OneOrTwo && r.once_in(2);
     write!(
         text,
         "[query]\nkind = \"{}\"\nof = {}\n",
@@ -231,23 +211,23 @@ fn random_scene(r: &mut Random) -> String {
     )
     .unwrap();
     let suited: Vec<_> = ALGORITHMS.iter().filter(|a| a.kinds.contains(&question.kind)).collect();
-    if r.chance(2) && !suited.is_empty() {
-        writeln!(text, "algorithm = \"{}\"", r.one(&suited).name).unwrap();
+    if r.once_in(2) && !suited.is_empty() {
+        writeln!(text, "algorithm = \"{}\"", r.pick(&suited).name).unwrap();
     }
-    if r.chance(4) {
+    if r.once_in(4) {
         writeln!(
             text,
             "max_iterations = {}\ntolerance = {}",
             1 + r.below(200),
-            r.one(&["0", "1e-3", "1e-12", "1e300"])
+            r.pick(&["0", "1e-3", "1e-12", "1e300"])
         )
         .unwrap();
     }
     for _ in 0..=r.below(3) {
         text += &panel(r);
     }
-    if r.chance(3) {
-        let theme = r.one(THEMES).name;
+    if r.once_in(3) {
+        let theme = r.pick(THEMES).name;
         write!(
             text,
             "[canvas]\nwidth = {}\nheight = {}\ntheme = \"{theme}\"\n",
@@ -316,7 +296,7 @@ fn broken(r: &mut Random, text: &str) -> String {
                 while !text.is_char_boundary(at) {
                     at -= 1;
                 }
-                let piece: &&str = r.one(PIECES);
+                let piece: &&str = r.pick(PIECES);
                 text.insert_str(at, piece);
             }
         }
@@ -334,9 +314,9 @@ fn replace_number(r: &mut Random, text: &mut String) {
     if starts.is_empty() {
         return;
     }
-    let start = *r.one(&starts);
+    let start = *r.pick(&starts);
     let end = start + text[start..].find(|c| !is_part(c)).unwrap_or(text.len() - start);
-    let extreme: &&str = r.one(EXTREMES);
+    let extreme: &&str = r.pick(EXTREMES);
     text.replace_range(start..end, extreme);
 }
 
@@ -379,7 +359,7 @@ fn no_scene_whole_or_broken_makes_a_panic() {
     let mut fates: BTreeMap<&str, u64> = BTreeMap::new();
     let mut panicked = Vec::new();
     for seed in first..first + scenes {
-        let mut r = Random(seed);
+        let mut r = Random::new(seed);
         let text = match r.below(4) {
             0 => random_scene(&mut r),
             1 => mended(&random_scene(&mut r)),
@@ -388,7 +368,7 @@ fn no_scene_whole_or_broken_makes_a_panic() {
                 broken(&mut r, &text)
             }
             _ => {
-                let figure = r.one(&figures).clone();
+                let figure = r.pick(&figures).clone();
                 broken(&mut r, &figure)
             }
         };

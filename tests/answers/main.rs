@@ -1,0 +1,12 @@
+//! Answers of the solvers: on random pairs, on pairs without an obvious answer, on those that broke others,
+//! and on the report's workloads.
+
+#[path = "../asking/mod.rs"]
+mod asking;
+#[path = "../random_pairs/mod.rs"]
+mod random_pairs;
+
+mod degenerate_pairs;
+mod discrete_algorithms;
+mod hard;
+mod workloads;

@@ -1,0 +1,9 @@
+//! Any text is a scene or is refused, and any scene is drawn: random ones, broken ones, those that fuzzing
+//! found.
+
+mod broken_scenes;
+mod corpus;
+#[path = "../fuzz_bodies/mod.rs"]
+mod fuzz_bodies;
+mod label_faults;
+mod no_panic;
