@@ -1,10 +1,14 @@
-//! What the README shows is true: its scene renders, its commands run, its links lead somewhere.
+//! What the README and CONTRIBUTING.md show is true: its scene renders, its commands run, its links lead somewhere.
 
 use std::path::Path;
 
 use crate::{run, run_on, tracefig};
 
 const README: &str = include_str!("../../README.md");
+const CONTRIBUTING: &str = include_str!("../../CONTRIBUTING.md");
+
+/// The pages whose links and commands are held.
+const PAGES: [(&str, &str); 2] = [("README.md", README), ("CONTRIBUTING.md", CONTRIBUTING)];
 
 /// The fenced blocks of a language.
 fn blocks(language: &str) -> Vec<&'static str> {
@@ -50,12 +54,60 @@ fn every_command_named_is_one() {
 
 #[test]
 fn every_link_to_a_file_leads_to_it() {
-    for part in README.split("](").skip(1) {
-        let target = part.split(')').next().unwrap();
-        if !target.contains("://") {
-            assert!(root().join(target).exists(), "{target} is not there");
+    let mut astray = Vec::new();
+    for (name, text) in PAGES {
+        for part in text.split("](").skip(1) {
+            let target = part.split(')').next().unwrap();
+            if !target.contains("://") && !root().join(target).exists() {
+                astray.push(format!("{name}: {target}"));
+            }
         }
     }
+    assert!(astray.is_empty(), "not there:\n{}", astray.join("\n"));
+}
+
+#[test]
+fn every_table_named_is_in_its_file() {
+    let mut named = 0;
+    for line in CONTRIBUTING.lines().filter(|line| line.contains("` in [`")) {
+        let (before, after) = line.split_once("` in [`").unwrap();
+        let table = before.rsplit('`').next().unwrap();
+        let file = after.split_once("](").unwrap().1.split(')').next().unwrap();
+        let text = std::fs::read_to_string(root().join(file)).unwrap_or_default();
+        assert!(text.contains(&format!(" {table}: ")), "{file} has no table {table}");
+        named += 1;
+    }
+    assert!(named >= 7, "{named} tables");
+}
+
+#[test]
+fn every_test_target_named_is_one() {
+    let ci = std::fs::read_to_string(root().join(".ci/run")).unwrap();
+    let mut named = 0;
+    for part in
+        PAGES.iter().map(|(_, text)| *text).chain([ci.as_str()]).flat_map(|t| t.split("--test ").skip(1))
+    {
+        let target = part.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
+        let tests = root().join("tests");
+        let is_one =
+            tests.join(format!("{target}.rs")).exists() || tests.join(target).join("main.rs").exists();
+        assert!(is_one, "there is no test {target}");
+        named += 1;
+    }
+    assert!(named >= 8, "{named} targets");
+}
+
+#[test]
+fn every_step_of_ci_is_told() {
+    let ci = std::fs::read_to_string(root().join(".ci/run")).unwrap();
+    let told = CONTRIBUTING.split_once("## What CI holds").unwrap().1;
+    let mut steps = 0;
+    for step in ci.lines().filter_map(|line| line.strip_prefix("echo \"== ")) {
+        let step = step.trim_end_matches('"');
+        assert!(told.contains(step), "{step}");
+        steps += 1;
+    }
+    assert!(steps >= 10, "{steps} steps");
 }
 
 #[test]
