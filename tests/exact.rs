@@ -130,7 +130,7 @@ fn contacts_are_the_first_and_misses_are_proved() {
     assert_right(Family::Impact, setting("TRACEFIG_CASES_IMPACT", 500));
 }
 
-/// Of the solver's own separations with a fault planted: how many were planted, how many caught.
+/// Plants a fault in the solver's own separations; how many were planted, and how many were caught.
 fn planted(fault: impl Fn(&mut Json)) -> (usize, usize) {
     let (mut planted, mut caught) = (0, 0);
     for i in 0..760 {

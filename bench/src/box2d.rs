@@ -1,11 +1,11 @@
 //! `box2d-rust`, a port of Box2D v3: GJK, SAT with clipping, conservative advancement; f32, at most eight
 //! vertices.
 
-use box2d_rust::distance::{
-    DistanceInput, ShapeCastPairInput, ShapeProxy, SimplexCache, Sweep, ToiInput, ToiState, make_proxy, shape_cast,
-    shape_distance, time_of_impact,
-};
 use box2d_rust::collision::Polygon;
+use box2d_rust::distance::{
+    DistanceInput, ShapeCastPairInput, ShapeProxy, SimplexCache, Sweep, ToiInput, ToiState, make_proxy,
+    shape_cast, shape_distance, time_of_impact,
+};
 use box2d_rust::geometry::make_polygon;
 use box2d_rust::hull::compute_hull;
 use box2d_rust::manifold::collide_polygons;
@@ -110,7 +110,8 @@ impl Contender for Box2d {
             QueryKind::LinearSweep => {
                 let frame = transform(&case.a).q;
                 let v = vector(case.b.velocity - case.a.velocity);
-                let translation_b = Vec2 { x: frame.c * v.x + frame.s * v.y, y: frame.c * v.y - frame.s * v.x };
+                let translation_b =
+                    Vec2 { x: frame.c * v.x + frame.s * v.y, y: frame.c * v.y - frame.s * v.x };
                 Box::new(move || {
                     let output = shape_cast(&ShapeCastPairInput {
                         proxy_a: a,

@@ -20,7 +20,7 @@ impl Point {
     /// The origin.
     pub const ZERO: Self = Self { x: Real::ZERO, y: Real::ZERO };
 
-    /// Of two doubles, exactly.
+    /// The point of two doubles, exactly.
     #[must_use]
     pub fn of(pair: [f64; 2]) -> Self {
         Self { x: Real::from(pair[0]), y: Real::from(pair[1]) }

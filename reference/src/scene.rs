@@ -47,11 +47,11 @@ pub struct Body {
     pub ring: bool,
     /// Radius of the disc that sweeps the core.
     pub radius: f64,
-    /// Of the body's origin at t = 0.
+    /// World place of the body's origin at t = 0.
     pub position: [f64; 2],
-    /// At t = 0, in degrees.
+    /// Turn from the file's frame at t = 0, in degrees.
     pub angle: f64,
-    /// A unit of time.
+    /// World units a unit of time.
     pub velocity: [f64; 2],
     /// Degrees a unit of time.
     pub spin: f64,
@@ -60,7 +60,7 @@ pub struct Body {
 /// A scene.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// As written; null if left out.
+    /// The id as written; null if left out.
     pub id: Json,
     /// The bodies of the query: A, then B.
     pub bodies: Vec<Body>,
@@ -68,7 +68,7 @@ pub struct Scene {
     pub kind: Kind,
     /// The moment of static questions.
     pub time: f64,
-    /// As written; the default of the file format is 1e-12.
+    /// The tolerance as written; the default of the file format is 1e-12.
     pub tolerance: f64,
     /// Whether the algorithm asked for stops by a count of steps, so that it may leave open what others decide. The names
     /// of those that do are written out where a scene is read: this package shares no code with the crate that it checks,

@@ -87,7 +87,7 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// Of a scene.
+    /// The setting of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let moving = matches!(scene.kind, Kind::LinearSweep | Kind::TimeOfImpact | Kind::MotionBound)

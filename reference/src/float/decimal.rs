@@ -63,7 +63,7 @@ fn digit(x: f64) -> u32 {
     (0..10).find(|k| f64::from(*k) > x - 0.5).unwrap_or(9)
 }
 
-/// So many digits and the power of ten of the first; None for 0.
+/// The first `count` digits and the power of ten of the first of them; None for 0.
 fn leading_digits<const N: usize>(x: Float<N>, count: usize) -> Option<(String, i64)> {
     if x.is_zero() {
         return None;

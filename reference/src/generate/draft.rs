@@ -50,7 +50,7 @@ impl Draft {
         Self { velocity, spin, ..self }
     }
 
-    /// As a scene writes it; what is 0 is left out.
+    /// The body as a scene writes it; what is 0 is left out.
     #[must_use]
     pub fn json(&self) -> Json {
         let text = |word: &str| Json::Text(word.to_owned());

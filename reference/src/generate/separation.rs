@@ -36,7 +36,7 @@ pub(super) fn on_lattice(random: &mut Random) -> Json {
     ask(random, pair)
 }
 
-/// The same shape twice at the same pose, or turned by a symmetry of it, or only moved.
+/// A shape twice at the same pose, or turned by a symmetry of it, or only moved.
 pub(super) fn identical(random: &mut Random) -> Json {
     let shape = if random.once_in(2) { lattice::shape(random) } else { Shape::any(random, 1.0) };
     let position = [random.between(-9.0, 9.0), random.between(-9.0, 9.0)];
