@@ -2,8 +2,8 @@
 //! nothing with it.
 //!
 //! `answers.tsv` has a line for each case: the workload's name, the case's number, the answer to 40 digits or
-//! `miss`, and what the double nearest to the answer leaves over. `tests/workloads.rs` computes the file
-//! again.
+//! `miss`, and what the double nearest to the answer leaves over. `tests/answers/workloads.rs` computes the
+//! file again.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
