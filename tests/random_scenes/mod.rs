@@ -10,7 +10,7 @@ use tracefig_reference::random::Random;
 use super::{LAYERS, Scene, Shows, plan};
 
 /// A small count as a number.
-fn number(count: u64) -> f64 {
+fn number(count: usize) -> f64 {
     f64::from(u32::try_from(count).unwrap())
 }
 
