@@ -25,8 +25,8 @@ pub(crate) const MAX_TEXT_BYTES: usize = 60_000;
 pub(crate) const MAX_RUNS: usize = 170_000_000;
 /// Million page pixels of all areas: at twice the size, as images are, painting one takes 2 ms.
 const MAX_MEGAPIXELS: f64 = 600.0;
-/// How many plain areas one with a pattern counts as: it takes as long to paint.
-pub(crate) const PATTERNED: f64 = 15.0;
+/// How many plain areas one with a pattern counts as: painting a million page pixels of hatching takes 40 ms.
+pub(crate) const PATTERNED: f64 = 20.0;
 /// Length of line, in page pixels, that counts as one point where it is dashed: a dash and its gap.
 pub(crate) const DASH: f64 = 5.0;
 /// How many obstacles a point of an area counts as that a label may stand in: it is looked at ten times as

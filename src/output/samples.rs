@@ -1,4 +1,5 @@
-//! Drawing for the tests of the formats: everything that a display list can hold, in the style of a figure.
+//! Drawings for the tests of the formats: one with everything that a display list can hold, in the style of a
+//! figure.
 
 use std::sync::Arc;
 

@@ -1,5 +1,6 @@
 //! The SVG and the PNG of one drawing say the same: resvg, which shares no code with our way from display
-//! list to document, is the witness.
+//! list to document, is the witness that the document says it. It is no witness of pixels, as its coverage is
+//! tiny-skia's too: those are held against Chromium.
 
 use super::samples::everything;
 use super::svg::{Sheet, document};
@@ -45,9 +46,9 @@ fn svg_and_png_show_the_same() {
         let pixels = rasterize(&drawing, f64::from(scale)).unwrap();
         let (mean, most) = difference(&pixels.rgba, &witness(&svg, scale));
         println!("scale {scale}: mean {mean}, most {most}, {} bytes of SVG", svg.len());
-        // resvg takes 4 × 4 samples a pixel where we take areas: along an edge that is nearly level or
-        // upright that differs by up to an eighth of the contrast, where edges meet in one pixel by two
-        // eighths. Half a level of ours comes on top.
+        // Both take 4 × 4 samples a pixel, but we round places to the image and glyphs to eighths of a pixel,
+        // and mix few levels: along an edge that differs by up to an eighth of the contrast, where edges meet
+        // in a pixel by two eighths, and half a level of ours comes on top.
         assert!(mean < 0.4, "mean {mean} at {scale}");
         assert!(most < 100, "most {most} at {scale}");
     }

@@ -5,34 +5,41 @@ use crate::drawing::Paint;
 
 /// How fine the colours at an edge are.
 ///
-/// An edge is smooth for the eye with sixteen levels; where an image has two pixels or more for a page pixel, with
-/// eight, as the eye sees the mean of four. Fewer colours make a smaller file: most figures then fit a palette, which halves it.
+/// An edge is smooth for the eye with sixteen levels; where an image has two pixels or more for a page pixel,
+/// with eight, as the eye sees the mean of four. Fewer colours make a smaller file: most figures then fit a
+/// palette, which halves it.
 #[derive(Clone, Copy)]
 pub(super) struct Fineness {
-    /// Levels of coverage that are one.
+    /// Neighbouring levels of coverage that count as one.
     step: u32,
-    /// Channel levels that are one where a pixel is covered in part.
+    /// Neighbouring values of a channel that count as one where a pixel is covered in part.
     grain: u32,
 }
 
 impl Fineness {
-    /// Image pixels a page pixel from which on an edge may be coarser.
+    /// Image pixels of a page pixel from which on an edge may be coarser: between the page's own size, which
+    /// needs sixteen levels, and twice that, which needs eight.
     const DENSE: f64 = 1.5;
 
+    /// The fineness of an image with `scale` pixels for a page pixel.
     pub(super) fn at(scale: f64) -> Self {
         if scale < Self::DENSE { Self { step: 1, grain: 1 } } else { Self { step: 2, grain: 8 } }
     }
 }
 
-/// A paint ready to be laid on: its channels and its opacity in 255ths.
+/// A paint ready to be laid on.
 #[derive(Clone, Copy)]
 pub(super) struct Ink {
+    /// Red, green, blue.
     channels: [u32; 3],
+    /// The opacity in 255ths.
     alpha: u32,
+    /// How fine its edges are.
     fineness: Fineness,
 }
 
 impl Ink {
+    /// The ink of a paint in an image of that fineness.
     pub(super) fn of(paint: &Paint, fineness: Fineness) -> Self {
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and 255")]
         let alpha = (paint.opacity.clamp(0.0, 1.0) * 255.0).round() as u32;
@@ -57,8 +64,8 @@ impl Ink {
         [mix(r, pixel[0]), mix(g, pixel[1]), mix(b, pixel[2]), 255]
     }
 
-    /// The level, rounded where the pixel is so near the ink that fewer levels are as smooth: no step between two levels
-    /// is larger than it is between black and white.
+    /// The level, rounded where the pixel is so near the ink that fewer levels are as smooth: no step between
+    /// two levels is larger than it is between black and white.
     fn visible_level(self, pixel: [u8; 4], level: u32) -> u32 {
         let differences = self.channels.iter().zip(pixel).map(|(&ink, under)| ink.abs_diff(u32::from(under)));
         let contrast = differences.max().unwrap_or(0) * self.alpha / 255;
@@ -72,23 +79,29 @@ impl Ink {
     }
 }
 
-/// Lays an ink on; remembers what it makes of the colour that it met last, as most pixels of an area have the same.
+/// Lays an ink on; remembers what it makes of the colour that it met last, as most pixels of an area have the
+/// same.
 pub(super) struct Mixer {
+    /// What is laid on.
     ink: Ink,
+    /// The pixel that is covered wholly, where the ink is opaque.
     solid: [u8; 4],
     /// The colour met last.
     under: [u8; 4],
     /// The levels whose mixture with it is known, a bit each.
     known: u32,
+    /// The mixtures that are known, by level.
     mixtures: [[u8; 4]; LEVELS as usize + 1],
 }
 
 impl Mixer {
+    /// Nothing was met yet.
     pub(super) fn new(ink: Ink) -> Self {
         let solid = ink.over([0; 4], LEVELS);
         Self { ink, solid, under: [0; 4], known: 0, mixtures: [[0; 4]; LEVELS as usize + 1] }
     }
 
+    /// The pixel that the ink at a level makes of one.
     #[inline]
     fn over(&mut self, under: [u8; 4], level: u32) -> [u8; 4] {
         if under != self.under {

@@ -1,41 +1,50 @@
 //! Pixels, straight from the display list.
 //!
-//! A contour becomes straight pieces ([`polyline`]), a line's width an outline ([`stroke`]), text the outlines of its glyphs
-//! ([`glyphs`]). What is painted, and in which order, is a list of [`steps`]; their edges are dealt to bands of some rows
-//! ([`edges`]). Then each band is painted by itself ([`paint`]): edges become the coverage of pixels ([`coverage`]), and
-//! this the colours ([`blend`]). So there is never an image in memory unless someone collects the rows, and what is worked
-//! on stays in the cache. A clip or the area under a pattern's marks is a coverage too; two of them meet by their product.
+//! An image is made in three stages:
 //!
-//! Everything is additions, products, quotients and square roots of doubles, with `libm` for angles, so the pixels are the
-//! same on every machine.
+//! 1. The display list becomes [`steps`]: areas in painting order, each with its colour and the pixels that
+//!    hold it. Contours become paths of tiny-skia, which also makes outlines of lines and dashes ([`paths`]);
+//!    glyphs become stamps that are made once ([`glyphs`]).
+//! 2. tiny-skia fills a path into a mask, a byte of coverage a pixel, which is read as spans of equal
+//!    coverage ([`coverage`]). It draws nothing else: no colour of ours goes through its pipeline.
+//! 3. Spans become colours ([`blend`]), with so few levels at edges that most images fit a palette.
+//!
+//! The last two go over the steps once for each band of rows ([`paint`]), and a finished band is handed on
+//! row by row. So there is never an image in memory unless someone collects the rows, and masks and colours
+//! stay in the cache.
+//!
+//! What is see-through needs no image of its own: the pixels below a group are kept, the group is drawn
+//! solid, and both are mixed. A clip is a rectangle, so it cuts spans by arithmetic. The area under a
+//! pattern's marks is a second mask; the two meet by their product.
+//!
+//! The same drawing gives the same pixels on every machine: places are rounded to 1/256 of a pixel, coverage
+//! is integers, and what comes before are sums, products, quotients and square roots, with `libm` for angles.
+//! Source: the scan converter and the stroker of *Skia*, of which tiny-skia is a port.
 
 mod blend;
 mod coverage;
-mod edges;
 mod glyphs;
 mod paint;
-mod polyline;
+mod paths;
 mod steps;
-mod stroke;
 
 use super::{Options, OutputError, validity};
 use crate::drawing::Drawing;
-use steps::Recorder;
 
 pub(super) use paint::Pixel;
 
-/// An opaque image, 4 bytes a pixel: red, green, blue, 255; rows from the top.
+/// An opaque image.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pixels {
-    /// Pixels a row.
+    /// Pixels of a row.
     pub width: u32,
-    /// Rows.
+    /// The number of rows.
     pub height: u32,
-    /// The bytes.
+    /// Four bytes a pixel: red, green, blue, 255. Rows from the top, pixels from the left.
     pub rgba: Vec<u8>,
 }
 
-/// Draws at `scale` image pixels for a page pixel.
+/// The pixels of a drawing, at `scale` image pixels for a page pixel.
 ///
 /// # Errors
 ///
@@ -64,7 +73,8 @@ pub(super) fn size(drawing: &Drawing, scale: f64) -> Result<(u32, u32), OutputEr
     validity::image_size(drawing, &Options { scale, ..Options::default() })
 }
 
-/// Draws row by row from the top: `each` is given the row above and the row. Above the first one is the background.
+/// Draws row by row from the top: `each` is given the row above and the row. Above the first one is the
+/// background.
 pub(super) fn rows(
     drawing: &Drawing,
     scale: f64,
@@ -72,9 +82,8 @@ pub(super) fn rows(
 ) -> Result<(), OutputError> {
     let (width, height) = size(drawing, scale)?;
     let size = (width as usize, height as usize);
-    let mut recorder = Recorder::new(size, scale);
-    recorder.items(&drawing.items);
-    paint::rows(recorder, size, background(drawing), each);
+    let steps = steps::of(&drawing.items, size, scale);
+    paint::rows(&steps, size, background(drawing), each);
     Ok(())
 }
 
@@ -83,3 +92,6 @@ pub(super) fn background(drawing: &Drawing) -> Pixel {
     let crate::drawing::Color { r, g, b } = drawing.background.color;
     [r, g, b, 255]
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,135 +1,119 @@
-//! Steps to rows of pixels, a band at a time.
+//! Steps to rows of pixels, a band of rows at a time.
+
+use std::ops::Range;
 
 use super::blend::{self, Mixer};
-use super::coverage::{self, Cells, Span};
-use super::edges::{Band, Edge};
-use super::steps::{Part, Recorder, Step};
+use super::coverage::{self, Filler, Part, Span};
+use super::steps::Step;
 
 /// A pixel: red, green, blue, 255.
 pub(crate) type Pixel = [u8; 4];
 
-/// An area whose coverage is kept, in one band.
-struct Kept {
-    step: usize,
-    /// The coverage of each row from the band's top.
-    rows: Vec<Vec<Span>>,
-}
+/// Pixels of a band, about: a megabyte of colours and at most a quarter of it for a mask, which a
+/// second-level cache holds. Measured on the article's figures; with a quarter as many, high areas are filled
+/// in more pieces and rendering takes 3 % longer, with four times as many the cache is left and it takes 7 %
+/// longer.
+const BAND: usize = 1 << 18;
 
 /// A band being painted.
-struct Painter<'s> {
-    steps: &'s [Step],
+struct Painter {
+    /// Pixels a row.
     width: usize,
-    /// Its first row in the image.
-    top: usize,
+    /// Its rows in the image.
+    rows: Range<usize>,
     /// Its rows, after the last row of the band above.
     pixels: Vec<Pixel>,
-    cells: Cells,
-    kept: Vec<Kept>,
     /// What was there before each see-through group that has begun.
     saved: Vec<Vec<Pixel>>,
-    /// Memory that is used again.
+    /// Finds the coverage of areas.
+    filler: Filler,
+    /// Memory for the spans of one row.
     spans: Vec<Span>,
-    cut: Vec<Span>,
+    /// Memory for the spans that a clip leaves of a row.
+    inside: Vec<Span>,
 }
 
-/// Paints what was recorded over a background, and hands every row from the top to `each`, after the row above it; above
+/// Paints steps over a background, and hands every row from the top to `each`, after the row above it; above
 /// the first one is the background.
 pub(super) fn rows(
-    recorder: Recorder,
+    steps: &[Step],
     (width, height): (usize, usize),
     background: Pixel,
     mut each: impl FnMut(&[Pixel], &[Pixel]),
 ) {
-    let Recorder { steps, bands, .. } = recorder;
-    let rows = bands.rows();
+    let count = (BAND / width).clamp(1, height);
     let mut painter = Painter {
-        steps: &steps,
         width,
-        top: 0,
-        pixels: vec![background; (rows + 1) * width],
-        cells: Cells::new(width, rows),
-        kept: Vec::new(),
+        rows: 0..count,
+        pixels: vec![background; (count + 1) * width],
         saved: Vec::new(),
+        filler: Filler::default(),
         spans: Vec::new(),
-        cut: Vec::new(),
+        inside: Vec::new(),
     };
-    for band in bands.into_bands() {
-        painter.band(&band, background);
-        let count = rows.min(height - painter.top);
-        for y in 0..count {
-            let (above, row) = painter.pixels[y * width..(y + 2) * width].split_at(width);
+    while !painter.rows.is_empty() {
+        painter.pixels[width..].fill(background);
+        for step in steps {
+            painter.step(step);
+        }
+        for y in painter.rows.clone() {
+            let at = painter.row(y) - width;
+            let (above, row) = painter.pixels[at..at + 2 * width].split_at(width);
             each(above, row);
         }
-        painter.pixels.copy_within(count * width.., 0);
-        painter.top += count;
+        let last = painter.row(painter.rows.end - 1);
+        painter.pixels.copy_within(last..last + width, 0);
+        painter.rows = painter.rows.end..height.min(painter.rows.end + count);
     }
 }
 
-impl Painter<'_> {
-    fn band(&mut self, band: &Band, background: Pixel) {
-        self.pixels[self.width..].fill(background);
-        self.kept.clear();
-        for (step, edges) in band.steps() {
-            match &self.steps[step] {
-                Step::Lay { ink, within } => {
-                    let mut mixer = Mixer::new(*ink);
-                    self.area(edges, *within, |row, spans, _| mixer.lay(row, spans));
+impl Painter {
+    /// Where a row of the image begins in the pixels.
+    fn row(&self, y: usize) -> usize {
+        (y + 1 - self.rows.start) * self.width
+    }
+
+    /// What of a part lies in this band.
+    fn seen(&self, part: &Part) -> Part {
+        let rows = part.rows.start.max(self.rows.start)..part.rows.end.min(self.rows.end);
+        Part { columns: part.columns.clone(), rows }
+    }
+
+    fn step(&mut self, step: &Step) {
+        let part = self.seen(step.part());
+        if part.is_empty() {
+            return;
+        }
+        match step {
+            Step::Lay { ink, area, clip, .. } => {
+                let mut mixer = Mixer::new(*ink);
+                let Self { width, rows, pixels, filler, spans, inside, .. } = self;
+                area.rows(&part, filler, spans, |y, spans| {
+                    let start = (y + 1 - rows.start) * *width;
+                    let row = &mut pixels[start..start + *width];
+                    let Some(clip) = clip else { return mixer.lay(row, spans) };
+                    coverage::cut(spans, y, *clip, inside);
+                    mixer.lay(row, inside);
+                });
+            }
+            Step::Save(_) => {
+                let before =
+                    part.rows.clone().flat_map(|y| &self.pixels[self.range(y, &part)]).copied().collect();
+                self.saved.push(before);
+            }
+            Step::Fade { opacity, .. } => {
+                let Some(before) = self.saved.pop() else { return };
+                for (y, before) in part.rows.clone().zip(before.chunks_exact(part.columns.len())) {
+                    let range = self.range(y, &part);
+                    blend::fade(&mut self.pixels[range], before, *opacity);
                 }
-                Step::Keep { within } => {
-                    let mut rows = vec![Vec::new(); self.pixels.len() / self.width - 1];
-                    self.area(edges, *within, |_, spans, y| rows[y].extend_from_slice(spans));
-                    self.kept.push(Kept { step, rows });
-                }
-                Step::Save(part) => {
-                    let before = self.rows_of(part).flat_map(|range| &self.pixels[range]).copied().collect();
-                    self.saved.push(before);
-                }
-                Step::Fade { part, opacity } => self.fade(part, *opacity),
             }
         }
     }
 
-    /// Finds the coverage of an area row by row, and hands it to `each` with the row's pixels and its number in the band.
-    fn area(
-        &mut self,
-        edges: &[Edge],
-        within: Option<usize>,
-        mut each: impl FnMut(&mut [Pixel], &[Span], usize),
-    ) {
-        let Self { width, top, pixels, cells, kept, spans, cut, .. } = self;
-        // What keeps a coverage has no edges in a band that it covers nothing of.
-        let kept = within.map(|step| kept.iter().find(|kept| kept.step == step));
-        let reach = cells.add(edges, *top);
-        for y in reach.rows.clone() {
-            cells.take_row(y, &reach, spans);
-            let visible = match kept {
-                None => &*spans,
-                Some(None) => continue,
-                Some(Some(area)) => {
-                    coverage::intersection(spans, &area.rows[y], cut);
-                    &*cut
-                }
-            };
-            each(&mut pixels[(y + 1) * *width..(y + 2) * *width], visible, y);
-        }
-    }
-
-    fn fade(&mut self, part: &Part, opacity: f64) {
-        let Some(before) = self.saved.pop() else { return };
-        let ranges: Vec<_> = self.rows_of(part).collect();
-        for (range, before) in ranges.into_iter().zip(before.chunks_exact(part.columns.len())) {
-            blend::fade(&mut self.pixels[range], before, opacity);
-        }
-    }
-
-    /// Where a part's rows lie in this band's pixels.
-    fn rows_of(&self, part: &Part) -> impl Iterator<Item = std::ops::Range<usize>> + use<> {
-        let (top, width) = (self.top, self.width);
-        let end = top + self.pixels.len() / width - 1;
-        let columns = part.columns.clone();
-        (part.rows.start.max(top)..part.rows.end.min(end)).map(move |y| {
-            let row = (y - top + 1) * width;
-            row + columns.start..row + columns.end
-        })
+    /// Where a part's pixels of one row are.
+    fn range(&self, y: usize, part: &Part) -> Range<usize> {
+        let row = self.row(y);
+        row + part.columns.start..row + part.columns.end
     }
 }

@@ -1,58 +1,121 @@
 //! The display list as steps of painting: which areas, in which order, laid on with what.
-//!
-//! A clip, or the area under a pattern's marks, is an area too: one whose coverage is kept, for later areas to be cut by.
 
-use std::ops::Range;
+use std::rc::Rc;
+
+use tiny_skia::Path;
 
 use super::blend::{Fineness, Ink};
-use super::edges::Bands;
-use super::polyline::Polylines;
-use super::{glyphs, stroke};
-use crate::drawing::{Contour, Group, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text};
+use super::coverage::{Filler, Part, Span};
+use super::glyphs::{self, Placed};
+use super::paths;
+use crate::drawing::{self, Group, Item, Paint, Pattern, Rect, Text};
 
 /// A step of painting.
 pub(super) enum Step {
     /// An area in a colour.
     Lay {
+        /// The colour.
         ink: Ink,
-        /// The step whose area cuts this one.
-        within: Option<usize>,
+        /// What is covered by it.
+        area: Area,
+        /// The pixels that hold what is seen of the area.
+        part: Part,
+        /// The rectangle, in image pixels, that cuts it; none where it lies inside.
+        clip: Option<Rect>,
     },
-    /// An area whose coverage is kept.
-    Keep {
-        /// The step whose area cuts this one.
-        within: Option<usize>,
-    },
-    /// A see-through group begins: what is there is kept.
+    /// A see-through group begins: the pixels of this part are kept.
     Save(Part),
-    /// A see-through group ends: what is there now is mixed with what was there.
-    Fade { part: Part, opacity: f64 },
+    /// A see-through group ends: the part's pixels are mixed with those that were kept.
+    Fade {
+        /// What was kept.
+        part: Part,
+        /// How much stays of what was drawn since.
+        opacity: f64,
+    },
 }
 
-/// A part of the image.
-#[derive(Clone)]
-pub(super) struct Part {
-    pub(super) columns: Range<usize>,
-    pub(super) rows: Range<usize>,
+impl Step {
+    /// The pixels that it concerns.
+    pub(super) fn part(&self) -> &Part {
+        match self {
+            Self::Lay { part, .. } | Self::Save(part) | Self::Fade { part, .. } => part,
+        }
+    }
+}
+
+/// What covers pixels.
+pub(super) enum Area {
+    /// The inside of a path.
+    Inside(Rc<Path>),
+    /// The marks of a pattern on the inside of a path.
+    ///
+    /// They are drawn anew for each part of the image that is asked for: an area as large as a page has a
+    /// million dots, of which few are in one part.
+    Marks {
+        /// Which marks.
+        pattern: Pattern,
+        /// The area that they are on.
+        within: Rc<Path>,
+        /// Image pixels of a page pixel.
+        scale: f64,
+    },
+    /// Glyphs of one text.
+    Glyphs(Vec<Placed>),
+}
+
+impl Area {
+    /// Hands the spans of each row that lies in `part` to `each`, with the row's place in the image.
+    pub(super) fn rows(
+        &self,
+        part: &Part,
+        filler: &mut Filler,
+        spans: &mut Vec<Span>,
+        mut each: impl FnMut(usize, &[Span]),
+    ) {
+        match self {
+            Self::Inside(path) => filler.fill(&[path], None, part, each),
+            Self::Marks { pattern, within, scale } => {
+                if let Some(marks) = marks(pattern, part, *scale) {
+                    filler.fill(&[&marks], Some(within), part, each);
+                }
+            }
+            Self::Glyphs(all) => all.iter().for_each(|placed| placed.rows(part, spans, &mut each)),
+        }
+    }
+}
+
+/// The marks of a pattern over a part of the image.
+#[expect(clippy::cast_precision_loss, reason = "an image is narrower than 2^26")]
+fn marks(pattern: &Pattern, part: &Part, scale: f64) -> Option<Path> {
+    let reach = pattern.stroke().width.max(1.0 / scale);
+    let page = |pixels: usize| pixels as f64 / scale;
+    let (x0, y0) = (page(part.columns.start), page(part.rows.start));
+    let seen = Rect { x0, y0, x1: page(part.columns.end), y1: page(part.rows.end) };
+    // Marks around it reach into it.
+    let (lines, stroke) = pattern.marks(seen.grown(reach));
+    paths::outline(&paths::lines(&lines, scale)?, &stroke, scale)
+}
+
+/// The steps that a display list comes to.
+pub(super) fn of(items: &[Item], size: (usize, usize), scale: f64) -> Vec<Step> {
+    let mut recorder = Recorder { steps: Vec::new(), size, scale, clip: None };
+    recorder.items(items);
+    recorder.steps
 }
 
 /// Turns items into steps.
-pub(super) struct Recorder {
-    pub(super) steps: Vec<Step>,
-    pub(super) bands: Bands,
+struct Recorder {
+    steps: Vec<Step>,
+    /// Width and height of the image in pixels.
     size: (usize, usize),
+    /// Image pixels of a page pixel.
     scale: f64,
-    /// The clip in force and its step.
-    clip: Option<(Rect, usize)>,
+    /// The clip in force, in image pixels.
+    clip: Option<Rect>,
 }
 
 impl Recorder {
-    pub(super) fn new((width, height): (usize, usize), scale: f64) -> Self {
-        let bands = Bands::new(width, height);
-        Self { steps: Vec::new(), bands, size: (width, height), scale, clip: None }
-    }
-
-    pub(super) fn items(&mut self, items: &[Item]) {
+    fn items(&mut self, items: &[Item]) {
         for item in items {
             match item {
                 Item::Group(group) => self.group(group),
@@ -63,108 +126,102 @@ impl Recorder {
     }
 
     fn group(&mut self, group: &Group) {
-        let Some(rect) = group.clip else { return self.see_through(group) };
-        let outer = self.clip.map(|(rect, _)| rect);
-        let Some(rect) = outer.map_or(Some(rect), |o| o.intersection(rect)) else { return };
-        let lines = self.lines(&glyphs::rectangle(rect));
-        let step = self.area(Step::Keep { within: None }, &lines);
-        let kept = self.clip.replace((rect, step));
+        let Some(clip) = group.clip else { return self.see_through(group) };
+        let s = self.scale;
+        let clip = Rect { x0: clip.x0 * s, y0: clip.y0 * s, x1: clip.x1 * s, y1: clip.y1 * s };
+        let Some(clip) = self.clip.map_or(Some(clip), |outer| outer.intersection(clip)) else { return };
+        let outer = self.clip.replace(clip);
         self.see_through(group);
-        self.clip = kept;
+        self.clip = outer;
     }
 
-    /// A group's items. Where the group has an opacity they are drawn solid and then mixed with what was there, which is
-    /// what laying a separate image of the group over it comes to.
+    /// A group's items. Where the group has an opacity they are drawn solid and then mixed with what was
+    /// there, which is what laying a separate image of the group over it comes to.
     fn see_through(&mut self, group: &Group) {
         if group.opacity >= 1.0 {
             return self.items(&group.items);
         }
-        let Some(part) = group.extent().and_then(|extent| self.part(extent)) else { return };
-        self.mark(Step::Save(part.clone()), &part);
+        let first = self.steps.len();
+        // What the group touches is known once its items have been drawn.
+        self.steps.push(Step::Save(Part::default()));
         self.items(&group.items);
-        self.mark(Step::Fade { part: part.clone(), opacity: group.opacity }, &part);
+        let part = self.steps[first..].iter().map(Step::part).fold(Part::default(), Part::union);
+        if part.is_empty() {
+            return self.steps.truncate(first);
+        }
+        self.steps[first] = Step::Save(part.clone());
+        self.steps.push(Step::Fade { part, opacity: group.opacity });
     }
 
-    fn mark(&mut self, step: Step, part: &Part) {
-        self.bands.mark(self.steps.len(), &part.rows);
-        self.steps.push(step);
-    }
-
-    /// What of the image holds `extent`; `None` where nothing does.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cut to the image before")]
-    #[expect(clippy::cast_precision_loss, reason = "an image is narrower than 2^26")]
-    fn part(&self, extent: Rect) -> Option<Part> {
-        let range = |low: f64, high: f64, most: usize| {
-            // One pixel more on each side, for edges that only touch it.
-            let low = ((low * self.scale).floor() - 1.0).clamp(0.0, most as f64) as usize;
-            low..((high * self.scale).ceil() + 1.0).clamp(0.0, most as f64) as usize
-        };
-        let columns = range(extent.x0, extent.x1, self.size.0);
-        let rows = range(extent.y0, extent.y1, self.size.1);
-        (!columns.is_empty() && !rows.is_empty()).then_some(Part { columns, rows })
-    }
-
-    fn path(&mut self, path: &Path) {
-        let Some(extent) = path.extent() else { return };
-        let lines = self.lines(&path.contour);
+    fn path(&mut self, path: &drawing::Path) {
+        let Some(shape) = paths::contour(&path.contour, self.scale) else { return };
+        let shape = Rc::new(shape);
         if let Some(paint) = &path.fill {
-            self.fill(&lines, paint, extent);
+            self.inside(Rc::clone(&shape), paint);
         }
         if let Some(pattern) = &path.pattern {
-            self.pattern(&path.contour, &lines, pattern);
+            let share = paths::visible_width(&pattern.stroke(), self.scale).1;
+            let bounds = paths::bounds(&shape);
+            let area = Area::Marks { pattern: *pattern, within: Rc::clone(&shape), scale: self.scale };
+            self.lay(area, &pattern.paint, share, bounds);
         }
-        if let Some(stroke) = &path.stroke {
-            let outline = self.outline(&lines, stroke);
-            self.fill(&outline, &stroke.paint, extent);
+        if let Some(stroke) = &path.stroke
+            && let Some(outline) = paths::outline(&shape, stroke, self.scale)
+        {
+            let share = paths::visible_width(stroke, self.scale).1;
+            let bounds = paths::bounds(&outline);
+            self.lay(Area::Inside(Rc::new(outline)), &stroke.paint, share, bounds);
         }
     }
 
     fn text(&mut self, text: &Text) {
-        let lines = glyphs::lines(text, self.scale);
-        let extent = text.extent();
         if let Some(halo) = &text.halo {
-            self.fill(&stroke::grown(&lines, halo.width * self.scale), &halo.paint, extent);
+            self.letters(text, &halo.paint, halo.width);
         }
-        self.fill(&lines, &text.paint, extent);
+        self.letters(text, &text.paint, 0.0);
     }
 
-    /// The marks as lines, cut by the contour.
-    fn pattern(&mut self, area: &Contour, lines: &Polylines, pattern: &Pattern) {
-        let Some(bounds) = area.bounds() else { return };
-        let inside = self.area(Step::Keep { within: self.clip.map(|(_, step)| step) }, lines);
-        let (marks, stroke) = pattern.marks(bounds);
-        let segments = marks.into_iter().flat_map(|(from, to)| [Segment::Move(from), Segment::Line(to)]);
-        let lines = self.lines(&Contour::Segments(segments.collect()));
-        let outline = self.outline(&lines, &stroke);
-        let ink = self.ink(&stroke.paint);
-        self.area(Step::Lay { ink, within: Some(inside) }, &outline);
+    /// A text grown by `reach` page pixels.
+    fn letters(&mut self, text: &Text, paint: &Paint, reach: f64) {
+        let letters = glyphs::letters(text, reach, self.scale);
+        if let Some(bounds) = letters.stamps.iter().map(Placed::bounds).reduce(Rect::union) {
+            self.lay(Area::Glyphs(letters.stamps), paint, 1.0, bounds);
+        }
+        let Some(rest) = letters.rest else { return };
+        if reach > 0.0
+            && let Some(around) = paths::around(&rest, reach * self.scale)
+        {
+            self.inside(Rc::new(around), paint);
+        }
+        self.inside(Rc::new(rest), paint);
     }
 
-    fn fill(&mut self, lines: &Polylines, paint: &Paint, extent: Rect) {
-        let ink = self.ink(paint);
-        let cut = self.clip.filter(|(rect, _)| rect.intersection(extent) != Some(extent));
-        self.area(Step::Lay { ink, within: cut.map(|(_, step)| step) }, lines);
+    fn inside(&mut self, path: Rc<Path>, paint: &Paint) {
+        let bounds = paths::bounds(&path);
+        self.lay(Area::Inside(path), paint, 1.0, bounds);
     }
 
-    fn area(&mut self, step: Step, lines: &Polylines) -> usize {
-        let number = self.steps.len();
-        self.steps.push(step);
-        self.bands.add(number, lines);
-        number
+    /// An area in `share` of a colour; all of it lies in `bounds`, in image pixels.
+    fn lay(&mut self, area: Area, paint: &Paint, share: f64, bounds: Rect) {
+        let visible = self.clip.map_or(Some(bounds), |clip| clip.intersection(bounds));
+        let Some(part) = visible.and_then(|visible| self.part(visible)) else { return };
+        let ink = Ink::of(&paint.with_opacity(paint.opacity * share), Fineness::at(self.scale));
+        let clip = self.clip.filter(|_| visible != Some(bounds));
+        self.steps.push(Step::Lay { ink, area, part, clip });
     }
 
-    fn ink(&self, paint: &Paint) -> Ink {
-        Ink::of(paint, Fineness::at(self.scale))
-    }
-
-    fn lines(&self, contour: &Contour) -> Polylines {
-        let scale = self.scale;
-        Polylines::of(contour, |p| Point::new(p.x * scale, p.y * scale))
-    }
-
-    fn outline(&self, lines: &Polylines, line: &Stroke) -> Polylines {
-        let dash: Vec<f64> = line.dash.iter().map(|d| d * self.scale).collect();
-        let dashed = if dash.is_empty() { None } else { stroke::dashes(lines, &dash) };
-        stroke::outline(dashed.as_ref().unwrap_or(lines), line.width * self.scale, line.cap)
+    /// The pixels that hold `bounds`; `None` where none of the image does.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "cut to the image before")]
+    #[expect(clippy::cast_precision_loss, reason = "an image is narrower than 2^26")]
+    fn part(&self, bounds: Rect) -> Option<Part> {
+        let range = |low: f64, high: f64, most: usize| {
+            let pixel = |v: f64| v.clamp(0.0, most as f64) as usize;
+            pixel(low.floor())..pixel(high.ceil())
+        };
+        let part = Part {
+            columns: range(bounds.x0, bounds.x1, self.size.0),
+            rows: range(bounds.y0, bounds.y1, self.size.1),
+        };
+        (!part.is_empty()).then_some(part)
     }
 }
