@@ -1,7 +1,7 @@
 //! The display list: paths, glyph runs and groups with roles and accessible names, in page pixels, y down.
 //!
-//! This list is closed: an output format draws a [`Drawing`] by looking at these types and at nothing else. A circle
-//! stays a circle and an arc an arc, so that each format can choose its own way to say them.
+//! This list is closed: an output format draws a [`Drawing`] by looking at these types and at nothing else. A
+//! circle stays a circle and an arc an arc, so that each format can choose its own way to say them.
 
 mod extent;
 mod offset;
@@ -20,14 +20,19 @@ use crate::typeset::Line;
 /// A page point in pixels, x right, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Point {
-    /// Right.
+    /// Pixels right of the page's left edge.
     pub x: f64,
-    /// Down.
+    /// Pixels below the page's top edge.
     pub y: f64,
 }
 
 impl Point {
     /// The point `x` right and `y` down of the page's upper left corner.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Offset, Point};
+    /// assert_eq!(Point::new(3.0, 4.0) - Point::new(1.0, 1.0), Offset::new(2.0, 3.0));
+    /// ```
     #[must_use]
     pub fn new(x: f64, y: f64) -> Self {
         Self { x, y }
@@ -37,13 +42,13 @@ impl Point {
 /// A page rectangle in pixels, `x0 ≤ x1` and `y0 ≤ y1`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Rect {
-    /// Left.
+    /// The left edge.
     pub x0: f64,
-    /// Top.
+    /// The top edge.
     pub y0: f64,
-    /// Right.
+    /// The right edge.
     pub x1: f64,
-    /// Bottom.
+    /// The bottom edge.
     pub y1: f64,
 }
 
@@ -64,7 +69,7 @@ pub struct Drawing {
     pub background: Paint,
     /// Opacity of the fills of areas; a page that sets other colours may set another one too.
     pub fill_opacity: f64,
-    /// The other side of an "auto" theme; none for a fixed theme.
+    /// The other colours of an "auto" theme; none for a fixed theme.
     pub dark: Option<Dark>,
     /// JSON that says what is shown: format version, hash, answer, numbers of the trace. May be empty.
     pub metadata: String,
@@ -79,7 +84,7 @@ pub struct Drawing {
 pub struct Dark {
     /// The colours by role.
     pub colors: Vec<(Role, Color)>,
-    /// What [`Drawing::fill_opacity`] becomes.
+    /// The opacity that takes the place of [`Drawing::fill_opacity`].
     pub fill_opacity: f64,
 }
 
@@ -101,18 +106,23 @@ pub struct Group {
     pub name: String,
     /// The role that its items play, where they share one.
     pub role: Option<Role>,
-    /// Accessible name: what a reader who can't see hears.
+    /// Accessible name, which a screen reader says; none for a group without meaning of its own.
     pub label: Option<String>,
-    /// From 0 to 1, for the group as a whole.
+    /// Opacity of the group as a whole, from 0 to 1: what overlaps inside it is not seen through.
     pub opacity: f64,
-    /// Nothing is drawn outside it.
+    /// The rectangle outside which nothing of the group is drawn; none draws all.
     pub clip: Option<Rect>,
-    /// What it holds, in painting order.
+    /// The items, in painting order.
     pub items: Vec<Item>,
 }
 
 impl Group {
     /// An empty group of full opacity, without role, label or clip.
+    ///
+    /// ```
+    /// let group = tracefig::drawing::Group::new("grid");
+    /// assert_eq!((group.opacity, group.clip, group.items.len()), (1.0, None, 0));
+    /// ```
     #[must_use]
     pub fn new(name: impl Into<String>) -> Self {
         Self { name: name.into(), role: None, label: None, opacity: 1.0, clip: None, items: Vec::new() }
@@ -124,10 +134,10 @@ impl Group {
 pub struct Text {
     /// The set line; shared, as labels are measured, placed and drawn.
     pub line: Arc<Line>,
-    /// Left end of the baseline.
+    /// The left end of the baseline, on the page.
     pub origin: Point,
-    /// Colour of the glyphs.
+    /// The colour of the glyphs and rules.
     pub paint: Paint,
-    /// Drawn behind the glyphs.
+    /// A rim behind the glyphs; none where they need no background of their own.
     pub halo: Option<Halo>,
 }

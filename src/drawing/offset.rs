@@ -7,14 +7,19 @@ use super::Point;
 /// From one page point to another, in pixels, x right, y down.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Offset {
-    /// Right.
+    /// Pixels to the right.
     pub dx: f64,
-    /// Down.
+    /// Pixels down.
     pub dy: f64,
 }
 
 impl Offset {
-    /// `dx` right and `dy` down.
+    /// The offset by `dx` to the right and `dy` down.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Offset, Point};
+    /// assert_eq!(Point::new(1.0, 1.0) + Offset::new(2.0, 3.0) * 2.0, Point::new(5.0, 7.0));
+    /// ```
     #[must_use]
     pub const fn new(dx: f64, dy: f64) -> Self {
         Self { dx, dy }
@@ -22,38 +27,32 @@ impl Offset {
 
     /// Its length in page pixels.
     #[must_use]
-    pub fn length(self) -> f64 {
+    pub(crate) fn length(self) -> f64 {
         libm::hypot(self.dx, self.dy)
     }
 
-    /// The same direction, one pixel long; none where it has no direction.
-    ///
-    /// ```
-    /// use tracefig::drawing::Offset;
-    /// assert_eq!(Offset::new(0.0, 4.0).unit(), Some(Offset::new(0.0, 1.0)));
-    /// assert_eq!(Offset::default().unit(), None);
-    /// ```
+    /// One pixel in its direction; none where it has no direction.
     #[must_use]
-    pub fn unit(self) -> Option<Self> {
+    pub(crate) fn unit(self) -> Option<Self> {
         let length = self.length();
         (length > 0.0 && length.is_finite()).then(|| self * (1.0 / length))
     }
 
     /// A quarter turn to the left of who walks along it on the page: (dy, −dx).
     #[must_use]
-    pub const fn left(self) -> Self {
+    pub(crate) const fn left(self) -> Self {
         Self { dx: self.dy, dy: -self.dx }
     }
 
     /// The inner product.
     #[must_use]
-    pub fn dot(self, other: Self) -> f64 {
+    pub(crate) fn dot(self, other: Self) -> f64 {
         self.dx * other.dx + self.dy * other.dy
     }
 
     /// The outer product: positive where `other` points to the right of `self` on the page.
     #[must_use]
-    pub fn cross(self, other: Self) -> f64 {
+    pub(crate) fn cross(self, other: Self) -> f64 {
         self.dx * other.dy - self.dy * other.dx
     }
 }
@@ -97,5 +96,17 @@ impl Neg for Offset {
     type Output = Self;
     fn neg(self) -> Self {
         self * -1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_has_the_direction_and_an_offset_without_length_has_none() {
+        assert_eq!(Offset::new(0.0, 4.0).unit(), Some(Offset::new(0.0, 1.0)));
+        assert_eq!(Offset::default().unit(), None);
+        assert_eq!(Offset::new(f64::INFINITY, 0.0).unit(), None);
     }
 }

@@ -1,15 +1,15 @@
 //! Colours by role, strokes, patterns and halos.
 
-/// What a thing is; decides its colour everywhere.
+/// What a drawn thing stands for; it decides the thing's colour in every theme.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Role {
-    /// Shape A.
+    /// The first body, A.
     A,
-    /// Shape B.
+    /// The second body, B.
     B,
-    /// The Minkowski difference.
+    /// The Minkowski difference B ⊖ A.
     Difference,
-    /// Now: the changed thing.
+    /// What changes or moves at the step shown.
     Now,
     /// The minimum translation, and the separation of bodies apart.
     Translation,
@@ -19,12 +19,12 @@ pub enum Role {
     Muted,
     /// Grid lines.
     Grid,
-    /// The page.
+    /// The page itself.
     Background,
 }
 
 impl Role {
-    /// Every role.
+    /// Every role, in the order of themes and style sheets.
     pub const ALL: [Self; 9] = [
         Self::A,
         Self::B,
@@ -37,7 +37,7 @@ impl Role {
         Self::Background,
     ];
 
-    /// Its word, as in `--tracefig-a`.
+    /// The word for it in themes and custom properties, as in `--tracefig-a`.
     ///
     /// ```
     /// assert_eq!(tracefig::drawing::Role::Translation.name(), "translation");
@@ -90,18 +90,29 @@ pub struct Paint {
     pub role: Option<Role>,
     /// The colour where nobody sets another.
     pub color: Color,
-    /// From 0 to 1.
+    /// How much of what is below is covered, from 0 to 1.
     pub opacity: f64,
 }
 
 impl Paint {
     /// An opaque colour in a role.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Paint, Role};
+    /// let fill = Paint::role(Role::A, Color::hex(0xA3161F)).with_opacity(0.14);
+    /// assert_eq!((fill.role, fill.opacity), (Some(Role::A), 0.14));
+    /// ```
     #[must_use]
     pub const fn role(role: Role, color: Color) -> Self {
         Self { role: Some(role), color, opacity: 1.0 }
     }
 
-    /// The same colour at `opacity`.
+    /// This colour at another opacity, from 0 to 1.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Paint, Role};
+    /// assert_eq!(Paint::role(Role::A, Color::hex(0)).with_opacity(0.5).opacity, 0.5);
+    /// ```
     #[must_use]
     pub const fn with_opacity(self, opacity: f64) -> Self {
         Self { opacity, ..self }
@@ -121,18 +132,24 @@ pub enum Cap {
 /// A line along a contour; joins are round.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stroke {
-    /// Its colour.
+    /// The line's colour.
     pub paint: Paint,
-    /// Its width in page pixels.
+    /// The line's width in page pixels.
     pub width: f64,
     /// Lengths of dashes and gaps in page pixels, alternating, an even number; empty for a solid line.
     pub dash: Vec<f64>,
-    /// Its ends.
+    /// How the line's ends look, and those of its dashes.
     pub cap: Cap,
 }
 
 impl Stroke {
-    /// A solid line.
+    /// A solid line of a width in page pixels.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Cap, Color, Paint, Role, Stroke};
+    /// let stroke = Stroke::solid(Paint::role(Role::Ink, Color::hex(0)), 1.5);
+    /// assert_eq!((stroke.dash.len(), stroke.cap), (0, Cap::Butt));
+    /// ```
     #[must_use]
     pub fn solid(paint: Paint, width: f64) -> Self {
         Self { paint, width, dash: Vec::new(), cap: Cap::Butt }
@@ -142,9 +159,9 @@ impl Stroke {
 /// Marks repeated over an area, so that it is told apart without colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pattern {
-    /// Which marks.
+    /// Which marks are repeated.
     pub kind: PatternKind,
-    /// Their colour.
+    /// The colour of the marks.
     pub paint: Paint,
 }
 
@@ -160,7 +177,7 @@ pub enum PatternKind {
 /// A wider copy of the glyphs behind them, that keeps them readable on lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Halo {
-    /// Its colour, mostly the background's.
+    /// The halo's colour, mostly the background's.
     pub paint: Paint,
     /// How far it reaches beyond the glyphs, in page pixels.
     pub width: f64,

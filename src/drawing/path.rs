@@ -5,24 +5,37 @@ use super::{Paint, Pattern, Point, Stroke};
 /// A contour with what is drawn in and along it, in the order fill, pattern, stroke.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Path {
-    /// The line itself.
+    /// The line around the area.
     pub contour: Contour,
-    /// The colour of the area (non-zero winding).
+    /// The colour of the area, which is inside by the non-zero rule; none leaves it as it is.
     pub fill: Option<Paint>,
-    /// Marks over the area.
+    /// Marks over the area; none for most.
     pub pattern: Option<Pattern>,
-    /// The line along the contour.
+    /// The line along the contour; none where only the area is drawn.
     pub stroke: Option<Stroke>,
 }
 
 impl Path {
     /// An area without a line.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Contour, Paint, Path, Point, Role};
+    /// let disc = Contour::Circle { center: Point::new(5.0, 6.0), radius: 2.0 };
+    /// assert!(Path::filled(disc, Paint::role(Role::B, Color::hex(0))).stroke.is_none());
+    /// ```
     #[must_use]
     pub fn filled(contour: Contour, fill: Paint) -> Self {
         Self { contour, fill: Some(fill), pattern: None, stroke: None }
     }
 
     /// A line without an area.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Contour, Paint, Path, Point, Role, Stroke};
+    /// let line = Contour::line(Point::new(0.0, 0.0), Point::new(9.0, 0.0));
+    /// let stroke = Stroke::solid(Paint::role(Role::Ink, Color::hex(0)), 1.0);
+    /// assert!(Path::stroked(line, stroke).fill.is_none());
+    /// ```
     #[must_use]
     pub fn stroked(contour: Contour, stroke: Stroke) -> Self {
         Self { contour, fill: None, pattern: None, stroke: Some(stroke) }
@@ -34,9 +47,9 @@ impl Path {
 pub enum Contour {
     /// A whole circle.
     Circle {
-        /// Its centre.
+        /// The circle's centre.
         center: Point,
-        /// Its radius in page pixels.
+        /// The circle's radius in page pixels.
         radius: f64,
     },
     /// Pieces end to end, beginning with [`Segment::Move`].
@@ -44,20 +57,39 @@ pub enum Contour {
 }
 
 impl Contour {
-    /// A straight line.
+    /// A straight line from one point to another.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Contour, Point, Segment};
+    /// let (from, to) = (Point::new(0.0, 0.0), Point::new(9.0, 0.0));
+    /// assert_eq!(Contour::line(from, to), Contour::Segments(vec![Segment::Move(from), Segment::Line(to)]));
+    /// ```
     #[must_use]
     pub fn line(from: Point, to: Point) -> Self {
         Self::Segments(vec![Segment::Move(from), Segment::Line(to)])
     }
 
-    /// A line through `points`.
+    /// An open line through points.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Contour, Point};
+    /// let points = [Point::new(0.0, 0.0), Point::new(9.0, 0.0)];
+    /// assert_eq!(Contour::polyline(&points), Contour::line(points[0], points[1]));
+    /// ```
     #[must_use]
     pub fn polyline(points: &[Point]) -> Self {
         let piece = |(i, &p): (usize, &Point)| if i == 0 { Segment::Move(p) } else { Segment::Line(p) };
         Self::Segments(points.iter().enumerate().map(piece).collect())
     }
 
-    /// A line through `points` and back to the first.
+    /// A closed line through points and back to the first.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Contour, Point, Segment};
+    /// let triangle = [Point::new(0.0, 0.0), Point::new(9.0, 0.0), Point::new(0.0, 5.0)];
+    /// let Contour::Segments(segments) = Contour::polygon(&triangle) else { unreachable!() };
+    /// assert_eq!(segments.last(), Some(&Segment::Close));
+    /// ```
     #[must_use]
     pub fn polygon(points: &[Point]) -> Self {
         let Self::Segments(mut segments) = Self::polyline(points) else { return Self::Segments(Vec::new()) };
@@ -81,7 +113,7 @@ pub enum Segment {
     Arc {
         /// Centre of the circle.
         center: Point,
-        /// Its radius in page pixels.
+        /// The circle's radius in page pixels.
         radius: f64,
         /// Where it starts: radians from the x axis towards the y axis, which is clockwise on the page.
         start: f64,
