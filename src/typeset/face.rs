@@ -1,11 +1,12 @@
 //! The embedded faces and the outlines of their glyphs.
 //!
-//! A face is read once a process and an outline is built the first time that it is asked for; after that a glyph is a
-//! look-up in an array. What is kept is a pure function of the embedded bytes, so no run can tell the difference.
+//! A face is read once a process and an outline is built the first time that it is asked for; after that a
+//! glyph is a look-up in an array. What is kept is a pure function of the embedded bytes, so no run can tell
+//! the difference.
 
 use std::sync::OnceLock;
 
-use latex_rust::MathFont;
+use latex_rust::{Dim, MathFont};
 use ttf_parser::{GlyphId, OutlineBuilder};
 
 use super::line::{Face, Glyph};
@@ -16,8 +17,8 @@ static SEMIBOLD: &[u8] = include_bytes!("fonts/tracefig-sans-semibold.ttf");
 /// Units of an [`Outline`] in an em.
 pub const UNITS_PER_EM: f64 = 1000.0;
 
-/// Contours of a glyph, in thousandths of an em from the glyph's origin, x right, y **down**; filled by the non-zero
-/// winding rule.
+/// Contours of a glyph, in thousandths of an em from the glyph's origin, x right, y **down**; filled by the
+/// non-zero winding rule.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outline {
     /// The pieces, each contour closed.
@@ -37,12 +38,12 @@ pub enum OutlineSegment {
     Quad([f32; 2], [f32; 2]),
     /// A cubic Bézier curve: two control points, end.
     Cubic([f32; 2], [f32; 2], [f32; 2]),
-    /// Back to the contour's beginning.
+    /// A straight line back to the contour's beginning.
     Close,
 }
 
 impl Glyph {
-    /// Its contours; empty for a space.
+    /// The glyph's contours; none for a space.
     ///
     /// ```
     /// use tracefig::typeset::{Style, typeset};
@@ -62,12 +63,17 @@ impl Glyph {
 
 /// A face with what was built from it so far.
 pub(super) struct Loaded {
+    /// The face itself.
     source: Source,
+    /// The outlines that were asked for so far, by the glyph's number.
     outlines: Vec<OnceLock<Box<Outline>>>,
 }
 
+/// A face as the part that sets it wants it.
 enum Source {
+    /// A face of words.
     Words(Box<ttf_parser::Face<'static>>),
+    /// The face of formulas, with its table of mathematical constants.
     Formulas(Box<MathFont>),
 }
 
@@ -95,6 +101,7 @@ impl Loaded {
         Some(loaded)
     }
 
+    /// The face's tables.
     pub(super) fn face(&self) -> &ttf_parser::Face<'static> {
         match &self.source {
             Source::Words(face) => face,
@@ -102,7 +109,7 @@ impl Loaded {
         }
     }
 
-    /// The face as the formula engine wants it.
+    /// The face as the formula engine wants it; `None` for a face of words.
     pub(super) fn math(&self) -> Option<&MathFont> {
         match &self.source {
             Source::Words(_) => None,
@@ -116,6 +123,17 @@ impl Loaded {
     }
 }
 
+/// A layout dimension in ems, as the nearest double or its neighbour: both parts of the rational are far
+/// below 2⁵³.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "layout rationals are small; a rounding here is below 1e-15 em"
+)]
+pub(super) fn ems(dim: &Dim) -> f64 {
+    dim.as_ratio().map_or(0.0, |(numerator, denominator)| numerator as f64 / denominator as f64)
+}
+
+/// The outline of a glyph, with its bounds.
 fn build(face: &ttf_parser::Face, id: u16) -> Outline {
     #[expect(clippy::cast_possible_truncation, reason = "a thousand is exact")]
     let scale = UNITS_PER_EM as f32 / f32::from(face.units_per_em());
@@ -128,11 +146,15 @@ fn build(face: &ttf_parser::Face, id: u16) -> Outline {
     pen.outline
 }
 
-/// Turns the face's y-up units into ours.
+/// Turns the face's y-up units into thousandths of an em, y down.
 struct Pen {
+    /// Thousandths of an em in a unit of the face.
     scale: f32,
+    /// The outline so far, without its bounds.
     outline: Outline,
+    /// The least x and y so far.
     low: [f32; 2],
+    /// The greatest x and y so far.
     high: [f32; 2],
 }
 

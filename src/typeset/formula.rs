@@ -1,34 +1,38 @@
 //! Formulas: LaTeX maths to glyphs and rules by TeX's rules (Knuth, *The `TeXbook`*, 1984, appendix G).
 //!
-//! `latex-rust` parses and lays out in exact rationals of an em; here its boxes become page pixels. TeX's scripts are
-//! 0.7 and its scripts of scripts 0.55 of the base; where that would be under [`SMALLEST`], the script box is
-//! enlarged about its own origin and what follows it moves to the right.
+//! `latex-rust` parses and lays out in exact rationals of an em; here its boxes become page pixels. TeX's
+//! scripts are 0.7 and its scripts of scripts 0.55 of the base; where that would be under [`SMALLEST`], the
+//! script box is enlarged about its own origin and what follows it moves to the right.
 
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
-use latex_rust::{BoxContent, Dim, Error, FontError, MathBox, MathStyle, ParseError};
+use latex_rust::{BoxContent, Error, FontError, MathBox, MathStyle, ParseError};
 
-use super::face::{Loaded, UNITS_PER_EM};
+use super::face::{Loaded, UNITS_PER_EM, ems};
 use super::line::{Face, Glyph, PlacedGlyph, Rule, TypesetError};
-use super::vector::Vector;
+use super::vec_accent::Vector;
 use super::words::missing;
 
 /// Size in page pixels below which no script is set: smaller letters can't be read on a screen at 100 %.
-pub const SMALLEST: f64 = 9.0;
+const SMALLEST: f64 = 9.0;
 
 /// Bytes of LaTeX in one formula; what is longer is an error. A formula on a figure has under 100.
-pub const LONGEST: usize = 500;
+const LONGEST: usize = 500;
 
 /// Glyphs and rules of a formula and its advance width, in page pixels.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Formula {
+    /// The glyphs, from the formula's own origin.
     pub(super) glyphs: Vec<PlacedGlyph>,
+    /// Fraction bars and the roofs of roots, from the same origin.
     pub(super) rules: Vec<Rule>,
+    /// The advance width in page pixels.
     pub(super) width: f64,
 }
 
-/// Formulas kept for the next time: the panels, themes and captions of figures say the same few again and again.
+/// Formulas kept for the next time: the panels, themes and captions of figures say the same few again and
+/// again.
 const KEPT: usize = 1024;
 
 /// Sets the LaTeX between two dollar signs; `offset` is its first byte's place in the markup.
@@ -76,16 +80,17 @@ fn right(placed: &PlacedGlyph) -> f64 {
     placed.x + f64::from(right) / UNITS_PER_EM * placed.size
 }
 
-/// Walks the boxes.
+/// Walks the boxes of a layout and writes down their glyphs and rules.
 struct Writer {
     /// Page pixels of an em of the base.
     size: f64,
+    /// All that was met so far.
     formula: Formula,
 }
 
 impl Writer {
-    /// Puts a box whose parent's baseline passes (`x`, `y`), with `em` page pixels an em of its dimensions. Comes
-    /// back with the page pixels that it grew by, as a script was enlarged.
+    /// Puts a box whose parent's baseline passes (`x`, `y`), with `em` page pixels an em of its dimensions.
+    /// Comes back with the page pixels that it grew by, as a script was enlarged.
     fn put(&mut self, piece: &MathBox, x: f64, y: f64, em: f64) -> Result<f64, String> {
         let y = y - ems(&piece.shift) * em;
         let factor = self.enlargement(piece, em);
@@ -134,7 +139,8 @@ impl Writer {
         Ok(0.0)
     }
 
-    /// Letters, and the arrow over their middle. Comes back like [`Self::content`], of a box that is `width` wide.
+    /// Letters, and the arrow over their middle. Comes back like [`Self::content`], of a box that is `width`
+    /// wide.
     fn vector(&mut self, vector: &Vector, x: f64, y: f64, em: f64, width: f64) -> Result<f64, String> {
         let letters = self.put(vector.base, x, y, em)? + ems(&vector.base.width) * em;
         let [left, _, right, _] = vector.arrow.outline().bounds.map(|b| f64::from(b) / UNITS_PER_EM);
@@ -168,8 +174,8 @@ impl Writer {
         }
     }
 
-    /// The factor that brings the box's largest glyph to [`SMALLEST`] when an em of its dimensions has `em` page
-    /// pixels; 1 where it is as large already.
+    /// The factor that brings the box's largest glyph to [`SMALLEST`] when an em of its dimensions has `em`
+    /// page pixels; 1 where it is as large already.
     fn enlargement(&self, piece: &MathBox, em: f64) -> f64 {
         // At a base of less than SMALLEST a script has the base's size.
         let wanted = SMALLEST.min(self.size);
@@ -190,17 +196,8 @@ fn largest_scale(piece: &MathBox) -> Option<f64> {
     }
 }
 
-/// The rational as the nearest double or its neighbour: both parts of every layout dimension are far below 2⁵³.
-#[expect(
-    clippy::cast_precision_loss,
-    reason = "layout rationals are small; a rounding here is below 1e-15 em"
-)]
-pub(super) fn ems(dim: &Dim) -> f64 {
-    dim.as_ratio().map_or(0.0, |(numerator, denominator)| numerator as f64 / denominator as f64)
-}
-
-/// Words and place of an error. The engine does not say where; what it rejects begins where the longest prefix ends
-/// that it accepts, or at the command or character that it names.
+/// Words and place of an error. The engine does not say where; what it rejects begins where the longest
+/// prefix ends that it accepts, or at the command or character that it names.
 fn explain(error: &Error, latex: &str, offset: usize) -> TypesetError {
     if let Error::Font(FontError::MissingGlyph { ch }) = error {
         return missing(offset + latex.find(*ch).unwrap_or(0), *ch);

@@ -5,52 +5,63 @@ use std::fmt;
 /// How words and formulas are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Style {
-    /// Em size in page pixels.
+    /// Page pixels of an em.
     pub size: f64,
-    /// Weight and slant of the words; formulas have their own.
+    /// The weight of the words; formulas have their own face.
     pub weight: Weight,
 }
 
 impl Style {
     /// Regular words at `size` page pixels an em.
+    ///
+    /// ```
+    /// use tracefig::typeset::{Style, Weight};
+    /// assert_eq!(Style::regular(14.0), Style { size: 14.0, weight: Weight::Regular });
+    /// ```
     #[must_use]
     pub fn regular(size: f64) -> Self {
         Self { size, weight: Weight::Regular }
     }
 
     /// Semibold words at `size` page pixels an em.
+    ///
+    /// ```
+    /// use tracefig::typeset::{Style, typeset};
+    /// let width = |style| typeset("World", style).unwrap().width;
+    /// assert!(width(Style::semibold(14.0)) > width(Style::regular(14.0)));
+    /// ```
     #[must_use]
     pub fn semibold(size: f64) -> Self {
         Self { size, weight: Weight::Semibold }
     }
 }
 
-/// The face of the words.
+/// How bold words are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Weight {
-    /// Running text.
+    /// The weight of captions and labels.
     Regular,
-    /// Titles.
+    /// The weight of titles.
     Semibold,
 }
 
 /// An embedded face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Face {
-    /// Words, regular.
+    /// The face of regular words.
     Regular,
-    /// Words, semibold.
+    /// The face of semibold words.
     Semibold,
-    /// Formulas.
+    /// The face of formulas.
     Math,
 }
 
 /// A glyph of an embedded face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Glyph {
-    /// The face.
+    /// The face that it is in.
     pub face: Face,
-    /// Its number in that face.
+    /// The glyph's number in that face.
     pub id: u16,
 }
 
@@ -59,20 +70,20 @@ pub struct Glyph {
 pub struct PlacedGlyph {
     /// Which glyph.
     pub glyph: Glyph,
-    /// Its origin, page pixels right of the line's start.
+    /// Page pixels from the line's start to the glyph's origin, to the right.
     pub x: f64,
-    /// Its origin, page pixels below the line's baseline.
+    /// Page pixels from the line's baseline to the glyph's origin, down.
     pub y: f64,
-    /// Page pixels an em.
+    /// Page pixels of an em.
     pub size: f64,
 }
 
 /// A filled rectangle on a line: a fraction bar, the roof of a root.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rule {
-    /// Left edge, page pixels right of the line's start.
+    /// Page pixels from the line's start to the left edge.
     pub x: f64,
-    /// Top edge, page pixels below the line's baseline.
+    /// Page pixels from the line's baseline down to the top edge.
     pub y: f64,
     /// Width in page pixels.
     pub width: f64,
@@ -83,17 +94,17 @@ pub struct Rule {
 /// A line of text: glyphs and rules with the extent that they need, baseline at y = 0, y down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Line {
-    /// What was set.
+    /// The markup that was set.
     pub markup: String,
     /// The glyphs, left to right as set.
     pub glyphs: Vec<PlacedGlyph>,
-    /// The rules.
+    /// Fraction bars and the roofs of roots.
     pub rules: Vec<Rule>,
     /// Advance width in page pixels.
     pub width: f64,
     /// Page pixels above the baseline that belong to the line: its ink, and the letters' x-height at least.
     pub ascent: f64,
-    /// Page pixels below the baseline that belong to the line, at least 0.
+    /// Page pixels below the baseline that belong to the line: its ink, and at least 0.
     pub descent: f64,
 }
 
@@ -104,6 +115,11 @@ impl Line {
     }
 
     /// Ascent and descent together, in page pixels.
+    ///
+    /// ```
+    /// let line = tracefig::typeset::typeset("$h_x$", tracefig::typeset::Style::regular(16.0)).unwrap();
+    /// assert_eq!(line.height(), line.ascent + line.descent);
+    /// ```
     #[must_use]
     pub fn height(&self) -> f64 {
         self.ascent + self.descent
@@ -113,9 +129,9 @@ impl Line {
 /// Why a markup can't be set.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TypesetError {
-    /// Byte offset in the markup.
+    /// The byte of the markup where it goes wrong.
     pub offset: usize,
-    /// What is wrong, in a sentence without a full stop.
+    /// The fault, in a sentence without a full stop.
     pub message: String,
 }
 

@@ -1,8 +1,8 @@
 //! Words and `$…$` formulas to runs of glyphs with their extents.
 //!
-//! Markup is plain text in which `$…$` holds LaTeX maths and `\$` is a dollar sign. [`typeset`] sets it on one
-//! [`Line`], [`wrap`] breaks it into lines. A line is placed with its baseline's left end at the origin of its own
-//! frame, x right, y down, in page pixels; whoever draws it adds the place.
+//! Markup is plain text in which `$…$` holds LaTeX maths and `\$` is a dollar sign. [`typeset`] sets it on
+//! one [`Line`], [`wrap`] breaks it into lines. A line is placed with its baseline's left end at the origin
+//! of its own frame, x right, y down, in page pixels; whoever draws it adds the place.
 //!
 //! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
@@ -11,23 +11,20 @@ mod formula;
 mod line;
 mod markup;
 mod paragraph;
-mod vector;
+mod vec_accent;
 mod words;
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
-pub use formula::{LONGEST as LONGEST_FORMULA, SMALLEST as SMALLEST_SCRIPT};
 pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight};
-
-pub use paragraph::LONGEST as LONGEST_MARKUP;
 
 use paragraph::Newlines;
 
-/// Sets `markup` on one line.
+/// Sets `markup` on one line, newlines as spaces.
 ///
 /// # Errors
 ///
-/// A [`TypesetError`] with the byte offset in `markup` of malformed LaTeX, an unclosed `$`, or a character that
-/// the embedded fonts do not have.
+/// A [`TypesetError`] with the byte offset in `markup` of malformed LaTeX, an unclosed `$`, or a character
+/// that the embedded fonts do not have.
 ///
 /// ```
 /// use tracefig::typeset::{Style, typeset};
@@ -40,11 +37,12 @@ pub fn typeset(markup: &str, style: Style) -> Result<Line, TypesetError> {
     Ok(lines.into_iter().next().unwrap_or_else(|| Line::empty(markup, style)))
 }
 
-/// Sets `markup` on as few lines as fit into `width` page pixels, broken at spaces outside formulas and at newlines.
+/// Sets `markup` on as few lines as fit into `width` page pixels, broken at spaces outside formulas and at
+/// newlines.
 ///
 /// # Errors
 ///
-/// As [`typeset`].
+/// A [`TypesetError`], as [`typeset`] gives it.
 ///
 /// ```
 /// use tracefig::typeset::{Style, wrap};

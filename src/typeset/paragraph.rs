@@ -1,7 +1,7 @@
 //! Lines from words and formulas, broken where a space allows it.
 //!
-//! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces count as
-//! one, those at the ends of a line as none.
+//! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
+//! count as one, those at the ends of a line as none.
 
 use super::line::{Line, PlacedGlyph, Rule, Style, TypesetError};
 use super::markup::{Piece, characters, pieces};
@@ -11,14 +11,14 @@ use super::{formula, words};
 const X_HEIGHT: f64 = 0.486;
 
 /// Bytes of one markup; what is longer is an error. A page holds a few thousand letters.
-pub const LONGEST: usize = 10_000;
+const LONGEST: usize = 10_000;
 
 /// What a newline in the markup means.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Newlines {
-    /// It is a space.
+    /// A newline is a space.
     Spaces,
-    /// It ends the line.
+    /// A newline ends the line.
     Breaks,
 }
 
@@ -48,11 +48,14 @@ pub(super) fn lines(
     Ok(setter.lines.into_iter().map(|draft| draft.into_line(markup, style.size)).collect())
 }
 
-/// Glyphs and rules so far.
+/// A line, or a part of one, while it is set.
 #[derive(Default)]
 struct Draft {
+    /// The glyphs so far, from the draft's start.
     glyphs: Vec<PlacedGlyph>,
+    /// The rules so far, from the draft's start.
     rules: Vec<Rule>,
+    /// The advance width so far, in page pixels.
     width: f64,
 }
 
@@ -87,12 +90,19 @@ impl Draft {
 
 /// Lines, a line being filled, and the chunk without a break being set.
 struct Setter {
+    /// How words are set.
     style: Style,
+    /// What newlines mean.
     newlines: Newlines,
+    /// Page pixels that a line may take.
     width: f64,
+    /// Page pixels that a space takes.
     space: f64,
+    /// The lines that are full.
     lines: Vec<Draft>,
+    /// The line being filled.
     line: Draft,
+    /// What was set since the last space outside a formula.
     chunk: Draft,
 }
 

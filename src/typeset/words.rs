@@ -1,7 +1,7 @@
 //! Words: characters to glyphs, left to right, with the face's kerning.
 //!
-//! Latin, Greek and Cyrillic need no shaping beyond that. A sign that the word face lacks is taken from the formula
-//! face; a character that neither has is an error that names it, never an empty box.
+//! Latin, Greek and Cyrillic need no shaping beyond that. A sign that the word face lacks is taken from the
+//! formula face; a character that neither has is an error that names it, never an empty box.
 
 use ttf_parser::GlyphId;
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
@@ -11,7 +11,9 @@ use super::line::{Face, Glyph, PlacedGlyph, Style, TypesetError, Weight};
 
 /// Glyphs of a word and its advance width, in page pixels.
 pub(super) struct Word {
+    /// The glyphs, from the word's start.
     pub(super) glyphs: Vec<PlacedGlyph>,
+    /// The advance width in page pixels.
     pub(super) width: f64,
 }
 
@@ -58,14 +60,15 @@ fn glyph_of(character: char, weight: Weight) -> Option<Glyph> {
     })
 }
 
-/// Advance width in ems.
+/// The advance width of a glyph, in ems.
 fn advance(glyph: Glyph) -> f64 {
     let Some(loaded) = Loaded::of(glyph.face) else { return 0.0 };
     let units = loaded.face().glyph_hor_advance(GlyphId(glyph.id)).unwrap_or(0);
     f64::from(units) * loaded.em()
 }
 
-/// What the face moves the right glyph by, in ems; `None` across faces or without a rule for the pair.
+/// How far the face moves the right glyph of a pair, in ems, mostly below 0; `None` across faces or without a
+/// rule for the pair.
 fn kerning(left: Glyph, right: Glyph) -> Option<f64> {
     if left.face != right.face || left.face == Face::Math {
         return None;
@@ -81,6 +84,7 @@ fn kerning(left: Glyph, right: Glyph) -> Option<f64> {
         .map(|units| f64::from(units) * loaded.em())
 }
 
+/// The kerning of a pair in one table, in units of the face.
 fn pair(table: &PositioningSubtable, left: GlyphId, right: GlyphId) -> Option<i16> {
     let PositioningSubtable::Pair(adjustment) = table else { return None };
     match adjustment {
@@ -112,7 +116,8 @@ mod tests {
 
     #[test]
     fn common_latin_greek_and_cyrillic_have_glyphs_in_both_weights() {
-        let text = "Ärger über façade, ñandú; Łódź, čeština; αβγδ Ωμέγα; Жизнь, ёлка, їжак – “quotes” … ≤ ≥ ≠ × → ′ ‖ ⊖ ∈";
+        let text = "Ärger über façade, ñandú; Łódź, čeština; αβγδ Ωμέγα; Жизнь, ёлка, їжак \
+                    – “quotes” … ≤ ≥ ≠ × → ′ ‖ ⊖ ∈";
         for style in [Style::regular(14.0), Style::semibold(14.0)] {
             let word = set(text.char_indices(), style).unwrap();
             for placed in &word.glyphs {

@@ -1,20 +1,19 @@
 //! The arrow over a vector, `\\vec v`: the short one of the face, over the middle of its letter.
 //!
-//! `latex-rust` takes the arrow of relations, an em wide, ends it where the letter ends, and moves the letter aside for it.
-//! Such a box is known by that arrow; here the letter goes back to its place. Combining arrows in a face stand over letters
-//! of accent base height, so over a higher letter they are lifted by the rest (`OpenType`, table MATH; Knuth, *The
-//! `TeXbook`*, 1984, appendix G, rule 12).
+//! `latex-rust` takes the arrow of relations, an em wide, ends it where the letter ends, and moves the letter
+//! aside for it. Such a box is known by that arrow; here the letter goes back to its place. Combining arrows
+//! in a face stand over letters of accent base height, so over a higher letter they are lifted by the rest
+//! (`OpenType`, table MATH; Knuth, *The `TeXbook`*, 1984, appendix G, rule 12).
 
 use latex_rust::{BoxContent, MathBox};
 
-use super::face::Loaded;
-use super::formula::ems;
+use super::face::{Loaded, ems};
 use super::line::{Face, Glyph};
 
 /// Letters at least so wide, in ems, keep the long arrow.
 const LONG: f64 = 1.0;
 
-/// An arrow and what it stands over.
+/// Letters with an arrow over them.
 pub(super) struct Vector<'b> {
     /// The letters.
     pub(super) base: &'b MathBox,
@@ -29,7 +28,7 @@ pub(super) struct Vector<'b> {
 }
 
 impl<'b> Vector<'b> {
-    /// What two boxes over each other are, if the second is the arrow.
+    /// Two boxes over each other as a vector, if the second is the arrow.
     pub(super) fn of(children: &'b [MathBox]) -> Option<Self> {
         let [shifted, accent] = children else { return None };
         let font = Loaded::of(Face::Math)?.math()?;
