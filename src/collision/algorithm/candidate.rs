@@ -181,6 +181,7 @@ fn separation(pair: &PairView, c: &Candidate) -> Separation {
 }
 
 /// Ends an algorithm: tells how the pair stands, and answers a query of either kind.
+#[inline]
 pub(crate) fn finish(kind: QueryKind, s: Separation, tracer: &mut impl Tracer) -> Answer {
     tracer.record(|| Event::Finished { outcome: s.word() });
     answer(kind, s)

@@ -56,6 +56,7 @@ impl<'s> PairView<'s> {
     }
 
     /// The pair of a query, with the event that an algorithm starts.
+    #[inline]
     pub(crate) fn start(query: &Query<'s>, algorithm: &'static str, tracer: &mut impl Tracer) -> Self {
         let pair = Self::of(query);
         tracer.record(|| Event::Started { algorithm, at: pair.at });

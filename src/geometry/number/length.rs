@@ -9,5 +9,11 @@ const SAFE_SQUARES: std::ops::Range<f64> = 1e-280..1e280;
 #[inline]
 pub(crate) fn length(v: DVec2) -> f64 {
     let squared = v.length_squared();
-    if SAFE_SQUARES.contains(&squared) { squared.sqrt() } else { libm::hypot(v.x, v.y) }
+    if SAFE_SQUARES.contains(&squared) { squared.sqrt() } else { by_hypot(v) }
+}
+
+/// Length of a vector whose square overflows or underflows: apart, so that callers need not make room for it.
+#[cold]
+fn by_hypot(v: DVec2) -> f64 {
+    libm::hypot(v.x, v.y)
 }
