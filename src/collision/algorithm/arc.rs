@@ -164,4 +164,20 @@ mod tests {
         let exact = 5.0 + 5.0 * std::f64::consts::PI;
         assert!(bound >= exact && bound <= exact * (1.0 + 20.0 * f64::EPSILON));
     }
+
+    #[test]
+    fn vertices_that_rounding_tells_apart_are_not_both_extreme() {
+        let told = |shorter: f64| {
+            let mut a = polygon(&[[-4.0, 0.0], [0.0, -1.0], [shorter, 0.0]], 0.0);
+            a.spin = Degrees(60.0);
+            let mut trace = Trace::default();
+            ask(&a, None, &mut trace);
+            trace.events.iter().find_map(|event| match event {
+                Event::MotionBounded { vertices, .. } => Some(vertices.len()),
+                _ => None,
+            })
+        };
+        assert_eq!(told(4.0 * (1.0 - 2.0 * f64::EPSILON)), Some(2));
+        assert_eq!(told(4.0 * (1.0 - 16.0 * f64::EPSILON)), Some(1));
+    }
 }
