@@ -1,12 +1,13 @@
 //! The house stands as designed: each room of `src/` uses only the rooms that its row allows.
 //!
-//! Every path of every source file is read, `super::` chains from nested modules and paths in macro calls too. A room re-exports only what is its own, so that no arrow
-//! can go round through a neighbour, and nothing but `cli` speaks to the library's root.
+//! Every path of every source file is read, `super::` chains from nested modules and paths in macro calls
+//! too. A room re-exports only what is its own, so that no arrow can go round through a neighbour, and
+//! nothing but `cli` speaks to the library's root.
 //!
-//! A room may have rooms within it, with rows of their own. A module obeys the longest row that it is in: an inner row
-//! forbids what the outer one allows, the outer room itself included. A room may always use what lies within it; what it
-//! re-exports from there counts as what it is, not as the outer room's. Test code, modules named `tests`, obeys the
-//! outermost row alone.
+//! A room may have rooms within it, with rows of their own. A module obeys the longest row that it is in: an
+//! inner row forbids what the outer one allows, the outer room itself included. A room may always use what
+//! lies within it; what it re-exports from there counts as what it is, not as the outer room's. Test code,
+//! modules named `tests`, obeys the outermost row alone.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -291,7 +292,8 @@ fn a_planted_call_of_a_filter_is_found() {
     assert_eq!(calls(room, "mod filter; #[cfg(test)] mod tests { use super::filter::entry; }"), 0);
 }
 
-/// Lines of a file of a room's library code, the filter's own aside, that name the room's filter or what is in it.
+/// Lines of a file of a room's library code, the filter's own aside, that name the room's filter or what is
+/// in it.
 fn calls_of_filter(room: &str, relative: &Path, source: &str) -> Vec<usize> {
     let module = module_of(relative);
     let filter = format!("{room}/filter");

@@ -25,7 +25,8 @@ pub fn defined(mut path: Vec<String>) -> Vec<String> {
     path
 }
 
-/// What the source of a room's `mod.rs` re-exports from the modules that it declares, by paths relative to it.
+/// What the source of a room's `mod.rs` re-exports from the modules that it declares, by paths relative to
+/// it.
 pub fn re_exports(room: &str, source: &str) -> Vec<ReExport> {
     let module: Vec<String> = room.split('/').map(str::to_owned).collect();
     let items = syn::parse_file(source).unwrap().items;

@@ -12,8 +12,8 @@ pub const ROOMS: &[Row] = &[
     ("collision/query", &["geometry"]),
     ("collision/answer", &["geometry"]),
     ("collision/feature", &["geometry"]),
-    // The upper storey: what the article does. It enters the lower one by the items that the three rooms there re-export;
-    // the modules behind them are private.
+    // The upper storey: what the article does. It enters the lower one by the items that the three rooms
+    // there re-export; the modules behind them are private.
     (
         "collision/algorithm",
         &[
@@ -25,8 +25,8 @@ pub const ROOMS: &[Row] = &[
             "collision/certified",
         ],
     ),
-    // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls} ← impact ←
-    // sweep, no way back.
+    // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls}
+    // ← impact ← sweep, no way back.
     ("collision/certified", &[]),
     ("collision/certified/rounding", &["geometry"]),
     (

@@ -61,8 +61,8 @@ pub fn paths(relative: &Path, source: &str) -> syn::Result<Vec<Named>> {
 }
 
 impl Named {
-    /// The path of what it names, from the crate's root; None for what is not of this crate, or not told by the path
-    /// alone.
+    /// The path of what it names, from the crate's root; None for what is not of this crate, or not told by
+    /// the path alone.
     pub fn resolved(&self) -> Option<Vec<String>> {
         let mut rest = &self.segments[..];
         let mut base = match rest.first()?.as_str() {

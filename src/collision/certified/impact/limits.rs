@@ -2,9 +2,9 @@
 
 /// Width of a hit's time bounds times the closing speed, in tolerances, that doubles may leave.
 ///
-/// The filter needs 8 roundings of a gap, about 120 ε Σ ([`super::MovingPair::rounding`]): with the usual 1e-12 it takes
-/// pairs up to Σ = 150 long. At half of it, pairs half as long go by balls; at twice, bounds are that much wider than what
-/// was asked.
+/// The filter needs 8 roundings of a gap, about 120 ε Σ ([`super::MovingPair::rounding`]): with the usual
+/// 1e-12 it takes pairs up to Σ = 150 long. At half of it, pairs half as long go by balls; at twice, bounds
+/// are that much wider than what was asked.
 const ALLOWED_TOLERANCES: f64 = 4.0;
 
 /// The limits of a search.
@@ -17,8 +17,8 @@ pub(crate) struct Limits {
 }
 
 impl Limits {
-    /// How wide a hit's time bounds times the closing speed may be, in world units, where contact is proved in doubles;
-    /// balls leave less whatever the tolerance.
+    /// How wide a hit's time bounds times the closing speed may be, in world units, where contact is proved
+    /// in doubles; balls leave less whatever the tolerance.
     pub(crate) fn allowed(&self) -> f64 {
         ALLOWED_TOLERANCES * self.tolerance
     }

@@ -1,9 +1,10 @@
 //! First contact of two bodies that move and turn, proved.
 //!
-//! A question goes to the [`filter`] first: doubles find the contact, and prove it and all before it afterwards. Where it
-//! leaves something open, the [`search`] proves its way forward from t = 0, step by step, in balls where needed. At a graze
-//! the search stands still; then the ray of [`crate::collision::certified::sweep`] decides, if neither body turns. The
-//! other way round, what the ray leaves open the search may decide. Both ways out are here and nowhere else.
+//! A question goes to the [`filter`] first: doubles find the contact, and prove it and all before it
+//! afterwards. Where it leaves something open, the [`search`] proves its way forward from t = 0, step by
+//! step, in balls where needed. At a graze the search stands still; then the ray of
+//! [`crate::collision::certified::sweep`] decides, if neither body turns. The other way round, what the ray
+//! leaves open the search may decide. Both ways out are here and nowhere else.
 //!
 //! # Words
 //!
@@ -11,8 +12,8 @@
 //! apart       at a moment: the separation is above 0
 //! touch       at a moment: it is not, the bodies share a point
 //! contact     the first moment in [0, 1] at which they touch; and the pair just before it
-//! hit         an outcome: contact, enclosed between a moment `lo` until which they are proved apart, and a moment `hi` by
-//!             which they are proved to have touched
+//! hit         an outcome: contact, enclosed between lo, until which they are proved apart, and hi, by which
+//!             they are proved to have touched
 //! gap         along an axis: how far apart the bodies' shadows on it are; positive, the axis separates them
 //! used up     an axis, at the moment from which on its gap can no longer be proved positive
 //! close in    go on in balls, where the gap is within a few roundings of doubles
@@ -23,6 +24,7 @@ mod axis;
 mod closest;
 mod contact;
 mod filter;
+mod gap;
 mod limits;
 mod moving_pair;
 mod search;
@@ -37,7 +39,7 @@ use crate::collision::certified::sweep::balls;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure};
 use axis::Axis;
-use closest::{certified, nearest};
+use closest::{closest_features, separation_at};
 use contact::Before;
 use limits::Limits;
 use search::{Ended, Search};
@@ -46,16 +48,16 @@ use search::{Ended, Search};
 const UNTURNED_QUERIES: usize = 200;
 
 impl MovingPair<'_> {
-    /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a time-of-impact query,
-    /// with a `tolerance` in world units and at most about `max_iterations` distance queries. See [`MovingPair::new`] for
-    /// an example.
+    /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a
+    /// time-of-impact query, with a `tolerance` in world units and at most about `max_iterations` distance
+    /// queries. See [`MovingPair::new`] for an example.
     #[must_use]
     pub fn first_contact(&self, tolerance: f64, max_iterations: usize) -> Impact {
         self.first_contact_told(tolerance, max_iterations, |_| ())
     }
 
-    /// [`Self::first_contact`], which reports each axis that separates the bodies, in order of time, as soon as it is
-    /// proved: together they cover all of the time before the first contact that axes can prove.
+    /// [`Self::first_contact`], which reports each axis that separates the bodies, in order of time, as soon
+    /// as it is proved: together they cover all of the time before the first contact that axes can prove.
     pub(crate) fn first_contact_told(
         &self,
         tolerance: f64,
@@ -87,7 +89,7 @@ impl MovingPair<'_> {
 
     /// Whether the bodies, which are apart at `lo`, are proved to touch at some moment in (lo, hi].
     pub(crate) fn touches_between(&self, lo: f64, hi: f64) -> bool {
-        Before::new(self, lo, nearest(self, lo).0).touches_by(hi)
+        Before::new(self, lo, closest_features(self, lo).0).touches_by(hi)
     }
 
     /// A graze: where neither body turns the ray decides it exactly.
@@ -101,13 +103,14 @@ impl MovingPair<'_> {
         let pair = Pair::finely_at(a, b, 0.0);
         match balls::entry(&pair).outcome(&pair) {
             Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
-                let contact = certified(a, b, free_until, near);
+                let contact = separation_at(a, b, free_until, near);
                 Outcome::Hit { time: Enclosure { lo: free_until, hi }, contact }
             }
             Outcome::Unresolved { .. } => unresolved,
             Outcome::Miss => {
-                let normal = certified(a, b, free_until, near).normal;
-                // Without turning, a gap along a fixed axis is linear in time: positive between if it is at both ends.
+                let normal = separation_at(a, b, free_until, near).normal;
+                // Without turning, a gap along a fixed axis is linear in time: positive between if it is at
+                // both ends.
                 let axis = Axis::across(self, *normal)
                     .filter(|axis| [free_until, 1.0].iter().all(|&t| axis.separates(self, t)));
                 if let Some(axis) = axis
@@ -122,8 +125,8 @@ impl MovingPair<'_> {
     }
 }
 
-/// First contact of two bodies of which neither turns, where the ray leaves it open: around a vertex that no digits tell
-/// from the ray, axes and proofs of contact need not tell. None where they leave it open too.
+/// First contact of two bodies of which neither turns, where the ray leaves it open: around a vertex that no
+/// digits tell from the ray, axes and proofs of contact need not tell. None where they leave it open too.
 #[cold]
 pub(crate) fn by_axes(a: &Body, b: &Body) -> Option<Outcome> {
     let pair = MovingPair::new(a, b);

@@ -1,22 +1,22 @@
 //! Two bodies in relative motion, seen from the frame of one of them.
 //!
-//! Let R be the body whose frame is looked from (the *owner*) and O the other. With D(t) = `c_O` − `c_R`, V = `v_O` − `v_R`,
-//! and θ the angles, core vertex q of O is seen at
+//! Let R be the body whose frame is looked from (the *owner*) and O the other. With D(t) = `c_O` − `c_R`,
+//! V = `v_O` − `v_R`, and θ the angles, core vertex q of O is seen at
 //!
 //! ```text
 //! x(t) = Rot(−θ_R) D(t) + Rot(θ_O − θ_R) q
 //! ```
 //!
-//! while R's vertices stay the file's own numbers. Positions and velocities enter only as exact differences, angles as
-//! exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the world's origin.
-//! Everything is given twice: in doubles with one a priori bound on the error, and in balls.
+//! while R's vertices stay the file's own numbers. Positions and velocities enter only as exact differences,
+//! angles as exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the
+//! world's origin. Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
 use crate::collision::certified::rounding::{MOVING_GAP_ERROR, TAME};
 use crate::geometry::number::cos_sin;
 use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Rotation, Side, Turn, perp};
 
-/// Two bodies in relative motion, ready to be asked for their first contact: cosines and sines at t = 0, spins in radians,
-/// differences of positions and velocities.
+/// Two bodies in relative motion, ready to be asked for their first contact: cosines and sines at t = 0,
+/// spins in radians, differences of positions and velocities.
 ///
 /// Lengths in it are multiplied by a power of two where products would overflow or underflow.
 #[derive(Clone, Debug)]
@@ -29,35 +29,36 @@ pub struct MovingPair<'q> {
     apart: [Dd; 2],
     /// `v_B` − `v_A`, exactly.
     velocity: [Dd; 2],
-    /// Angle at t = 0 and spin; none for a body whose core is its own origin, which
-    /// looks the same from all sides: its frame is the world's.
+    /// Angle at t = 0 and spin of A and B; none for a body whose core is its own origin, which looks the same
+    /// from everywhere: its frame is the world's.
     turning: [(Degrees, Degrees); 2],
     /// From the frames of A and B to the world, at t = 0.
     pub(crate) start: [Rotation<f64>; 2],
     /// Whether both are turned alike at all times.
     aligned: bool,
-    /// Spin in radians per unit of time.
+    /// Spins of A and B, in radians per unit of time.
     pub(crate) rate: [f64; 2],
-    /// At least the distance of any core vertex from its body's origin.
+    /// At least the distance of any core vertex of A, and of B, from its body's origin.
     pub(crate) reach: [f64; 2],
     /// `r_A` + `r_B`, exactly.
     pub(crate) radius: Dd,
-    /// Bound on the error of any coordinate or dot product with a unit vector that is computed here in doubles.
+    /// Bound on the error of any coordinate or dot product with a unit vector that is computed here in
+    /// doubles.
     pub(crate) rounding: f64,
 }
 
-/// What one body sees of the other at a moment.
+/// Where the other body is in the owner's frame at a moment.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Seen<N> {
+pub(crate) struct RelativePose<N> {
     /// D in R's frame.
     pub(crate) offset: [N; 2],
     /// From O's frame to R's, by `θ_O` − `θ_R`.
     pub(crate) rotation: Rotation<N>,
 }
 
-/// How a body and the other one are turned at a moment, in doubles.
+/// How the two bodies are turned at a moment, in doubles.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct View {
+pub(crate) struct Rotations {
     /// From the owner's frame to the world.
     own: Rotation<f64>,
     /// From the other body's frame to the owner's.
@@ -70,11 +71,13 @@ impl<'q> MovingPair<'q> {
     /// ```
     /// use tracefig::collision::{MovingPair, Outcome};
     /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
-    /// let bar = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::new(2.0, 0.5)))]).unwrap();
+    /// let half_extents = FieldValue::Point(DVec2::new(2.0, 0.5));
+    /// let bar = Shape::of_kind("box", &[("half_extents", half_extents)]).unwrap();
     /// let at = |x, spin| Body {
-    ///     shape: bar.clone(), position: DVec2::new(x, 0.0), angle: Degrees(90.0), velocity: DVec2::ZERO, spin: Degrees(spin),
+    ///     shape: bar.clone(), position: DVec2::new(x, 0.0), angle: Degrees(90.0),
+    ///     velocity: DVec2::ZERO, spin: Degrees(spin),
     /// };
-    /// // The turning bar's far end meets the other bar's side.
+    /// // The turning bar's far end meets the other bar's edge.
     /// let (a, b) = (at(0.0, 90.0), at(2.0, 0.0));
     /// let impact = MovingPair::new(&a, &b).first_contact(1e-12, 100);
     /// let Outcome::Hit { time, .. } = impact.outcome else { panic!() };
@@ -132,13 +135,13 @@ impl<'q> MovingPair<'q> {
         self.turning.iter().all(|(_, spin)| spin.0 == 0.0)
     }
 
-    /// Whether a body's frame is turned like the world's.
-    pub(crate) fn faces_the_world(&self, side: Side) -> bool {
+    /// Whether a body's frame is turned like the world's at all times.
+    pub(crate) fn is_never_turned(&self, side: Side) -> bool {
         self.turning[side as usize] == UNTURNED
     }
 
-    /// The body that turns less: A where they turn alike.
-    pub(crate) fn calmer(&self) -> Side {
+    /// The body that turns more slowly: A where they turn alike.
+    pub(crate) fn slower_turning(&self) -> Side {
         if self.rate[0].abs() <= self.rate[1].abs() { Side::A } else { Side::B }
     }
 
@@ -159,35 +162,40 @@ impl<'q> MovingPair<'q> {
 
     /// How the bodies are turned at `t`.
     #[inline]
-    pub(crate) fn view(&self, owner: Side, t: f64) -> View {
+    pub(crate) fn rotations(&self, owner: Side, t: f64) -> Rotations {
         let own = self.rotation(owner, t);
         let relative = if self.aligned {
             Rotation::<f64>::NONE
         } else {
             self.rotation(owner.other(), t).then(own.inverse())
         };
-        View { own, relative }
+        Rotations { own, relative }
     }
 
-    /// What `owner` sees at `t`, in doubles.
+    /// Where the other body is in `owner`'s frame at `t`, in doubles.
     #[inline]
-    pub(crate) fn seen(&self, owner: Side, t: f64, view: &View) -> Seen<f64> {
-        let d = view.turned(self.offset(owner, t).0);
-        Seen { offset: [d.x, d.y], rotation: view.relative }
+    pub(crate) fn relative_pose(&self, owner: Side, t: f64, rotations: &Rotations) -> RelativePose<f64> {
+        let d = rotations.seen_by_owner(self.offset(owner, t).0);
+        RelativePose { offset: [d.x, d.y], rotation: rotations.relative }
     }
 
     /// How fast `owner` sees vertex q of the other core move, in doubles.
     ///
     /// x' = Rot(−`θ_R`) V − `ω_R` perp(x) + `ω_O` perp(Rot(`θ_O` − `θ_R`) q)
-    pub(crate) fn velocity_of(&self, owner: Side, q: DVec2, (view, seen): (&View, &Seen<f64>)) -> DVec2 {
+    pub(crate) fn velocity_of(
+        &self,
+        owner: Side,
+        q: DVec2,
+        (rotations, pose): (&Rotations, &RelativePose<f64>),
+    ) -> DVec2 {
         let (_, v) = self.offset(owner, 0.0);
-        let turned = seen.rotation.apply(q);
-        view.turned(v) - perp(seen.point(q)) * self.rate[owner as usize]
+        let turned = pose.rotation.apply(q);
+        rotations.seen_by_owner(v) - perp(pose.point(q)) * self.rate[owner as usize]
             + perp(turned) * self.rate[owner.other() as usize]
     }
 
-    /// What `owner` sees at `t`, in balls.
-    pub(crate) fn seen_fine(&self, owner: Side, t: f64) -> Seen<Ball> {
+    /// Where the other body is in `owner`'s frame at `t`, in balls.
+    pub(crate) fn relative_pose_in_balls(&self, owner: Side, t: f64) -> RelativePose<Ball> {
         let (angle, spin) = self.turning[owner as usize];
         let at = |k: usize| {
             let d = Ball::exact(self.apart[k]) + Ball::exact(self.velocity[k]).scale(t);
@@ -195,11 +203,11 @@ impl<'q> MovingPair<'q> {
         };
         let offset = Turn::at(angle, spin, t).rotation_in_balls().undo([at(0), at(1)]);
         let between = Turn::between(self.turning[owner as usize], self.turning[owner.other() as usize], t);
-        Seen { offset, rotation: between.rotation_in_balls() }
+        RelativePose { offset, rotation: between.rotation_in_balls() }
     }
 
-    /// Bound on the speed at which any point of the other core moves, seen from `owner`'s frame, at any time in
-    /// [0, 1].
+    /// Bound on the speed at which any point of the other core moves, seen from `owner`'s frame, at any time
+    /// in [0, 1].
     pub(crate) fn speed(&self, owner: Side) -> f64 {
         let (r, o) = (owner as usize, owner.other() as usize);
         let norm = |v: &[Dd; 2]| v[0].hi.abs() + v[1].hi.abs();
@@ -220,22 +228,22 @@ impl<'q> MovingPair<'q> {
     }
 }
 
-impl View {
+impl Rotations {
     /// A world vector in the owner's frame.
     #[inline]
-    pub(crate) fn turned(&self, v: DVec2) -> DVec2 {
+    pub(crate) fn seen_by_owner(&self, v: DVec2) -> DVec2 {
         self.own.undo(v)
     }
 }
 
-impl Seen<f64> {
+impl RelativePose<f64> {
     /// A point of the other body, in the owner's frame.
     pub(crate) fn point(&self, q: DVec2) -> DVec2 {
         DVec2::from(self.offset) + self.rotation.apply(q)
     }
 }
 
-impl Seen<Ball> {
+impl RelativePose<Ball> {
     /// A point of the other body, in the owner's frame.
     pub(crate) fn point(&self, q: [Ball; 2]) -> [Ball; 2] {
         let [x, y] = self.rotation.apply(q);

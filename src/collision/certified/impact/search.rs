@@ -1,32 +1,37 @@
-//! The full search for the first contact: separating axes that turn with the bodies, followed one after another.
+//! The full search for the first contact: separating axes that turn with the bodies, followed one after
+//! another.
 //!
-//! A distance query gives a separating axis. Fixed in the frame of the body that owns it, the axis goes on separating for a
-//! while, and how long is known to third order ([`crate::collision::certified::impact::axis`]): follow it until it is used
-//! up, then ask for a new one. Close to contact the gap is evaluated in balls, and contact just after the last proved
-//! moment is proved by [`crate::collision::certified::impact::contact`].
+//! A distance query gives a separating axis. Fixed in the frame of the body that owns it, the axis goes on
+//! separating for a while, and how long is known to third order
+//! ([`crate::collision::certified::impact::axis`]): follow it until it is used up, then ask for a new one.
+//! Close to contact the gap is evaluated in balls, and contact just after the last proved moment is proved by
+//! [`crate::collision::certified::impact::contact`].
 //!
-//! The step is never longer than the truth, so the first contact is never missed, however many turns there are; it
-//! converges cubically at a crossing, where the article's conservative advancement gains a constant factor each time.
+//! The step is never longer than the truth, so the first contact is never missed, however many turns there
+//! are; it converges cubically at a crossing, where the article's conservative advancement gains a constant
+//! factor each time.
 //!
-//! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game Developers Conference
-//! 2013; the certified Taylor step along it is this library's own.
+//! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game
+//! Developers Conference 2013; the certified Taylor step along it is this library's own.
 
 use crate::collision::answer::{Outcome, Reason, Separation};
-use crate::collision::certified::impact::axis::{Axis, AxisSpan, Precision, Swept};
-use crate::collision::certified::impact::closest::{certified, nearest};
-use crate::collision::certified::impact::contact::{Before, touches_plainly};
+use crate::collision::certified::impact::axis::{Axis, AxisSpan, Followed};
+use crate::collision::certified::impact::closest::{closest_features, separation_at};
+use crate::collision::certified::impact::contact::{Before, touches_in_doubles};
+use crate::collision::certified::impact::gap::Precision;
 use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::Enclosure;
 
-/// A plain separation below this many roundings is looked at in balls.
+/// A separation in doubles below this many roundings is looked at in balls.
 const CLOSE: f64 = 64.0;
 
 /// An axis that lasts for this part of the rest of the motion is not compared with another one.
 const GOOD_PROGRESS: f64 = 1.0 / 16.0;
 
-/// The first trial of proved contact in balls is this many roundings of doubles past the end of the gap: below 4 ε·S.
+/// The first trial of proved contact in balls is this many roundings of doubles past the end of the gap:
+/// below 4 ε·S.
 const ENOUGH: f64 = 1.0 / 32.0;
 
 /// Trials of a time of proved contact, each four times as far beyond the last free moment as the one before.
@@ -80,17 +85,17 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
 
     /// Certified steps from t = 0 on.
     fn step_by_step(&mut self) -> Ended {
-        let (mut near, gap) = self.nearest(0.0);
+        let (mut near, gap) = self.closest(0.0);
         if gap < CLOSE * self.pair.rounding {
-            let start = self.certified(0.0, near);
+            let start = self.separation_at(0.0, near);
             if start.bounds.lo <= 0.0 {
                 return Ended::Decided(Outcome::at_start(&start));
             }
         }
         let mut t = 0.0;
         loop {
-            let followed = self.sweep(near, t, Precision::Plain);
-            let until = followed.map_or(t, |(_, swept)| swept.until);
+            let followed = self.follow_longest(near, t, Precision::Doubles);
+            let until = followed.map_or(t, |axis| axis.until);
             if until >= 1.0 {
                 return Ended::Decided(Outcome::Miss);
             }
@@ -101,41 +106,41 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
                 return Ended::Decided(Outcome::Unresolved { reason, free_until: t });
             }
             let gap;
-            (near, gap) = self.nearest(t);
+            (near, gap) = self.closest(t);
             if stuck || gap < CLOSE * self.pair.rounding {
-                if let Some(hit) = followed.and_then(|followed| self.plain_contact(&followed, near)) {
+                if let Some(hit) = followed.and_then(|followed| self.contact_in_doubles(&followed, near)) {
                     return Ended::Decided(hit);
                 }
                 t = match self.close_in(near, t) {
                     Closed::Reopened(next) => next,
                     Closed::Ended(ended) => return ended,
                 };
-                near = self.nearest(t).0;
+                near = self.closest(t).0;
             }
         }
     }
 
-    /// Follows an axis of the given features from `t`, the one that lasts longer if there are two; reports it.
-    fn sweep(&mut self, near: DifferenceFeature, t: f64, precision: Precision) -> Option<(Axis, Swept)> {
+    /// Follows an axis of the given features from `t` and reports it; of two, the one that lasts longer.
+    fn follow_longest(&mut self, near: DifferenceFeature, t: f64, precision: Precision) -> Option<Followed> {
         let ahead = self.follow(Axis::ahead(self.pair, near, t), t, precision);
-        if ahead.is_some_and(|(_, swept)| swept.until > t + GOOD_PROGRESS * (1.0 - t)) {
+        if ahead.is_some_and(|ahead| ahead.until > t + GOOD_PROGRESS * (1.0 - t)) {
             return self.reported(ahead, t);
         }
         let through = self.follow(Axis::through(self.pair, near, t), t, precision);
         let longest = match (ahead, through) {
-            (Some(x), Some(y)) => Some(if x.1.until > y.1.until { x } else { y }),
+            (Some(x), Some(y)) => Some(if x.until > y.until { x } else { y }),
             (x, y) => x.or(y),
         };
         self.reported(longest, t)
     }
 
-    fn follow(&self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<(Axis, Swept)> {
-        axis.map(|axis| (axis, axis.sweep(self.pair, t, precision)))
+    fn follow(&self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<Followed> {
+        axis.map(|axis| axis.follow(self.pair, t, precision))
     }
 
     /// A followed axis, once what it proved from `t` on is reported.
-    fn reported(&mut self, followed: Option<(Axis, Swept)>, t: f64) -> Option<(Axis, Swept)> {
-        if let Some((axis, Swept { until, .. })) = followed
+    fn reported(&mut self, followed: Option<Followed>, t: f64) -> Option<Followed> {
+        if let Some(Followed { axis, until, .. }) = followed
             && until > t
         {
             (self.report)(AxisSpan { axis, from: t, to: until });
@@ -144,66 +149,66 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
     }
 
     /// Contact proved in doubles, where their rounding is within what the tolerance allows.
-    fn plain_contact(&self, (axis, swept): &(Axis, Swept), near: DifferenceFeature) -> Option<Outcome> {
-        let speed = -swept.slope;
-        if swept.gap <= 0.0 || speed <= 0.0 {
+    fn contact_in_doubles(&self, followed: &Followed, near: DifferenceFeature) -> Option<Outcome> {
+        let speed = -followed.slope;
+        if followed.gap <= 0.0 || speed <= 0.0 {
             return None;
         }
         // Three roundings past where the line through the last two derivatives says the gap is used up.
-        let hi = (swept.at + (swept.gap + 4.0 * self.pair.rounding) / speed).min(1.0);
-        let lo = swept.until;
+        let hi = (followed.at + (followed.gap + 4.0 * self.pair.rounding) / speed).min(1.0);
+        let lo = followed.until;
         let allowed = self.limits.allowed() * self.pair.unit;
-        if (hi - lo) * speed > allowed || !touches_plainly(self.pair, axis, near, (lo, hi)) {
+        if (hi - lo) * speed > allowed || !touches_in_doubles(self.pair, &followed.axis, near, (lo, hi)) {
             return None;
         }
-        Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: self.certified(lo, near) })
+        Some(Outcome::Hit { time: Enclosure { lo, hi }, contact: self.separation_at(lo, near) })
     }
 
-    /// At a tiny gap, or where the features gave no axis: goes on in balls, and where that ends, proves contact.
+    /// Goes on in balls, at a tiny gap or where the features gave no axis; where that ends, proves contact.
     fn close_in(&mut self, near: DifferenceFeature, from: f64) -> Closed {
         let (mut t, mut near) = (from, near);
-        let still = Swept { until: from, at: from, gap: 0.0, slope: 0.0 };
         loop {
-            let mut swept = self.sweep(near, t, Precision::Fine).map_or(still, |(_, swept)| swept);
-            if swept.until <= t {
-                let proved = self.certified(t, near);
+            let mut followed = self.follow_longest(near, t, Precision::Balls);
+            if followed.is_none_or(|axis| axis.until <= t) {
+                let proved = self.separation_at(t, near);
                 if proved.bounds.lo * self.pair.unit > self.pair.rounding {
-                    let axis = Axis::along(self.pair, *proved.normal, t);
-                    let followed = self.follow(axis, t, Precision::Fine);
-                    swept = self.reported(followed, t).map_or(still, |(_, swept)| swept);
+                    let along = self.follow(Axis::along(self.pair, *proved.normal, t), t, Precision::Balls);
+                    followed = self.reported(along, t);
                 }
             }
-            if swept.until >= 1.0 {
+            let until = followed.map_or(t, |axis| axis.until);
+            if until >= 1.0 {
                 return Closed::Ended(Ended::Decided(Outcome::Miss));
             }
-            let stuck = swept.until <= t;
-            t = t.max(swept.until);
+            let stuck = until <= t;
+            t = t.max(until);
             let trials = if stuck { CONTACT_TRIALS } else { 1 };
-            if let Some(hit) = self.prove_contact(t, near, (swept.gap, -swept.slope), trials) {
+            let closing = followed.map_or((0.0, 0.0), |axis| (axis.gap, -axis.slope));
+            if let Some(hit) = self.prove_contact(t, near, closing, trials) {
                 return Closed::Ended(Ended::Decided(hit));
             }
             if stuck {
                 return Closed::Ended(Ended::Grazing { free_until: t, near });
             }
             let gap;
-            (near, gap) = self.nearest(t);
+            (near, gap) = self.closest(t);
             if gap > CLOSE * self.pair.rounding {
                 return Closed::Reopened(t);
             }
         }
     }
 
-    /// The closest features at `t` and the plain separation, in scaled units.
-    fn nearest(&mut self, t: f64) -> (DifferenceFeature, f64) {
+    /// The closest features at `t` and the separation there in doubles, in scaled units.
+    fn closest(&mut self, t: f64) -> (DifferenceFeature, f64) {
         self.queries += 1;
-        let (features, distance) = nearest(self.pair, t);
+        let (features, distance) = closest_features(self.pair, t);
         (features, distance - self.pair.radius.hi)
     }
 
     /// The certified separation at `t`, looked for at the given features first.
-    fn certified(&self, t: f64, near: DifferenceFeature) -> Separation {
+    fn separation_at(&self, t: f64, near: DifferenceFeature) -> Separation {
         let [a, b] = self.pair.bodies;
-        certified(a, b, t, near)
+        separation_at(a, b, t, near)
     }
 
     /// Contact just after `lo`, the last moment proved free, where a gap closes at `speed`.
@@ -222,7 +227,7 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
             let hi = (lo + width).min(1.0);
             if before.touches_by(hi) {
                 let hi = if trial == 0 { hi } else { Self::narrow(&before, lo, hi) };
-                let contact = self.certified(lo, near);
+                let contact = self.separation_at(lo, near);
                 return Some(Outcome::Hit { time: Enclosure { lo, hi }, contact });
             }
             if hi >= 1.0 {

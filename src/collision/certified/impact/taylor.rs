@@ -1,5 +1,5 @@
-//! How long a quantity that starts positive surely stays positive, from its value, two derivatives and a bound on the
-//! third.
+//! How long a quantity that starts positive surely stays positive, from its value, two derivatives and a
+//! bound on the third.
 //!
 //! For f with f(0) ≥ a > 0, f'(0) ≥ b, f''(0) ≥ c and |f'''| ≤ M, Taylor's theorem gives for all h ≥ 0
 //!
@@ -7,14 +7,14 @@
 //! f(h) ≥ a + b h + ½ c h² − ⅙ M h³
 //! ```
 //!
-//! and on [0, H], where h³ ≤ H h², the parabola a + b h + ½ (c − ⅓ M H) h². Its first root r needs no iteration and no
-//! cancellation, r = 2a / (−b + √(b² − 2aq)), and f is positive on [0, min(r, H)). Trying H near r itself makes
-//! the parabola as good as the cubic: the order is three at a crossing, 3/2 at a graze.
+//! and on [0, H], where h³ ≤ H h², the parabola a + b h + ½ (c − ⅓ M H) h². Its first root r needs no
+//! iteration and no cancellation, r = 2a / (−b + √(b² − 2aq)), and f is positive on [0, min(r, H)). Trying H
+//! near r itself makes the parabola as good as the cubic: the order is three at a crossing, 3/2 at a graze.
 
 use crate::collision::certified::rounding::ROOT_ERROR;
 
-/// Value and derivatives of a quantity at one moment, each a lower bound, and a bound on the third derivative over the
-/// whole motion.
+/// Value and derivatives of a quantity at one moment, each a lower bound, and a bound on the third derivative
+/// over the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Taylor {
     /// f, positive; world units.
@@ -28,8 +28,8 @@ pub(crate) struct Taylor {
 }
 
 impl Taylor {
-    /// Whether f is positive on [0, `limit`] even if each term is as low as it gets there: a quick test that lets most
-    /// vertices pass.
+    /// Whether f is positive on [0, `limit`] even if each term is as low as it gets there: a cheap test that
+    /// lets most vertices pass.
     #[inline]
     pub(crate) fn stays_positive(&self, limit: f64) -> bool {
         let fall = self.slope.min(0.0) + limit * (0.5 * self.curvature.min(0.0) - limit * self.third / 6.0);
@@ -40,12 +40,14 @@ impl Taylor {
 /// H is first tried this much beyond the root of the tangent.
 const BEYOND_TANGENT: f64 = 1.25;
 
-/// A second H is tried where the first leaves more than this part of it unproved: it then gains more than it costs.
+/// A second H is tried where the first leaves more than this part of it unproved: it then gains more than it
+/// costs.
 const WORTHWHILE: f64 = 0.25;
 
 /// A time h ≤ `limit` such that f > 0 on [0, h].
 ///
-/// Dimension: time, as `limit`. Never more than the true first root; close to it where M h³ is small against `value`.
+/// Dimension: time, as `limit`. Never more than the true first root; close to it where M h³ is small against
+/// `value`.
 pub(crate) fn positive_until(f: Taylor, limit: f64) -> f64 {
     let root = |horizon: f64| parabola_root(f.value, f.slope, f.curvature - f.third * horizon / 3.0);
     let near = if f.slope < 0.0 { limit.min(BEYOND_TANGENT * f.value / -f.slope) } else { limit };
@@ -54,7 +56,8 @@ pub(crate) fn positive_until(f: Taylor, limit: f64) -> f64 {
     if proved >= limit || (first < near && first > near * (1.0 - WORTHWHILE)) {
         return proved;
     }
-    // The root grows as H shrinks: where it is before H, a better H is between the two; else there may be none at all.
+    // The root grows as H shrinks: where it is before H, a better H is between the two; else there may be
+    // none at all.
     let far = if first < near { 0.5 * (first + near) } else { limit };
     proved.max(root(far).min(far))
 }

@@ -1,7 +1,7 @@
 //! The ray against B ⊖ A in balls: where it enters, decided by signs that are certain.
 //!
-//! Along the normal n of an edge (from A to B) let g be the gap of the cores at t = 0, p a vertex of B ⊖ A, and
-//! ρ = `r_A` + `r_B`. Then
+//! Along the normal n of an edge (from A to B) let g be the gap of the cores at t = 0, p a vertex of B ⊖ A,
+//! and ρ = `r_A` + `r_B`. Then
 //!
 //! ```text
 //! v·n > 0                                   the edge faces the ray; the others are skipped
@@ -9,13 +9,13 @@
 //! t = c / (v·p + √(ρ² |v|² − cross(v, p)²)),  c = |p|² − ρ²        where it meets the disc at a vertex p
 //! ```
 //!
-//! A ray enters a convex polygon through the facing edge whose line it meets last. Where that is within the edge, it is
-//! the answer; beyond its end only the disc at that vertex is left, and where ρ = 0 a ray that passes. Every sign is that
-//! of a ball, so that a graze is a hit exactly if the signs say so; a sign that 106 bits do not tell is
-//! [`Entry::Unsure`].
+//! A ray enters a convex polygon through the facing edge whose line it meets last. Where that is within the
+//! edge, it is the answer; beyond its end only the disc at that vertex is left, and where ρ = 0 a ray that
+//! passes. Every sign is that of a ball, so that a graze is a hit exactly if the signs say so; a sign that
+//! 106 bits do not tell is [`Entry::Unsure`].
 //!
-//! Source: the line that is met last is Cyrus and Beck, *Generalized two- and three-dimensional clipping*, 1978; the root
-//! without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
+//! Source: the line that is met last is Cyrus and Beck, *Generalized two- and three-dimensional clipping*,
+//! 1978; the root without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
 
 use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, minus, reversed};
 use crate::collision::certified::distance::gaps::pass;
@@ -132,8 +132,8 @@ impl Ray<'_, '_> {
         TimeQuotient { numerator: gap, denominator: dot(&n, &self.v) }
     }
 
-    /// Where along an edge of B ⊖ A the ray is at time `t`: of a parallel edge of the other body, all counts that is over
-    /// the edge.
+    /// Where along an edge of B ⊖ A the ray is at time `t`: of a parallel edge of the other body, all counts
+    /// that is over the edge.
     fn meeting_point(&self, way: &Way, t: Ball) -> MeetingPoint {
         let DifferenceEdge { source, edge, vertex } = way.facing;
         let (own, other) = (self.pair.hull(source), self.pair.hull(source.other()));
@@ -187,8 +187,8 @@ impl Ray<'_, '_> {
         }
     }
 
-    /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than it meets
-    /// B ⊖ A itself.
+    /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than
+    /// it meets B ⊖ A itself.
     fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> Option<TimeQuotient> {
         let (p, v, t) = (self.fine.between(i, j), self.direction(), entry.value().value.hi);
         let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
@@ -203,8 +203,8 @@ impl Ray<'_, '_> {
         closing.is_positive().then(|| TimeQuotient { numerator: gap.widen(drop), denominator: closing })
     }
 
-    /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side of it
-    /// (1: left).
+    /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side
+    /// of it (1: left).
     fn passes(&self, [i, j]: [usize; 2], side: i8) -> Entry {
         let left = [-self.v[1], self.v[0]];
         let away = if side > 0 { left } else { reversed(&left) };

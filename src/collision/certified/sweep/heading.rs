@@ -15,7 +15,8 @@ pub(crate) struct Heading {
 }
 
 impl Heading {
-    /// The heading of a pair at t = 0; None where products of its doubles may leave their range, or nothing moves.
+    /// The heading of a pair at t = 0; None where products of its doubles may leave their range, or nothing
+    /// moves.
     #[inline]
     pub(crate) fn of(pair: &Pair) -> Option<Self> {
         let (v, error) = pair.closing_tailed()?;

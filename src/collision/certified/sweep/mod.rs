@@ -1,13 +1,13 @@
 //! First contact of two bodies that do not turn, proved.
 //!
-//! What stands ready in a [`Sweep`] is what a relative pose and a relative velocity are made of: where B is and how it is
-//! turned in A's frame, and the ray's direction there. Everything that is a search happens when the question is asked, of
-//! three in this order:
+//! What stands ready in a [`Sweep`] is what a relative pose and a relative velocity are made of: where B is
+//! and how it is turned in A's frame, and the ray's direction there. Everything that is a search happens when
+//! the question is asked, of three in this order:
 //!
 //! 1. [`filter`]: doubles find where the ray enters B ⊖ A and mostly prove it;
 //! 2. [`balls`]: else signs that are certain;
-//! 3. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no digits
-//!    ([`crate::collision::certified::impact::by_axes`]).
+//! 3. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no
+//!    digits ([`crate::collision::certified::impact::by_axes`]).
 
 pub(super) mod balls;
 mod filter;
@@ -32,8 +32,8 @@ pub struct Sweep<'s> {
 }
 
 impl<'s> Sweep<'s> {
-    /// The two bodies at t = 0 and the direction of the ray, with cosines and sines to twice the precision of a double, which
-    /// nearly every hit needs. Spins are not looked at.
+    /// The two bodies at t = 0 and the direction of the ray, with cosines and sines to twice the precision of
+    /// a double, which nearly every hit needs. Spins are not looked at.
     ///
     /// ```
     /// use tracefig::collision::{Outcome, Sweep};
@@ -57,8 +57,8 @@ impl<'s> Sweep<'s> {
 
     /// When and how the bodies meet first.
     ///
-    /// Times are in [0, 1]; the bounds enclose the exact time of the bodies as their doubles say it, mostly between two
-    /// neighbouring doubles. A contact is the pair at `time.lo`, in world units.
+    /// Times are in [0, 1]; the bounds enclose the exact time of the bodies as their doubles say it, mostly
+    /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units.
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
         match self.entry().outcome(&self.pair) {
@@ -67,8 +67,8 @@ impl<'s> Sweep<'s> {
         }
     }
 
-    /// The edge or vertex of B ⊖ A through which the ray's line enters it, now or at any other time; None where it passes,
-    /// or that is not certain.
+    /// The edge or vertex of B ⊖ A through which the ray's line enters it, now or at any other time; None
+    /// where it passes, or that is not certain.
     pub(crate) fn entered(&self) -> Option<DifferenceFeature> {
         match self.entry() {
             Entry::At { feature, .. } => Some(feature),

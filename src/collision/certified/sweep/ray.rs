@@ -1,8 +1,9 @@
 //! Linear sweep as one ray against B ⊖ A: where it enters, and what that says of the bodies.
 //!
-//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters B ⊖ A. The
-//! ray's *line* enters a convex set once if at all, at some time in (−∞, ∞). In [0, 1] that is the first contact, later is
-//! none; before 0 the bodies overlap, or have passed each other, which their separation at t = 0 tells.
+//! Seen from A, B moves by −v, v = `v_A` − `v_B`; so A meets B when the ray r(t) = t v from the origin enters
+//! B ⊖ A. The ray's *line* enters a convex set once if at all, at some time in (−∞, ∞). In [0, 1] that is the
+//! first contact, later is none; before 0 the bodies overlap, or have passed each other, which their
+//! separation at t = 0 tells.
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
@@ -24,7 +25,8 @@ pub(crate) enum Entry {
     At {
         /// The edge of B ⊖ A, or the vertex at whose disc.
         feature: DifferenceFeature,
-        /// Encloses the time of entry, which may be negative or above 1; free of contact up to `lo` if that is in [0, 1].
+        /// Encloses the time of entry, which may be negative or above 1; free of contact up to `lo` if that
+        /// is in [0, 1].
         time: Enclosure,
         /// The pair at `time.lo`, where it is proved with the entry.
         contact: Option<Proved>,

@@ -1,15 +1,14 @@
-//! The proof that two bodies stay apart until a moment, put together backwards from the axes that a search used.
+//! The proof that two bodies stay apart until a moment, put together backwards from the axes that a search
+//! used.
 //!
-//! The last axis parts the bodies just before contact, and by the chord of [`crate::collision::certified::impact::filter::gap_series`] for a long while before,
-//! often from t = 0 on. Where it does not, the axis before takes over: each parts the bodies at the moment at which it was
+//! The last axis separates the bodies just before contact, and by the chord of
+//! [`crate::collision::certified::impact::filter::gap_series`] for a long while before, often from t = 0 on.
+//! Where it does not, the axis before takes over: each separates the bodies at the moment at which it was
 //! found, so that between two such moments there is one at which both do.
 
 use crate::collision::certified::impact::axis::{Axis, AxisSpan};
-use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap};
+use crate::collision::certified::impact::filter::gap_series::{Instant, OpenAxis, TurnedGap};
 use crate::collision::certified::impact::moving_pair::MovingPair;
-
-/// An axis and its gap at the moment at which it was found.
-pub(crate) type Parted = (Axis, TurnedGap);
 
 /// Axes that a proof can be made of.
 pub(crate) const AXES: usize = 12;
@@ -26,27 +25,28 @@ const HALVINGS: usize = 8;
 /// Moments tried between two axes, to go over from one to the other.
 const SPLITS: usize = 8;
 
-/// Legs that reach from the end back to the start.
+/// Axes whose spans reach from the end back to the start, as far as they are proved.
 pub(crate) struct Proof<'p, 'q> {
     pair: &'p MovingPair<'q>,
     /// Bound on the error of a gap.
     error: f64,
-    /// The last one first.
-    legs: [Option<AxisSpan>; 2 * AXES],
+    /// What is proved, the last axis first.
+    spans: [Option<AxisSpan>; 2 * AXES],
+    /// How many of them there are.
     count: usize,
 }
 
 impl<'p, 'q> Proof<'p, 'q> {
-    /// No leg yet; `error` bounds that of a gap.
+    /// Nothing proved yet; `error` bounds that of a gap.
     pub(crate) fn new(pair: &'p MovingPair<'q>, error: f64) -> Self {
-        Self { pair, error, legs: [None; 2 * AXES], count: 0 }
+        Self { pair, error, spans: [None; 2 * AXES], count: 0 }
     }
 
-    /// Proves that the pair is apart from the start to the moment of `last`, a gap of the last of the axes; None where the
-    /// proof is not found.
-    pub(crate) fn reach(&mut self, axes: &[Option<Parted>], last: TurnedGap) -> Option<()> {
-        let (&(axis, found), before) =
-            axes.split_last().and_then(|(last, all)| Some((last.as_ref()?, all)))?;
+    /// Proves that the pair is apart from the start to the moment of `last`, a gap of the last of the axes;
+    /// None where the proof is not found.
+    pub(crate) fn reach(&mut self, axes: &[Option<OpenAxis>], last: TurnedGap) -> Option<()> {
+        let (used, before) = axes.split_last()?;
+        let OpenAxis { axis, gap: found } = (*used)?;
         let midpoints = if before.is_empty() { MIDPOINTS } else { FEW_MIDPOINTS };
         if let Some(first) = axis.turned_gap(self.pair, &Instant::start(self.pair), found.lowest)
             && self.is_open(&axis, first, last, midpoints)
@@ -58,7 +58,7 @@ impl<'p, 'q> Proof<'p, 'q> {
             return None;
         }
         self.add(axis, found.t, last.t);
-        let mut later = (axis, found);
+        let mut later = OpenAxis { axis, gap: found };
         for earlier in before.iter().rev() {
             let earlier = (*earlier)?;
             self.go_over(earlier, later)?;
@@ -69,11 +69,12 @@ impl<'p, 'q> Proof<'p, 'q> {
 
     /// The axes with their spans, in order of time.
     pub(crate) fn spans(&self) -> impl Iterator<Item = &AxisSpan> {
-        self.legs[..self.count].iter().rev().flatten()
+        self.spans[..self.count].iter().rev().flatten()
     }
 
     /// From the moment of one axis to that of the next.
-    fn go_over(&mut self, (before, early): Parted, (after, late): Parted) -> Option<()> {
+    fn go_over(&mut self, earlier: OpenAxis, later: OpenAxis) -> Option<()> {
+        let (OpenAxis { axis: before, gap: early }, OpenAxis { axis: after, gap: late }) = (earlier, later);
         let length = late.t - early.t;
         // The later axis may have opened only just before: half of the time since then, less and less.
         let opening = late.slope(self.pair, after.owner);
@@ -101,20 +102,20 @@ impl<'p, 'q> Proof<'p, 'q> {
         None
     }
 
-    /// A leg before those that are there.
+    /// Puts an axis with its span before those that are proved already.
     fn add(&mut self, axis: Axis, from: f64, to: f64) {
-        if let Some(Some(next)) = self.count.checked_sub(1).map(|k| &mut self.legs[k])
+        if let Some(Some(next)) = self.count.checked_sub(1).map(|k| &mut self.spans[k])
             && next.axis == axis
         {
             next.from = from;
-        } else if self.count < self.legs.len() {
-            self.legs[self.count] = Some(AxisSpan { axis, from, to });
+        } else if self.count < self.spans.len() {
+            self.spans[self.count] = Some(AxisSpan { axis, from, to });
             self.count += 1;
         }
     }
 
-    /// Whether an axis is proved to part the pair between two of its gaps, with more of them between where the chord does
-    /// not do.
+    /// Whether an axis is proved to separate the bodies between two of its gaps, with more of them between
+    /// where the chord does not do.
     fn is_open(&self, axis: &Axis, from: TurnedGap, to: TurnedGap, midpoints: usize) -> bool {
         let mut left = from;
         let mut ahead = [to; HALVINGS];

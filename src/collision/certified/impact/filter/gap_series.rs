@@ -1,7 +1,7 @@
-//! The gap along a turning axis at a moment, with four derivatives, in doubles: what the quick search for the first
-//! contact asks.
+//! The gap along a turning axis at a moment, with four derivatives, in doubles: what the filter follows.
 //!
-//! With the letters of [`crate::collision::certified::impact::axis`], u = n·x and w = n·perp(x) for the lowest vertex x of O:
+//! With the letters of [`crate::collision::certified::impact::axis`], u = n·x and w = n·perp(x) for the
+//! lowest vertex x of O:
 //!
 //! ```text
 //! f    = n_w·D + u − h − ρ
@@ -11,16 +11,16 @@
 //! f⁗   = ω⁴ n_w·D − 4ω³ perp(n_w)·V + Δω⁴ u
 //! ```
 //!
-//! The series says where the gap of this vertex is used up, to the fifth order; nothing is proved by it. Between two
-//! moments a and b = a + L the gap is proved to stay open by its values there alone, whichever vertex is lowest: if
-//! every `f_j''` ≤ K on the way, every `f_j`, and so the least of them, is at least
+//! The series says where the gap of this vertex is used up, to the fifth order; nothing is proved by it.
+//! Between two moments a and b = a + L the gap is proved to stay open by its values there alone, whichever
+//! vertex is lowest: if every `f_j''` ≤ K on the way, every `f_j`, and so the least of them, is at least
 //!
 //! ```text
 //! g(τ) = g_a + (g_b − g_a) τ/L − ½ K τ (L − τ)                  0 ≤ τ ≤ L
 //! ```
 //!
-//! which touches contact itself at one end and still reaches far back from it: as |f'| is the slope there, over a time of
-//! about 2 |f'| / K.
+//! The bound is useful even where g_b is almost 0, just before contact: as |f'| is the slope there, it stays
+//! positive back to about τ = L − 2 |f'| / K.
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
@@ -38,14 +38,14 @@ pub(crate) struct Instant {
     pub(crate) apart: DVec2,
 }
 
-/// The gap of an axis at a moment. Lengths in scaled units.
+/// The gap of an axis at a moment, with what its derivatives are made of. Lengths are in scaled units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TurnedGap {
     /// The moment.
     pub(crate) t: f64,
-    /// f of the lowest vertex, within [`rounding`].
+    /// The gap f of the lowest vertex, within [`rounding`].
     pub(crate) value: f64,
-    /// That vertex of O.
+    /// The lowest vertex, counted along O's core.
     pub(crate) lowest: usize,
     /// `n_w·D`.
     offset: f64,
@@ -63,21 +63,31 @@ pub(crate) struct TurnedGap {
     far: f64,
 }
 
+/// An axis that separates the bodies at a moment, with its gap there.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OpenAxis {
+    /// The axis.
+    pub(crate) axis: Axis,
+    /// Its gap.
+    pub(crate) gap: TurnedGap,
+}
+
 /// Newton steps on a series.
 const NEWTON: usize = 4;
 
 /// A series is not worth a step below this part of its root: what it leaves out is more.
 const CLOSE_ENOUGH: f64 = 1e-7;
 
-/// Relative allowance for the rounding of the bound K and of what is made of it.
+/// Factor that pays for the rounding of the bound K and of what is made of it: some 30 operations of ε/2
+/// each; doubled.
 const UP: f64 = 1.0 + 64.0 * f64::EPSILON;
 
 /// Bound on the error of [`TurnedGap::value`] as the least of all `f_j`.
 ///
-/// `n_w` is within 5.8 ε, n in O's frame within 11.6 ε, its dot product with a vertex within 13.1 ε of the reach; the
-/// rest as for [`MovingPair::rounding`], which allows 15. A vertex that rounding took for the lowest may be 12 ε of
-/// O's reach too high: the sides that it does not tell from level ones are all but parallel, at most two reaches long
-/// together, and level to 6 ε.
+/// `n_w` is within 5.8 ε, n in O's frame within 11.6 ε, its dot product with a vertex within 13.1 ε of the
+/// reach; the rest as for [`MovingPair::rounding`], which allows 15. A vertex that rounding took for the
+/// lowest may be 12 ε of O's reach too high: the edges that it does not tell from level ones are all but
+/// parallel, at most two reaches long together, and level to 6 ε.
 pub(crate) fn rounding(pair: &MovingPair) -> f64 {
     pair.rounding + MISSED_ERROR * (pair.reach[0] + pair.reach[1])
 }
@@ -101,7 +111,8 @@ impl Instant {
 }
 
 impl Axis {
-    /// The gap at a moment, its lowest vertex looked for from `from` on; None where rounding leaves open which that is.
+    /// The gap at a moment, its lowest vertex looked for from `from` on; None where rounding leaves open
+    /// which that is.
     #[inline]
     pub(crate) fn turned_gap(&self, pair: &MovingPair, at: &Instant, from: usize) -> Option<TurnedGap> {
         let (owner, other) = (self.owner, self.owner.other());
@@ -130,7 +141,7 @@ impl Axis {
 }
 
 impl TurnedGap {
-    /// Half a power series: f(t + h) = Σ cₖ hᵏ up to h⁴.
+    /// The coefficients cₖ of f(t + h) = Σ cₖ hᵏ up to h⁴.
     #[inline]
     pub(crate) fn series(&self, pair: &MovingPair, owner: Side) -> [f64; 5] {
         let w = pair.rate[owner as usize];
@@ -145,7 +156,7 @@ impl TurnedGap {
         ]
     }
 
-    /// f'.
+    /// The rate f' at which the gap changes.
     #[inline]
     pub(crate) fn slope(&self, pair: &MovingPair, owner: Side) -> f64 {
         let w = pair.rate[owner as usize];
@@ -155,7 +166,7 @@ impl TurnedGap {
 
     /// Where the lowest vertex is along perp(n), seen from the owner's origin, and how fast that changes.
     #[inline]
-    pub(crate) fn place(&self, pair: &MovingPair, owner: Side) -> (f64, f64) {
+    pub(crate) fn foot(&self, pair: &MovingPair, owner: Side) -> (f64, f64) {
         let w = pair.rate[owner as usize];
         let spin = pair.rate[owner.other() as usize] - w;
         (self.aside - self.across, self.aside_speed - w * self.offset + spin * self.along)
@@ -163,8 +174,8 @@ impl TurnedGap {
 
     /// K: at least any `f_j''` between two moments.
     ///
-    /// |D| is convex in time, `n_w`·D and perp(`n_w`)·V are their chords but for an eighth of L² times their second
-    /// derivatives.
+    /// The length of D is convex in time; `n_w`·D and perp(`n_w`)·V are their chords but for an eighth of L²
+    /// times their second derivatives.
     #[inline]
     pub(crate) fn curvature(&self, later: &Self, pair: &MovingPair, owner: Side) -> f64 {
         let w = pair.rate[owner as usize];
@@ -181,11 +192,11 @@ impl TurnedGap {
         (2.0 * aside - w2 * offset + spin * spin * reach) + 4.0 * rounding
     }
 
-    /// Whether the gap is proved open from this moment to a `later` one on the same axis, given the bound on their
-    /// errors.
+    /// Whether the gap is proved open from this moment to a `later` one on the same axis, given the bound on
+    /// their errors.
     ///
-    /// Both values, less their error, must be positive by a quarter of it: that covers what rounding makes of the lowest
-    /// point of g, of which the root's place matters to second order only.
+    /// Both values, less their error, must be positive by a quarter of it: that covers what rounding makes of
+    /// the lowest point of g, of which the root's place matters to second order only.
     pub(crate) fn stays_open(&self, later: &Self, pair: &MovingPair, owner: Side, error: f64) -> bool {
         let (a, b) = (self.value - error, later.value - error);
         if !(a > 0.25 * error && b > 0.25 * error) {
@@ -228,8 +239,8 @@ pub(crate) fn first_root(c: &[f64; 5], limit: f64) -> Option<f64> {
     Some(h)
 }
 
-/// The vertex that is lowest along `m`, looked for from `from` on; None where no side next to it clearly rises: it might
-/// then be the highest of a flat core.
+/// The vertex that is lowest along `m`, looked for from `from` on; None where no edge next to it clearly
+/// rises: it might then be the highest of a flat core.
 #[inline]
 fn lowest(hull: &Hull, m: DVec2, from: usize) -> Option<usize> {
     let count = hull.edges.len();

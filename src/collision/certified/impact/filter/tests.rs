@@ -2,7 +2,7 @@
 
 use crate::collision::answer::{Impact, Outcome};
 use crate::collision::certified::impact::axis::Axis;
-use crate::collision::certified::impact::closest::nearest;
+use crate::collision::certified::impact::closest::closest_features;
 use crate::collision::certified::impact::filter::gap_series::{Instant, TurnedGap, rounding};
 use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::{MovingPair, filter};
@@ -16,7 +16,7 @@ fn each_axis(seed: u64, most: f64, mut visit: impl FnMut(&MovingPair, Axis, f64,
         let (a, b) = bodies.flying_pair(most);
         let pair = MovingPair::new(&a, &b);
         let t = bodies.roll();
-        if let Some(axis) = Axis::through(&pair, nearest(&pair, t).0, t) {
+        if let Some(axis) = Axis::through(&pair, closest_features(&pair, t).0, t) {
             visit(&pair, axis, t, &mut bodies);
         }
     }

@@ -1,8 +1,7 @@
-//! The certified separation of two bodies that nearly touch: the last part of a hit, in one pass of double-doubles.
-//!
-//! A search for the first contact ends a few roundings of doubles before it, with the pair proved apart, and with a
-//! vertex proved to be over a side (or two vertices to be closest). What is left to compute is how far: to a fraction of ε·S,
-//! as no more is asked of a separation below 1e3 ε·S.
+//! The certified separation of two bodies that nearly touch: the last part of a hit, in one pass of
+//! double-doubles. The filter ends a few roundings of doubles before contact, with the pair proved apart and
+//! a vertex proved to be above an edge. What is left to compute is how far: to a fraction of ε·S, as no more
+//! is asked of a separation below 1e3 ε·S.
 
 use crate::collision::Separation;
 use crate::collision::certified::distance::filter::{Support, support};
@@ -13,12 +12,12 @@ use crate::collision::certified::rounding::LAST_ERROR;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure, Side};
 
-/// A separation below this many ε of the largest reach or radius may have an absolute error: S is not below 1/√2 of a
-/// reach, which leaves a third of the 1e3 ε·S.
+/// A separation below this many ε of the largest reach or radius may have an absolute error: S is not below
+/// 1/√2 of a reach, which leaves a third of the 1e3 ε·S.
 const NEAR: f64 = 448.0 * f64::EPSILON;
 
-/// The separation at `t`, where a vertex's foot is clearly inside the edge of `near` and the pair is apart; None where
-/// doubles leave open which vertex is lowest, or the separation is not small.
+/// The separation at `t`, where a vertex's foot is clearly inside the edge of `near` and the pair is apart;
+/// None where doubles leave open which vertex is lowest, or the separation is not small.
 pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: DifferenceFeature) -> Option<Separation> {
     let DifferenceFeature::Edge(facing) = near else { return None };
     let pair = Pair::at(a, b, t);
@@ -28,7 +27,7 @@ pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: DifferenceFeature) ->
     let d = between(&pair, facing.start());
     let (normal, core) = along_normal(&pair, facing, d);
     let separation = core - pair.radius;
-    // A side of B: its normal is turned as well.
+    // An edge of B: its normal is turned as well.
     let turning =
         if facing.source == Side::B { 2.0 * pair.turn_error * (d[0].hi.abs() + d[1].hi.abs()) } else { 0.0 };
     let error = pair.placing_error + turning + LAST_ERROR * (pair.magnitude + pair.radius.hi);

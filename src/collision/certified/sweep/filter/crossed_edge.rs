@@ -1,53 +1,58 @@
 //! The edge of B ⊖ A that a ray crosses, by bisection: O(log n log m), nothing trusted.
 //!
-//! Let the ray run along v, and let u be v turned left by a quarter. The edges of B ⊖ A that face the ray make one chain;
-//! along it the offset from the ray's line falls all the way from the leftmost vertex to the rightmost:
+//! Let the ray run along v, and let u be v turned left by a quarter. The edges of B ⊖ A that face the ray
+//! make one chain; along it the offset from the ray's line falls all the way from the leftmost vertex to the
+//! rightmost:
 //!
 //! ```text
-//! F(w_j − v_i) = u·c + u·R q_j − u·v_i                  of a vertex; an edge with the normal N adds ρ u·N at both ends
+//! F(w_j − v_i) = u·c + u·R q_j − u·v_i       of a vertex; an edge with the normal N adds ρ u·N at both ends
 //! ```
 //!
-//! The ray enters through the edge at whose start F ≥ 0 and at whose end F < 0; or, if ρ > 0 leaves a gap between two
-//! edges, through the disc at the vertex between them. The chain is never built: it is made of one chain of A's sides and
-//! one of B's, each of them sorted by direction. The middle side of the longer one is an edge of B ⊖ A together with the
-//! vertex of the other that faces it, which bisection finds as well; F there tells which half of both to keep
-//! (the merge itself is de Berg, Cheong, van Kreveld, Overmars, *Computational Geometry*, 2008, §13.3).
+//! The ray enters through the edge at whose start F ≥ 0 and at whose end F < 0; or, if ρ > 0 leaves a gap
+//! between two edges, through the disc at the vertex between them. The chain is never built: it is made of
+//! one chain of A's edges and one of B's, each of them sorted by direction. The middle edge of the longer one
+//! is an edge of B ⊖ A together with the vertex of the other that supports it, which bisection finds as well;
+//! F there tells which half of both to keep (the merge itself is de Berg, Cheong, van Kreveld, Overmars,
+//! *Computational Geometry*, 2008, §13.3).
 //!
-//! If the leftmost vertex is right of the line, or the rightmost left of it, by more than ρ |v|, the ray passes.
+//! If the leftmost vertex is right of the line, or the rightmost left of it, by more than ρ |v|, the ray
+//! passes.
 
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::rounding::LEVEL_ERROR;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Hull, Rotation, Side};
 
-/// What seems to be on a ray's line first.
+/// What a ray's line seems to cross first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Crossed {
-    /// Nothing, and how far off the line everything is, in units of |v|.
-    Nothing(f64),
+    /// Nothing: all of B ⊖ A is off the line, by this much times |v|.
+    Passed(f64),
     /// An edge.
-    Edge(Edge),
-    /// The disc at the vertex made of A's and B's: [i, j].
-    Disc([usize; 2]),
+    Edge(CrossedEdge),
+    /// The disc at the vertex [i, j] of B ⊖ A.
+    Vertex([usize; 2]),
 }
 
 /// An edge of B ⊖ A that a line seems to cross.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Edge {
+pub(crate) struct CrossedEdge {
     /// The edge.
-    pub(crate) facing: DifferenceEdge,
+    pub(crate) edge: DifferenceEdge,
     /// The smaller of F at its start and −F at its end.
     pub(crate) inside: f64,
     /// Whether the other body's vertex clearly supports it, alone.
     pub(crate) is_supported: bool,
 }
 
-/// Up to this many vertices it is quicker to look at all than to search.
+/// Cores of up to this many vertices are looked at whole, not searched.
 const FEW: usize = 8;
 
-/// The sides of one body that face the ray, in the order in which F falls; what is left of them.
+/// The edges of one body that face the ray, in the order in which F falls, and which of them are left.
 struct Chain<'h> {
+    /// The body.
     side: Side,
+    /// Its core.
     hull: &'h Hull,
     /// What a vertex adds to F is its height along this: u for B, −u for A, in the body's frame.
     up: DVec2,
@@ -55,9 +60,9 @@ struct Chain<'h> {
     first: usize,
     /// From this body's frame to the other's.
     rotation: Rotation<f64>,
-    /// The sides that are left: from this one of the chain,
+    /// The first edge that is left, counted along the chain.
     from: usize,
-    /// to before this one.
+    /// One past the last edge that is left.
     to: usize,
 }
 
@@ -70,7 +75,7 @@ impl<'h> Chain<'h> {
         (Self { side, hull, up, first, rotation, from: 0, to }, heights)
     }
 
-    /// The hull's number of the k-th vertex, and of the side that starts there.
+    /// The hull's number of the chain's k-th vertex, and of the edge that starts there.
     #[inline]
     fn number(&self, k: usize) -> usize {
         let number = self.first + k;
@@ -83,9 +88,10 @@ impl<'h> Chain<'h> {
         self.up.dot(self.hull.vertices[vertex])
     }
 
-    /// The first of the sides left that a side of the other body with this normal, turned here, does not come after.
+    /// Index of the first remaining edge whose direction is not before that of the other body's edge with
+    /// this normal (turned into this body's frame): the vertex in front of it supports that edge.
     #[inline]
-    fn facing(&self, normal: DVec2) -> usize {
+    fn support(&self, normal: DVec2) -> usize {
         let (mut from, mut to) = (self.from, self.to);
         while from < to {
             let middle = usize::midpoint(from, to);
@@ -98,14 +104,15 @@ impl<'h> Chain<'h> {
         from
     }
 
-    /// Whether a vertex is clearly the only lowest along a normal of the other body, turned here.
+    /// Whether a vertex is clearly the only lowest along a normal of the other body, turned into this body's
+    /// frame.
     #[inline]
     fn is_lowest(&self, vertex: usize, normal: DVec2) -> bool {
         if self.hull.edges.is_empty() {
             return true;
         }
         let (ahead, behind) = (self.hull.edges[vertex], self.hull.edges[self.hull.previous(vertex)]);
-        let slack = |side: DVec2| LEVEL_ERROR * (side.x.abs() + side.y.abs());
+        let slack = |edge: DVec2| LEVEL_ERROR * (edge.x.abs() + edge.y.abs());
         normal.dot(ahead) > slack(ahead) && normal.dot(behind) < -slack(behind)
     }
 }
@@ -142,7 +149,7 @@ pub(crate) fn crossed(pair: &Pair, v: DVec2) -> Crossed {
     if top < 0.0 || bottom > 0.0 {
         let past = bottom.max(-top) - radius * v.dot(v).sqrt();
         if past > 0.0 {
-            return Crossed::Nothing(past);
+            return Crossed::Passed(past);
         }
     }
     // Each round takes away half of the longer chain, or finds the edge.
@@ -153,30 +160,31 @@ pub(crate) fn crossed(pair: &Pair, v: DVec2) -> Crossed {
             return Crossed::Edge(edge);
         }
     }
-    Crossed::Disc([a.number(a.from), b.number(b.from)])
+    Crossed::Vertex([a.number(a.from), b.number(b.from)])
 }
 
-/// Looks at the middle of what is left of `own` and keeps one half of both chains; or that edge, if the line crosses it.
+/// Looks at the middle of what is left of `own` and keeps one half of both chains; or that edge, if the line
+/// crosses it.
 #[inline]
-fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<Edge> {
+fn halve(own: &mut Chain, other: &mut Chain, start: f64, radius: f64) -> Option<CrossedEdge> {
     let middle = usize::midpoint(own.from, own.to);
     let edge = own.number(middle);
     let normal = own.hull.normals[edge];
     let turned = own.rotation.apply(*normal);
-    let facing = other.facing(turned);
-    let vertex = other.number(facing);
+    let supporting = other.support(turned);
+    let vertex = other.number(supporting);
     let before = start + own.height(edge) + other.height(vertex) + radius * own.up.dot(*normal);
     if before < 0.0 {
-        (own.to, other.to) = (middle, facing);
+        (own.to, other.to) = (middle, supporting);
         return None;
     }
     let behind = before + own.up.dot(own.hull.edges[edge]);
     if behind >= 0.0 {
-        (own.from, other.from) = (middle + 1, facing);
+        (own.from, other.from) = (middle + 1, supporting);
         return None;
     }
-    Some(Edge {
-        facing: DifferenceEdge { source: own.side, edge, vertex },
+    Some(CrossedEdge {
+        edge: DifferenceEdge { source: own.side, edge, vertex },
         inside: before.min(-behind),
         is_supported: other.is_lowest(vertex, turned),
     })
@@ -199,11 +207,11 @@ mod tests {
                 let last = crate::collision::certified::sweep::balls::last_line(&pair, v).unwrap();
                 match crossed(&pair, v) {
                     Crossed::Edge(edge) => {
-                        assert!(edge.is_supported && edge.facing == last, "{count} {k}: {edge:?} {last:?}");
+                        assert!(edge.is_supported && edge.edge == last, "{count} {k}: {edge:?} {last:?}");
                         edges += 1;
                     }
-                    Crossed::Nothing(past) => assert!(past > 0.0, "{count} {k}"),
-                    Crossed::Disc(vertices) => panic!("{count} {k}: no disc here, but {vertices:?}"),
+                    Crossed::Passed(past) => assert!(past > 0.0, "{count} {k}"),
+                    Crossed::Vertex(vertices) => panic!("{count} {k}: no disc here, but {vertices:?}"),
                 }
             }
         }

@@ -1,23 +1,24 @@
-//! First stage of the ray against B ⊖ A: doubles choose and prove the feature, double-doubles only say when.
+//! Filter of the ray against B ⊖ A: doubles choose and prove the feature, double-doubles only say when.
 //!
-//! A ray enters a convex set once. So a feature that the ray meets from outside, at a point that is on the boundary of
-//! B ⊖ A grown by ρ, is the one that it enters through, and no other has to be looked at. On the boundary means:
+//! A ray enters a convex set once. So a feature that the ray meets from outside, at a point that is on the
+//! boundary of B ⊖ A grown by ρ, is the one that it enters through, and no other has to be looked at. On the
+//! boundary means:
 //!
 //! - for an edge: the other body's vertex supports it, and its ends are on either side of the ray's line;
 //! - for the disc at a vertex p: both bodies' vertices are the lowest along p − t v.
 //!
-//! These are signs of dot products, which must be clear of a bound on all rounding. A line passes B ⊖ A if the support
-//! square to it is clearly farther than ρ. Then, with q a quotient in doubles, what is left over at q says both when and
-//! how near the bodies are just before:
+//! These are signs of dot products, which must be clear of a bound on all rounding. A line passes B ⊖ A if
+//! the support square to it is clearly farther than ρ. Then, with q a quotient in doubles, what is left over
+//! at q says both when and how near the bodies are just before:
 //!
 //! ```text
 //! g = n·p − ρ,   k = n·v,   q ≈ g / k,   r = g − q k        in double-doubles
 //! t = q + r / k                                              s(t₀) = r − (t₀ − q) k
 //! ```
 //!
-//! t is good if its error does not reach a double: its bounds are the two doubles next to it, and s at the first of them
-//! is the contact's. That takes cosines and sines to twice the precision as well. Whatever is not clear (t that is a double,
-//! parallel sides, grazes) is left to the balls of [`crate::collision::certified::sweep::ray`].
+//! t is good if its error does not reach a double: its bounds are the two doubles next to it, and s at the
+//! first of them is the contact's. That takes cosines and sines to twice the precision as well. Whatever is
+//! not clear (t that is a double, parallel edges, grazes) is left to the balls.
 
 pub(crate) mod crossed_edge;
 
@@ -34,9 +35,9 @@ use crate::geometry::{
     Ball, DVec2, Dd, Enclosure, Rotation, Side, UnitVector, combined, two_product, two_sum,
 };
 
-/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`] to know the error of p − t v: p is within
-/// 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and t itself may add 4ε M: 17ε M, of the 32ε M of
-/// [`Pair::gap_error`].
+/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`]
+/// to know the error of p − t v: p is within 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and
+/// t itself may add 4ε M: 17ε M, of the 32ε M of [`Pair::gap_error`].
 const FAR: f64 = 4.0;
 
 /// Where the ray's line enters B ⊖ A, if that can be proved with little work.
@@ -44,15 +45,15 @@ const FAR: f64 = 4.0;
 pub(crate) fn entry(pair: &Pair, heading: &Heading) -> Option<Entry> {
     let line = Line { pair, heading };
     match crossed(pair, heading.direction()) {
-        Crossed::Nothing(past) => (past > line.slack()).then_some(Entry::Misses),
+        Crossed::Passed(past) => (past > line.slack()).then_some(Entry::Misses),
         Crossed::Edge(edge) => {
-            (edge.is_supported && edge.inside > line.slack()).then(|| line.edge(edge.facing)).flatten()
+            (edge.is_supported && edge.inside > line.slack()).then(|| line.edge(edge.edge)).flatten()
         }
-        Crossed::Disc(vertices) => line.disc(vertices),
+        Crossed::Vertex(vertices) => line.disc(vertices),
     }
 }
 
-/// The ray in A's frame.
+/// The ray's line in A's frame.
 #[derive(Clone, Copy)]
 struct Line<'p, 's> {
     pair: &'p Pair<'s>,
@@ -197,14 +198,16 @@ impl Line<'_, '_> {
     }
 }
 
-/// Bounds of a separation just before contact, which is above 0; past the roundings of the bound and of the separation.
+/// Bounds of a separation just before contact, which is above 0. The bound on its error is widened past its
+/// own roundings, and past that of the separation.
 #[inline]
 fn around(separation: f64, error: f64) -> Enclosure {
     let error = error * (1.0 + 16.0 * f64::EPSILON) + 8.0 * f64::EPSILON * separation.abs();
     Enclosure { lo: (separation - error).max(0.0), hi: separation + error }
 }
 
-/// The vertex of B ⊖ A where an edge starts. The low half is not rounded off the high one.
+/// The vertex of B ⊖ A where an edge starts, with low halves that are not rounded off the high ones: no sum
+/// of them needs it.
 #[inline]
 fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let [i, j] = facing.start();
@@ -224,7 +227,7 @@ fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     ]
 }
 
-/// n · x. The low half is not rounded off the high one.
+/// The dot product n · x, with a low half that is not rounded off the high one.
 #[inline]
 fn along(n: [Dd; 2], x: [Dd; 2]) -> Dd {
     let (p, e) = two_product(n[0].hi, x[0].hi);
@@ -249,7 +252,8 @@ fn normal(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
 /// The doubles next to a number that is known within `error`, if it is certainly between them.
 #[inline]
 fn neighbours(x: Dd, error: f64) -> Option<Enclosure> {
-    // Past the roundings of the bound itself. The tail is half an ulp at most: with an error below it, less than one.
+    // Past the roundings of the bound itself. The tail is half an ulp at most: with an error below it, less
+    // than one.
     let error = error * (1.0 + 16.0 * f64::EPSILON);
     if x.lo > error {
         Some(Enclosure { lo: x.hi, hi: x.hi.next_up() })
