@@ -12,11 +12,11 @@ use super::{Candidate, Sought, inside};
 
 /// Where a label may stand along a line, as parts of the way from its start: the middle first, then about it.
 const ALONG: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
-/// Where a label may stand along an arc, as parts of its sweep; its ends are a little farther in than a
-/// line's.
-const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 /// Where the label of a tip may stand beside its vector, besides right at the head.
 const ALONG_VECTOR: [f64; 3] = [0.7, 0.5, 0.35];
+/// Where a label may stand along an arc, as parts of its sweep; at 0.2 and 0.8, as on a line, the angular velocity of
+/// figure 7 would stand 1.5 px from where it does.
+const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 /// A normal that rises by less than this, as a unit offset, counts as level: rounding does not choose its
 /// side.
 const LEVEL: f64 = 1e-9;
@@ -39,7 +39,7 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame, w: &Places) -> Vec<Cand
                 let p = frame.page(on_circle(*center, *radius, start + sweep * t));
                 (p, (p - frame.page(*center)).unit().unwrap_or_default())
             });
-            sides(&points, size, w.inside_arc, w)
+            sides(&points, size, w.other_side, w)
         }
         Anchor::Inside { area, avoid } => {
             let page = |points: &Vec<_>| points.iter().map(|&p| frame.page(p)).collect::<Vec<Point>>();
@@ -174,7 +174,7 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
     let n = upward(u);
     let at = |t: f64| from + (to - from) * t;
     if best == Best::Middle {
-        let mut all = sides(&ALONG.map(|t| (at(t), n)), size, w.below_line, w);
+        let mut all = sides(&ALONG.map(|t| (at(t), n)), size, w.other_side, w);
         all.extend(beyond(from, to, u, size, w));
         return all;
     }
@@ -185,7 +185,7 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
     let mut all = near_rings(w).map(ahead).to_vec();
     let near_tip = to + u * -w.before_tip;
     let [a, b, c] = ALONG_VECTOR.map(|t| (at(t), n));
-    let beside = sides(&[(near_tip, n), a, b, c], size, w.below_vector, w);
+    let beside = sides(&[(near_tip, n), a, b, c], size, w.other_side, w);
     all.extend(beside.into_iter().map(|c| Candidate { reluctance: c.reluctance + w.beside_tip, ..c }));
     all
 }
@@ -197,7 +197,7 @@ fn beside(from: Point, to: Point, offset: f64, size: (f64, f64), w: &Places) -> 
     let shift = u.left() * offset;
     let (a, b) = (from + shift, to + shift);
     let n = if offset == 0.0 { upward(u) } else { u.left() * offset.signum() };
-    let other = if offset == 0.0 { w.below_line } else { w.inner_side };
+    let other = if offset == 0.0 { w.other_side } else { w.inner_side };
     let mut all = sides(&ALONG.map(|t| (a + (b - a) * t, n)), size, other, w);
     all.extend(beyond(a, b, u, size, w));
     all
@@ -238,8 +238,8 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
         (0.5 * (panel.height() - size.1) - w.inset).max(0.0),
     );
     let mut all = Vec::new();
-    for down in [0.0, 1.0, 2.0, 3.0].map(|k| k * w.note_down) {
-        for across in [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0].map(|k| k * w.note_across) {
+    for down in [0.0, 1.0, 2.0, 3.0].map(|k| k * w.note_step) {
+        for across in [0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0].map(|k| k * w.note_step) {
             if sx != 0.0 && across < 0.0 {
                 continue;
             }

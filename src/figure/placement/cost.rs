@@ -106,16 +106,12 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Cost
     match obstacle.cover {
         Cover::Stroke { from, to, half } => {
             let room = if own { half } else { half + w.stroke_room };
-            let (touch, pixel) = match (own, obstacle.weight) {
-                (true, _) => (w.own, w.own_px),
-                (false, Weight::Normal) => (w.stroke, w.stroke_px),
-                (false, _) => (w.light, w.light_px),
-            };
+            let touch = if own || obstacle.weight != Weight::Normal { w.light } else { w.stroke };
             // Far strokes are most of them: a test of boxes first.
             let apart = rect.grown(w.crowd_reach).intersection(Rect::new(from, to)).is_none();
             let distance = if apart { w.crowd_reach } else { segment_distance(rect, from, to) - half };
             let hidden = if distance + half < room {
-                touch + pixel * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
+                touch + w.stroke_px * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
             } else if own {
                 0.0
             } else {
@@ -156,8 +152,8 @@ pub(super) fn pair_cost(a: &Candidate, b: &Candidate, w: &Costs) -> f64 {
     let led =
         |x: &Candidate, y: &Candidate| x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some());
     let mut cost = if led(a, b) || led(b, a) { w.leader } else { 0.0 };
-    if let Some(both) = a.rect.grown(w.label_room).intersection(b.rect) {
-        cost += w.overlap + w.overlap_px * both.width() * both.height();
+    if a.rect.grown(w.label_room).intersection(b.rect).is_some() {
+        cost += w.overlap;
     } else if a.rect.grown(w.label_comfort).intersection(b.rect).is_some() {
         let gap = |lo: f64, hi: f64| (lo - hi).max(0.0);
         let dx = gap(a.rect.x0, b.rect.x1).max(gap(b.rect.x0, a.rect.x1));

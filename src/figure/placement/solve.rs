@@ -67,7 +67,7 @@ pub(super) fn place_by(
         if s.0.pin.is_some() || choices.cost(label, choices.chosen[label], &all) < search.trouble {
             continue;
         }
-        let cheapest = choices.cheapest(label, search.nudged_places);
+        let cheapest = choices.cheapest(label, search.cheapest);
         let more =
             cheapest.into_iter().flat_map(|slot| nudged(&choices.places[label][slot].0, search)).collect();
         choices.places[label].extend(priced(s, more));
@@ -184,7 +184,7 @@ impl Choices<'_> {
             return false;
         }
         let (before, kept) = (self.total(all), self.chosen.clone());
-        for slot in self.cheapest(label, self.weights.search.ejecting) {
+        for slot in self.cheapest(label, self.weights.search.cheapest) {
             if self.places[label][slot].1 >= now {
                 break;
             }

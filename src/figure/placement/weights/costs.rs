@@ -5,18 +5,13 @@ super::numbers! {
     Costs {
         /// Room that labels keep from strokes of other things, page pixels.
         stroke_room: f64 = 2.0;
-        /// Touching a stroke of something else.
+        /// Touching an outline, vector or dimension of something else.
         stroke: f64 = 14.0;
-        /// Each page pixel of a foreign stroke inside the label.
+        /// Each page pixel of a stroke inside the label.
         stroke_px: f64 = 0.5;
-        /// Touching a construction line, a ghost or an axis of something else.
+        /// Touching a construction line, a ghost or an axis of something else, or any stroke of the thing that the
+        /// label belongs to.
         light: f64 = 11.0;
-        /// Each page pixel of such a line inside the label.
-        light_px: f64 = 0.3;
-        /// Touching a stroke of the thing that the label belongs to.
-        own: f64 = 10.0;
-        /// Each page pixel of its own thing's strokes inside the label.
-        own_px: f64 = 0.4;
         /// A foreign stroke nearer than this crowds a label, page pixels.
         crowd_reach: f64 = 7.0;
         /// A foreign stroke right beside a label, falling to nothing at `crowd_reach`.
@@ -50,8 +45,6 @@ super::numbers! {
         label_room: f64 = 3.0;
         /// Two labels that overlap, or come nearer than `label_room`.
         overlap: f64 = 70.0;
-        /// Each square page pixel of that.
-        overlap_px: f64 = 0.2;
         /// Two labels at this distance are as good as apart, page pixels.
         label_comfort: f64 = 18.0;
         /// Two labels that nearly touch, falling to nothing at `label_comfort`.

@@ -33,28 +33,22 @@ super::numbers! {
         off_best: f64 = 1.0;
         /// Reluctance to stand at the fourth or fifth of a line's places.
         off_end: f64 = 2.2;
-        /// Reluctance to stand below a line instead of above it, at its middle.
-        below_line: f64 = 0.6;
-        /// Reluctance to stand below a vector instead of above it, near its tip.
-        below_vector: f64 = 0.4;
+        /// Reluctance to stand on the worse side of a line, vector or arc: below it, or inside the arc.
+        other_side: f64 = 0.6;
         /// Reluctance to stand beside a vector's tip instead of beyond it.
         beside_tip: f64 = 0.5;
         /// How far before a vector's tip the first place beside it is, page pixels.
         before_tip: f64 = 6.0;
         /// Reluctance to stand between a dimension line and what it measures.
         inner_side: f64 = 2.0;
-        /// Reluctance to stand inside an arc instead of outside.
-        inside_arc: f64 = 0.8;
         /// Reluctance to stand beyond an end of a line instead of beside it.
         beyond_end: f64 = 3.0;
         /// Room beyond an end of a line, in gaps.
         beyond_gaps: f64 = 2.0;
         /// Room between a note and the panel's edges, page pixels.
         inset: f64 = 8.0;
-        /// How far a note is moved along its edge of the panel at each try, page pixels.
-        note_across: f64 = 32.0;
-        /// How far a note is moved away from its edge of the panel at each try, page pixels.
-        note_down: f64 = 24.0;
+        /// How far a note is moved along its edge of the panel, or away from it, at each try, page pixels.
+        note_step: f64 = 32.0;
         /// Reluctance for each page pixel that a note is moved from its corner.
         note_moved: f64 = 0.03;
         /// A name's places inside an area are looked for on a grid of this many points along the longer side.

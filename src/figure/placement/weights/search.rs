@@ -8,8 +8,8 @@ super::numbers! {
         same_thing: f64 = 12.0;
         /// A label that costs more than this where it stands is offered places about its places.
         trouble: f64 = 8.0;
-        /// About how many of its cheapest places a label in trouble is offered more.
-        nudged_places: usize = 12;
+        /// How many of its cheapest places a label tries while it displaces others, and is offered more places about.
+        cheapest: usize = 12;
         /// How far a label in trouble is moved from one of its places at most, page pixels.
         nudge: f64 = 24.0;
         /// By how many page pixels at a time.
@@ -18,8 +18,6 @@ super::numbers! {
         nudged: f64 = 0.16;
         /// A label that costs more than this where it stands may displace others to stand better.
         uneasy: f64 = 3.0;
-        /// How many of its cheapest places are tried while displacing others.
-        ejecting: usize = 24;
         /// Labels that still overlap by this many page pixels in both directions: the weaker one is left out.
         clash: f64 = 1.0;
     }

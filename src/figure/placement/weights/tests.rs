@@ -1,7 +1,6 @@
 //! What goes wrong at twice and at half of each number: labels are placed again by the numbers that differ in
 //! one.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use crate::drawing::Rect;
@@ -19,7 +18,7 @@ use super::{Costs, Places, Search, TUNED, Weights};
 mod random_scenes;
 
 /// How many random scenes are surveyed besides the committed figures.
-const SCENES: u64 = 400;
+const SCENES: u64 = 1000;
 /// A label that is nearer than this to where it was, page pixels, has not moved.
 const STILL: f64 = 0.01;
 
@@ -146,34 +145,21 @@ fn survey() {
     let sets = [committed(), random()];
     let tuned = sets.each_ref().map(|cases| cases.iter().map(|c| c.placed(&TUNED)).collect::<Vec<_>>());
     let counts = |weights: &Weights| [0, 1].map(|i| count(&sets[i], &tuned[i], weights));
-    let mut table = String::new();
-    let labels = tuned.each_ref().map(|all| all.iter().flatten().map(|l| l.placed.len()).sum::<usize>());
-    let [figures, random] = counts(&TUNED);
-    let _ = writeln!(
-        table,
-        "tuned: {} figures, {} labels, {} faults; {} random scenes, {} labels, {} faults",
-        sets[0].len(),
-        labels[0],
-        figures.faults,
-        sets[1].len(),
-        labels[1],
-        random.faults
-    );
-    let _ = writeln!(table, "{:16} {:>5} {:>16} {:>16}", "", "", "figures", "random");
+    let as_tuned = counts(&TUNED);
+    for (i, what) in ["figures", "random scenes"].into_iter().enumerate() {
+        let labels = tuned[i].iter().flatten().map(|l| l.placed.len()).sum::<usize>();
+        println!("{} {what}, {labels} labels, {} faults as tuned", sets[i].len(), as_tuned[i].faults);
+    }
     for (name, turn) in knobs() {
-        for by in [2.0, 0.5, 0.0] {
+        for by in [2.0, 0.5] {
             let mut weights = TUNED.clone();
             turn(&mut weights, by);
-            let [f, r] = counts(&weights);
-            let _ = writeln!(
-                table,
-                "{name:16} {by:>5} {:>6} {:>4} moved {:>6} {:>4} moved",
-                f.faults, f.moved, r.faults, r.moved
-            );
+            let [figures, random] = counts(&weights);
+            let said = |c: Count| format!("{:>4} faults {:>5} moved", c.faults, c.moved);
+            println!("{name:16} {by:>5}   figures {}   random {}", said(figures), said(random));
         }
     }
-    println!("{table}");
-    assert_eq!((figures, random.moved), (Count::default(), 0), "the tuned numbers are those of the figures");
+    assert_eq!(as_tuned[0], Count::default(), "the tuned numbers are those of the figures");
 }
 
 #[test]
@@ -183,7 +169,7 @@ fn a_number_that_is_multiplied_moves_labels_and_the_tuned_ones_move_none() {
     assert!(count(&cases, &tuned, &TUNED) == Count::default());
     let mut weights = TUNED.clone();
     weights.places.gap.scale(2.0);
-    weights.search.nudged_places.scale(0.5);
-    assert_eq!(weights.search.nudged_places, 6);
+    weights.search.cheapest.scale(0.5);
+    assert_eq!(weights.search.cheapest, 6);
     assert!(count(&cases, &tuned, &weights).moved > 0);
 }
