@@ -8,7 +8,7 @@
 //! twice and at half of a number was measured on both by [`survey`], which anybody can run again:
 //!
 //! ```text
-//! cargo test --release --lib placement::weights -- --ignored --nocapture
+//! TRACEFIG_SCENES=1000 cargo test --release --lib placement::weights -- --nocapture
 //! ```
 //!
 //! Each doc names the faults that the survey counted with the number alone at twice and at half. As tuned, 19
