@@ -10,6 +10,27 @@
 use crate::geometry::{DVec2, Enclosure, Feature, UnitVector};
 
 /// What a query found.
+///
+/// ```
+/// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
+/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// let square = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
+/// let at = |x| Body {
+///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
+///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+/// };
+/// let (a, b) = (at(0.0), at(1.75));
+/// let answer = |kind| {
+///     let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
+///     ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query)
+/// };
+/// let Answer::Separation(found) = answer(QueryKind::Separation) else { panic!() };
+/// // A quarter of a unit inside each other: B leaves along +x.
+/// assert_eq!((found.separation, *found.normal), (-0.25, DVec2::X));
+/// assert!(found.bounds.lo <= -0.25 && -0.25 <= found.bounds.hi);
+/// let Answer::Overlap(verdict) = answer(QueryKind::Overlap) else { panic!() };
+/// assert_eq!(verdict.overlap, Some(true));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub enum Answer {
     /// A box: to [`crate::collision::QueryKind::Bounds`].
@@ -95,7 +116,7 @@ pub enum Outcome {
         /// The pair at t = 0.
         contact: Separation,
     },
-    /// Not decided.
+    /// Neither contact nor its absence is proved.
     Unresolved {
         /// What kept it undecided.
         reason: Reason,
@@ -222,10 +243,12 @@ impl Separation {
         vec![separation, bounds, ("normal", Part::Point(*self.normal)), ties, points, features]
     }
 
+    /// The signed distance and its bounds.
     fn measures(&self) -> [(&'static str, Part); 2] {
         [("separation", Part::Number(self.separation)), ("separation_bounds", Part::Interval(self.bounds))]
     }
 
+    /// The witness points and their features.
     fn witnesses(&self) -> [(&'static str, Part); 2] {
         [("points", Part::Points(self.points)), ("features", Part::Features(self.features))]
     }

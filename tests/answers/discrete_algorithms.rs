@@ -167,7 +167,7 @@ fn edge(event: &Event) -> Option<Edge> {
 
 /// The edges of B ⊖ A that an algorithm tells, in the order in which it does.
 fn edges(name: &str, a: &Body, b: &Body) -> Vec<Edge> {
-    let algorithm = ALGORITHMS.iter().find(|x| x.name == name).unwrap();
+    let Some(algorithm) = ALGORITHMS.iter().find(|x| x.name == name) else { panic!("no {name}") };
     let mut trace = Trace::default();
     (algorithm.traced)(&query(QueryKind::Separation, a, b), &mut trace);
     trace.events.iter().filter_map(edge).collect()

@@ -97,6 +97,7 @@ pub(crate) fn advance<T: Tracer>(
 }
 
 impl Advancement<'_> {
+    /// Steps until a verdict, and counts the distance queries.
     fn run<T: Tracer>(&self, name: &'static str, tracer: &mut T) -> (Outcome, usize) {
         let mut t = 0.0;
         for step in 0..self.query.max_iterations {
@@ -229,8 +230,8 @@ mod tests {
             _ => None,
         });
         let short = (0.625 - first.unwrap()) / (0.625 * f64::EPSILON);
-        // Of the step: 16 |v|₁ / 6 and 16 by the bound, 8 S / 3.75 with S = 4 by the separation. Ten times one of the two
-        // constants would make it more than 120.
+        // Of the step: 16 |v|₁ / 6 and 16 by the bound, 8 S / 3.75 with S = 4 by the separation. Ten times
+        // one of the two constants would make it more than 120.
         assert!(short > 0.0 && short < 60.0, "{short} ε");
     }
 

@@ -1,6 +1,11 @@
 //! Signed separation with proven bounds: the default for every pair of convex bodies.
 //!
-//! See [`crate::collision::certified::distance::search`] for the proof; here it meets queries.
+//! The features of two cores that face each other are an edge or a vertex of B ⊖ A: the one nearest the
+//! origin where the bodies are apart, the one to leave by where they overlap. This algorithm has no way of
+//! its own to it that would be drawn: it asks [`crate::collision::certified::distance`], which finds and
+//! proves it, and tells the outcome.
+//!
+//! Source: Toussaint, "Solving geometric problems with the rotating calipers" (1983), for B ⊖ A by its edges.
 
 use crate::collision::algorithm::candidate;
 use crate::collision::algorithm::outline;

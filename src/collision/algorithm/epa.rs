@@ -19,9 +19,10 @@ use crate::trace::{Event, Tracer};
 
 /// Most vertices that a polytope may have; it grows by one a step.
 ///
-/// Only vertices that are all about as deep use it up, as those of two regular polygons of 65 vertices that lie on one
-/// another; [`super::merge`] finishes such a search. At half of it 33 vertices do. At twice it the search itself is
-/// dearer, for the storage is copied: 9,900 instructions a query of `benches/trace_cost` instead of 6,200.
+/// Only vertices that are all about as deep use it up, as those of two regular polygons of 65 vertices that
+/// lie on one another; [`super::merge`] finishes such a search. At half of it 33 vertices do. At twice it the
+/// search itself is dearer, for the storage is copied: 9,900 instructions a query of `benches/trace_cost`
+/// instead of 6,200.
 const CAPACITY: usize = 128;
 
 /// A convex polygon inside B ⊖ A, counter-clockwise.

@@ -105,6 +105,7 @@ struct Placing {
 }
 
 impl Placing {
+    /// The body at time `t` in [0, 1].
     fn new(body: &Body, t: f64) -> Self {
         let moved = body.position.abs() + (body.velocity * t).abs();
         // An outline has no core to give its reach.

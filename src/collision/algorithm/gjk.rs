@@ -13,7 +13,7 @@
 //!
 //! Both walk on vertices, counted, not on rounded points: a vertex is a pair of core vertices, so "w is not
 //! new" is exact and no tolerance ends the search. The origin on the simplex itself (touching bodies, or a
-//! difference without interior) starts EPA from a segment, whose far side decides. A polytope that outgrows
+//! difference without interior) starts EPA from a segment, whose far edge decides. A polytope that outgrows
 //! its storage, and a walk that rounding turns in circles, are finished by the merge of
 //! [`crate::collision::algorithm::merge`], which needs no storage and always ends.
 //!
@@ -200,7 +200,7 @@ mod tests {
         };
         let round: Vec<[f64; 2]> = (0..512).map(vertex).collect();
         let (s, _) = gjk(&polygon(&round, 0.0), &polygon(&round, 0.0));
-        // Twice the distance of a side from the centre.
+        // Twice the distance of an edge from the centre.
         assert!((s + 2.0 * libm::cos(std::f64::consts::PI / 512.0)).abs() < 1e-14, "{s}");
     }
 }

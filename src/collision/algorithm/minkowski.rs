@@ -151,7 +151,7 @@ mod tests {
         let Answer::Overlap(found) = answer(&query, &mut trace) else { panic!("{trace:?}") };
         assert_eq!((found.overlap, found.separation_bounds.hi), (Some(false), f64::INFINITY));
         let edges = trace.events.iter().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
-        // A's right side is its second.
+        // A's right edge is its second.
         assert_eq!(edges, 2);
         assert_eq!(trace.events.last(), Some(&Event::Finished { outcome: "separating axis" }));
     }

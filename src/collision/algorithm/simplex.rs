@@ -24,7 +24,9 @@ pub(crate) struct Vertex {
 /// A point, a segment or a triangle of vertices of B ⊖ A.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Simplex {
+    /// Its vertices, of which the first `count` are in use.
     vertices: [Vertex; 3],
+    /// One, two or three.
     count: usize,
 }
 
@@ -52,6 +54,7 @@ impl Simplex {
         &self.vertices[..self.count]
     }
 
+    /// The simplex of one to three vertices.
     fn of(kept: &[Vertex]) -> Self {
         let mut vertices = [kept[0]; 3];
         vertices[..kept.len()].copy_from_slice(kept);
@@ -77,10 +80,10 @@ impl Simplex {
             [p, q, r] => {
                 let area = (q.point - p.point).perp_dot(r.point - p.point);
                 let outside = |u: Vertex, v: Vertex| {
-                    let side = (v.point - u.point).perp_dot(-u.point);
-                    if area > 0.0 { side < 0.0 } else { side > 0.0 || area == 0.0 }
+                    let turn = (v.point - u.point).perp_dot(-u.point);
+                    if area > 0.0 { turn < 0.0 } else { turn > 0.0 || area == 0.0 }
                 };
-                let sides = [(p, q), (q, r), (r, p)];
+                let edges = [(p, q), (q, r), (r, p)];
                 let nearest = |best: Option<(Self, DVec2)>, (u, v): (Vertex, Vertex)| {
                     if !outside(u, v) {
                         return best;
@@ -91,7 +94,7 @@ impl Simplex {
                         _ => Some(found),
                     }
                 };
-                sides.into_iter().fold(None, nearest)
+                edges.into_iter().fold(None, nearest)
             }
             _ => Some((*self, self.vertices[0].point)),
         }

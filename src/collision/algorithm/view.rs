@@ -39,7 +39,7 @@ pub(crate) struct PairView<'s> {
 /// The direction of an edge as another edge sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Turning {
-    /// The same direction.
+    /// In the direction of that edge.
     Along,
     /// To the left, by less than half a turn.
     Left,
