@@ -20,6 +20,7 @@ const HOMONYMS: &[(&str, &str, &str)] = &[
     ("collision", "arc", "an algorithm"),
     ("collision", "bounds", "a kind of query"),
     ("collision", "clamp", "an algorithm"),
+    ("collision/answer.rs", "normal", "a part of an answer"),
     ("collision", "separation", "a kind of query"),
     ("drawing/paint.rs", "difference", "a colour role"),
     ("drawing/paint.rs", "translation", "a colour role"),
@@ -38,8 +39,6 @@ const HOMONYMS: &[(&str, &str, &str)] = &[
     ("output/samples.rs", "ghosts", "a group of a sample drawing"),
     ("output/samples.rs", "shapes", "a group of a sample drawing"),
     ("scene", "frame", "a key of a panel"),
-    ("scene", "normal", "a key of an answer"),
-    ("scene", "separation", "a key of an answer"),
     ("scene", "shapes", "a table of a scene"),
     ("scene", "velocity", "a key of a shape"),
 ];

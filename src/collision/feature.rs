@@ -1,14 +1,16 @@
 //! A part of the boundary of B ⊖ A = {b − a}, named by the parts of the two cores that make it.
 //!
-//! Whether bodies touch, how far apart or how deep they are, and where a ray between them enters: each is a question
-//! about the point of B ⊖ A that is nearest the origin, or that the ray meets. That point lies on one of two things:
+//! Whether bodies touch, how far apart or how deep they are, and where a ray between them enters: each is a
+//! question about the point of B ⊖ A that is nearest the origin, or that the ray meets. That point lies on
+//! one of two things:
 //!
 //! ```text
 //! edge     edge k of one core and the vertex of the other that supports it along the edge's normal
 //! vertex   w_j − v_i: vertex i of A's core and vertex j of B's
 //! ```
 //!
-//! Indices count the core's vertices, counter-clockwise, not the file's; core edge k runs from vertex k to the next.
+//! Indices count the core's vertices, counter-clockwise, not the file's; core edge k runs from vertex k to
+//! the next.
 
 use crate::geometry::Side;
 
@@ -17,7 +19,7 @@ use crate::geometry::Side;
 pub(crate) struct DifferenceEdge {
     /// The body whose edge it is.
     pub(crate) source: Side,
-    /// That body's edge, counted along its core.
+    /// The edge of `source`, counted along its core.
     pub(crate) edge: usize,
     /// The other body's supporting vertex, counted along its core.
     pub(crate) vertex: usize,

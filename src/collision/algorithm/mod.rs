@@ -106,7 +106,22 @@ pub enum Stops {
 }
 
 impl Algorithm {
-    /// Answers a query that it takes, without a trace. See [`Algorithm`] for an example.
+    /// Answers a query that it takes, without a trace.
+    ///
+    /// ```
+    /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let body = Body {
+    ///     shape: Shape::of_kind("circle", &[("radius", FieldValue::Number(0.5))]).unwrap(),
+    ///     position: DVec2::new(2.0, 1.0), angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0),
+    /// };
+    /// let query = Query {
+    ///     kind: QueryKind::Bounds, a: &body, b: None, time: 0.0, tolerance: 0.0, max_iterations: 1,
+    /// };
+    /// let extremes = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
+    /// let Answer::Bounds(found) = extremes.answer(&query) else { panic!() };
+    /// assert_eq!((found.min, found.max), (DVec2::new(1.5, 0.5), DVec2::new(2.5, 1.5)));
+    /// ```
     #[must_use]
     pub fn answer(&self, query: &Query) -> Answer {
         (self.quiet)(query, &mut NoTrace)

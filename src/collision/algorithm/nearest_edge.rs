@@ -16,7 +16,7 @@ use crate::trace::{Event, Goal};
 /// The best of the projections that were offered so far, with the signed distance that it was offered with.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct NearestEdge {
-    /// That distance and the projection; None before the first offer.
+    /// The best projection with its distance; None before the first offer.
     best: Option<(f64, Projection)>,
 }
 
