@@ -66,15 +66,17 @@ pub(crate) struct Followed {
     pub(crate) slope: f64,
 }
 
-/// An axis is used up, in doubles, when its gap is below this many roundings.
+/// An axis is used up, in doubles, when its gap is below this many roundings. Half costs 0.3 % more gaps,
+/// twice saves 0.4 % and would ask for balls sooner.
 const USED_UP: f64 = 16.0;
 
-/// In balls, it is used up below this part of a rounding, about 2 ε·S: the derivatives are rounded in
-/// doubles, so that what they could still prove are steps that move nothing by an ulp.
+/// An axis is used up, in balls, when its gap is below this part of a rounding, about 2 ε·S: the derivatives
+/// are rounded in doubles, so that what they could still prove are steps that move nothing by an ulp. Neither
+/// half nor twice is noticed.
 const EXHAUSTED: f64 = 1.0 / 64.0;
 
-/// Evaluations along one axis before the closest features are asked for again. Convergence is cubic: six
-/// suffice unless many turns are covered, where each covers about a radian.
+/// Evaluations along one axis before the closest features are asked for again: a guard. Convergence is cubic:
+/// six suffice unless many turns are covered, where each covers about a radian.
 const EVALUATIONS: usize = 4096;
 
 impl Axis {

@@ -19,6 +19,15 @@
 //! close in    go on in balls, where the gap is within a few roundings of doubles
 //! graze       a contact, or a near miss, at which the gap hardly closes: its signs are below the rounding
 //! ```
+//!
+//! # Numbers that steer
+//!
+//! Some constants here only decide how long an answer takes, and what is left to a slower way: none of them
+//! can make it wrong. Their docs say what half and twice of each does to 2,000 random pairs of few vertices
+//! that turn by up to 500° (a quarter of them 3,000°) and to 603 hard ones. As they are, the filter decides
+//! 1,469 of the random pairs and 421 of the hard ones, with 19.5 gaps and 2.6 distance queries a random pair;
+//! the search alone takes 15.9 gaps and 3.2 distance queries, and leaves time bounds 1e-14 wide (the
+//! geometric mean).
 
 mod axis;
 mod closest;
@@ -44,7 +53,8 @@ use contact::Before;
 use limits::Limits;
 use search::{Ended, Search};
 
-/// Step cap of [`by_axes`]: without turning, each axis halves what is left of a graze.
+/// Step cap of [`by_axes`]: without turning, each axis halves what is left of a graze, so that 200 leave
+/// nothing of it. Half and twice leave open the same 24 of the 426 hard sweeps.
 const UNTURNED_QUERIES: usize = 200;
 
 impl MovingPair<'_> {

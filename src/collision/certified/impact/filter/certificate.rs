@@ -10,19 +10,22 @@ use crate::collision::certified::impact::axis::{Axis, AxisSpan};
 use crate::collision::certified::impact::filter::gap_series::{Instant, OpenAxis, TurnedGap};
 use crate::collision::certified::impact::moving_pair::MovingPair;
 
-/// Axes that a proof can be made of.
+/// Axes that a proof can be made of. Half as many decide 49 random pairs fewer, twice as many 48 more with 17
+/// % more gaps.
 pub(crate) const AXES: usize = 12;
 
-/// Midpoints at which the gap between two moments is evaluated at most.
+/// Midpoints at which the gap between two moments is evaluated at most. Half decide two hard pairs fewer,
+/// twice two more.
 const MIDPOINTS: usize = 48;
 
-/// The same where another proof is at hand.
+/// Midpoints at most where another proof is at hand. Half and twice change the count of gaps by a thousandth.
 const FEW_MIDPOINTS: usize = 2;
 
-/// Times that a span is halved.
+/// Times that a span is halved at most. Half decide 25 random and 8 hard pairs fewer, twice none more.
 const HALVINGS: usize = 8;
 
-/// Moments tried between two axes, to go over from one to the other.
+/// Moments tried between two axes, to go over from one to the other. Neither half nor twice decides another
+/// pair; twice costs 0.7 % more gaps.
 const SPLITS: usize = 8;
 
 /// Axes whose spans reach from the end back to the start, as far as they are proved.

@@ -72,14 +72,15 @@ pub(crate) struct OpenAxis {
     pub(crate) gap: TurnedGap,
 }
 
-/// Newton steps on a series.
+/// Newton steps on a series. Half and twice change which one or two pairs are decided.
 const NEWTON: usize = 4;
 
-/// A series is not worth a step below this part of its root: what it leaves out is more.
+/// A series is not worth a step below this part of its root: what it leaves out is more. A hundred times as
+/// much or as little is not noticed.
 const CLOSE_ENOUGH: f64 = 1e-7;
 
-/// Factor that pays for the rounding of the bound K and of what is made of it: some 30 operations of ε/2
-/// each; doubled.
+/// Factor that pays for the rounding of the bound K and of what is made of it: fewer than 64 operations, each
+/// within ε/2; doubled.
 const UP: f64 = 1.0 + 64.0 * f64::EPSILON;
 
 /// Bound on the error of [`TurnedGap::value`] as the least of all `f_j`.

@@ -23,25 +23,31 @@ use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Enclosure, perp};
 
-/// Moments at which one axis is evaluated.
+/// Moments at which one axis is evaluated at most. Half decide 56 random pairs fewer, twice 17 more: those
+/// that turn several times along one axis.
 const EVALUATIONS: usize = 48;
 
-/// No step of a series turns the bodies by more than this together, in radians.
+/// No step of a series turns the bodies by more than this together, in radians: the fifth order leaves out a
+/// hundredth of the reach then. Half decides 57 random pairs fewer with 29 % more gaps, twice 11 more with 15
+/// % fewer: most of these pairs turn by several radians.
 const LARGEST_TURN: f64 = 1.0;
 
-/// At a series' root nearer than this (radians), the place of the vertex is foretold, to this part of the
-/// side.
+/// At a series' root nearer than this, in radians, the foot of the vertex on the edge is foretold; with room
+/// for this part of the edge and of its way. Half decides 5 random pairs more and one hard one fewer, twice
+/// the reverse.
 const FORESEEN: f64 = 0.25;
 
-/// The search ends with a gap between these, in roundings, and aims between them.
+/// The filter's search ends with a gap between these, in roundings, and aims between them. Below the lower
+/// end the gap would not be proved open, a wider band makes time bounds wider. Half and twice of its width
+/// decide one hard pair more or less.
 const BAND: std::ops::Range<f64> = 1.25..4.0;
 
 /// Where inside [`BAND`] a step aims, in roundings: near the middle, so that a small miss on either side
-/// still ends the search.
+/// still ends the search. Anywhere in it is as good to a thousandth.
 const AIM: f64 = 2.5;
 
 /// A closing speed below this part of the largest speed is a graze: above it, its rounding is below 1e-8 of
-/// it.
+/// it. A hundredth of it is not noticed, a hundred times decides 6 hard pairs fewer.
 const GRAZE: f64 = 1e-6;
 
 /// What the filter can say of a pair.
