@@ -37,11 +37,12 @@ impl Taylor {
     }
 }
 
-/// H is first tried this much beyond the root of the tangent.
+/// H is first tried this much beyond the root of the tangent. Half the excess saves 0.4 % of the search's
+/// gaps and asks for balls 11 % more often, twice costs 0.6 % and asks 5 % less often.
 const BEYOND_TANGENT: f64 = 1.25;
 
 /// A second H is tried where the first leaves more than this part of it unproved: it then gains more than it
-/// costs.
+/// costs. Half and twice ask for balls 13 % and 7 % more often, with as many gaps to half a percent.
 const WORTHWHILE: f64 = 0.25;
 
 /// A time h ≤ `limit` such that f > 0 on [0, h].
