@@ -47,18 +47,33 @@ impl Rect {
     }
 
     /// Width in page pixels.
+    ///
+    /// ```
+    /// let rect = tracefig::drawing::Rect { x0: 10.0, y0: 20.0, x1: 40.0, y1: 24.0 };
+    /// assert_eq!(rect.width(), 30.0);
+    /// ```
     #[must_use]
     pub fn width(self) -> f64 {
         self.x1 - self.x0
     }
 
     /// Height in page pixels.
+    ///
+    /// ```
+    /// let rect = tracefig::drawing::Rect { x0: 10.0, y0: 20.0, x1: 40.0, y1: 24.0 };
+    /// assert_eq!(rect.height(), 4.0);
+    /// ```
     #[must_use]
     pub fn height(self) -> f64 {
         self.y1 - self.y0
     }
 
     /// The point in its middle.
+    ///
+    /// ```
+    /// let rect = tracefig::drawing::Rect { x0: 10.0, y0: 20.0, x1: 40.0, y1: 24.0 };
+    /// assert_eq!((rect.center().x, rect.center().y), (25.0, 22.0));
+    /// ```
     #[must_use]
     pub fn center(self) -> Point {
         Point::new(0.5 * (self.x0 + self.x1), 0.5 * (self.y0 + self.y1))

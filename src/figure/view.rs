@@ -21,8 +21,8 @@ const ROOM: f64 = 40.0;
 const ROOM_SHARE: f64 = 0.12;
 /// How often a view is fitted again to what its layers drew in the view before: lines, heads and markers are
 /// as large in page pixels in every view, so what they reach in world units depends on it. In the committed
-/// figures, their views taken away, one more pass moves the corner of a panel by up to 26 page pixels after one
-/// pass, 5 after two, 1 after three; a label has 40 of room.
+/// figures, their views taken away, one more pass moves the corner of a panel by up to 26 page pixels after
+/// one pass, 5 after two, 1 after three; a label has 40 of room.
 const PASSES: usize = 2;
 
 /// Gives every panel its frame, and says what its layers draw there.

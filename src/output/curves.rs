@@ -11,8 +11,9 @@ use crate::drawing::{Contour, Point, Segment};
 
 /// Distance in page pixels under which an arc starts where the piece before it ends.
 ///
-/// From 10⁻¹² to 0.02, all committed figures are the same. Below the rounding of sine and cosine a line without length
-/// would stand before an arc; above a hundredth, the last digit of a place in a file, gaps would stay open.
+/// From 10⁻¹² to 0.02, all committed figures are the same. Below the rounding of sine and cosine a line
+/// without length would stand before an arc; above a hundredth, the last digit of a place in a file, gaps
+/// would stay open.
 const TOUCH: f64 = 1e-6;
 
 /// Gives `each` all pieces of a contour in order, a move first: arcs and circles become cubic curves.

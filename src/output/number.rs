@@ -5,8 +5,8 @@
 
 /// Appends `value` rounded to hundredths: at twice the size, a fiftieth of a pixel, which no eye sees.
 ///
-/// A place to tenths would be a fifth of a pixel off at that size, which is seen where lines should meet, and save 0.6 %
-/// of the bytes of the article's eight figures; one to thousandths would cost 0.5 %.
+/// A place to tenths would be a fifth of a pixel off at that size, which is seen where lines should meet, and
+/// save 0.6 % of the bytes of the article's eight figures; one to thousandths would cost 0.5 %.
 pub(super) fn push(out: &mut String, value: f64) {
     rounded(out, value, 2);
 }

@@ -43,7 +43,7 @@ pub(crate) enum Turning {
     Along,
     /// To the left, by less than half a turn.
     Left,
-    /// The opposite direction.
+    /// Parallel to it, running the other way.
     Against,
     /// To the right, by less than half a turn.
     Right,

@@ -14,8 +14,8 @@ use super::{Candidate, Sought, inside};
 const ALONG: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
 /// Where the label of a tip may stand beside its vector, besides right at the head.
 const ALONG_VECTOR: [f64; 3] = [0.7, 0.5, 0.35];
-/// Where a label may stand along an arc, as parts of its sweep; at 0.2 and 0.8, as on a line, the angular velocity of
-/// figure 7 would stand 1.5 px from where it does.
+/// Where a label may stand along an arc, as parts of its sweep; at 0.2 and 0.8, as on a line, the angular
+/// velocity of figure 7 would stand 1.5 px from where it does.
 const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 /// A normal that rises by less than this, as a unit offset, counts as level: rounding does not choose its
 /// side.

@@ -164,8 +164,8 @@ fn bound(context: &Context) -> Option<Quantity> {
     }
 }
 
-/// The article's first step. r is the distance of the farthest vertex of the core: a disc about a vertex is carried and
-/// not turned, so the radius of a round body never counts.
+/// The article's first step. r is the distance of the farthest vertex of the core: a disc about a vertex is
+/// carried and not turned, so the radius of a round body never counts.
 fn first_step(context: &Context) -> Option<f64> {
     let start = context.separation_at(0.0)?;
     let contact = start.separation()?;

@@ -101,8 +101,11 @@ impl Content {
 
 /// Content being written, and what it refers to so far.
 struct Painter {
+    /// The operators of the page, or of the innermost group that is open.
     operators: Operators,
+    /// The graphics states that were used.
     states: BTreeSet<State>,
+    /// The glyphs that were set, each a form of its own.
     glyphs: BTreeSet<Glyph>,
     /// The operators of each group with an opacity.
     groups: Vec<Vec<u8>>,

@@ -10,8 +10,8 @@ use crate::output::raster::Pixel;
 
 /// How many equal pixels end a span.
 ///
-/// From 1 to 16 the article's eight figures take the same time within 3 %, and have the same bytes: few pixels cost as
-/// much inside a span as the start of another.
+/// From 1 to 16 the article's eight figures take the same time within 3 %, and have the same bytes: few
+/// pixels cost as much inside a span as the start of another.
 const GAP: usize = 4;
 
 /// How many pixels are compared at once where nothing is expected to differ.

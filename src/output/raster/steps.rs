@@ -105,6 +105,7 @@ pub(super) fn of(items: &[Item], size: (usize, usize), scale: f64) -> Vec<Step> 
 
 /// Turns items into steps.
 struct Recorder {
+    /// What is painted, in order, so far.
     steps: Vec<Step>,
     /// Width and height of the image in pixels.
     size: (usize, usize),

@@ -9,8 +9,8 @@ super::numbers! {
         stroke: f64 = 14.0;
         /// Each page pixel of a stroke inside the label.
         stroke_px: f64 = 0.5;
-        /// Touching a construction line, a ghost or an axis of something else, or any stroke of the thing that the
-        /// label belongs to.
+        /// Touching a construction line, a ghost or an axis of something else, or any stroke of the thing
+        /// that the label belongs to.
         light: f64 = 11.0;
         /// A foreign stroke nearer than this crowds a label, page pixels.
         crowd_reach: f64 = 7.0;

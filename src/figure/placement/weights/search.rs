@@ -8,7 +8,8 @@ super::numbers! {
         same_thing: f64 = 12.0;
         /// A label that costs more than this where it stands is offered places about its places.
         trouble: f64 = 8.0;
-        /// How many of its cheapest places a label tries while it displaces others, and is offered more places about.
+        /// How many of its cheapest places a label tries while it displaces others, and is offered more
+        /// places about.
         cheapest: usize = 12;
         /// How far a label in trouble is moved from one of its places at most, page pixels.
         nudge: f64 = 24.0;

@@ -137,8 +137,8 @@ fn knobs() -> Vec<(&'static str, Turn)> {
     all
 }
 
-/// The tuned numbers on the figures; with `TRACEFIG_SCENES` every number at twice and at half, on so many random
-/// scenes too, which takes minutes.
+/// The tuned numbers on the figures; with `TRACEFIG_SCENES` every number at twice and at half, on so many
+/// random scenes too, which takes minutes.
 #[test]
 fn the_tuned_numbers_leave_no_fault_in_the_figures() {
     let scenes = std::env::var("TRACEFIG_SCENES").map_or(0, |count| count.parse().unwrap());
