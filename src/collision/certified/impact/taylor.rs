@@ -8,8 +8,9 @@
 //! ```
 //!
 //! and on [0, H], where h³ ≤ H h², the parabola a + b h + ½ (c − ⅓ M H) h². Its first root r needs no
-//! iteration and no cancellation, r = 2a / (−b + √(b² − 2aq)), and f is positive on [0, min(r, H)). Trying H
-//! near r itself makes the parabola as good as the cubic: the order is three at a crossing, 3/2 at a graze.
+//! iteration and no cancellation, r = 2a / (−b + √(b² − 2aq)) where f falls at first, and f is positive on
+//! [0, min(r, H)). Trying H near r itself makes the parabola as good as the cubic: the order is three at a
+//! crossing, 3/2 at a graze.
 
 use crate::collision::certified::rounding::ROOT_ERROR;
 
@@ -50,7 +51,8 @@ const WORTHWHILE: f64 = 0.25;
 /// Dimension: time, as `limit`. Never more than the true first root; close to it where M h³ is small against
 /// `value`.
 pub(crate) fn positive_until(f: Taylor, limit: f64) -> f64 {
-    let root = |horizon: f64| parabola_root(f.value, f.slope, f.curvature - f.third * horizon / 3.0);
+    let root =
+        |horizon: f64| parabola_root(f.value, f.slope, f.curvature - f.third * horizon / 3.0, ROOT_ERROR);
     let near = if f.slope < 0.0 { limit.min(BEYOND_TANGENT * f.value / -f.slope) } else { limit };
     let first = root(near);
     let proved = first.min(near);
@@ -63,15 +65,20 @@ pub(crate) fn positive_until(f: Taylor, limit: f64) -> f64 {
     proved.max(root(far).min(far))
 }
 
-/// First root of a + b h + ½ q h², less its rounding; infinite where there is none.
-fn parabola_root(a: f64, b: f64, q: f64) -> f64 {
-    let a = a * (1.0 - ROOT_ERROR);
+/// First root of a + b h + ½ q h², less an allowance for its rounding; infinite where there is none.
+///
+/// Of the two ways to write a root, (−b − √(b² − 2aq)) / q and 2a / (√(b² − 2aq) − b), the one that adds what
+/// has the same sign is taken: where f rises at first and a is tiny, the other one would keep no digit.
+pub(crate) fn parabola_root(a: f64, b: f64, q: f64, allowance: f64) -> f64 {
+    let a = a * (1.0 - allowance);
     let discriminant = b * b - 2.0 * a * q;
     if discriminant < 0.0 {
         return f64::INFINITY;
     }
-    let denominator = discriminant.sqrt() - b;
-    if denominator > 0.0 { 2.0 * a / denominator * (1.0 - ROOT_ERROR) } else { f64::INFINITY }
+    let root = discriminant.sqrt();
+    let first = if b <= 0.0 { 2.0 * a / (root - b) } else { -(b + root) / q };
+    // Past the last root, or with nothing that falls, the quotient is negative, infinite or not a number.
+    if first > 0.0 { first * (1.0 - allowance) } else { f64::INFINITY }
 }
 
 #[cfg(test)]
@@ -99,6 +106,13 @@ mod tests {
         let f = Taylor { value: 1.0, slope: -2.0, curvature: 2.0, third: 0.0 };
         let h = positive_until(f, 10.0);
         assert!(h < 1.0 && h > 1.0 - 1e-6, "{h}");
+    }
+
+    #[test]
+    fn a_rise_from_next_to_nothing_keeps_the_digits_of_its_root() {
+        let f = Taylor { value: 1e-14, slope: 1.0, curvature: -3.0, third: 0.0 };
+        let (h, root) = (positive_until(f, 1.0), (1.0 + (1.0_f64 + 6e-14).sqrt()) / 3.0);
+        assert!(h < root && root - h < 64.0 * f64::EPSILON, "{h} {root}");
     }
 
     #[test]
