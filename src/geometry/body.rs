@@ -22,8 +22,8 @@ pub struct Body {
     pub spin: Degrees,
 }
 
-/// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures; the
-/// certified queries work from the body itself.
+/// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures;
+/// the certified queries work from the body itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// World position of the body's origin.
@@ -59,7 +59,8 @@ impl Pose {
 }
 
 impl Body {
-    /// Where the body is at time `t`. The angle is reduced exactly, so that any number of turns is good to an ulp.
+    /// Where the body is at time `t`. The angle is reduced exactly, so that any number of turns is good to an
+    /// ulp.
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
         let rotation = Turn::at(self.angle, self.spin, t).rotation();

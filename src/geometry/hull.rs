@@ -1,7 +1,8 @@
-//! A strictly convex core, prepared for queries: vertices counter-clockwise, its edges' directions and normals.
+//! A strictly convex core, prepared for queries: vertices counter-clockwise, its edges' directions and
+//! normals.
 //!
-//! A point has one vertex and no edge; a segment two vertices and two edges, there and back, which lets every algorithm
-//! that walks round a polygon walk round a segment too.
+//! A point has one vertex and no edge; a segment two vertices and two edges, there and back, which lets every
+//! algorithm that walks round a polygon walk round a segment too.
 
 use glam::DVec2;
 
@@ -47,8 +48,9 @@ fn diamond(v: DVec2) -> f64 {
     }
 }
 
-/// Bound on the error of each component of a double-double normal: 7 ε². With u = ε/2 the square of an edge's length is
-/// off by 11u² of itself (a product, a sum), its root by 5.5u² and 3.2u² of its own, the quotient by 17u² more: 26u².
+/// Bound on the error of each component of a double-double normal: 7 ε². With u = ε/2 the square of an edge's
+/// length is off by 11u² of itself (a product, a sum), its root by 5.5u² and 3.2u² of its own, the quotient
+/// by 17u² more: 26u².
 pub(crate) const NORMAL_ERROR: f64 = 7.0 * f64::EPSILON * f64::EPSILON;
 
 impl Hull {
@@ -85,8 +87,9 @@ impl Hull {
         if i == 0 { self.vertices.len() - 1 } else { i - 1 }
     }
 
-    /// The vertex that is highest along `direction`, in the hull's frame, searched from vertex `from` on (from anywhere,
-    /// if there is no such vertex). A guess: rounding may leave it at a neighbour that is as high.
+    /// The vertex that is highest along `direction`, in the hull's frame, searched from vertex `from` on
+    /// (from anywhere, if there is no such vertex). A guess: rounding may leave it at a neighbour that is as
+    /// high.
     #[inline]
     #[must_use]
     pub fn highest(&self, direction: DVec2, from: usize) -> usize {
@@ -152,7 +155,8 @@ fn length(v: DVec2) -> f64 {
     if length == 0.0 { 0.0 } else { (length / factor).next_up() }
 }
 
-/// The unit normal to the right of an edge, outward where vertices run counter-clockwise: its doubles and their tails.
+/// The unit normal to the right of an edge, outward where vertices run counter-clockwise: its doubles and
+/// their tails.
 fn outward(from: DVec2, to: DVec2) -> (UnitVector, DVec2) {
     let rough = to - from;
     let factor = taming_power(rough.x.abs().max(rough.y.abs()));

@@ -1,7 +1,7 @@
 //! Points, poses, shapes and their motion, in world units, y up.
 //!
-//! A body is a convex *core* (one, two or more vertices) swept by a disc of radius r, that moves with constant
-//! velocities over t in [0, 1] and turns about its own origin.
+//! A body is a convex *core* (one, two or more vertices) swept by a disc of radius r, that moves with
+//! constant velocities over t in [0, 1] and turns about its own origin.
 
 mod body;
 mod hull;

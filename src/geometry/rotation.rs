@@ -6,9 +6,9 @@
 //! then    cos(α + β) = cos α cos β − sin α sin β           sin(α + β) = sin α cos β + cos α sin β
 //! ```
 //!
-//! In doubles ([`f64`]) a component comes out within 1.5 ε of |x| + |y|, besides what cosine and sine are off by; in
-//! double-doubles ([`Dd`]) within [`crate::geometry::number::COMBINED_ERROR`] of it; in balls ([`Ball`]) the radius says it. No
-//! turn at all rounds nothing in any of them.
+//! In doubles ([`f64`]) a component comes out within 1.5 ε of |x| + |y|, besides what cosine and sine are off
+//! by; in double-doubles ([`Dd`]) within [`crate::geometry::number::COMBINED_ERROR`] of it; in balls
+//! ([`Ball`]) the radius says it. No turn at all rounds nothing in any of them.
 
 use std::ops::Neg;
 

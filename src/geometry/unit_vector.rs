@@ -1,7 +1,8 @@
 //! A direction: a vector of length 1, but for the rounding of its two components.
 //!
-//! It comes from a vector's direction, from a normal that was divided by its length, or from another direction by turning
-//! it, so that a normal in hand needs no test of its length. What is computed with it is an ordinary vector.
+//! It comes from a vector's direction, from a normal that was divided by its length, or from another
+//! direction by turning it, so that a normal in hand needs no test of its length. What is computed with it is
+//! an ordinary vector.
 
 use std::ops::{Deref, Mul, Neg};
 

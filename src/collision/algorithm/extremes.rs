@@ -89,11 +89,11 @@ fn extremes(of: Side, body: &Body, t: f64, tracer: &mut impl Tracer) -> [DVec2; 
 }
 
 /// Where a body is at a moment: in doubles with a bound, and in balls.
-struct Placing {
+pub(crate) struct Placing {
     /// From the body's frame to the world, in doubles.
-    pose: Pose,
+    pub(crate) pose: Pose,
     /// Bound on the error of a coordinate placed by `pose`, world units.
-    error: f64,
+    pub(crate) error: f64,
     /// The body's origin in the world, in balls, times `unit`.
     position: [Ball; 2],
     /// From the body's frame to the world, in balls.
@@ -106,7 +106,7 @@ struct Placing {
 
 impl Placing {
     /// The body at time `t` in [0, 1].
-    fn new(body: &Body, t: f64) -> Self {
+    pub(crate) fn new(body: &Body, t: f64) -> Self {
         let moved = body.position.abs() + (body.velocity * t).abs();
         // An outline has no core to give its reach.
         let reach = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));

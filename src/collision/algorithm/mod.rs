@@ -28,7 +28,7 @@ mod conservative_advancement;
 mod early_out;
 mod epa;
 mod extents;
-mod extremes;
+pub(super) mod extremes;
 mod gjk;
 mod merge;
 mod minkowski;
@@ -39,7 +39,7 @@ mod ray_clipping;
 mod separating_axes;
 mod simplex;
 mod swept_axis;
-mod view;
+pub(super) mod view;
 
 use crate::collision::{Answer, Query, QueryKind};
 use crate::geometry::Body;

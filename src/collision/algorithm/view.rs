@@ -12,7 +12,7 @@
 
 use std::cmp::Ordering;
 
-use crate::collision::certified::rounding::{CROSS_ERROR, TAME, VIEW_GAP_ERROR};
+use crate::collision::certified::rounding::{DOT_ERROR, GAP_ERROR, TAME};
 use crate::collision::{Pair, Query};
 use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
@@ -115,7 +115,7 @@ impl<'s> PairView<'s> {
             + ((self.b.velocity - self.a.velocity) * self.at.time).abs();
         let reaches = self.hull(Side::A).reach + self.hull(Side::B).reach;
         let size = placed.x + placed.y + reaches + self.radius();
-        if TAME.contains(&size) { VIEW_GAP_ERROR * size } else { f64::INFINITY }
+        if TAME.contains(&size) { GAP_ERROR * size } else { f64::INFINITY }
     }
 
     /// The next vertex or edge of a core, counter-clockwise.
@@ -286,7 +286,7 @@ fn vertex(hull: &Hull, k: usize) -> DVec2 {
 
 /// The sign of u × v, or None where rounding hides it.
 fn sign_of_cross(u: DVec2, v: DVec2) -> Option<Ordering> {
-    let (p, q) = (u.x * v.y, u.y * v.x);
-    let cross = p - q;
-    if cross.abs() > CROSS_ERROR * (p.abs() + q.abs()) { cross.partial_cmp(&0.0) } else { None }
+    let size = |v: DVec2| v.x.abs() + v.y.abs();
+    let cross = u.perp_dot(v);
+    if cross.abs() > DOT_ERROR * size(u) * size(v) { cross.partial_cmp(&0.0) } else { None }
 }

@@ -1,16 +1,16 @@
 //! A double-double with a proven error: the second stage of the certified queries computes with these.
 //!
-//! A ball stands for an unknown real x with |x − value| ≤ radius. Every operation returns a ball that holds the exact
-//! result for all reals of its operands:
+//! A ball stands for an unknown real x with |x − value| ≤ radius. Every operation returns a ball that holds
+//! the exact result for all reals of its operands:
 //!
 //! ```text
 //! radius(x + y) = r_x + r_y + ROUNDING |x + y|
 //! radius(x · y) = |x| r_y + |y| r_x + r_x r_y + ROUNDING |x · y|
 //! ```
 //!
-//! (van der Hoeven, *Ball arithmetic*, 2009). Radii are themselves computed in doubles and pushed up by 8ε, which covers
-//! the at most eight roundings of each formula. Sums and products of plain doubles are exact, and their balls stay
-//! points: that is how an exact 0 is seen to be one.
+//! (van der Hoeven, *Ball arithmetic*, 2009). Radii are themselves computed in doubles and pushed up by 8ε,
+//! which covers the at most eight roundings of each formula. Sums and products of plain doubles are exact,
+//! and their balls stay points: that is how an exact 0 is seen to be one.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -26,8 +26,8 @@ pub(crate) struct Ball {
     pub(crate) radius: f64,
 }
 
-/// Below this a product may lose its low half to underflow (2⁻⁹⁶⁹ rounded up to 2⁻⁹⁰⁰): its ball widens by [`FLOOR`].
-/// The callers scale scenes to about 1, so that this is far below any rounding that is seen.
+/// Below this a product may lose its low half to underflow (2⁻⁹⁶⁹ rounded up to 2⁻⁹⁰⁰): its ball widens by
+/// [`FLOOR`]. The callers scale scenes to about 1, so that this is far below any rounding that is seen.
 const PRODUCT_FLOOR: f64 = 1.0 / SCALE_900;
 /// 2⁹⁰⁰.
 const SCALE_900: f64 = f64::from_bits((1023 + 900) << 52);
@@ -185,7 +185,8 @@ impl Ball {
     }
 }
 
-/// A double that is not below `centre` + `by` · `factor`: the centre, its neighbour, or where it is farther the sum.
+/// A double that is not below `centre` + `by` · `factor`: the centre, its neighbour, or where it is farther
+/// the sum.
 fn above(centre: f64, by: f64, factor: f64) -> f64 {
     // `by` is the sum of two doubles; were it rounded down to 0, both would be 0.
     if by <= 0.0 {

@@ -1,6 +1,7 @@
 //! Cosine and sine of a turning body's angle, quickly, for the first stage of the sweeps.
 //!
-//! The angle in degrees, a + ω t, is kept as a sum of two doubles, and quarter turns come off exactly; only the rest,
+//! The angle in degrees, a + ω t, is kept as a sum of two doubles, and quarter turns come off exactly; only
+//! the rest,
 //! |δ| ≤ 45°, is rounded and turned into radians. The series then need no table:
 //!
 //! ```text
@@ -8,8 +9,8 @@
 //! cos x = 1 − x²/2! + … + x¹⁶/16!        remainder ≤ x¹⁸/18! < ε/64
 //! ```
 //!
-//! δ, π/180 and their product are rounded by ε/2 each, 1.2 ε of x at most; the sums lose ε more. So each is within 3 ε,
-//! for any number of turns. [`Turn`] is six times as precise, and slower.
+//! δ, π/180 and their product are rounded by ε/2 each, 1.2 ε of x at most; the sums lose ε more. So each is
+//! within 3 ε, for any number of turns. [`Turn`] is six times as precise, and slower.
 
 use crate::geometry::{Degrees, Rotation, Turn, two_product, two_sum};
 
@@ -71,6 +72,6 @@ mod tests {
             worst = worst.max(off(cos, c)).max(off(sin, s));
         }
         assert!(worst < 3.0 * f64::EPSILON, "{}", worst / f64::EPSILON);
-        assert!(worst > 0.2 * f64::EPSILON, "the bound would be idle: {}", worst / f64::EPSILON);
+        assert!(worst > 0.3 * f64::EPSILON, "the bound would be idle: {}", worst / f64::EPSILON);
     }
 }

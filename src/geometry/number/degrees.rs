@@ -1,10 +1,11 @@
 //! Angles as they are written in files: degrees, exactly, any number of turns.
 //!
-//! An angle at time t is a sum of doubles and products of doubles, that is, a sum of doubles without any rounding. Each
-//! is reduced by whole turns (`%` is exact), the sum is kept as an expansion (Shewchuk, *Adaptive Precision
-//! Floating-Point Arithmetic*, 1997, theorem 10), and the nearest multiple of 90 comes off exactly. Only what is left,
-//! |δ| ≤ 45, is rounded, so that multiples of 90° have cosines and sines that are exactly 0 and ±1, and parallel
-//! bodies are exactly parallel. Then δ = d + ρ with a whole number d of degrees, and
+//! An angle at time t is a sum of doubles and products of doubles, that is, a sum of doubles without any
+//! rounding. Each is reduced by whole turns (`%` is exact), the sum is kept as an expansion (Shewchuk,
+//! *Adaptive Precision Floating-Point Arithmetic*, 1997, theorem 10), and the nearest multiple of 90 comes
+//! off exactly. Only what is left, |δ| ≤ 45, is rounded, so that multiples of 90° have cosines and sines that
+//! are exactly 0 and ±1, and parallel bodies are exactly parallel. Then δ = d + ρ with a whole number d of
+//! degrees, and
 //!
 //! ```text
 //! sin(d + ρ) = s + (c sin ρ + s (cos ρ − 1))      with s = sin d°, c = cos d° from a table
@@ -12,8 +13,8 @@
 //! cos ρ − 1 = − ρ²/2! + ρ⁴/4! − … − ρ¹⁰/10!       remainder ≤ ρ¹²/12! < 5·10⁻³⁴
 //! ```
 //!
-//! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989, has the
-//! idea of the table.)
+//! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989,
+//! has the idea of the table.)
 
 use crate::geometry::Ball;
 use crate::geometry::Dd;
@@ -40,18 +41,19 @@ pub(crate) struct Turn {
     error: f64,
 }
 
-/// Bound on the error of [`Turn::rotation`], ε/2: half an ulp of a double below 1 is ε/4, and the correction in the bracket is
-/// below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
+/// Bound on the error of [`Turn::rotation`], ε/2: half an ulp of a double below 1 is ε/4, and the correction
+/// in the bracket is below 0.01 with at most ten roundings of ε/2 and the series' own 10⁻¹⁹.
 #[cfg(test)]
 pub(crate) const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 
-/// Bound on the error of [`Turn::rotation_tailed`], ε/16: the correction in the bracket is below 0.0088 with four
-/// roundings of ε/2 on its way, and the table's lower half comes with it.
+/// Bound on the error of [`Turn::rotation_tailed`], ε/16: the correction in the bracket is below 0.0088 with
+/// four roundings of ε/2 on its way, and the table's lower half comes with it.
 pub(crate) const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
 
-/// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below 0.0088, is off
-/// by 5ε² of itself; the series and the products with them lose less than ε²/10 (see [`crate::geometry::number::series`]); of the lower half of
-/// the sum, below 1.2ε, the two additions lose ε²/2 each at most.
+/// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below
+/// 0.0088, is off by 5ε² of itself; the series and the products with them lose less than ε²/10 (see
+/// [`crate::geometry::number::series`]); of the lower half of the sum, below 1.2ε, the two additions lose
+/// ε²/2 each at most.
 const FINE_ERROR: f64 = 2.0 * f64::EPSILON * f64::EPSILON;
 
 impl Turn {
@@ -139,8 +141,8 @@ impl Turn {
         self.rotation_tailed().0.rounded()
     }
 
-    /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter turns, else
-    /// [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
+    /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter
+    /// turns, else [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
     #[inline]
     #[must_use]
     pub(crate) fn rotation_tailed(&self) -> (Rotation<Dd>, f64) {
@@ -213,8 +215,8 @@ impl Expansion {
     }
 }
 
-/// The integer nearest to `x`, |x| < 2⁵¹: adding 1.5 · 2⁵² leaves no room for a fraction. (`round` is a slow call where
-/// the processor is not known to have the instruction.)
+/// The integer nearest to `x`, |x| < 2⁵¹: adding 1.5 · 2⁵² leaves no room for a fraction. (`round` is a slow
+/// call where the processor is not known to have the instruction.)
 #[inline]
 fn nearest_integer(x: f64) -> f64 {
     /// 1.5 · 2⁵².

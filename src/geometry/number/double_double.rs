@@ -1,19 +1,19 @@
 //! Double-double arithmetic: a number as the unevaluated sum of two doubles, about 32 decimal digits.
 //!
-//! The building blocks are the error-free sum (Knuth, *The Art of Computer Programming* 2, 1969, §4.2.2) and the
-//! error-free product (Dekker, *A Floating-Point Technique for Extending the Available Precision*, 1971); the
-//! operations and their bounds are those of Joldes, Muller, Popescu, *Tight and Rigorous Error Bounds for Basic
-//! Building Blocks of Double-Word Arithmetic*, 2017 (sum: algorithm 6, product: 10, quotient: 17) and Lefèvre,
-//! Louvet, Muller, Picot, Rideau, *Accurate Calculation of Euclidean Norms Using Double-Word Arithmetic*, 2023
-//! (square root). With u = ε/2 their relative errors are at most
+//! The building blocks are the error-free sum (Knuth, *The Art of Computer Programming* 2, 1969, §4.2.2) and
+//! the error-free product (Dekker, *A Floating-Point Technique for Extending the Available Precision*, 1971);
+//! the operations and their bounds are those of Joldes, Muller, Popescu, *Tight and Rigorous Error Bounds for
+//! Basic Building Blocks of Double-Word Arithmetic*, 2017 (sum: algorithm 6, product: 10, quotient: 17) and
+//! Lefèvre, Louvet, Muller, Picot, Rideau, *Accurate Calculation of Euclidean Norms Using Double-Word
+//! Arithmetic*, 2023 (square root). With u = ε/2 their relative errors are at most
 //!
 //! ```text
 //! sum 3u² + 13u³     product 8u²     quotient 15u² + 56u³     square root 25u²/8
 //! ```
 //!
-//! so that [`Dd::ROUNDING`] = 5 ε² = 20u² covers each (the quotient here uses the shorter product with a double, which
-//! adds at most 2u²). The product is Dekker's and not a fused multiply-add, which is
-//! a slow call where the processor is not known to have one. Neither overflow nor underflow may happen: the callers
+//! so that [`Dd::ROUNDING`] = 5 ε² = 20u² covers each (the quotient here uses the shorter product with a
+//! double, which adds at most 2u²). The product is Dekker's and not a fused multiply-add, which is a slow
+//! call where the processor is not known to have one. Neither overflow nor underflow may happen: the callers
 //! scale by a power of two, and [`crate::geometry::Ball`] widens where a product comes near 2⁻⁹⁶⁹.
 
 use std::ops::{Add, Mul, Neg, Sub};
@@ -188,8 +188,8 @@ pub(crate) fn combined(a: Dd, x: Dd, b: Dd, y: Dd) -> Dd {
     Dd { hi, lo }
 }
 
-/// Error of [`combined`], relative to |a x| + |b y|: the lower terms are together below 2.5ε of it and meet at most four
-/// roundings of ε/2, and lo · lo, which is left out, is below ε²/2 for both: 6 ε².
+/// Error of [`combined`], relative to |a x| + |b y|: the lower terms are together below 2.5ε of it and meet
+/// at most four roundings of ε/2, and lo · lo, which is left out, is below ε²/2 for both: 6 ε².
 #[cfg(test)]
 pub(crate) const COMBINED_ERROR: f64 = 6.0 * f64::EPSILON * f64::EPSILON;
 

@@ -12,12 +12,8 @@ mod sines;
 mod vector;
 
 pub(crate) use ball::Ball;
-#[cfg(test)]
-pub(crate) use degrees::COS_SIN_ERROR;
 pub use degrees::Degrees;
 pub(crate) use degrees::Turn;
-#[cfg(test)]
-pub(crate) use double_double::COMBINED_ERROR;
 pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
 pub(crate) use length::length;
 pub(crate) use vector::{two_product_each, two_sum_each};

@@ -1,15 +1,17 @@
-//! Sine and cosine of less than half a degree to twice the precision of a double, without waiting for lower halves.
+//! Sine and cosine of less than half a degree to twice the precision of a double, without waiting for lower
+//! halves.
 //!
-//! Only the upper halves of z = x² and of the sums go on into the next product, so that no step waits for the lower half
-//! of the one before; the lower halves are carried beside them in doubles. With x = h + l:
+//! Only the upper halves of z = x² and of the sums go on into the next product, so that no step waits for the
+//! lower half of the one before; the lower halves are carried beside them in doubles. With x = h + l:
 //!
 //! ```text
-//! sin h = h + h z (−1/3! + z/5! − z²/7! + …)        cos h − 1 = −z/2 + z² (1/4! − z/6! + z²/8! − …)        z = h²
+//! z = h²
+//! sin h = h + h z (−1/3! + z/5! − z²/7! + …)        cos h − 1 = −z/2 + z² (1/4! − z/6! + z²/8! − …)
 //! sin(h + l) = sin h + l cos h                      cos(h + l) = cos h − l sin h
 //! ```
 //!
-//! What is left out in the last line is l² < 10⁻³⁶. In the brackets the terms from z² on, below 1.2·10⁻¹², are doubles
-//! only: times ε and what stands before the bracket (10⁻⁶ and 10⁻⁸) they lose less than 10⁻³³.
+//! What is left out in the last line is l² < 10⁻³⁶. In the brackets the terms from z² on, below 1.2·10⁻¹²,
+//! are doubles only: times ε and what stands before the bracket (10⁻⁶ and 10⁻⁸) they lose less than 10⁻³³.
 
 use crate::geometry::Dd;
 use crate::geometry::fast_two_sum;

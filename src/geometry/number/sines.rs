@@ -1,8 +1,8 @@
 //! Sines of the whole degrees from 0° to 90°, as double-doubles.
 //!
 //! Each entry is the double nearest to the sine and the double nearest to what that leaves out, so that
-//! |entry − sine| ≤ ε²/8; 0°, 30° and 90° are exact. The test beside [`crate::geometry::number::degrees`] rebuilds the whole table from
-//! the series at 1° by the addition theorem.
+//! |entry − sine| ≤ ε²/8; 0°, 30° and 90° are exact. The test beside [`crate::geometry::number::degrees`]
+//! rebuilds the whole table from the series at 1° by the addition theorem.
 
 #![expect(
     clippy::unreadable_literal,

@@ -1,4 +1,5 @@
-//! Error-free sums and products of both components of a vector at once, which the processor can do side by side.
+//! Error-free sums and products of both components of a vector at once, which the processor can do side by
+//! side.
 
 use glam::DVec2;
 

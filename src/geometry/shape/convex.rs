@@ -1,8 +1,9 @@
 //! Whether a list of vertices is a convex polygon, decided exactly, and which of its vertices count.
 //!
-//! Walking round, every turn must go the same way (the sign of `orient2d`, exact: Shewchuk, *Adaptive Precision
-//! Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997), and the walk must go round only once: its
-//! steps change their direction along x, then y, just twice. Without the second test a pentagram would pass.
+//! Walking round, every turn must go the same way (the sign of `orient2d`, exact: Shewchuk, *Adaptive
+//! Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates*, 1997), and the walk must go
+//! round only once: its steps change their direction along x, then y, just twice. Without the second test a
+//! pentagram would pass.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
@@ -65,7 +66,8 @@ fn not_convex(vertex: usize) -> ShapeError {
     )
 }
 
-/// A power of two that brings the vertices near 1, so that the exact predicate neither overflows nor underflows.
+/// A power of two that brings the vertices near 1, so that the exact predicate neither overflows nor
+/// underflows.
 pub(super) fn tamer(vertices: &[DVec2]) -> f64 {
     let largest = vertices.iter().fold(0.0, |m: f64, v| m.max(v.x.abs()).max(v.y.abs()));
     if (1e-100..1e100).contains(&largest) { 1.0 } else { taming_power(largest) }

@@ -1,7 +1,7 @@
 //! Features of a shape in the file's numbering, from vertices and sides of its core.
 //!
-//! The core runs counter-clockwise without collinear vertices; the file may run clockwise and have more vertices. An answer
-//! names what the file has: the vertex, or the edge that holds the witness point.
+//! The core runs counter-clockwise without collinear vertices; the file may run clockwise and have more
+//! vertices. An answer names what the file has: the vertex, or the edge that holds the witness point.
 
 use glam::DVec2;
 
@@ -18,8 +18,8 @@ impl Shape {
 
     /// The file's edge that holds `point` (body frame), which lies on side `k` of the core.
     ///
-    /// Where collinear vertices were dropped, the side is made of several edges of the file: the one whose ends have the
-    /// point between them is taken, the first in the file's order on a tie.
+    /// Where collinear vertices were dropped, the side is made of several edges of the file: the one whose
+    /// ends have the point between them is taken, the first in the file's order on a tie.
     #[inline]
     #[must_use]
     pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
@@ -50,7 +50,8 @@ impl Shape {
         falls <= 1 || self.core.len() < 3
     }
 
-    /// Of the file's edges from vertex `from` on to vertex `to`, the one that comes nearest to holding `point`.
+    /// Of the file's edges from vertex `from` on to vertex `to`, the one that comes nearest to holding
+    /// `point`.
     fn nearest_edge(&self, from: usize, to: usize, point: DVec2) -> Feature {
         let count = self.vertices.len();
         let (mut best, mut least) = (from, f64::INFINITY);

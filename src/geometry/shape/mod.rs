@@ -1,7 +1,7 @@
 //! Shapes as *core polygon + radius*; one kind a file, each a row in [`KINDS`].
 //!
-//! A row says which fields a scene may give and how they become a [`Shape`]; the scene reader, `tracefig list` and
-//! the error messages all read this table.
+//! A row says which fields a scene may give and how they become a [`Shape`]; the scene reader, `tracefig
+//! list` and the error messages all read this table.
 
 mod aabb;
 mod capsule;
@@ -23,14 +23,15 @@ use super::Hull;
 pub struct Shape {
     /// The word for it in a scene file.
     pub kind: &'static str,
-    /// Vertices as written, in the file's order (a box's counter-clockwise from (−, −)); features are numbered by it.
+    /// Vertices as written, in the file's order (a box's counter-clockwise from (−, −)); features are
+    /// numbered by it.
     pub vertices: Vec<DVec2>,
     /// Radius of the disc that sweeps the core, in world units; 0 for sharp shapes.
     pub radius: f64,
     /// Half-extents of a box or AABB.
     pub half_extents: Option<DVec2>,
-    /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear vertices
-    /// dropped. Empty for an `outline`, which is not convex.
+    /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear
+    /// vertices dropped. Empty for an `outline`, which is not convex.
     pub core: Vec<usize>,
     /// The core, prepared for queries: `hull.vertices[k]` = `vertices[core[k]]`.
     pub hull: Hull,
@@ -238,7 +239,8 @@ fn points_value(field: &'static str, found: Option<&FieldValue>) -> Result<Vec<D
     points.iter().enumerate().map(|(i, &p)| finite_point(field, Some(i), p)).collect()
 }
 
-/// Half-extents: finite and above 0. A box without width or height is an error; a capsule says it as a segment.
+/// Half-extents: finite and above 0. A box without width or height is an error; a capsule says it as a
+/// segment.
 fn half_extents_value(found: Option<&FieldValue>) -> Result<DVec2, ShapeError> {
     let Some(FieldValue::Point(h)) = found else {
         return Err(unusable("half_extents", found, "a pair of numbers"));

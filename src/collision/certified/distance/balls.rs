@@ -1,7 +1,8 @@
 //! Second stage: the same quantities as balls of double-doubles, each with a proven radius.
 //!
-//! Everything is in A's frame, scaled as in [`crate::collision::certified::distance::pair`]. A sign that a ball does not tell is a sign that 106 bits
-//! do not tell; the callers then keep both possibilities and widen.
+//! Everything is in A's frame, scaled as in [`crate::collision::certified::distance::pair`]. A sign that a
+//! ball does not tell is a sign that 106 bits do not tell; the callers then keep both possibilities and
+//! widen.
 
 use crate::collision::certified::distance::pair::{Pair, scaled};
 use crate::collision::feature::DifferenceEdge;
@@ -12,7 +13,7 @@ pub(crate) type Vec2 = [Ball; 2];
 
 /// A pair, to twice the precision of a double.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Fine<'p, 's> {
+pub(crate) struct BallPair<'p, 's> {
     pair: &'p Pair<'s>,
     /// c, B's origin in A's frame.
     center: Vec2,
@@ -22,10 +23,11 @@ pub(crate) struct Fine<'p, 's> {
 
 /// An edge of B ⊖ A with its gap.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Way {
+pub(crate) struct MeasuredEdge {
     /// The edge, with a vertex that supports it as far as 106 bits tell.
     pub(crate) facing: DifferenceEdge,
-    /// The other body's side that is parallel to it and faces it, if one is (or may be, as far as 106 bits tell).
+    /// The other body's side that is parallel to it and faces it, if one is (or may be, as far as 106 bits
+    /// tell).
     pub(crate) partner: Option<usize>,
     /// Unit vector from A to B.
     pub(crate) normal: Vec2,
@@ -58,7 +60,7 @@ pub(crate) fn rounded(v: &Vec2) -> DVec2 {
     DVec2::new(v[0].value.hi, v[1].value.hi)
 }
 
-impl<'p, 's> Fine<'p, 's> {
+impl<'p, 's> BallPair<'p, 's> {
     /// Prepares the second stage.
     pub(crate) fn new(pair: &'p Pair<'s>) -> Self {
         let center = pair.frame.rotation_in_balls().undo(pair.apart);
@@ -78,8 +80,8 @@ impl<'p, 's> Fine<'p, 's> {
         }
     }
 
-    /// Side k of a core as a vector, in A's frame.
-    pub(crate) fn side(&self, side: Side, k: usize) -> Vec2 {
+    /// Edge k of a core as a vector, in A's frame.
+    pub(crate) fn edge(&self, side: Side, k: usize) -> Vec2 {
         let hull = self.pair.hull(side);
         let (from, to) = (hull.vertices[k], hull.vertices[hull.next(k)]);
         let along = [
@@ -107,7 +109,7 @@ impl<'p, 's> Fine<'p, 's> {
     }
 
     /// An edge of B ⊖ A measured: its supporting vertex settled, its gap enclosed.
-    pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> Way {
+    pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> MeasuredEdge {
         let other = facing.source.other();
         let normal = self.normal(facing.source, facing.edge);
         // The direction along which the other body's nearest vertex is lowest.
@@ -120,12 +122,12 @@ impl<'p, 's> Fine<'p, 's> {
         // Each step goes strictly down: at most once round.
         for _ in 0..hull.edges.len() {
             let (here, back) = (facing.vertex, hull.previous(facing.vertex));
-            let ahead = dot(&down, &self.side(other, here));
+            let ahead = dot(&down, &self.edge(other, here));
             if ahead.is_negative() {
                 facing.vertex = hull.next(here);
                 continue;
             }
-            let behind = dot(&down, &self.side(other, back));
+            let behind = dot(&down, &self.edge(other, back));
             if behind.is_positive() {
                 facing.vertex = back;
                 continue;
@@ -137,7 +139,7 @@ impl<'p, 's> Fine<'p, 's> {
         let doubt = if partner.is_some() { self.drop_below(other, facing.vertex, &down) } else { 0.0 };
         let [i, j] = facing.start();
         let gap = dot(&normal, &self.between(i, j)).widen(doubt);
-        Way { facing, partner, normal, gap }
+        MeasuredEdge { facing, partner, normal, gap }
     }
 
     /// How far below the vertex `k` along `down` the lowest vertex may be: 0 where `k` is certainly lowest.
@@ -146,7 +148,7 @@ impl<'p, 's> Fine<'p, 's> {
         let (mut ahead, mut behind) = (0.0, 0.0);
         let mut at = k;
         for _ in 0..hull.edges.len() {
-            let step = dot(down, &self.side(side, at));
+            let step = dot(down, &self.edge(side, at));
             if step.is_positive() {
                 break;
             }
@@ -156,7 +158,7 @@ impl<'p, 's> Fine<'p, 's> {
         at = k;
         for _ in 0..hull.edges.len() {
             at = hull.previous(at);
-            let step = dot(down, &self.side(side, at));
+            let step = dot(down, &self.edge(side, at));
             if step.is_negative() {
                 break;
             }

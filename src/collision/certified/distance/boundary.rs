@@ -1,12 +1,13 @@
 //! The point of B ⊖ A that is closest to an origin outside it, by walking along its boundary.
 //!
-//! Along the part of a convex boundary that the origin sees, the distance falls to one minimum and rises again. From an
-//! edge that the origin sees, step to the neighbour as long as the foot of the origin lies beyond the edge's end. The
-//! boundary is never built: after the vertex `w_j − v_i` comes either B's side j or A's side i reversed, whichever
-//! turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational Geometry*, 2008, §13.3). The first stage
-//! starts the walk where it found the minimum, so that it mostly ends where it begins.
+//! Along the part of a convex boundary that the origin sees, the distance falls to one minimum and rises
+//! again. From an edge that the origin sees, step to the neighbour as long as the foot of the origin lies
+//! beyond the edge's end. The boundary is never built: after the vertex `w_j − v_i` comes either B's side j
+//! or A's side i reversed, whichever turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational
+//! Geometry*, 2008, §13.3). The first stage starts the walk where it found the minimum, so that it mostly
+//! ends where it begins.
 
-use crate::collision::certified::distance::balls::{Fine, Vec2, cross, dot, reversed, rounded};
+use crate::collision::certified::distance::balls::{BallPair, Vec2, cross, dot, reversed, rounded};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, Side};
@@ -36,24 +37,26 @@ struct Step {
     end: [usize; 2],
 }
 
-/// Which way round.
+/// Which winding round B ⊖ A.
 #[derive(Clone, Copy)]
-enum Way {
-    Forward,
-    Backward,
+enum Winding {
+    /// As its edges run: the next edge starts where this one ends.
+    CounterClockwise,
+    /// Against its edges.
+    Clockwise,
 }
 
 /// The closest feature, from an edge of B ⊖ A that the origin sees or is on; None where it is not found.
-pub(crate) fn closest(pair: &Pair, fine: &Fine, start: DifferenceEdge) -> Option<Closest> {
+pub(crate) fn closest(pair: &Pair, balls: &BallPair, start: DifferenceEdge) -> Option<Closest> {
     let vertex = start.start();
     let count = pair.hull(Side::A).edges.len() + pair.hull(Side::B).edges.len();
-    let at = fine.between(vertex[0], vertex[1]);
+    let at = balls.between(vertex[0], vertex[1]);
     let mut doubtful = None;
-    for way in [Way::Forward, Way::Backward] {
-        let Some(step) = step(pair, fine, vertex, way) else { return Some(Closest::vertex(vertex)) };
+    for winding in [Winding::CounterClockwise, Winding::Clockwise] {
+        let Some(step) = step(pair, balls, vertex, winding) else { return Some(Closest::vertex(vertex)) };
         let slope = dot(&at, &step.along);
         match slope.sign() {
-            Some(-1) => return descend(pair, fine, step, way, count),
+            Some(-1) => return descend(pair, balls, step, winding, count),
             Some(1) => {}
             _ => doubtful = doubtful.or(Some(edge(&step, slope))),
         }
@@ -62,16 +65,16 @@ pub(crate) fn closest(pair: &Pair, fine: &Fine, start: DifferenceEdge) -> Option
 }
 
 /// Walks on as long as the distance falls; `step` is an edge along which it falls at first.
-fn descend(pair: &Pair, fine: &Fine, mut step: Step, way: Way, count: usize) -> Option<Closest> {
+fn descend(pair: &Pair, balls: &BallPair, mut step: Step, winding: Winding, count: usize) -> Option<Closest> {
     // Not farther than once round.
     for _ in 0..=count {
-        let at = fine.between(step.end[0], step.end[1]);
+        let at = balls.between(step.end[0], step.end[1]);
         let slope = dot(&at, &step.along);
         if !slope.is_negative() {
             return Some(edge(&step, slope));
         }
         let vertex = step.end;
-        step = self::step(pair, fine, vertex, way)?;
+        step = self::step(pair, balls, vertex, winding)?;
         let slope = dot(&at, &step.along);
         if slope.is_positive() {
             return Some(Closest::vertex(vertex));
@@ -94,29 +97,32 @@ fn edge(step: &Step, slope: Ball) -> Closest {
 }
 
 /// The edge of B ⊖ A after (or before) the vertex `w_j − v_i`; None where it is a point.
-fn step(pair: &Pair, fine: &Fine, [i, j]: [usize; 2], way: Way) -> Option<Step> {
+fn step(pair: &Pair, balls: &BallPair, [i, j]: [usize; 2], winding: Winding) -> Option<Step> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let (k, l) = match way {
-        Way::Forward => (i, j),
-        Way::Backward => (a.previous(i), b.previous(j)),
+    let (k, l) = match winding {
+        Winding::CounterClockwise => (i, j),
+        Winding::Clockwise => (a.previous(i), b.previous(j)),
     };
     // As they run in B ⊖ A: A's sides are reversed there.
-    let along_a = (!a.edges.is_empty()).then(|| reversed(&fine.side(Side::A, k)));
-    let along_b = (!b.edges.is_empty()).then(|| fine.side(Side::B, l));
+    let along_a = (!a.edges.is_empty()).then(|| reversed(&balls.edge(Side::A, k)));
+    let along_b = (!b.edges.is_empty()).then(|| balls.edge(Side::B, l));
     let of_a = match (along_a, along_b) {
         (None, None) => return None,
         (Some(_), None) => true,
         (None, Some(_)) => false,
         (Some(x), Some(y)) => {
             let turn = cross(&y, &x);
-            match (way, turn.sign()) {
-                (Way::Forward, Some(1)) => false,
-                (Way::Forward, Some(-1)) | (Way::Backward, Some(1)) => true,
-                (Way::Backward, Some(-1)) => false,
-                // Parallel the same way: one line, A's part last. Opposite: one of them is a segment, which the
-                // other's boundary already follows; both: the vertex is inside one line, A's part ahead of it.
-                (Way::Forward, _) => dot(&x, &y).is_negative() && b.edges.len() == 2,
-                (Way::Backward, _) => !dot(&x, &y).is_negative() || (b.edges.len() == 2 && a.edges.len() > 2),
+            match (winding, turn.sign()) {
+                (Winding::CounterClockwise, Some(1)) => false,
+                (Winding::CounterClockwise, Some(-1)) | (Winding::Clockwise, Some(1)) => true,
+                (Winding::Clockwise, Some(-1)) => false,
+                // Parallel the same winding: one line, A's part last. Opposite: one of them is a segment,
+                // which the other's boundary already follows; both: the vertex is inside one line, A's part
+                // ahead of it.
+                (Winding::CounterClockwise, _) => dot(&x, &y).is_negative() && b.edges.len() == 2,
+                (Winding::Clockwise, _) => {
+                    !dot(&x, &y).is_negative() || (b.edges.len() == 2 && a.edges.len() > 2)
+                }
             }
         }
     };
@@ -125,11 +131,11 @@ fn step(pair: &Pair, fine: &Fine, [i, j]: [usize; 2], way: Way) -> Option<Step> 
     } else {
         (along_b?, DifferenceEdge { source: Side::B, edge: l, vertex: i })
     };
-    let (along, end) = match (way, of_a) {
-        (Way::Forward, true) => (along, [a.next(i), j]),
-        (Way::Forward, false) => (along, [i, b.next(j)]),
-        (Way::Backward, true) => (reversed(&along), [k, j]),
-        (Way::Backward, false) => (reversed(&along), [i, l]),
+    let (along, end) = match (winding, of_a) {
+        (Winding::CounterClockwise, true) => (along, [a.next(i), j]),
+        (Winding::CounterClockwise, false) => (along, [i, b.next(j)]),
+        (Winding::Clockwise, true) => (reversed(&along), [k, j]),
+        (Winding::Clockwise, false) => (reversed(&along), [i, l]),
     };
     Some(Step { facing, along, end })
 }

@@ -14,8 +14,8 @@ use crate::collision::answer::Separation;
 impl pair::Pair<'_> {
     /// Signed separation with its witnesses, in world units, negative inside.
     ///
-    /// The bounds enclose the exact separation of the bodies as their doubles say it; see [`pair::Pair::at`] for an
-    /// example.
+    /// The bounds enclose the exact separation of the bodies as their doubles say it; see [`pair::Pair::at`]
+    /// for an example.
     #[must_use]
     pub fn separation(&self) -> Separation {
         search::certify(self, None)

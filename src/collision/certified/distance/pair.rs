@@ -1,19 +1,20 @@
 //! Two bodies at one moment, seen from A's frame: what every certified query starts from.
 //!
-//! A's vertices are then the file's own doubles; only B's are turned, by the exact difference of the angles, and moved,
-//! by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and nothing is lost when
-//! the pair is far from the world's origin:
+//! A's vertices are then the file's own doubles; only B's are turned, by the exact difference of the angles,
+//! and moved, by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and
+//! nothing is lost when the pair is far from the world's origin:
 //!
 //! ```text
 //! `w_j` = c + R(β − α) `q_j`        c = R(−α) (`p_B − p_A`)        `v_i` = the file's vertex i of A
 //! ```
 //!
-//! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to be
-//! whatever makes the rest exact.
+//! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to
+//! be whatever makes the rest exact.
 //!
-//! Coordinates here are multiplied by a power of two, [`Pair::scale`], where the scene is so small or large that
-//! products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles of this struct
-//! serve the first stage, [`crate::collision::certified::distance::balls::Fine`] is the second.
+//! Coordinates here are multiplied by a power of two, [`Pair::scale`], where the scene is so small or large
+//! that products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles
+//! of this struct serve the first stage, [`crate::collision::certified::distance::balls::BallPair`] is the
+//! second.
 
 use crate::collision::certified::rounding::{GAP_ERROR, LOSSY, PLACING_ERROR, TAME};
 use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Rotation, Shape, Side, Turn, taming_power};
@@ -42,10 +43,10 @@ pub struct Pair<'s> {
     /// From B's frame to A's, with the tails of cosine and sine.
     pub(crate) b_rotation: Rotation<Dd>,
     /// c, with its tail.
-    pub(crate) fine_center: [Dd; 2],
+    pub(crate) center_tailed: [Dd; 2],
     /// c in doubles.
     pub(crate) center: DVec2,
-    /// Bound on the error of `fine_center` and of a vertex turned by `b_rotation`, as vectors, together.
+    /// Bound on the error of `center_tailed` and of a vertex turned by `b_rotation`, as vectors, together.
     pub(crate) placing_error: f64,
     /// Bound on the error of each of `frame_rotation`.
     frame_error: f64,
@@ -78,7 +79,7 @@ impl<'s> Pair<'s> {
     }
 
     /// The pair at time `t` as [`Self::refined`] leaves it, in one go.
-    pub(crate) fn finely_at(a: &'s Body, b: &'s Body, t: f64) -> Self {
+    pub(crate) fn refined_at(a: &'s Body, b: &'s Body, t: f64) -> Self {
         Self::placed(a, b, t, refined)
     }
 
@@ -97,8 +98,8 @@ impl<'s> Pair<'s> {
         ];
         let (frame_rotation, frame_error) = rotation(&frame);
         let (b_rotation, turn_error) = rotation(&turn);
-        let fine_center = frame_rotation.undo([apart[0].value, apart[1].value]);
-        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
+        let center_tailed = frame_rotation.undo([apart[0].value, apart[1].value]);
+        let center = DVec2::new(center_tailed[0].hi, center_tailed[1].hi);
         let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
         // The larger of the 1-norm of `apart` and twice its rounding.
@@ -119,7 +120,7 @@ impl<'s> Pair<'s> {
             apart,
             frame_rotation,
             b_rotation,
-            fine_center,
+            center_tailed,
             center,
             placing_error,
             frame_error,
@@ -136,18 +137,19 @@ impl<'s> Pair<'s> {
             apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
             apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
         ];
-        let fine_center = self.frame_rotation.undo([apart[0].value, apart[1].value]);
-        let center = DVec2::new(fine_center[0].hi, fine_center[1].hi);
+        let center_tailed = self.frame_rotation.undo([apart[0].value, apart[1].value]);
+        let center = DVec2::new(center_tailed[0].hi, center_tailed[1].hi);
         let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
         let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
         let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
         let placing_error = 2.0 * (self.frame_error * (x + y) + self.turn_error * reaches)
             + PLACING_ERROR * magnitude
             + (apart[0].radius + apart[1].radius);
-        Self { time: t, apart, fine_center, center, magnitude, placing_error, ..*self }
+        Self { time: t, apart, center_tailed, center, magnitude, placing_error, ..*self }
     }
 
-    /// The same two bodies at time `t`, where neither turns, as far as witness points are placed by it: in doubles.
+    /// The same two bodies at time `t`, where neither turns, as far as witness points are placed by it: in
+    /// doubles.
     #[inline]
     pub(crate) fn placed_at(&self, t: f64) -> Self {
         let v = self.a.velocity - self.b.velocity;
@@ -163,8 +165,8 @@ impl<'s> Pair<'s> {
         self.frame.rotation_in_balls().undo([x, y])
     }
 
-    /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the bound on its
-    /// error as a vector; None where its products might leave the range of doubles, or it is 0.
+    /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the
+    /// bound on its error as a vector; None where its products might leave the range of doubles, or it is 0.
     #[inline]
     pub(crate) fn closing_tailed(&self) -> Option<([Dd; 2], f64)> {
         let (of_a, of_b) = (self.a.velocity, self.b.velocity);
@@ -216,7 +218,7 @@ impl<'s> Pair<'s> {
         let (b_rotation, turn_error) = refined(&self.turn);
         let apart = self.apart.map(|x| x.value);
         let distance = apart[0].hi.abs() + apart[1].hi.abs();
-        self.fine_center = frame_rotation.undo(apart);
+        self.center_tailed = frame_rotation.undo(apart);
         (self.frame_rotation, self.b_rotation) = (frame_rotation, b_rotation);
         (self.frame_error, self.turn_error) = (frame_error, turn_error);
         self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)

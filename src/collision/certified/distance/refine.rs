@@ -1,7 +1,7 @@
 //! The distance of a proved feature in one pass of double-doubles: nothing is searched here any more.
 //!
-//! A vertex of B ⊖ A is a sum of exact products; only the upper halves take part in the next sum, and everything that
-//! they leave out meets once, at the end:
+//! A vertex of B ⊖ A is a sum of exact products; only the upper halves take part in the next sum, and
+//! everything that they leave out meets once, at the end:
 //!
 //! ```text
 //! d = c + R q − v                        in A's frame, for a side of A and for two vertices
@@ -24,13 +24,14 @@ pub(crate) struct Measured {
     pub(crate) core: Dd,
     /// Unit vector from A to B, in A's frame.
     pub(crate) normal: UnitVector,
-    /// Bound on the error besides [`Pair::placing_error`] and [`crate::collision::certified::rounding::LAST_ERROR`].
+    /// Bound on the error besides [`Pair::placing_error`] and
+    /// [`crate::collision::certified::rounding::LAST_ERROR`].
     pub(crate) turning: f64,
 }
 
 /// The gap along a side's normal, which the vertex is known to support.
 #[inline]
-pub(crate) fn along_side(pair: &Pair, DifferenceEdge { source, edge, vertex }: DifferenceEdge) -> Measured {
+pub(crate) fn along_edge(pair: &Pair, DifferenceEdge { source, edge, vertex }: DifferenceEdge) -> Measured {
     let hull = pair.hull(source);
     let (hi, lo) = (hull.normals[edge], hull.tails[edge]);
     let [x, y] = [Dd { hi: hi.x, lo: lo.x }, Dd { hi: hi.y, lo: lo.y }];
@@ -100,7 +101,7 @@ pub(crate) fn between(pair: &Pair, vertices: [usize; 2]) -> [Dd; 2] {
 #[inline(never)]
 fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.fine_center);
+    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
     let across = perp(q);
     let (p, e) = two_product_each(q, DVec2::splat(cos.hi));
     let (r, f) = two_product_each(across, DVec2::splat(sin.hi));
@@ -116,7 +117,7 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
 #[inline(never)]
 fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.fine_center);
+    let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
     let (s, g) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
     let (from, low) = two_sum_each(s, g + DVec2::new(x.lo, y.lo));
     let (across, across_low) = (-perp(from), -perp(low));

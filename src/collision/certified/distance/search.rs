@@ -1,18 +1,23 @@
 //! The certified answer: which edge or vertex of B ⊖ A is nearest the origin, and a proof of how far it is.
 //!
-//! 1. *Apart.* A hint (an edge or vertex of B ⊖ A that some algorithm found) is checked: along a direction n the gap of
-//!    the supports is a lower bound of the distance, the witness points are an upper one. For the right feature the two
-//!    are equal, up to the rounding of double-doubles, and the proof is done without looking at anything else.
-//! 2. *Overlapping*, or no such luck. The depth is the least over *every* edge of B ⊖ A. Plain doubles with a bound sort
-//!    out the edges that cannot be it ([`crate::collision::certified::distance::gaps`]); every edge within twice that bound of the best is measured again
-//!    ([`crate::collision::certified::distance::balls`]), and ties are counted there. If the best gap turns out not to be negative, the bodies are apart
-//!    and the closest point is reached by walking from that edge ([`crate::collision::certified::distance::boundary`]).
+//! 1. *Apart.* A hint (an edge or vertex of B ⊖ A that some algorithm found) is checked: along a direction n
+//!    the gap of the supports is a lower bound of the distance, the witness points are an upper one. For the
+//!    right feature the two are equal, up to the rounding of double-doubles, and the proof is done without
+//!    looking at anything else.
+//! 2. *Overlapping*, or no such luck. The depth is the least over *every* edge of B ⊖ A. Plain doubles with a
+//!    bound sort out the edges that cannot be it ([`crate::collision::certified::distance::gaps`]); every
+//!    edge within twice that bound of the best is measured again
+//!    ([`crate::collision::certified::distance::balls`]), and ties are counted there. If the best gap turns
+//!    out not to be negative, the bodies are apart and the closest point is reached by walking from that edge
+//!    ([`crate::collision::certified::distance::boundary`]).
 //!
-//! Where the separation's ball holds 0, the sign of a polynomial decides, without square roots: c |c| − R² |e|² for an
-//! edge e with c = e × d, and |d|² − R² for vertices d apart; only an exact 0 is called 0.
+//! Where the separation's ball holds 0, the sign of a polynomial decides, without square roots: c |c| − R²
+//! |e|² for an edge e with c = e × d, and |d|² − R² for vertices d apart; only an exact 0 is called 0.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, reversed, rounded};
+use crate::collision::certified::distance::balls::{
+    BallPair, MeasuredEdge, Vec2, cross, dot, reversed, rounded,
+};
 use crate::collision::certified::distance::boundary::{self, Closest};
 use crate::collision::certified::distance::filter;
 use crate::collision::certified::distance::gaps::every_gap;
@@ -36,7 +41,7 @@ pub(crate) struct Found {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Contact {
     /// An edge.
-    Edge(Way),
+    Edge(MeasuredEdge),
     /// A vertex: [i, j], and `w_j − v_i`.
     Vertex([usize; 2], Vec2),
 }
@@ -52,10 +57,11 @@ pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separatio
 /// [`certify`], where the quick proof is not enough.
 #[cold]
 pub(crate) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
-    let fine = Fine::new(pair);
-    let found = hint.and_then(|hint| confirm(pair, &fine, hint)).unwrap_or_else(|| search(pair, &fine, hint));
+    let balls = BallPair::new(pair);
+    let found =
+        hint.and_then(|hint| confirm(pair, &balls, hint)).unwrap_or_else(|| search(pair, &balls, hint));
     let separation = found.core - Ball::exact(pair.radius);
-    let zero = separation.sign().is_none() && is_zero(pair, &fine, &found);
+    let zero = separation.sign().is_none() && is_zero(pair, &balls, &found);
     witnesses::answer(pair, &proved(pair, &found, if zero { Ball::ZERO } else { separation }))
 }
 
@@ -66,33 +72,35 @@ fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
     let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);
     let carrier = match found.contact {
         Contact::Vertex(vertices, _) => Carrier::Vertex(vertices),
-        Contact::Edge(Way { facing, partner: Some(partner), .. }) => Carrier::ParallelEdges(facing, partner),
-        Contact::Edge(Way { facing, partner: None, .. }) => Carrier::Edge(facing),
+        Contact::Edge(MeasuredEdge { facing, partner: Some(partner), .. }) => {
+            Carrier::ParallelEdges(facing, partner)
+        }
+        Contact::Edge(MeasuredEdge { facing, partner: None, .. }) => Carrier::Edge(facing),
     };
     let normal = normal_of(&found.contact);
     Proved { carrier, normal, core: found.core.value.hi, separation: value, bounds, ties: found.ties }
 }
 
 /// A hint that can be proved to be the nearest feature of bodies that are apart.
-fn confirm(pair: &Pair, fine: &Fine, hint: DifferenceFeature) -> Option<Found> {
+fn confirm(pair: &Pair, balls: &BallPair, hint: DifferenceFeature) -> Option<Found> {
     match hint {
         DifferenceFeature::Edge(facing) => {
-            let way = fine.measure(facing);
-            if !way.gap.is_positive() {
+            let measured = balls.measure(facing);
+            if !measured.gap.is_positive() {
                 return None;
             }
-            let closest = boundary::closest(pair, fine, way.facing)?;
-            apart(fine, closest)
+            let closest = boundary::closest(pair, balls, measured.facing)?;
+            apart(balls, closest)
         }
         DifferenceFeature::Vertex(vertices) => {
-            let found = vertex(fine, vertices)?;
+            let found = vertex(balls, vertices)?;
             let Contact::Vertex(_, p) = found.contact else { return None };
             // A side square to p, or one that points nearer, leaves it to the search.
             let clear = |side: Side, k: usize, down: &Vec2| {
                 let hull = pair.hull(side);
                 hull.edges.is_empty()
-                    || (dot(down, &fine.side(side, k)).is_positive()
-                        && dot(down, &fine.side(side, hull.previous(k))).is_negative())
+                    || (dot(down, &balls.edge(side, k)).is_positive()
+                        && dot(down, &balls.edge(side, hull.previous(k))).is_negative())
             };
             let proved = found.core.is_positive()
                 && clear(Side::B, vertices[1], &p)
@@ -103,21 +111,25 @@ fn confirm(pair: &Pair, fine: &Fine, hint: DifferenceFeature) -> Option<Found> {
 }
 
 /// The closest feature of bodies that are apart, measured.
-fn apart(fine: &Fine, closest: Closest) -> Option<Found> {
+fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
     match closest.feature {
         DifferenceFeature::Edge(facing) => {
-            let way = fine.measure(facing);
-            Some(Found { contact: Contact::Edge(way), core: way.gap.widen(closest.beyond), ties: 1 })
+            let measured = balls.measure(facing);
+            Some(Found {
+                contact: Contact::Edge(measured),
+                core: measured.gap.widen(closest.beyond),
+                ties: 1,
+            })
         }
-        DifferenceFeature::Vertex(vertices) => vertex(fine, vertices),
+        DifferenceFeature::Vertex(vertices) => vertex(balls, vertices),
     }
 }
 
 /// Vertex i of A against vertex j of B: |`w_j − v_i`|, less what the supports along it may lie nearer.
-fn vertex(fine: &Fine, [i, j]: [usize; 2]) -> Option<Found> {
-    let p = fine.between(i, j);
+fn vertex(balls: &BallPair, [i, j]: [usize; 2]) -> Option<Found> {
+    let p = balls.between(i, j);
     let length = dot(&p, &p).sqrt();
-    let drop = fine.drop_below(Side::B, j, &p) + fine.drop_below(Side::A, i, &reversed(&p));
+    let drop = balls.drop_below(Side::B, j, &p) + balls.drop_below(Side::A, i, &reversed(&p));
     let least = length.value.hi * (1.0 - f64::EPSILON) - length.radius;
     let core = if drop == 0.0 {
         length
@@ -130,13 +142,13 @@ fn vertex(fine: &Fine, [i, j]: [usize; 2]) -> Option<Found> {
 }
 
 /// Every edge of B ⊖ A, then the walk if the origin is outside.
-fn search(pair: &Pair, fine: &Fine, hint: Option<DifferenceFeature>) -> Found {
-    let Some((best, ties)) = best_way(pair, fine, hint) else { return points(fine) };
+fn search(pair: &Pair, balls: &BallPair, hint: Option<DifferenceFeature>) -> Found {
+    let Some((best, ties)) = widest_edge(pair, balls, hint) else { return points(balls) };
     let through = Found { contact: Contact::Edge(best), core: best.gap, ties };
     if best.gap.is_negative() {
         return through;
     }
-    let outside = boundary::closest(pair, fine, best.facing).and_then(|closest| apart(fine, closest));
+    let outside = boundary::closest(pair, balls, best.facing).and_then(|closest| apart(balls, closest));
     match outside {
         // On the line of an edge but off its end, or properly outside.
         Some(found) if best.gap.is_positive() || (found.core - best.gap).is_positive() => found,
@@ -145,8 +157,8 @@ fn search(pair: &Pair, fine: &Fine, hint: Option<DifferenceFeature>) -> Found {
 }
 
 /// Two points.
-fn points(fine: &Fine) -> Found {
-    let p = fine.between(0, 0);
+fn points(balls: &BallPair) -> Found {
+    let p = balls.between(0, 0);
     let core = dot(&p, &p).sqrt();
     let ties = u32::from(core.is_positive());
     Found { contact: Contact::Vertex([0, 0], p), core, ties }
@@ -154,55 +166,64 @@ fn points(fine: &Fine) -> Found {
 
 /// The edge with the largest gap, and how many directions tie with it; None where B ⊖ A has no edges.
 ///
-/// Of edges that tie the hinted one is taken, else the first. Parallel edges of A and B are one direction, counted for A.
-fn best_way(pair: &Pair, fine: &Fine, hint: Option<DifferenceFeature>) -> Option<(Way, u32)> {
+/// Of edges that tie the hinted one is taken, else the first. Parallel edges of A and B are one direction,
+/// counted for A.
+fn widest_edge(
+    pair: &Pair,
+    balls: &BallPair,
+    hint: Option<DifferenceFeature>,
+) -> Option<(MeasuredEdge, u32)> {
     let error = pair.gap_error();
     let mut top = f64::NEG_INFINITY;
     every_gap(pair, |_, gap| top = top.max(gap));
     let floor = if error.is_finite() { top - 2.0 * error } else { f64::NEG_INFINITY };
-    let mut best: Option<Way> = None;
+    let mut best: Option<MeasuredEdge> = None;
     let (mut ties, mut highest) = (0, f64::NEG_INFINITY);
     every_gap(pair, |facing, gap| {
         if gap < floor {
             return;
         }
-        let way = fine.measure(facing);
-        let counts = u32::from(facing.source == Side::A || way.partner.is_none());
+        let measured = balls.measure(facing);
+        let counts = u32::from(facing.source == Side::A || measured.partner.is_none());
         let Some(leader) = best else {
-            (best, ties) = (Some(way), counts);
-            highest = way.gap.radius;
+            (best, ties) = (Some(measured), counts);
+            highest = measured.gap.radius;
             return;
         };
-        match (way.gap - leader.gap).sign() {
-            Some(1) => (best, ties, highest) = (Some(way), counts, way.gap.radius),
+        match (measured.gap - leader.gap).sign() {
+            Some(1) => (best, ties, highest) = (Some(measured), counts, measured.gap.radius),
             Some(-1) => {}
             _ => {
                 ties += counts;
                 // How far this one may be above the leader's centre.
-                highest = highest.max((way.gap.value - leader.gap.value).hi.abs() + way.gap.radius);
-                if [way.facing, facing].map(DifferenceFeature::Edge).map(Some).contains(&hint) {
-                    best = Some(way);
+                highest = highest.max((measured.gap.value - leader.gap.value).hi.abs() + measured.gap.radius);
+                if [measured.facing, facing].map(DifferenceFeature::Edge).map(Some).contains(&hint) {
+                    best = Some(measured);
                     highest = highest.max(2.0 * highest);
                 }
             }
         }
     });
-    best.map(|way| {
-        let gap = if highest > way.gap.radius { way.gap.widen(highest - way.gap.radius) } else { way.gap };
-        (Way { gap, ..way }, ties.max(1))
+    best.map(|measured| {
+        let gap = if highest > measured.gap.radius {
+            measured.gap.widen(highest - measured.gap.radius)
+        } else {
+            measured.gap
+        };
+        (MeasuredEdge { gap, ..measured }, ties.max(1))
     })
 }
 
 /// Whether the separation is exactly 0, by the sign of a polynomial.
-fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
+fn is_zero(pair: &Pair, balls: &BallPair, found: &Found) -> bool {
     let radius = Ball::exact(pair.radius);
     let squared = |x: Ball| x * x;
     let polynomial = match found.contact {
         Contact::Vertex(_, p) => dot(&p, &p) - squared(radius),
-        Contact::Edge(way) => {
-            let along = fine.side(way.facing.source, way.facing.edge);
-            let [i, j] = way.facing.start();
-            let area = cross(&along, &fine.between(i, j));
+        Contact::Edge(measured) => {
+            let along = balls.edge(measured.facing.source, measured.facing.edge);
+            let [i, j] = measured.facing.start();
+            let area = cross(&along, &balls.between(i, j));
             if radius == Ball::ZERO { area } else { squared(area) - squared(radius) * dot(&along, &along) }
         }
     };
@@ -212,7 +233,7 @@ fn is_zero(pair: &Pair, fine: &Fine, found: &Found) -> bool {
 /// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
 fn normal_of(contact: &Contact) -> Option<UnitVector> {
     match contact {
-        Contact::Edge(way) => Some(UnitVector::normalized(rounded(&way.normal))),
+        Contact::Edge(measured) => Some(UnitVector::normalized(rounded(&measured.normal))),
         Contact::Vertex(_, p) => {
             let length = dot(p, p).sqrt();
             length

@@ -6,8 +6,8 @@
 //! p_A = c_A + r_A n        p_B = c_B − r_B n        `p_B − p_A` = s n
 //! ```
 //!
-//! A vertex is placed by its own body's pose, so that it is as near to the exact one as doubles come. The other witness
-//! follows along the normal.
+//! A vertex is placed by its own body's pose, so that it is as near to the exact one as doubles come. The
+//! other witness follows along the normal.
 
 use crate::collision::Separation;
 use crate::collision::certified::distance::pair::Pair;
@@ -42,7 +42,8 @@ pub(crate) struct Proved {
     pub(crate) ties: u32,
 }
 
-/// Witness points of the cores in the world, scaled (so that they round once), and the features that carry them.
+/// Witness points of the cores in the world, scaled (so that they round once), and the features that carry
+/// them.
 type Witnesses = ([DVec2; 2], [Feature; 2]);
 
 /// The answer.

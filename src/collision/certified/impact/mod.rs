@@ -29,15 +29,15 @@
 //! the search alone takes 15.9 gaps and 3.2 distance queries, and leaves time bounds 1e-14 wide (the
 //! geometric mean).
 
-mod axis;
+pub(super) mod axis;
 mod closest;
 mod contact;
-mod filter;
-mod gap;
+pub(super) mod filter;
+pub(super) mod gap;
 mod limits;
 mod moving_pair;
 mod search;
-mod taylor;
+pub(super) mod taylor;
 
 pub(crate) use axis::AxisSpan;
 pub use moving_pair::MovingPair;
@@ -110,7 +110,7 @@ impl MovingPair<'_> {
             return unresolved;
         }
         let [a, b] = self.bodies;
-        let pair = Pair::finely_at(a, b, 0.0);
+        let pair = Pair::refined_at(a, b, 0.0);
         match balls::entry(&pair).outcome(&pair) {
             Outcome::Hit { time: Enclosure { lo, hi }, .. } if lo >= free_until => {
                 let contact = separation_at(a, b, free_until, near);

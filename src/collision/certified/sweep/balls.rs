@@ -17,7 +17,9 @@
 //! Source: the line that is met last is Cyrus and Beck, *Generalized two- and three-dimensional clipping*,
 //! 1978; the root without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
 
-use crate::collision::certified::distance::balls::{Fine, Vec2, Way, cross, dot, minus, reversed};
+use crate::collision::certified::distance::balls::{
+    BallPair, MeasuredEdge, Vec2, cross, dot, minus, reversed,
+};
 use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::sweep::ray::Entry;
@@ -28,7 +30,11 @@ use crate::geometry::{Ball, DVec2, Enclosure, Side, length};
 #[cold]
 pub(crate) fn entry(pair: &Pair) -> Entry {
     let v = pair.closing_fine();
-    if dot(&v, &v).sign() == Some(0) { Entry::Still } else { Ray { pair, fine: Fine::new(pair), v }.entry() }
+    if dot(&v, &v).sign() == Some(0) {
+        Entry::Still
+    } else {
+        Ray { pair, balls: BallPair::new(pair), v }.entry()
+    }
 }
 
 /// A ray and B ⊖ A in balls, in A's frame and the units of `pair`.
@@ -36,7 +42,7 @@ struct Ray<'p, 's> {
     /// Both bodies at t = 0, in doubles.
     pair: &'p Pair<'s>,
     /// Both bodies at t = 0, in balls.
-    fine: Fine<'p, 's>,
+    balls: BallPair<'p, 's>,
     /// The closing velocity `v_A` − `v_B`, along which the ray runs; not 0.
     v: Vec2,
 }
@@ -88,14 +94,14 @@ impl Ray<'_, '_> {
         let Some(facing) = last_line(self.pair, self.direction()) else {
             return self.entry_by_disc([0, 0]);
         };
-        let way = self.fine.measure(facing);
-        let when = self.meets_line(&way);
+        let measured = self.balls.measure(facing);
+        let when = self.meets_line(&measured);
         if !when.denominator.is_positive() {
             return Entry::Unsure;
         }
-        match self.meeting_point(&way, when.value()) {
+        match self.meeting_point(&measured, when.value()) {
             MeetingPoint::Within => {
-                let (feature, time) = (DifferenceFeature::Edge(way.facing), when.doubles());
+                let (feature, time) = (DifferenceFeature::Edge(measured.facing), when.doubles());
                 Entry::At { feature, time, contact: None }
             }
             MeetingPoint::Beyond(vertex) => self.entry_by_disc(vertex),
@@ -113,36 +119,36 @@ impl Ray<'_, '_> {
     /// When the ray meets the line of an edge, moved out by ρ.
     ///
     /// Both parts of the quotient are times the edge's length, which keeps them exact where the vertices are.
-    fn meets_line(&self, way: &Way) -> TimeQuotient {
-        let DifferenceEdge { source, edge, vertex } = way.facing;
-        let e = self.fine.side(source, edge);
-        let [i, j] = way.facing.start();
+    fn meets_line(&self, measured: &MeasuredEdge) -> TimeQuotient {
+        let DifferenceEdge { source, edge, vertex } = measured.facing;
+        let e = self.balls.edge(source, edge);
+        let [i, j] = measured.facing.start();
         let n = match source {
             Side::A => [e[1], -e[0]],
             Side::B => [-e[1], e[0]],
         };
-        let mut gap = dot(&n, &self.fine.between(i, j));
+        let mut gap = dot(&n, &self.balls.between(i, j));
         if self.pair.radius.hi > 0.0 {
             gap = gap - Ball::exact(self.pair.radius) * dot(&e, &e).sqrt();
         }
-        if way.partner.is_some() {
+        if measured.partner.is_some() {
             let down = if source == Side::A { n } else { reversed(&n) };
-            gap = gap.widen(self.fine.drop_below(source.other(), vertex, &down));
+            gap = gap.widen(self.balls.drop_below(source.other(), vertex, &down));
         }
         TimeQuotient { numerator: gap, denominator: dot(&n, &self.v) }
     }
 
     /// Where along an edge of B ⊖ A the ray is at time `t`: of a parallel edge of the other body, all counts
     /// that is over the edge.
-    fn meeting_point(&self, way: &Way, t: Ball) -> MeetingPoint {
-        let DifferenceEdge { source, edge, vertex } = way.facing;
+    fn meeting_point(&self, measured: &MeasuredEdge, t: Ball) -> MeetingPoint {
+        let DifferenceEdge { source, edge, vertex } = measured.facing;
         let (own, other) = (self.pair.hull(source), self.pair.hull(source.other()));
-        let ends = way.partner.map_or([vertex; 2], |parallel| [parallel, other.next(parallel)]);
-        let e = self.fine.side(source, edge);
+        let ends = measured.partner.map_or([vertex; 2], |parallel| [parallel, other.next(parallel)]);
+        let e = self.balls.edge(source, edge);
         let run = scaled(&self.v, t);
         let along = |k: usize| match source {
-            Side::A => dot(&minus(&self.fine.between(edge, k), &run), &e),
-            Side::B => dot(&minus(&run, &self.fine.between(k, edge)), &e),
+            Side::A => dot(&minus(&self.balls.between(edge, k), &run), &e),
+            Side::B => dot(&minus(&run, &self.balls.between(k, edge)), &e),
         };
         let (p, q) = (along(ends[0]), along(ends[1]));
         let ((low, first), (high, last)) =
@@ -159,7 +165,7 @@ impl Ray<'_, '_> {
 
     /// Where the ray enters, if that is at the disc at a vertex of B ⊖ A or nowhere.
     fn entry_by_disc(&self, vertex: [usize; 2]) -> Entry {
-        let (p, v) = (self.fine.between(vertex[0], vertex[1]), self.v);
+        let (p, v) = (self.balls.between(vertex[0], vertex[1]), self.v);
         let (across, along, speed_squared) = (cross(&v, &p), dot(&v, &p), dot(&v, &v));
         let feature = DifferenceFeature::Vertex(vertex);
         let radius = Ball::exact(self.pair.radius);
@@ -190,14 +196,14 @@ impl Ray<'_, '_> {
     /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than
     /// it meets B ⊖ A itself.
     fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> Option<TimeQuotient> {
-        let (p, v, t) = (self.fine.between(i, j), self.direction(), entry.value().value.hi);
+        let (p, v, t) = (self.balls.between(i, j), self.direction(), entry.value().value.hi);
         let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
         let n = n / length(n);
         if !n.is_finite() {
             return None;
         }
         let n = [Ball::new(n.x), Ball::new(n.y)];
-        let drop = self.fine.drop_below(Side::B, j, &n) + self.fine.drop_below(Side::A, i, &reversed(&n));
+        let drop = self.balls.drop_below(Side::B, j, &n) + self.balls.drop_below(Side::A, i, &reversed(&n));
         let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
         let closing = dot(&n, &self.v);
         closing.is_positive().then(|| TimeQuotient { numerator: gap.widen(drop), denominator: closing })
@@ -209,9 +215,9 @@ impl Ray<'_, '_> {
         let left = [-self.v[1], self.v[0]];
         let away = if side > 0 { left } else { reversed(&left) };
         let drop =
-            self.fine.drop_below(Side::B, j, &away) + self.fine.drop_below(Side::A, i, &reversed(&away));
+            self.balls.drop_below(Side::B, j, &away) + self.balls.drop_below(Side::A, i, &reversed(&away));
         let reach = Ball::exact(self.pair.radius) * dot(&self.v, &self.v).sqrt();
-        let clear = dot(&away, &self.fine.between(i, j)) - reach - Ball::new(drop);
+        let clear = dot(&away, &self.balls.between(i, j)) - reach - Ball::new(drop);
         if clear.is_positive() { Entry::Misses } else { Entry::Unsure }
     }
 }

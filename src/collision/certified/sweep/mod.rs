@@ -10,8 +10,8 @@
 //!    digits ([`crate::collision::certified::impact::by_axes`]).
 
 pub(super) mod balls;
-mod filter;
-mod heading;
+pub(super) mod filter;
+pub(super) mod heading;
 pub(super) mod ray;
 
 use crate::collision::answer::Outcome;
@@ -51,7 +51,7 @@ impl<'s> Sweep<'s> {
     /// ```
     #[must_use]
     pub fn new(a: &'s Body, b: &'s Body) -> Self {
-        let pair = Pair::finely_at(a, b, 0.0);
+        let pair = Pair::refined_at(a, b, 0.0);
         Self { heading: Heading::of(&pair), pair }
     }
 

@@ -1,9 +1,9 @@
 //! A guess, in plain doubles, of the feature of B ⊖ A nearest the origin: what the quick proof starts from.
 //!
-//! The distance algorithm of Gilbert, Johnson and Keerthi (1988) in its smallest form: a simplex of one or two vertices
-//! `w_j − v_i`, the closest point of it, the supporting vertex beyond. It ends on indices that repeat, never on a
-//! tolerance, and on a triangle that holds the origin. Nothing that it says is trusted: [`crate::collision::certified::distance::filter`] proves it or
-//! asks for more.
+//! The distance algorithm of Gilbert, Johnson and Keerthi (1988) in its smallest form: a simplex of one or
+//! two vertices `w_j − v_i`, the closest point of it, the supporting vertex beyond. It ends on indices that
+//! repeat, never on a tolerance, and on a triangle that holds the origin. Nothing that it says is trusted:
+//! [`crate::collision::certified::distance::filter`] proves it or asks for more.
 
 use crate::collision::certified::distance::filter::small;
 use crate::collision::certified::distance::pair::Pair;
@@ -89,8 +89,8 @@ pub(crate) fn guess(pair: &Pair) -> Guess {
 /// No vertices to start from.
 pub(crate) const ANYWHERE: (usize, usize) = (usize::MAX, usize::MAX);
 
-/// The feature of B ⊖ A nearest the origin, looked for along a first direction and from vertices of A and B on: by descent
-/// alone.
+/// The feature of B ⊖ A nearest the origin, looked for along a first direction and from vertices of A and B
+/// on: by descent alone.
 #[inline]
 pub(crate) fn search(asked: &Asked, toward: DVec2, from: (usize, usize)) -> Guess {
     descend(asked, asked.lowest(toward, from))
@@ -129,7 +129,8 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
                 return facing(a, b, x, y)
                     .map_or(Guess::Unclear, |facing| Guess::Apart(DifferenceFeature::Edge(facing)));
             }
-            // On which side of the way x → z → y the origin is: outside x z, outside z y, or inside all three.
+            // On which side of the way x → z → y the origin is: outside x z, outside z y, or inside all
+            // three.
             let side = if height < 0.0 { -1.0 } else { 1.0 };
             let outside_x = side * x.p.perp_dot(z.p) < 0.0;
             let outside_y = side * z.p.perp_dot(y.p) < 0.0;

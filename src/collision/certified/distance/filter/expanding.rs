@@ -1,13 +1,15 @@
-//! The depth of large cores without a look at every edge: a polygon inside B ⊖ A that grows where the origin is nearest.
+//! The depth of large cores without a look at every edge: a polygon inside B ⊖ A that grows where the origin
+//! is nearest.
 //!
-//! With the origin inside a polygon P whose vertices belong to B ⊖ A, no direction has less depth than the nearest side of P
-//! is away. So the nearest side is replaced by two, with the vertex of B ⊖ A farthest beyond it, until the nearest side
-//! is one of B ⊖ A itself: then its distance is the depth, and all that lies behind the other sides need never be seen.
-//! (van den Bergen, *Proximity Queries and Penetration Depth Computation on 3D Game Objects*, 2001, section 3: the
-//! expanding polytope.) The number of steps hardly grows with the number of vertices; each is a search of O(log n).
+//! With the origin inside a polygon P whose vertices belong to B ⊖ A, no direction has less depth than the
+//! nearest side of P is away. So the nearest side is replaced by two, with the vertex of B ⊖ A farthest
+//! beyond it, until the nearest side is one of B ⊖ A itself: then its distance is the depth, and all that
+//! lies behind the other sides need never be seen. (van den Bergen, *Proximity Queries and Penetration Depth
+//! Computation on 3D Game Objects*, 2001, section 3: the expanding polytope.) The number of steps hardly
+//! grows with the number of vertices; each is a search of O(log n).
 //!
-//! Vertices here are doubles within [`Pair::gap_error`] of theirs, and so are the distances of segments between them from
-//! the origin: a side that is farther by twice that is farther.
+//! Vertices here are doubles within [`Pair::gap_error`] of theirs, and so are the distances of segments
+//! between them from the origin: a side that is farther by twice that is farther.
 
 use crate::collision::certified::distance::filter::descent::{Asked, Vertex, facing};
 use crate::collision::certified::distance::filter::{Support, support};
@@ -18,7 +20,8 @@ use crate::geometry::Side;
 /// Sides of the polygon at most; more are needed only where many depths are nearly the same.
 const SIDES: usize = 64;
 
-/// With fewer edges than this B ⊖ A is measured edge by edge: about ten steps are needed, each as long as four edges.
+/// With fewer edges than this B ⊖ A is measured edge by edge: about ten steps are needed, each as long as
+/// four edges.
 const WORTHWHILE: usize = 48;
 
 /// P: vertices counter-clockwise, and the distance of the origin from the line of the side after each.
@@ -75,8 +78,8 @@ impl Inscribed {
     }
 }
 
-/// The edge of B ⊖ A that is nearest the origin, if it clearly is, from a triangle of vertices round the origin; None
-/// also where a look at every edge is quicker.
+/// The edge of B ⊖ A that is nearest the origin, if it clearly is, from a triangle of vertices round the
+/// origin; None also where a look at every edge is quicker.
 pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<DifferenceEdge> {
     if pair.hull(Side::A).vertices.len() + pair.hull(Side::B).vertices.len() < WORTHWHILE {
         return None;

@@ -1,15 +1,19 @@
-//! The quick proof: a guessed feature, its conditions checked in doubles, its distance in one pass of double-doubles.
+//! The quick proof: a guessed feature, its conditions checked in doubles, its distance in one pass of
+//! double-doubles.
 //!
-//! A guess is right if the other body's supporting vertex is the one that it names and if the foot of the origin lies
-//! inside the feature. Both are signs of dot products; here they must be clear of a bound on all rounding. Then the gap
-//! along the side's normal (or the distance of two vertices) is the separation of the cores, and only its last digits are
-//! left to compute (a side of the other body may be parallel, if that is exact):
+//! A guess is right if the other body's supporting vertex is the one that it names and if the foot of the
+//! origin lies inside the feature. Both are signs of dot products; here they must be clear of a bound on all
+//! rounding. Then the gap along the side's normal (or the distance of two vertices) is the separation of the
+//! cores, and only its last digits are left to compute (a side of the other body may be parallel, if that is
+//! exact):
 //!
 //! ```text
-//! gap = n · (c + R q_j − v_i)          error ≤ |error of c and R q_j| + |error of n| |c + R q_j − v_i| + 64 ε² M
+//! gap = n · (c + R q_j − v_i)
+//! error ≤ |error of c and R q_j| + |error of n| |c + R q_j − v_i| + 64 ε² M
 //! ```
 //!
-//! Where any condition is not clear, or the error is more than [`TIGHT`] of the separation, there is no quick proof.
+//! Where any condition is not clear, or the error is more than [`TIGHT`] of the separation, there is no quick
+//! proof.
 
 pub(crate) mod descent;
 pub(crate) mod expanding;
@@ -18,14 +22,14 @@ pub(crate) mod small;
 use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, guess};
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::refine::{Measured, along_side, between_vertices};
+use crate::collision::certified::distance::refine::{Measured, along_edge, between_vertices};
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::rounding::{DOT_ERROR, LAST_ERROR, LEVEL_ERROR};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Dd, Enclosure, Hull, Side};
 
-/// Largest error of a quick proof relative to the separation: with 1 ulp on either side of it the bounds are 18 ε wide
-/// at most, far below the 450 ε (1e-13) that are promised, and the error is below 45 ε (1e-14).
+/// Largest error of a quick proof relative to the separation: with 1 ulp on either side of it the bounds are
+/// 18 ε wide at most, far below the 450 ε (1e-13) that are promised, and the error is below 45 ε (1e-14).
 const TIGHT: f64 = 8.0 * f64::EPSILON;
 
 /// A separation that can be proved with little work.
@@ -154,8 +158,8 @@ fn size(v: DVec2) -> f64 {
     v.x.abs() + v.y.abs()
 }
 
-/// Whether vertex k of a body is clearly the lowest along `down` (A's frame); `down` may be off by [`Pair::gap_error`]
-/// where it is a difference of vertices.
+/// Whether vertex k of a body is clearly the lowest along `down` (A's frame); `down` may be off by
+/// [`Pair::gap_error`] where it is a difference of vertices.
 #[inline]
 pub(crate) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool {
     let slack = slack(pair, down);
@@ -166,14 +170,16 @@ pub(crate) fn is_lowest(pair: &Pair, side: Side, k: usize, down: DVec2) -> bool 
     clearly_lowest(pair.hull(side), k, down, slack)
 }
 
-/// What rounding may add to a slope along `down`, a difference of vertices, as a multiple of a side's 1-norm. In the
-/// other frame the 1-norm of `down` is at most √2 of this one; a difference of vertices is off by the gap error.
+/// What rounding may add to a slope along `down`, a difference of vertices, as a multiple of a side's 1-norm.
+/// In the other frame the 1-norm of `down` is at most √2 of this one; a difference of vertices is off by the
+/// gap error.
 #[inline]
 pub(crate) fn slack(pair: &Pair, down: DVec2) -> f64 {
     DOT_ERROR * std::f64::consts::SQRT_2 * size(down) + pair.gap_error()
 }
 
-/// Whether vertex k of a core is the lowest along `down`, in its own frame, by more than `slack` of each side.
+/// Whether vertex k of a core is the lowest along `down`, in its own frame, by more than `slack` of each
+/// side.
 #[inline]
 pub(crate) fn clearly_lowest(hull: &Hull, k: usize, down: DVec2, slack: f64) -> bool {
     if hull.edges.is_empty() {
@@ -200,8 +206,8 @@ pub(crate) fn support(pair: &Pair, facing: DifferenceEdge) -> Support {
     let (ahead, behind) = (hull.edges[facing.vertex], hull.edges[back]);
     let (rise, fall) = (ahead.dot(down), behind.dot(down));
     let (rises, falls) = (rise > LEVEL_ERROR * size(ahead), fall < -LEVEL_ERROR * size(behind));
-    // With a direction along an axis, and no turn or quarter turns only, the dot product is a coordinate's difference:
-    // its 0 is exact.
+    // With a direction along an axis, and no turn or quarter turns only, the dot product is a coordinate's
+    // difference: its 0 is exact.
     let exact = pair.turn_error == 0.0 && (down.x == 0.0 || down.y == 0.0);
     if rises && falls {
         Support::Vertex
@@ -226,8 +232,8 @@ enum Span {
     Unclear,
 }
 
-/// Whether the vertex (or with `partner` the parallel side) that faces a side is clearly outside its line, with its foot
-/// (or a part of its span) clearly inside the side.
+/// Whether the vertex (or with `partner` the parallel side) that faces a side is clearly outside its line,
+/// with its foot (or a part of its span) clearly inside the side.
 #[inline]
 fn span(
     pair: &Pair,
@@ -269,7 +275,7 @@ fn span(
 #[inline]
 fn measured(pair: &Pair, carrier: Carrier) -> Option<Proved> {
     let Measured { core, normal, turning } = match carrier {
-        Carrier::Edge(facing) | Carrier::ParallelEdges(facing, _) => along_side(pair, facing),
+        Carrier::Edge(facing) | Carrier::ParallelEdges(facing, _) => along_edge(pair, facing),
         Carrier::Vertex(vertices) => between_vertices(pair, vertices)?,
     };
     let separation = if pair.radius == Dd::ZERO { core } else { core - pair.radius };

@@ -1,10 +1,11 @@
-//! Cores of few vertices, in plain doubles: a walk from vertices to their neighbours, and the table of all gaps.
+//! Cores of few vertices, in plain doubles: a walk from vertices to their neighbours, and the table of all
+//! gaps.
 //!
-//! At this size it is quicker to ask every vertex along every normal than to decide which to ask: nothing branches, and
-//! the processor does several at once. The walk goes from a pair of vertices to the neighbour that is nearer, as long
-//! as the foot of the one lies beyond the side of the other; where it lies inside, the side may be the closest feature
-//! (Mirtich, *V-Clip: Fast and Robust Polyhedral Collision Detection*, 1998). What either finds is a guess, that
-//! [`crate::collision::certified::distance::filter`] proves.
+//! At this size it is quicker to ask every vertex along every normal than to decide which to ask: nothing
+//! branches, and the processor does several at once. The walk goes from a pair of vertices to the neighbour
+//! that is nearer, as long as the foot of the one lies beyond the side of the other; where it lies inside,
+//! the side may be the closest feature (Mirtich, *V-Clip: Fast and Robust Polyhedral Collision Detection*,
+//! 1998). What either finds is a guess, that [`crate::collision::certified::distance::filter`] proves.
 
 use crate::collision::certified::distance::filter::{self, clearly_lowest};
 use crate::collision::certified::distance::gaps::{self, Close, Widest};
@@ -27,8 +28,8 @@ pub(crate) fn are_few(pair: &Pair) -> bool {
     pair.hull(Side::A).vertices.len() <= FEW && pair.hull(Side::B).vertices.len() <= FEW
 }
 
-/// The slopes of |d|² along the two sides at a vertex, `down` being the direction in which the vertex should be lowest:
-/// how much nearer the ends of the sides ahead and behind are.
+/// The slopes of |d|² along the two sides at a vertex, `down` being the direction in which the vertex should
+/// be lowest: how much nearer the ends of the sides ahead and behind are.
 #[inline]
 fn descents(hull: &Hull, k: usize, down: DVec2) -> [f64; 2] {
     if hull.edges.is_empty() {
@@ -39,7 +40,8 @@ fn descents(hull: &Hull, k: usize, down: DVec2) -> [f64; 2] {
 
 /// The closest features by a walk from vertices i of A and j of B.
 ///
-/// A vertex of B ⊖ A only if it is clearly the closest, an edge if it seems to be; None where the walk ends without either.
+/// A vertex of B ⊖ A only if it is clearly the closest, an edge if it seems to be; None where the walk ends
+/// without either.
 #[inline]
 pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<DifferenceFeature> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));

@@ -24,7 +24,7 @@
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
-use crate::collision::certified::rounding::{DERIVATIVE_ERROR, LEVEL_ERROR, MISSED_ERROR};
+use crate::collision::certified::rounding::{DERIVATIVE_ERROR, MISSED_ERROR, TURNED_DOT_ERROR};
 use crate::geometry::{DVec2, Hull, Rotation, Side, perp};
 
 /// Both bodies at a moment: world axes, doubles.
@@ -255,6 +255,6 @@ fn lowest(hull: &Hull, m: DVec2, from: usize) -> Option<usize> {
         k = hull.highest(-m, k);
         (ahead, behind) = slopes(k);
     }
-    let level = LEVEL_ERROR * (m.x.abs() + m.y.abs()) * 2.0 * hull.reach;
+    let level = TURNED_DOT_ERROR * (m.x.abs() + m.y.abs()) * 2.0 * hull.reach;
     (ahead.max(behind) > level).then_some(k)
 }

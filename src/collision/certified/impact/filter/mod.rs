@@ -8,7 +8,7 @@
 
 mod axes;
 mod certificate;
-mod gap_series;
+pub(in crate::collision::certified) mod gap_series;
 mod touch;
 
 use crate::collision::answer::Outcome;

@@ -36,8 +36,10 @@ use crate::geometry::{
 };
 
 /// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`]
-/// to know the error of p − t v: p is within 4ε M, t v within 1.5ε of 4 M, the difference within 2.5ε M, and
-/// t itself may add 4ε M: 17ε M, of the 32ε M of [`Pair::gap_error`].
+/// to know the error of p − t v.
+///
+/// p is within 3.4 ε M, v in doubles and its product with t within ε of 4 M, the difference within 2.5 ε M,
+/// and t itself may add 4 ε M: 13.9 ε M, of the 16 ε M of [`Pair::gap_error`].
 const FAR: f64 = 4.0;
 
 /// Where the ray's line enters B ⊖ A, if that can be proved with little work.
@@ -55,17 +57,17 @@ pub(crate) fn entry(pair: &Pair, heading: &Heading) -> Option<Entry> {
 
 /// The ray's line in A's frame.
 #[derive(Clone, Copy)]
-struct Line<'p, 's> {
-    pair: &'p Pair<'s>,
-    heading: &'p Heading,
+pub(crate) struct Line<'p, 's> {
+    pub(crate) pair: &'p Pair<'s>,
+    pub(crate) heading: &'p Heading,
 }
 
 /// A gap that a ray closes, at the time q that doubles give for its end.
-struct Rest {
+pub(crate) struct Rest {
     /// The edge's unit normal, from A to B in A's frame.
     normal: UnitVector,
     /// q ≈ g / k.
-    q: f64,
+    pub(crate) q: f64,
     /// k, the closing speed along the normal.
     closing: f64,
     /// Lower bound of k.
@@ -73,7 +75,7 @@ struct Rest {
     /// Bound on the error of k.
     closing_error: f64,
     /// g − q k.
-    rest: f64,
+    pub(crate) left: f64,
     /// Bound on the error of that.
     error: f64,
 }
@@ -87,7 +89,7 @@ impl Line<'_, '_> {
 
     /// What a ray that enters through an edge leaves of the gap there; None where it hardly closes.
     #[inline]
-    fn rest(&self, facing: DifferenceEdge) -> Option<Rest> {
+    pub(crate) fn rest(&self, facing: DifferenceEdge) -> Option<Rest> {
         let (pair, Heading { v, speed, error }) = (self.pair, *self.heading);
         let d = vertex(pair, facing);
         let n = normal(pair, facing);
@@ -111,14 +113,14 @@ impl Line<'_, '_> {
         let rest = (gap.hi - run) + ((gap.lo - q * closing.lo) - tail);
         let error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
         let normal = UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi));
-        Some(Rest { normal, q, closing: closing.hi, least, closing_error, rest, error })
+        Some(Rest { normal, q, closing: closing.hi, least, closing_error, left: rest, error })
     }
 
     /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
     #[inline]
     fn edge(&self, facing: DifferenceEdge) -> Option<Entry> {
-        let Rest { normal, q, closing, least, closing_error, rest, error } = self.rest(facing)?;
-        let step = rest / closing;
+        let Rest { normal, q, closing, least, closing_error, left, error } = self.rest(facing)?;
+        let step = left / closing;
         let hi = q + step;
         // Roundings of the step, and of k, which it is a quotient by.
         let step_error = step.abs() * (closing_error / least + 8.0 * f64::EPSILON);
@@ -128,13 +130,13 @@ impl Line<'_, '_> {
         if time.lo >= 1.0 || time.hi < 0.0 {
             return Some(Entry::At { feature, time, contact: None });
         }
-        let separation = rest - (time.lo - q) * closing;
+        let separation = left - (time.lo - q) * closing;
         let proved = Proved {
             carrier: Carrier::Edge(facing),
             normal: Some(normal),
             core: separation + self.pair.radius.hi,
             separation,
-            bounds: around(separation, error + 8.0 * f64::EPSILON * rest.abs()),
+            bounds: around(separation, error + 8.0 * f64::EPSILON * left.abs()),
             ties: 1,
         };
         Some(Entry::At { feature, time, contact: Some(proved) })
@@ -212,7 +214,7 @@ fn around(separation: f64, error: f64) -> Enclosure {
 fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let [i, j] = facing.start();
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
-    let (Rotation { cos, sin }, c) = (pair.b_rotation, pair.fine_center);
+    let (Rotation { cos, sin }, c) = (pair.b_rotation, pair.center_tailed);
     let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
     let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
     let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {

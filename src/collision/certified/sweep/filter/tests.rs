@@ -18,7 +18,7 @@ fn doubles_prove_most_rays_and_say_what_balls_say() {
     let (mut bodies, mut decided, count) = (Bodies::new(11), 0, 3000);
     for k in 0..count {
         let (a, b) = bodies.flying_pair(0.0);
-        let pair = Pair::finely_at(&a, &b, 0.0);
+        let pair = Pair::refined_at(&a, &b, 0.0);
         let Some(entry) = filtered(&pair) else { continue };
         match (entry, balls::entry(&pair)) {
             (Entry::Misses, Entry::Misses) => {}
