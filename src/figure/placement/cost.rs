@@ -106,12 +106,13 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Cost
     match obstacle.cover {
         Cover::Stroke { from, to, half } => {
             let room = if own { half } else { half + w.stroke_room };
-            let touch = if own || obstacle.weight != Weight::Normal { w.light } else { w.stroke };
+            let is_light = own || obstacle.weight != Weight::Normal;
+            let (touch, pixel) = if is_light { (w.light, w.light_px) } else { (w.stroke, w.stroke_px) };
             // Far strokes are most of them: a test of boxes first.
             let apart = rect.grown(w.crowd_reach).intersection(Rect::new(from, to)).is_none();
             let distance = if apart { w.crowd_reach } else { segment_distance(rect, from, to) - half };
             let hidden = if distance + half < room {
-                touch + w.stroke_px * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
+                touch + pixel * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
             } else if own {
                 0.0
             } else {
