@@ -10,7 +10,7 @@
 //!
 //! ```text
 //! filter      doubles guess the answer, and check it against a bound on all their rounding that is known
-//!             beforehand (rounding.rs). It decides most questions, and only speed needs it: each room asks
+//!             beforehand (rounding/). It decides most questions, and only speed needs it: each room asks
 //!             its filter/ in one line, and answers as truly without it
 //! balls       double-doubles that carry a radius, within which the exact number surely is. A sign is certain
 //!             where all numbers in the ball have it
