@@ -40,7 +40,7 @@ mod tests;
 
 pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops};
 pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
-pub use certified::distance::pair::Pair;
+pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;
 pub use certified::sweep::Sweep;
 pub use query::{Bodies, Motion, QUERIES, Query, QueryKind, Question, Shapes, When};

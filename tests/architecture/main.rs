@@ -256,7 +256,8 @@ fn a_re_export_is_known_by_what_it_is() {
 }
 
 /// Rooms that ask a filter first. Only speed needs it: whoever doubts it puts None in place of the one call.
-const FILTERED: &[&str] = &["collision/certified/sweep", "collision/certified/impact"];
+const FILTERED: &[&str] =
+    &["collision/certified/distance", "collision/certified/sweep", "collision/certified/impact"];
 
 #[test]
 fn each_filter_is_called_from_one_line_of_its_room() {

@@ -12,12 +12,12 @@ pub type ReExport = (Vec<String>, Vec<String>);
 /// The path of what a path names, through the rooms' re-exports.
 pub fn defined(mut path: Vec<String>) -> Vec<String> {
     static RE_EXPORTS: LazyLock<Vec<ReExport>> = LazyLock::new(|| {
-        let folders = ROOMS.iter().filter(|(room, _)| src().join(room).is_dir());
-        folders
-            .flat_map(|(room, _)| {
-                re_exports(room, &fs::read_to_string(src().join(room).join("mod.rs")).unwrap())
-            })
-            .collect()
+        let rooms = ROOMS.iter().map(|(room, _)| (*room, src().join(room)));
+        let roots = rooms.flat_map(|(room, path)| {
+            [path.join("mod.rs"), path.with_extension("rs")].map(|file| (room, file))
+        });
+        let sources = roots.filter_map(|(room, file)| Some((room, fs::read_to_string(file).ok()?)));
+        sources.flat_map(|(room, source)| re_exports(room, &source)).collect()
     });
     while let Some((named, is)) = RE_EXPORTS.iter().find(|(named, _)| path.starts_with(named)) {
         path.splice(..named.len(), is.iter().cloned());
@@ -25,7 +25,7 @@ pub fn defined(mut path: Vec<String>) -> Vec<String> {
     path
 }
 
-/// What the source of a room's `mod.rs` re-exports from the modules that it declares, by paths relative to
+/// What the root source of a room re-exports from the modules that it declares, by paths relative to
 /// it.
 pub fn re_exports(room: &str, source: &str) -> Vec<ReExport> {
     let module: Vec<String> = room.split('/').map(str::to_owned).collect();

@@ -12,7 +12,7 @@
 
 use crate::collision::algorithm::outline::{Projection, Span};
 use crate::collision::algorithm::view::{PairView, Turning};
-use crate::collision::certified::distance::search::certify;
+use crate::collision::certified::distance::certify;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::collision::{Answer, Overlap, QueryKind, Separation};
 use crate::geometry::{DVec2, Feature, Side, length};

@@ -11,7 +11,7 @@ use crate::collision::algorithm::candidate;
 use crate::collision::algorithm::outline;
 use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::collision::{Answer, Query};
 use crate::trace::{Event, Tracer};
 

@@ -1,4 +1,4 @@
-//! Moving pairs that are known to break collision code, and what is true of them to more than 200 bits.
+//! Pairs that are known to break collision code, and what is true of them to more than 200 bits.
 
 use tracefig_reference::check::slack;
 use tracefig_reference::first_contact::{Motion, Passage, finest};
@@ -8,7 +8,7 @@ use tracefig_reference::scene::{self, Kind, Scene, scale};
 
 use crate::collision::Outcome;
 use crate::geometry::shape::FieldValue;
-use crate::geometry::{Body, DVec2, Degrees, Shape};
+use crate::geometry::{Body, DVec2, Degrees, Enclosure, Shape};
 
 /// A pair with a witness.
 pub(crate) struct HardPair {
@@ -20,26 +20,27 @@ pub(crate) struct HardPair {
     pub(crate) b: Body,
     /// Whether the question is a linear sweep: neither body turns.
     pub(crate) is_linear: bool,
+    /// The moment that a question about one is about.
+    pub(crate) time: f64,
     motion: Motion,
     /// What may be taken for 0.
     slack: Real,
 }
 
-/// The first cases of a seed: grazes, touches at the very end, parallel edges, points and segments, many
-/// turns, sizes near the ends of the range of doubles.
+/// The first moving pairs of a seed: grazes, touches at the very end, parallel edges, points and segments, many turns,
+/// sizes near the ends of the range of doubles.
 pub(crate) fn hard_pairs(seed: u64, count: u64) -> impl Iterator<Item = HardPair> {
-    (0..count).map(move |i| {
-        let scene = Scene::parse(&Family::Impact.case(seed, i).to_string()).expect("a scene");
-        let bodies = &scene.bodies;
-        HardPair {
-            name: format!("{}", scene.id),
-            a: body(&bodies[0]),
-            b: body(&bodies[1]),
-            is_linear: scene.kind == Kind::LinearSweep,
-            motion: Motion::of(bodies),
-            slack: slack(scale(bodies, true)),
-        }
-    })
+    scenes(Family::Impact, seed, count).map(|scene| HardPair::of(&scene, true))
+}
+
+/// The first pairs of a seed that are asked for their separation at one moment.
+pub(crate) fn hard_resting_pairs(seed: u64, count: u64) -> impl Iterator<Item = HardPair> {
+    let asked = scenes(Family::Separation, seed, count).filter(|scene| scene.kind == Kind::Separation);
+    asked.map(|scene| HardPair::of(&scene, false))
+}
+
+fn scenes(family: Family, seed: u64, count: u64) -> impl Iterator<Item = Scene> {
+    (0..count).map(move |i| Scene::parse(&family.case(seed, i).to_string()).expect("a scene"))
 }
 
 fn body(of: &scene::Body) -> Body {
@@ -60,6 +61,25 @@ fn body(of: &scene::Body) -> Body {
 }
 
 impl HardPair {
+    fn of(scene: &Scene, moving: bool) -> Self {
+        let bodies = &scene.bodies;
+        Self {
+            name: format!("{}", scene.id),
+            a: body(&bodies[0]),
+            b: body(&bodies[1]),
+            is_linear: scene.kind == Kind::LinearSweep,
+            time: scene.time,
+            motion: Motion::of(bodies),
+            slack: slack(scale(bodies, moving)),
+        }
+    }
+
+    /// Whether bounds hold the separation at the moment asked about.
+    pub(crate) fn is_enclosed_by(&self, bounds: Enclosure) -> bool {
+        let exact = self.motion.separation(Real::from(self.time)).separation;
+        Real::from(bounds.lo) - self.slack <= exact && exact <= Real::from(bounds.hi) + self.slack
+    }
+
     /// Whether an outcome is true: free where it says so, in contact where it says so.
     pub(crate) fn bears_out(&self, outcome: &Outcome) -> bool {
         let starts_apart = self.motion.separation(Real::ZERO).separation > self.slack;

@@ -107,19 +107,3 @@ fn tiny_and_huge_scenes_have_the_same_answer_scaled() {
         }
     }
 }
-
-#[test]
-fn the_quick_proof_and_the_full_search_agree() {
-    let mut bodies = Bodies::new(4);
-    let mut quick = 0;
-    for round in 0..2000 {
-        let [a, b] = bodies.resting_pair();
-        let pair = Pair::at(&a, &b, 0.0);
-        let (one, two) =
-            (pair.separation(), crate::collision::certified::distance::search::settle(&pair, None));
-        assert!(meet(&one, &two, 1.0) && one.ties == two.ties, "{round}: {one:?} {two:?}");
-        assert_eq!(one.features, two.features, "{round}");
-        quick += usize::from(crate::collision::certified::distance::filter::proved(&pair).is_some());
-    }
-    assert!(quick > 1200, "{quick} of 2000 were proved quickly");
-}

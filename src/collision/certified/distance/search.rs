@@ -19,7 +19,6 @@ use crate::collision::certified::distance::balls::{
     BallPair, MeasuredEdge, Vec2, cross, dot, reversed, rounded,
 };
 use crate::collision::certified::distance::boundary::{self, Closest};
-use crate::collision::certified::distance::filter;
 use crate::collision::certified::distance::gaps::every_gap;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
@@ -46,15 +45,7 @@ pub(crate) enum Contact {
     Vertex([usize; 2], Vec2),
 }
 
-/// The certified separation of a pair; of directions that tie, the hinted one is taken.
-pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
-    if let Some(proved) = filter::proved(pair) {
-        return witnesses::answer(pair, &proved);
-    }
-    settle(pair, hint)
-}
-
-/// [`certify`], where the quick proof is not enough.
+/// The separation of a pair without the filter. Of directions that tie, that of the `hint` is taken.
 #[cold]
 pub(crate) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
     let balls = BallPair::new(pair);

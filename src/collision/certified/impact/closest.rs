@@ -8,8 +8,7 @@
 
 use crate::collision::Separation;
 use crate::collision::certified::distance::gaps::pass;
-use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::certify;
+use crate::collision::certified::distance::{Pair, certify};
 use crate::collision::certified::impact::moving_pair::{MovingPair, RelativePose};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Body, DVec2, Side};

@@ -43,7 +43,7 @@ pub(crate) use axis::AxisSpan;
 pub use moving_pair::MovingPair;
 
 use crate::collision::answer::{Impact, Outcome, Reason};
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::sweep::balls;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::{Body, Enclosure};

@@ -17,11 +17,11 @@
 //! Source: the line that is met last is Cyrus and Beck, *Generalized two- and three-dimensional clipping*,
 //! 1978; the root without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
 
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::distance::balls::{
     BallPair, MeasuredEdge, Vec2, cross, dot, minus, reversed,
 };
 use crate::collision::certified::distance::gaps::pass;
-use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{Ball, DVec2, Enclosure, Side, length};

@@ -1,6 +1,6 @@
 //! Where a ray goes: the closing velocity of a pair, as the filter needs it.
 
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::geometry::{DVec2, Dd};
 
 /// The closing velocity v = `v_A` − `v_B` in A's frame, to twice the precision of a double.

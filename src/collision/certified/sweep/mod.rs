@@ -15,7 +15,7 @@ pub(super) mod heading;
 pub(super) mod ray;
 
 use crate::collision::answer::Outcome;
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::impact;
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::Body;

@@ -8,9 +8,9 @@
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
 use crate::collision::answer::{Outcome, Reason};
-use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::search::{certify, settle};
+use crate::collision::certified::distance::search::settle;
 use crate::collision::certified::distance::witnesses::{self, Proved};
+use crate::collision::certified::distance::{Pair, certify};
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::Enclosure;
 

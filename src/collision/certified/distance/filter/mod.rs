@@ -290,3 +290,6 @@ fn measured(pair: &Pair, carrier: Carrier) -> Option<Proved> {
     };
     Some(Proved { carrier, normal: Some(normal), core: core.hi, separation: value, bounds, ties: 1 })
 }
+
+#[cfg(test)]
+mod tests;

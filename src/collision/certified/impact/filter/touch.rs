@@ -4,8 +4,8 @@
 //! is asked of a separation below 1e3 ε·S.
 
 use crate::collision::Separation;
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::distance::filter::{Support, support};
-use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::refine::{along_normal, between};
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
 use crate::collision::certified::rounding::LAST_ERROR;

@@ -18,7 +18,7 @@
 //! If the leftmost vertex is right of the line, or the rightmost left of it, by more than ρ |v|, the ray
 //! passes.
 
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::rounding::LEVEL_ERROR;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{DVec2, Hull, Rotation, Side};

@@ -22,8 +22,8 @@
 
 pub(crate) mod crossed_edge;
 
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::distance::filter::is_lowest;
-use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::refine::between;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::rounding::{LAST_ERROR, OFFSET_ERROR, REST_ERROR};

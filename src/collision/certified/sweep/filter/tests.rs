@@ -1,7 +1,7 @@
 //! What must hold of the filter of sweeps: on pairs that nobody chose, and on hard ones.
 
 use crate::collision::answer::Outcome;
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::Pair;
 use crate::collision::certified::sweep::heading::Heading;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::certified::sweep::{Sweep, balls, filter};

@@ -1,0 +1,46 @@
+//! What must hold of the filter of separations: on pairs that nobody chose, and on hard ones.
+
+use crate::collision::answer::Separation;
+use crate::collision::certified::distance::search::settle;
+use crate::collision::certified::distance::{Pair, filter};
+use crate::collision::tests::bodies::Bodies;
+use crate::collision::tests::hard_pairs::hard_resting_pairs;
+
+/// A pair asked with the filter and without it.
+fn both_ways(pair: &Pair) -> [Separation; 2] {
+    [pair.separation(), settle(pair, None)]
+}
+
+fn assert_the_same(name: &str, [with, without]: &[Separation; 2]) {
+    let overlap = with.bounds.lo <= without.bounds.hi && without.bounds.lo <= with.bounds.hi;
+    assert!(overlap && with.ties == without.ties, "{name}: {with:?} {without:?}");
+    assert!(with.ties != 1 || with.features == without.features, "{name}: {with:?} {without:?}");
+}
+
+#[test]
+fn without_the_filter_separations_are_the_same_and_bounds_overlap() {
+    let (mut bodies, mut decided) = (Bodies::new(4), 0);
+    for round in 0..2_000 {
+        let [a, b] = bodies.resting_pair();
+        let pair = Pair::at(&a, &b, 0.0);
+        let found = both_ways(&pair);
+        assert_the_same(&format!("{round}"), &found);
+        assert_eq!(found[0].features, found[1].features, "{round}");
+        decided += i32::from(filter::proved(&pair).is_some());
+    }
+    assert!(decided > 1_200, "the filter would be idle: {decided} of 2000");
+}
+
+#[test]
+fn without_the_filter_hard_cases_are_answered_as_truly() {
+    let (mut cases, mut decided) = (0, 0);
+    for case in hard_resting_pairs(41, 3_000) {
+        let pair = Pair::at(&case.a, &case.b, case.time);
+        let found = both_ways(&pair);
+        assert_the_same(&case.name, &found);
+        assert!(found.iter().all(|s| case.is_enclosed_by(s.bounds)), "{}: {found:?}", case.name);
+        cases += 1;
+        decided += i32::from(filter::proved(&pair).is_some());
+    }
+    assert!(cases > 1_000 && decided > 300, "{decided} of {cases}");
+}
