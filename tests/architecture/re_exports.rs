@@ -7,10 +7,10 @@ use crate::rooms::ROOMS;
 use crate::sources::src;
 
 /// What a room re-exports from within: the path by which others name it, and the path of what it is.
-pub type ReExport = (Vec<String>, Vec<String>);
+pub(crate) type ReExport = (Vec<String>, Vec<String>);
 
 /// The path of what a path names, through the rooms' re-exports.
-pub fn defined(mut path: Vec<String>) -> Vec<String> {
+pub(crate) fn defined(mut path: Vec<String>) -> Vec<String> {
     static RE_EXPORTS: LazyLock<Vec<ReExport>> = LazyLock::new(|| {
         let rooms = ROOMS.iter().map(|(room, _)| (*room, src().join(room)));
         let roots = rooms.flat_map(|(room, path)| {
@@ -27,7 +27,7 @@ pub fn defined(mut path: Vec<String>) -> Vec<String> {
 
 /// What the root source of a room re-exports from the modules that it declares, by paths relative to
 /// it.
-pub fn re_exports(room: &str, source: &str) -> Vec<ReExport> {
+pub(crate) fn re_exports(room: &str, source: &str) -> Vec<ReExport> {
     let module: Vec<String> = room.split('/').map(str::to_owned).collect();
     let items = syn::parse_file(source).unwrap().items;
     let declares = |name: &String| items.iter().any(|x| matches!(x, syn::Item::Mod(x) if x.ident == name));

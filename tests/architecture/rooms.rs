@@ -1,10 +1,10 @@
 //! The rooms of the house and the arrows between them.
 
 /// A room, as its path below `src/`, and the rooms that it may use with all that is within them.
-pub type Row = (&'static str, &'static [&'static str]);
+pub(crate) type Row = (&'static str, &'static [&'static str]);
 
 /// The rooms of the house. These are all the arrows there are.
-pub const ROOMS: &[Row] = &[
+pub(crate) const ROOMS: &[Row] = &[
     ("geometry", &[]),
     ("trace", &["geometry"]),
     ("collision", &["geometry", "trace"]),
@@ -191,13 +191,13 @@ pub const ROOMS: &[Row] = &[
 ];
 
 /// Whether a module or an item, given as the segments of its path, is a room or lies within it.
-pub fn is_within(path: &[String], room: &str) -> bool {
+pub(crate) fn is_within(path: &[String], room: &str) -> bool {
     let mut at = path.iter();
     room.split('/').all(|segment| at.next().is_some_and(|own| own == segment))
 }
 
 /// The row that a module obeys.
-pub fn row_of(module: &[String]) -> Option<&'static Row> {
+pub(crate) fn row_of(module: &[String]) -> Option<&'static Row> {
     let is_test = module.iter().any(|segment| segment == "tests");
     let rows = ROOMS.iter().filter(|(room, _)| is_within(module, room) && !(is_test && room.contains('/')));
     rows.max_by_key(|(room, _)| room.len())

@@ -13,7 +13,7 @@ use crate::re_exports::defined;
 use crate::rooms::is_within;
 
 /// Every Rust file in a folder and below it, sorted.
-pub fn rust_files(folder: &Path, into: &mut Vec<PathBuf>) {
+pub(crate) fn rust_files(folder: &Path, into: &mut Vec<PathBuf>) {
     let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
     entries.sort();
     for path in entries {
@@ -26,12 +26,12 @@ pub fn rust_files(folder: &Path, into: &mut Vec<PathBuf>) {
 }
 
 /// The folder of the library's sources.
-pub fn src() -> PathBuf {
+pub(crate) fn src() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
 }
 
 /// Module path of a file below `src/`.
-pub fn module_of(relative: &Path) -> Vec<String> {
+pub(crate) fn module_of(relative: &Path) -> Vec<String> {
     let mut parts: Vec<String> =
         relative.with_extension("").iter().map(|p| p.to_string_lossy().into_owned()).collect();
     if parts.last().is_some_and(|p| p == "mod") {
@@ -42,19 +42,19 @@ pub fn module_of(relative: &Path) -> Vec<String> {
 
 /// A path as a file has it.
 #[derive(Clone, Debug)]
-pub struct Named {
+pub(crate) struct Named {
     /// The module that it stands in, from the crate's root, inline modules included.
-    pub module: Vec<String>,
+    pub(crate) module: Vec<String>,
     /// Its segments as written.
-    pub segments: Vec<String>,
+    pub(crate) segments: Vec<String>,
     /// Its line.
-    pub line: usize,
+    pub(crate) line: usize,
     /// Whether it is re-exported.
-    pub is_public: bool,
+    pub(crate) is_public: bool,
 }
 
 /// Every path of more than one segment of a file, in order.
-pub fn paths(relative: &Path, source: &str) -> syn::Result<Vec<Named>> {
+pub(crate) fn paths(relative: &Path, source: &str) -> syn::Result<Vec<Named>> {
     let mut reader = Reader { module: module_of(relative), found: Vec::new() };
     reader.visit_file(&syn::parse_file(source)?);
     Ok(reader.found)
@@ -63,7 +63,7 @@ pub fn paths(relative: &Path, source: &str) -> syn::Result<Vec<Named>> {
 impl Named {
     /// The path of what it names, from the crate's root; None for what is not of this crate, or not told by
     /// the path alone.
-    pub fn resolved(&self) -> Option<Vec<String>> {
+    pub(crate) fn resolved(&self) -> Option<Vec<String>> {
         let mut rest = &self.segments[..];
         let mut base = match rest.first()?.as_str() {
             "tracefig" if is_within(&self.module, "cli") => return None,

@@ -19,8 +19,8 @@
 //! g(τ) = g_a + (g_b − g_a) τ/L − ½ K τ (L − τ)                  0 ≤ τ ≤ L
 //! ```
 //!
-//! The bound is useful even where g_b is almost 0, just before contact: as |f'| is the slope there, it stays
-//! positive back to about τ = L − 2 |f'| / K.
+//! The bound is useful even where `g_b` is almost 0, just before contact: as |f'| is the slope there, it
+//! stays positive back to about τ = L − 2 |f'| / K.
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
