@@ -27,8 +27,8 @@ pub(crate) struct HardPair {
     slack: Real,
 }
 
-/// The first moving pairs of a seed: grazes, touches at the very end, parallel edges, points and segments, many turns,
-/// sizes near the ends of the range of doubles.
+/// The first moving pairs of a seed: grazes, touches at the very end, parallel edges, points and segments,
+/// many turns, sizes near the ends of the range of doubles.
 pub(crate) fn hard_pairs(seed: u64, count: u64) -> impl Iterator<Item = HardPair> {
     scenes(Family::Impact, seed, count).map(|scene| HardPair::of(&scene, true))
 }

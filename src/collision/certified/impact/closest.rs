@@ -58,7 +58,9 @@ enum Above {
 
 /// Both cores at a moment, in A's frame.
 struct Cores<'p, 'q> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
+    /// Where B is in A's frame.
     pose: RelativePose<f64>,
 }
 

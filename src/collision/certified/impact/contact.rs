@@ -21,7 +21,9 @@ use crate::geometry::{Ball, DVec2, Side, perp};
 
 /// Two bodies that are apart at a moment.
 pub(crate) struct Before<'p, 'q> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
+    /// The moment.
     lo: f64,
     /// The closest features at `lo`: where there is no interior, they may be others at `hi`, behind them.
     near: DifferenceFeature,

@@ -62,11 +62,13 @@ impl Axis {
 
 /// A look at the vertices of the other body at a moment.
 struct Look<'p, 'q> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
     /// O.
     other: Side,
     /// n in O's frame, along which its lowest vertex is closest.
     down: DVec2,
+    /// What all vertices share.
     common: Common,
     /// The gap in balls, where asked for.
     balls: Option<BallGap>,

@@ -60,7 +60,24 @@ const UNTURNED_QUERIES: usize = 200;
 impl MovingPair<'_> {
     /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a
     /// time-of-impact query, with a `tolerance` in world units and at most about `max_iterations` distance
-    /// queries. See [`MovingPair::new`] for an example.
+    /// queries. A contact is the pair at `time.lo`, in world units.
+    ///
+    /// ```
+    /// use tracefig::collision::{MovingPair, Outcome};
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let square = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
+    /// let turning = |x| Body {
+    ///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
+    ///     velocity: DVec2::ZERO, spin: Degrees(90.0),
+    /// };
+    /// let (a, near, far) = (turning(0.0), turning(2.5), turning(3.0));
+    /// // Turned alike by θ, the squares touch where 2.5 cos θ = 2.
+    /// let impact = MovingPair::new(&a, &near).first_contact(1e-12, 100);
+    /// let Outcome::Hit { time, .. } = impact.outcome else { panic!() };
+    /// let exact = 0.8_f64.acos() / std::f64::consts::FRAC_PI_2;
+    /// assert!(time.lo <= exact + 1e-15 && exact - 1e-15 <= time.hi && time.hi - time.lo < 1e-11);
+    /// assert_eq!(MovingPair::new(&a, &far).first_contact(1e-12, 100).outcome, Outcome::Miss);
+    /// ```
     #[must_use]
     pub fn first_contact(&self, tolerance: f64, max_iterations: usize) -> Impact {
         self.first_contact_told(tolerance, max_iterations, |_| ())

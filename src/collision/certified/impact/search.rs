@@ -69,7 +69,9 @@ enum Closed {
 
 /// A search for the first contact, which reports every axis as soon as it is proved.
 pub(crate) struct Search<'p, 'q, F> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
+    /// When it may stop.
     limits: Limits,
     /// Distance queries made.
     queries: usize,

@@ -59,6 +59,20 @@ impl<'s> Sweep<'s> {
     ///
     /// Times are in [0, 1]; the bounds enclose the exact time of the bodies as their doubles say it, mostly
     /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units.
+    ///
+    /// ```
+    /// use tracefig::collision::{Outcome, Sweep};
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+    /// let body = |x, speed| Body {
+    ///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
+    ///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+    /// };
+    /// let (a, near, far) = (body(0.0, 4.0), body(5.0, 0.0), body(7.0, 0.0));
+    /// let Outcome::Hit { time, contact } = Sweep::new(&a, &near).first_contact() else { panic!() };
+    /// assert!(time.lo < 0.75 && 0.75 <= time.hi && contact.separation < 1e-15);
+    /// assert_eq!(Sweep::new(&a, &far).first_contact(), Outcome::Miss);
+    /// ```
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
         match self.entry().outcome(&self.pair) {

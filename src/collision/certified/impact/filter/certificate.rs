@@ -30,6 +30,7 @@ const SPLITS: usize = 8;
 
 /// Axes whose spans reach from the end back to the start, as far as they are proved.
 pub(crate) struct Proof<'p, 'q> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
     /// Bound on the error of a gap.
     error: f64,

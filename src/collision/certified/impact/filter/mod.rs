@@ -88,6 +88,7 @@ enum Found {
 
 /// A search in doubles, and the proof of what it found.
 struct Finder<'p, 'q> {
+    /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
     /// Bound on the error of a gap.
     error: f64,

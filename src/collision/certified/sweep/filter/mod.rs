@@ -58,7 +58,9 @@ pub(crate) fn entry(pair: &Pair, heading: &Heading) -> Option<Entry> {
 /// The ray's line in A's frame.
 #[derive(Clone, Copy)]
 pub(crate) struct Line<'p, 's> {
+    /// Both bodies at t = 0.
     pub(crate) pair: &'p Pair<'s>,
+    /// Where the ray goes.
     pub(crate) heading: &'p Heading,
 }
 
