@@ -168,6 +168,16 @@ impl Text {
     }
 
     /// The area that it may paint, in page pixels: its box, the ink of its glyphs, and the halo around both.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use tracefig::drawing::{Color, Paint, Point, Role, Text};
+    /// let line = tracefig::typeset::typeset("A", tracefig::typeset::Style::regular(16.0)).unwrap();
+    /// let paint = Paint::role(Role::Ink, Color::hex(0));
+    /// let text = Text { line: Arc::new(line), origin: Point::new(30.0, 40.0), paint, halo: None };
+    /// let (bounds, extent) = (text.bounds(), text.extent());
+    /// assert!(extent.x0 <= bounds.x0 && bounds.x1 <= extent.x1);
+    /// ```
     #[must_use]
     pub fn extent(&self) -> Rect {
         let ink = self.line.glyphs.iter().map(|placed| {

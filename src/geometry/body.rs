@@ -33,6 +33,11 @@ pub struct Pose {
 }
 
 /// A quarter turn counter-clockwise: (−y, x).
+///
+/// ```
+/// use tracefig::geometry::{DVec2, perp};
+/// assert_eq!(perp(DVec2::new(1.0, 2.0)), DVec2::new(-2.0, 1.0));
+/// ```
 #[must_use]
 pub fn perp(v: DVec2) -> DVec2 {
     DVec2::new(-v.y, v.x)
@@ -40,18 +45,36 @@ pub fn perp(v: DVec2) -> DVec2 {
 
 impl Pose {
     /// A point of the body's frame, in the world.
+    ///
+    /// ```
+    /// use tracefig::geometry::{DVec2, Pose, Rotation};
+    /// let pose = Pose { position: DVec2::new(1.0, 2.0), rotation: Rotation { cos: 0.0, sin: 1.0 } };
+    /// assert_eq!(pose.point(DVec2::X), DVec2::new(1.0, 3.0));
+    /// ```
     #[must_use]
     pub fn point(&self, local: DVec2) -> DVec2 {
         self.position + self.vector(local)
     }
 
     /// A vector of the body's frame, in the world.
+    ///
+    /// ```
+    /// use tracefig::geometry::{DVec2, Pose, Rotation};
+    /// let pose = Pose { position: DVec2::new(1.0, 2.0), rotation: Rotation { cos: 0.0, sin: 1.0 } };
+    /// assert_eq!(pose.vector(DVec2::X), DVec2::Y);
+    /// ```
     #[must_use]
     pub fn vector(&self, v: DVec2) -> DVec2 {
         self.rotation.apply(v)
     }
 
     /// A world point in the body's frame.
+    ///
+    /// ```
+    /// use tracefig::geometry::{DVec2, Pose, Rotation};
+    /// let pose = Pose { position: DVec2::new(1.0, 2.0), rotation: Rotation { cos: 0.0, sin: 1.0 } };
+    /// assert_eq!(pose.inverse_point(DVec2::new(1.0, 3.0)), DVec2::X);
+    /// ```
     #[must_use]
     pub fn inverse_point(&self, world: DVec2) -> DVec2 {
         self.rotation.undo(world - self.position)
@@ -59,8 +82,17 @@ impl Pose {
 }
 
 impl Body {
-    /// Where the body is at time `t`. The angle is reduced exactly, so that any number of turns is good to an
-    /// ulp.
+    /// Where the body is at time `t`, in the world. The angle is reduced exactly, so that any number of turns
+    /// is good to an ulp.
+    ///
+    /// ```
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+    /// let body = Body {
+    ///     shape, position: DVec2::new(1.0, 2.0), angle: Degrees(30.0), velocity: DVec2::X, spin:
+    /// Degrees(120.0), }; let pose = body.pose_at(0.5); assert_eq!((pose.position, pose.rotation.cos),
+    /// (DVec2::new(1.5, 2.0), 0.0));
+    /// ```
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
         let rotation = Turn::at(self.angle, self.spin, t).rotation();
@@ -68,6 +100,14 @@ impl Body {
     }
 
     /// The angle at time `t`, in degrees, rounded.
+    ///
+    /// ```
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+    /// let body = Body {
+    ///     shape, position: DVec2::new(1.0, 2.0), angle: Degrees(30.0), velocity: DVec2::X, spin:
+    /// Degrees(120.0), }; assert_eq!(body.angle_at(0.5), 90.0);
+    /// ```
     #[must_use]
     pub fn angle_at(&self, t: f64) -> f64 {
         self.angle.0 + self.spin.0 * t

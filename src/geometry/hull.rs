@@ -76,14 +76,14 @@ impl Hull {
     /// Vertex after `i`, counter-clockwise.
     #[inline]
     #[must_use]
-    pub fn next(&self, i: usize) -> usize {
+    pub(crate) fn next(&self, i: usize) -> usize {
         if i + 1 == self.vertices.len() { 0 } else { i + 1 }
     }
 
     /// Vertex before `i`.
     #[inline]
     #[must_use]
-    pub fn previous(&self, i: usize) -> usize {
+    pub(crate) fn previous(&self, i: usize) -> usize {
         if i == 0 { self.vertices.len() - 1 } else { i - 1 }
     }
 
@@ -92,7 +92,7 @@ impl Hull {
     /// high.
     #[inline]
     #[must_use]
-    pub fn highest(&self, direction: DVec2, from: usize) -> usize {
+    pub(crate) fn highest(&self, direction: DVec2, from: usize) -> usize {
         let count = self.vertices.len();
         if count <= FEW {
             return self.highest_of_few(direction);

@@ -45,6 +45,10 @@ pub enum Side {
 
 impl Side {
     /// The other body.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::geometry::Side::A.other(), tracefig::geometry::Side::B);
+    /// ```
     #[must_use]
     pub fn other(self) -> Self {
         match self {

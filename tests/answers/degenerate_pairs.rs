@@ -154,3 +154,21 @@ fn a_capsule_without_length_is_a_circle() {
     let expected = Expected { separation: 0.5, ties: 1, normals: &[DVec2::X] };
     check(&at(of_kind("capsule", &fields), 0.0, 0.0), &at(circle(1.0), 3.0, 1.0), &expected);
 }
+
+#[test]
+fn bodies_that_are_farther_apart_than_any_scene_have_bounds_as_narrow_as_others() {
+    for place in [1e154, 1e200, 1e290, 1e300] {
+        for position in [[place, 0.0], [0.0, -place], [place, place]] {
+            let line = format!(
+                r#"{{"shapes": {{"A": {{"kind": "box", "half_extents": [1, 2], "angle_deg": 30}},
+                "B": {{"kind": "polygon", "vertices": [[0, 0], [1, 0], [0, 1]], "position": {position:?}}}}},
+                "query": {{"kind": "separation", "of": ["A", "B"]}}}}"#
+            );
+            let reply = tracefig::solve_jsonl_line(&line.replace('\n', " "), 1).line;
+            let reply: serde_json::Value = serde_json::from_str(&reply).unwrap();
+            let bounds = &reply["result"]["separation_bounds"];
+            let (lo, hi) = (bounds[0].as_f64().unwrap(), bounds[1].as_f64().unwrap());
+            assert!(lo <= hi && hi - lo <= 16.0 * f64::EPSILON * place, "{position:?}: {lo:e} {hi:e}");
+        }
+    }
+}

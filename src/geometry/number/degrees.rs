@@ -179,7 +179,9 @@ impl Turn {
 /// A sum of at most eight doubles without rounding: parts that do not overlap, the smallest first.
 #[derive(Default)]
 struct Expansion {
+    /// The parts, of which the first `count` are in use.
     parts: [f64; 8],
+    /// How many parts there are.
     count: usize,
 }
 

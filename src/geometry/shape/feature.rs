@@ -12,7 +12,7 @@ impl Shape {
     /// The feature in the file's numbering for vertex `k` of the core.
     #[inline]
     #[must_use]
-    pub fn vertex_feature(&self, k: usize) -> Feature {
+    pub(crate) fn vertex_feature(&self, k: usize) -> Feature {
         Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
     }
 
@@ -22,7 +22,7 @@ impl Shape {
     /// ends have the point between them is taken, the first in the file's order on a tie.
     #[inline]
     #[must_use]
-    pub fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
+    pub(crate) fn edge_feature(&self, k: usize, point: DVec2) -> Feature {
         let (count, vertices) = (self.vertices.len(), self.core.len());
         if vertices < 2 {
             return self.vertex_feature(0);
@@ -36,7 +36,8 @@ impl Shape {
         if next(from, count) == to { Feature::Edge(from) } else { self.edge_between(from, to, point) }
     }
 
-    /// The same where the file runs clockwise, or has more vertices between the two.
+    /// Core edge k in the file's numbering where the file runs clockwise, or has more vertices between the
+    /// two.
     #[cold]
     fn edge_between(&self, from: usize, to: usize, point: DVec2) -> Feature {
         let (from, to) = if self.is_counter_clockwise() { (from, to) } else { (to, from) };
@@ -50,8 +51,7 @@ impl Shape {
         falls <= 1 || self.core.len() < 3
     }
 
-    /// Of the file's edges from vertex `from` on to vertex `to`, the one that comes nearest to holding
-    /// `point`.
+    /// The file's edge that comes nearest to holding `point`, of those from vertex `from` on to vertex `to`.
     fn nearest_edge(&self, from: usize, to: usize, point: DVec2) -> Feature {
         let count = self.vertices.len();
         let (mut best, mut least) = (from, f64::INFINITY);

@@ -14,6 +14,7 @@ pub(crate) type Vec2 = [Ball; 2];
 /// A pair, to twice the precision of a double.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BallPair<'p, 's> {
+    /// The pair in doubles.
     pair: &'p Pair<'s>,
     /// c, B's origin in A's frame.
     center: Vec2,

@@ -30,6 +30,7 @@ impl Closest {
 
 /// An edge of B ⊖ A at a vertex of it.
 struct Step {
+    /// The edge.
     facing: DifferenceEdge,
     /// Away from the vertex.
     along: Vec2,
@@ -40,7 +41,7 @@ struct Step {
 /// Which winding round B ⊖ A.
 #[derive(Clone, Copy)]
 enum Winding {
-    /// As its edges run: the next edge starts where this one ends.
+    /// Along the edges as they run: the next edge starts where this one ends.
     CounterClockwise,
     /// Against its edges.
     Clockwise,

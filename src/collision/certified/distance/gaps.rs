@@ -26,11 +26,11 @@ pub(crate) struct Widest {
 /// Which other gaps come within twice the error of the widest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Close {
-    /// None.
+    /// No other edge ties.
     None,
-    /// That of this side.
+    /// Exactly one other edge ties: this one.
     One(Side, usize),
-    /// More.
+    /// Two or more tie: it is left to the full search.
     More,
 }
 

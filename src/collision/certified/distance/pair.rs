@@ -130,7 +130,7 @@ impl<'s> Pair<'s> {
         }
     }
 
-    /// The same two bodies at time `t`, where neither turns.
+    /// This pair moved to time `t`, where neither body turns: all fields are those of `t`.
     pub(crate) fn unturned_at(&self, t: f64) -> Self {
         let (a, b) = (self.a, self.b);
         let apart = [
@@ -148,8 +148,8 @@ impl<'s> Pair<'s> {
         Self { time: t, apart, center_tailed, center, magnitude, placing_error, ..*self }
     }
 
-    /// The same two bodies at time `t`, where neither turns, as far as witness points are placed by it: in
-    /// doubles.
+    /// This pair moved to time `t`, for placing witness points only: `center` is right to doubles, the tails
+    /// and bounds are still those of the old time.
     #[inline]
     pub(crate) fn placed_at(&self, t: f64) -> Self {
         let v = self.a.velocity - self.b.velocity;
@@ -209,9 +209,22 @@ impl<'s> Pair<'s> {
         if self.is_tame() { GAP_ERROR * self.magnitude } else { f64::INFINITY }
     }
 
-    /// The same pair with cosines and sines to twice the precision of a double.
+    /// This pair with cosines and sines to twice the precision of a double.
     ///
     /// Worth its cost where the pair is asked more than once, or where it is near touching.
+    ///
+    /// ```
+    /// use tracefig::collision::Pair;
+    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+    /// let moving = |x, v| Body {
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
+    ///     velocity: DVec2::new(v, 0.0), spin: Degrees(0.0),
+    /// };
+    /// let (a, b) = (moving(0.0, 4.0), moving(4.0, 0.0));
+    /// let found = Pair::at(&a, &b, 0.25).refined().separation();
+    /// assert_eq!(found.separation, 1.0);
+    /// ```
     #[must_use]
     pub fn refined(mut self) -> Self {
         let (frame_rotation, frame_error) = refined(&self.frame);

@@ -77,7 +77,9 @@ pub(crate) fn between_vertices(pair: &Pair, vertices: [usize; 2]) -> Option<Meas
 /// A vector in double-doubles, upper and lower halves apart.
 #[derive(Clone, Copy)]
 struct Long {
+    /// The upper halves.
     hi: DVec2,
+    /// The lower halves.
     lo: DVec2,
 }
 
@@ -95,7 +97,9 @@ pub(crate) fn between(pair: &Pair, vertices: [usize; 2]) -> [Dd; 2] {
     apart(pair, vertices).components()
 }
 
-/// The same, both components side by side: not inlined, so that they stay so.
+/// `w_j − v_i` as two vectors, upper and lower halves, so that x and y share SIMD lanes.
+///
+/// Not inlined: where it is, LLVM computes one component after the other.
 ///
 /// Of the lower halves, together below 2.6 ε M in each component, eight sums lose 4.1 ε² M.
 #[inline(never)]
@@ -113,7 +117,7 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     Long { hi, lo }
 }
 
-/// The same in B's frame, and the 1-norm of what was turned.
+/// `w_j − v_i` in B's frame, and the 1-norm of what was turned.
 #[inline(never)]
 fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);

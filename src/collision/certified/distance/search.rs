@@ -22,7 +22,7 @@ use crate::collision::certified::distance::boundary::{self, Closest};
 use crate::collision::certified::distance::gaps::every_gap;
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
-use crate::collision::feature::DifferenceFeature;
+use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, Side, UnitVector};
 
 /// What was found, in A's frame and scaled.
@@ -106,14 +106,21 @@ fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
     match closest.feature {
         DifferenceFeature::Edge(facing) => {
             let measured = balls.measure(facing);
-            Some(Found {
-                contact: Contact::Edge(measured),
-                core: measured.gap.widen(closest.beyond),
-                ties: 1,
-            })
+            let core = measured.gap.widen(closest.beyond.min(farther(balls, facing, measured.gap)));
+            Some(Found { contact: Contact::Edge(measured), core, ties: 1 })
         }
         DifferenceFeature::Vertex(vertices) => vertex(balls, vertices),
     }
+}
+
+/// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's start is a point of B ⊖ A.
+///
+/// Where bodies are so far apart that nothing of an edge's length is left beside the distance, this is all that
+/// is known of where the foot of the origin lies on it.
+fn farther(balls: &BallPair, edge: DifferenceEdge, gap: Ball) -> f64 {
+    let [i, j] = edge.start();
+    let start = balls.between(i, j);
+    (dot(&start, &start).sqrt() - gap).magnitude()
 }
 
 /// Vertex i of A against vertex j of B: |`w_j − v_i`|, less what the supports along it may lie nearer.

@@ -17,7 +17,7 @@ pub(crate) enum Guess {
     Closest([usize; 2]),
     /// Apart, with these closest features.
     Apart(DifferenceFeature),
-    /// Of few vertices, and not clearly apart.
+    /// Cores of few vertices that are not clearly apart.
     Crossing,
     /// One inside the other: the origin is in this triangle of vertices of B ⊖ A.
     Overlapping([Vertex; 3]),

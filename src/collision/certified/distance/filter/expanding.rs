@@ -24,10 +24,13 @@ const SIDES: usize = 64;
 /// four edges.
 const WORTHWHILE: usize = 48;
 
-/// P: vertices counter-clockwise, and the distance of the origin from the line of the side after each.
+/// A convex polygon P of vertices of B ⊖ A, counter-clockwise, that grows towards its boundary.
 struct Inscribed {
+    /// Its vertices, of which the first `count` are in use.
     vertices: [Vertex; SIDES],
+    /// Distance of the origin from the line of the edge after each vertex, in scaled units.
     distances: [f64; SIDES],
+    /// How many vertices it has.
     count: usize,
 }
 

@@ -84,8 +84,11 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
 
 /// Vertices by coordinate, the first repeated to fill a block.
 struct Block {
+    /// Their x coordinates, scaled.
     x: [f64; FEW],
+    /// Their y coordinates, scaled.
     y: [f64; FEW],
+    /// How many blocks of vertices are filled.
     blocks: usize,
 }
 
@@ -131,8 +134,11 @@ impl Block {
 /// The widest gap and the next of the sides of one core.
 #[derive(Clone, Copy)]
 struct Top {
+    /// The widest gap.
     gap: f64,
+    /// The edge that has it.
     edge: usize,
+    /// The widest gap of the other edges.
     second: f64,
 }
 

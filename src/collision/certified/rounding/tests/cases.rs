@@ -69,7 +69,7 @@ impl Case {
         *x += *x * random.between(-1.0, 1.0) * libm::exp2(-random.between(1.0, 53.0));
     }
 
-    /// The same pair with all lengths multiplied by a power of two.
+    /// This pair with all lengths multiplied by a power of two.
     pub(super) fn scaled(mut self, factor: f64) -> Self {
         let lengths = [0, 1, 2, 3, 4, 5, 6, 7, 12, 13];
         for x in self.vertices.iter_mut().flatten() {
