@@ -115,8 +115,8 @@ fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
 
 /// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's start is a point of B ⊖ A.
 ///
-/// Where bodies are so far apart that nothing of an edge's length is left beside the distance, this is all that
-/// is known of where the foot of the origin lies on it.
+/// Where bodies are so far apart that nothing of an edge's length is left beside the distance, this is all
+/// that is known of where the foot of the origin lies on it.
 fn farther(balls: &BallPair, edge: DifferenceEdge, gap: Ball) -> f64 {
     let [i, j] = edge.start();
     let start = balls.between(i, j);
