@@ -255,7 +255,7 @@ fn a_re_export_is_known_by_what_it_is() {
     assert!(re_exported("mod c; use c::D; pub use glam::DVec2; pub use c::c;").is_empty());
 }
 
-/// Rooms that ask a filter first. Only speed needs it: whoever doubts it puts None in place of the one call.
+/// Rooms that ask a filter first. Only speed needs it: whoever doubts it leaves the one call out.
 const FILTERED: &[&str] =
     &["collision/certified/distance", "collision/certified/sweep", "collision/certified/impact"];
 
