@@ -29,8 +29,16 @@ impl Rect {
     }
 
     /// What both have in common, if they meet; it may have no width or no height.
+    ///
+    /// ```
+    /// use tracefig::drawing::Rect;
+    /// let left = Rect { x0: 0.0, y0: 0.0, x1: 4.0, y1: 2.0 };
+    /// let right = Rect { x0: 3.0, y0: 1.0, x1: 9.0, y1: 9.0 };
+    /// assert_eq!(left.intersection(right), Some(Rect { x0: 3.0, y0: 1.0, x1: 4.0, y1: 2.0 }));
+    /// assert_eq!(left.intersection(Rect { x0: 5.0, x1: 6.0, ..left }), None);
+    /// ```
     #[must_use]
-    pub(crate) fn intersection(self, other: Self) -> Option<Self> {
+    pub fn intersection(self, other: Self) -> Option<Self> {
         let r = Self {
             x0: self.x0.max(other.x0),
             y0: self.y0.max(other.y0),

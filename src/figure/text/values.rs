@@ -256,7 +256,7 @@ mod tests {
     fn the_bound_of_a_round_body_is_the_first_step_that_the_algorithm_takes() {
         let text = r#"
             caption = "{=bound}"
-            shapes.A = { kind = "capsule", points = [[-1, 0], [1, 0]], radius = 0.5, angular_velocity_deg = 90 }
+          shapes.A = { kind = "capsule", points = [[-1, 0], [1, 0]], radius = 0.5, angular_velocity_deg = 90 }
             shapes.B = { kind = "circle", radius = 1, position = [4, 0], velocity = [-2, 0] }
             query = { kind = "time-of-impact", of = ["A", "B"], algorithm = "conservative-advancement" }
             panels = [{ space = "world", layers = ["shapes"] }]
