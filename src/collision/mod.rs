@@ -21,7 +21,7 @@
 //! | read an algorithm of the article | `algorithm/`, its name; README has the list |
 //! | see why a sweep that misses does miss | `certified/sweep/`: `filter/` in doubles, else `balls.rs` |
 //! | see why a contact is one, and when | `certified/impact/contact.rs` |
-//! | see why a bound holds | `certified/rounding.rs`, a table of all |
+//! | see why a bound holds | `certified/rounding/`, a table of all |
 //! | add an algorithm | a file in `algorithm/` and its row in [`ALGORITHMS`] |
 //! | add a kind of question | a file in `query/` and its row in [`QUERIES`]; an algorithm that answers it |
 //! | add a kind of answer | a variant of [`Answer`] and its parts, in `answer.rs` |

@@ -37,7 +37,7 @@
 //! g, f        a gap: of the cores along n at one moment; along an axis that turns, less ρ
 //! s           the separation: positive apart, negative inside
 //! v, ω, Δω    the closing velocity v_A − v_B of a ray; spins in radians, and their difference
-//! ε, M, S, Σ  as in rounding.rs
+//! ε, M, S, Σ  as in rounding/
 //! ```
 
 pub(crate) mod distance;
