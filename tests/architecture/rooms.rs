@@ -71,6 +71,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/feature",
             "collision/certified/rounding",
             "collision/certified/distance/pair",
+            "collision/certified/distance/conditions",
             "collision/certified/distance/gaps",
             "collision/certified/distance/refine",
             "collision/certified/distance/witnesses",

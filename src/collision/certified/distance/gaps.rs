@@ -20,12 +20,12 @@ pub(crate) struct Widest {
     /// Its gap, within [`Pair::gap_error`].
     pub(crate) gap: f64,
     /// The others whose gap rounding can't tell from it.
-    pub(crate) close: Close,
+    pub(crate) ties: Ties,
 }
 
 /// Which other gaps come within twice the error of the widest.
 #[derive(Clone, Copy, Debug)]
-pub(crate) enum Close {
+pub(crate) enum Ties {
     /// No other edge ties.
     None,
     /// Exactly one other edge ties: this one.
@@ -50,12 +50,12 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
         }
     });
     let floor = top - 2.0 * pair.gap_error();
-    let close = match next {
-        _ if third >= floor => Close::More,
-        Some(next) if second >= floor => Close::One(next.source, next.edge),
-        _ => Close::None,
+    let ties = match next {
+        _ if third >= floor => Ties::More,
+        Some(next) if second >= floor => Ties::One(next.source, next.edge),
+        _ => Ties::None,
     };
-    best.map(|facing| Widest { facing, gap: top, close })
+    best.map(|facing| Widest { facing, gap: top, ties })
 }
 
 /// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides

@@ -1,11 +1,24 @@
-//! The separation of a pair at one moment, proved.
+//! The separation of a pair at one moment, proved: how far apart two bodies are, or how deep inside each
+//! other.
 //!
-//! A question goes to the [`filter`] first: doubles guess the nearest feature of B ⊖ A and mostly prove it.
-//! Where they leave something open, the [`search`] decides in balls, starting from a feature that the asker
-//! holds to be nearest.
+//! It is the distance of the origin from B ⊖ A = {b − a}, less ρ, negative inside. The files, in the order in
+//! which a question goes through them:
+//!
+//! ```text
+//! pair         both bodies in A's frame: the doubles, double-doubles and bounds that all of it starts from
+//! filter/      a guess in doubles, proved in doubles: nearly every pair ends here
+//!   conditions   when a feature of B ⊖ A is surely the nearest
+//!   gaps         the gap along the normal of every edge, O(n + m)
+//!   refine       the distance of a known feature in double-doubles
+//! search       what the filter leaves open: the nearest feature in balls, ties, exact zeros
+//!   balls        the pair in balls
+//!   boundary     a walk along B ⊖ A to its nearest point
+//! witnesses    from the proof to the answer: normal, witness points and features in the world
+//! ```
 
 pub(super) mod balls;
 mod boundary;
+pub(super) mod conditions;
 pub(super) mod filter;
 pub(super) mod gaps;
 pub(super) mod pair;
@@ -18,13 +31,23 @@ pub use pair::Pair;
 use crate::collision::answer::Separation;
 use crate::collision::feature::DifferenceFeature;
 
-/// The separation of a pair, proved. Of directions that tie, that of the `hint` is taken.
+/// The certified separation of a pair; `hint` is a feature of B ⊖ A that may be nearest the origin.
+///
+/// Of directions that tie, the hinted one is taken.
 #[inline]
 pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
     match filter::proved(pair) {
         Some(proved) => witnesses::answer(pair, &proved),
-        None => search::settle(pair, hint),
+        None => settle(pair, hint),
     }
+}
+
+/// [`certify`] without the filter: as true, and slower.
+///
+/// To be asked at once where the pair is so near touching that the filter would hardly ever be tight enough.
+#[cold]
+pub(super) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
+    witnesses::answer(pair, &search::proved(pair, hint))
 }
 
 impl Pair<'_> {

@@ -19,6 +19,17 @@
 use crate::collision::certified::rounding::{GAP_ERROR, LOSSY, PLACING_ERROR, TAME};
 use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Rotation, Shape, Side, Turn, taming_power};
 
+/// Where two bodies are at a moment, to place witness points by, in doubles: to a few ε of the pair's size.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Placement<'p, 's> {
+    /// The bodies, turned as they are at that moment; the pair may be that of another one.
+    pub(crate) pair: &'p Pair<'s>,
+    /// The moment.
+    time: f64,
+    /// B's origin in A's frame then, scaled.
+    center: DVec2,
+}
+
 /// Two bodies at one moment.
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<'s> {
@@ -92,23 +103,12 @@ impl<'s> Pair<'s> {
         let tame = TAME.contains(&rough);
         let scale = if tame { 1.0 } else { fitting(a, b, taming_power(rough)) };
         let (frame, turn) = turns(a, b, t);
-        let apart = [
-            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
-            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
-        ];
         let (frame_rotation, frame_error) = rotation(&frame);
         let (b_rotation, turn_error) = rotation(&turn);
-        let center_tailed = frame_rotation.undo([apart[0].value, apart[1].value]);
-        let center = DVec2::new(center_tailed[0].hi, center_tailed[1].hi);
         let radius = Dd::sum(a.shape.radius, b.shape.radius).scale_by_power_of_two(scale);
-        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
-        // The larger of the 1-norm of `apart` and twice its rounding.
-        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
-        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
-        // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
-        let placing_error = 2.0 * (frame_error * (x + y) + turn_error * reaches)
-            + PLACING_ERROR * magnitude
-            + (apart[0].radius + apart[1].radius);
+        let apart = apart_at(a, b, t, scale);
+        let center_tailed = frame_rotation.undo([apart[0].value, apart[1].value]);
+        let (magnitude, placing_error) = sizes(a, b, scale, &apart, [frame_error, turn_error]);
         Self {
             a,
             b,
@@ -121,7 +121,7 @@ impl<'s> Pair<'s> {
             frame_rotation,
             b_rotation,
             center_tailed,
-            center,
+            center: DVec2::new(center_tailed[0].hi, center_tailed[1].hi),
             placing_error,
             frame_error,
             turn_error,
@@ -132,40 +132,36 @@ impl<'s> Pair<'s> {
 
     /// This pair moved to time `t`, where neither body turns: all fields are those of `t`.
     pub(crate) fn unturned_at(&self, t: f64) -> Self {
-        let (a, b) = (self.a, self.b);
-        let apart = [
-            apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, self.scale),
-            apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, self.scale),
-        ];
+        let apart = apart_at(self.a, self.b, t, self.scale);
         let center_tailed = self.frame_rotation.undo([apart[0].value, apart[1].value]);
+        let errors = [self.frame_error, self.turn_error];
+        let (magnitude, placing_error) = sizes(self.a, self.b, self.scale, &apart, errors);
         let center = DVec2::new(center_tailed[0].hi, center_tailed[1].hi);
-        let reaches = (a.shape.hull.reach + b.shape.hull.reach) * self.scale;
-        let (x, y) = (apart[0].value.hi.abs(), apart[1].value.hi.abs());
-        let magnitude = (x + y + reaches) * (1.0 + 8.0 * f64::EPSILON);
-        let placing_error = 2.0 * (self.frame_error * (x + y) + self.turn_error * reaches)
-            + PLACING_ERROR * magnitude
-            + (apart[0].radius + apart[1].radius);
         Self { time: t, apart, center_tailed, center, magnitude, placing_error, ..*self }
     }
 
-    /// This pair moved to time `t`, for placing witness points only: `center` is right to doubles, the tails
-    /// and bounds are still those of the old time.
+    /// Where the bodies are at this pair's moment.
     #[inline]
-    pub(crate) fn placed_at(&self, t: f64) -> Self {
-        let v = self.a.velocity - self.b.velocity;
-        let seen = self.frame_rotation.rounded().undo(v);
-        Self { time: t, center: self.center - seen * t, ..*self }
+    pub(crate) fn placement(&self) -> Placement<'_, 's> {
+        Placement { pair: self, time: self.time, center: self.center }
+    }
+
+    /// Where the bodies are at time `t`, where neither turns.
+    #[inline]
+    pub(crate) fn placement_at(&self, t: f64) -> Placement<'_, 's> {
+        let seen = self.frame_rotation.rounded().undo(self.a.velocity - self.b.velocity);
+        Placement { pair: self, time: t, center: self.center - seen * t }
     }
 
     /// `v_A − v_B` in A's frame, scaled.
-    pub(crate) fn closing_fine(&self) -> [Ball; 2] {
+    pub(crate) fn closing_in_balls(&self) -> [Ball; 2] {
         let speed = |from: f64, to: f64| scaled(Dd::difference(from, to), self.scale);
         let (x, y) =
             (speed(self.a.velocity.x, self.b.velocity.x), speed(self.a.velocity.y, self.b.velocity.y));
         self.frame.rotation_in_balls().undo([x, y])
     }
 
-    /// [`Self::closing_fine`] of a pair that needs no scaling, with the tails of the first stage, and the
+    /// [`Self::closing_in_balls`] of a pair that needs no scaling, with the tails of the first stage, and the
     /// bound on its error as a vector; None where its products might leave the range of doubles, or it is 0.
     #[inline]
     pub(crate) fn closing_tailed(&self) -> Option<([Dd; 2], f64)> {
@@ -229,7 +225,7 @@ impl<'s> Pair<'s> {
     pub fn refined(mut self) -> Self {
         let (frame_rotation, frame_error) = refined(&self.frame);
         let (b_rotation, turn_error) = refined(&self.turn);
-        let apart = self.apart.map(|x| x.value);
+        let apart = [self.apart[0].value, self.apart[1].value];
         let distance = apart[0].hi.abs() + apart[1].hi.abs();
         self.center_tailed = frame_rotation.undo(apart);
         (self.frame_rotation, self.b_rotation) = (frame_rotation, b_rotation);
@@ -244,12 +240,6 @@ impl<'s> Pair<'s> {
     #[inline]
     pub(crate) fn world_vector(&self, v: DVec2) -> DVec2 {
         self.frame_rotation.rounded().apply(v)
-    }
-
-    /// A point of B's frame in A's frame, scaled.
-    #[inline]
-    pub(crate) fn place_b(&self, q: DVec2) -> DVec2 {
-        self.center + self.vector_from_b(q * self.scale)
     }
 
     /// A point of A's frame, scaled, in B's frame, unscaled.
@@ -273,15 +263,32 @@ impl<'s> Pair<'s> {
     /// Where a body is, in the world.
     #[inline]
     pub(crate) fn pose(&self, side: Side) -> Pose {
-        let frame = self.frame_rotation.rounded();
+        self.placement().pose(side)
+    }
+}
+
+impl Placement<'_, '_> {
+    /// A point of B's frame, as in its file, in A's frame, scaled.
+    #[inline]
+    pub(crate) fn point_from_b(&self, q: DVec2) -> DVec2 {
+        self.center + self.pair.vector_from_b(q * self.pair.scale)
+    }
+
+    /// A point of A's frame, scaled, in B's frame, as in its file.
+    #[inline]
+    pub(crate) fn point_to_b(&self, p: DVec2) -> DVec2 {
+        self.pair.vector_to_b(p - self.center) * self.pair.unscale()
+    }
+
+    /// Where a body is, in the world.
+    #[inline]
+    pub(crate) fn pose(&self, side: Side) -> Pose {
+        let (frame, at) =
+            (self.pair.frame_rotation.rounded(), |body: &Body| body.position + body.velocity * self.time);
         match side {
-            Side::A => {
-                let position = self.a.position + self.a.velocity * self.time;
-                Pose { position, rotation: frame }
-            }
+            Side::A => Pose { position: at(self.pair.a), rotation: frame },
             Side::B => {
-                let position = self.b.position + self.b.velocity * self.time;
-                Pose { position, rotation: frame.then(self.b_rotation.rounded()) }
+                Pose { position: at(self.pair.b), rotation: frame.then(self.pair.b_rotation.rounded()) }
             }
         }
     }
@@ -316,6 +323,34 @@ fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
 fn rough_distance(a: &Body, b: &Body, t: f64) -> f64 {
     let d = (b.position - a.position) + (b.velocity - a.velocity) * t;
     d.x.abs() + d.y.abs()
+}
+
+/// `p_B − p_A` at time t, exactly where double-doubles hold it, times `scale`.
+#[inline]
+fn apart_at(a: &Body, b: &Body, t: f64, scale: f64) -> [Ball; 2] {
+    [
+        apart(a.position.x, b.position.x, [a.velocity.x, b.velocity.x], t, scale),
+        apart(a.position.y, b.position.y, [a.velocity.y, b.velocity.y], t, scale),
+    ]
+}
+
+/// M and [`Pair::placing_error`] of bodies that are `apart`, given the bounds on the errors of both rotations.
+#[inline]
+fn sizes(
+    a: &Body,
+    b: &Body,
+    scale: f64,
+    apart: &[Ball; 2],
+    [frame_error, turn_error]: [f64; 2],
+) -> (f64, f64) {
+    let reaches = (a.shape.hull.reach + b.shape.hull.reach) * scale;
+    let distance = apart[0].value.hi.abs() + apart[1].value.hi.abs();
+    let magnitude = (distance + reaches) * (1.0 + 8.0 * f64::EPSILON);
+    // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
+    let placing_error = 2.0 * (frame_error * distance + turn_error * reaches)
+        + PLACING_ERROR * magnitude
+        + (apart[0].radius + apart[1].radius);
+    (magnitude, placing_error)
 }
 
 /// A coordinate of `p_B − p_A` at time t, exactly where a double-double holds it, times `scale`.

@@ -14,14 +14,13 @@
 //! Where the separation's ball holds 0, the sign of a polynomial decides, without square roots: c |c| − R²
 //! |e|² for an edge e with c = e × d, and |d|² − R² for vertices d apart; only an exact 0 is called 0.
 
-use crate::collision::Separation;
 use crate::collision::certified::distance::balls::{
     BallPair, MeasuredEdge, Vec2, cross, dot, reversed, rounded,
 };
 use crate::collision::certified::distance::boundary::{self, Closest};
 use crate::collision::certified::distance::gaps::every_gap;
 use crate::collision::certified::distance::pair::Pair;
-use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
+use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, Side, UnitVector};
 
@@ -45,19 +44,18 @@ pub(crate) enum Contact {
     Vertex([usize; 2], Vec2),
 }
 
-/// The separation of a pair without the filter. Of directions that tie, that of the `hint` is taken.
-#[cold]
-pub(crate) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
+/// The separation of a pair by balls; of directions that tie, the hinted one is taken.
+pub(crate) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> Proved {
     let balls = BallPair::new(pair);
     let found =
         hint.and_then(|hint| confirm(pair, &balls, hint)).unwrap_or_else(|| search(pair, &balls, hint));
     let separation = found.core - Ball::exact(pair.radius);
     let zero = separation.sign().is_none() && is_zero(pair, &balls, &found);
-    witnesses::answer(pair, &proved(pair, &found, if zero { Ball::ZERO } else { separation }))
+    rounded_off(pair, &found, if zero { Ball::ZERO } else { separation })
 }
 
 /// What was found, rounded to doubles; `separation` is the scaled ball of s.
-fn proved(pair: &Pair, found: &Found, separation: Ball) -> Proved {
+fn rounded_off(pair: &Pair, found: &Found, separation: Ball) -> Proved {
     let unscale = 1.0 / pair.scale;
     let bounds = separation.enclosure_scaled(unscale);
     let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);

@@ -10,7 +10,7 @@
 //! other witness follows along the normal.
 
 use crate::collision::Separation;
-use crate::collision::certified::distance::pair::Pair;
+use crate::collision::certified::distance::pair::{Pair, Placement};
 use crate::collision::feature::{DifferenceEdge, a_then_b};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, UnitVector, perp};
 
@@ -46,17 +46,24 @@ pub(crate) struct Proved {
 /// them.
 type Witnesses = ([DVec2; 2], [Feature; 2]);
 
-/// The answer.
+/// The answer that was proved of a pair.
 #[inline]
 pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
+    answer_at(&pair.placement(), proved)
+}
+
+/// The answer that was proved of two bodies at the moment of their placement.
+#[inline]
+pub(crate) fn answer_at(at: &Placement, proved: &Proved) -> Separation {
+    let pair = at.pair;
     let Proved { carrier, normal: local, core, separation, bounds, ties } = *proved;
     // Points that coincide: every direction is as good; the world's x axis is taken.
     let normal = local.map_or(UnitVector::X, |n| n.turned(pair.frame_rotation.rounded()));
     let n = *local.unwrap_or(UnitVector::X);
     let (cores, features) = match carrier {
-        Carrier::Vertex([i, j]) => vertices(pair, i, j),
-        Carrier::Edge(facing) => edge_and_vertex(pair, facing, n, core),
-        Carrier::ParallelEdges(facing, partner) => faces(pair, facing, partner, n, core),
+        Carrier::Vertex([i, j]) => vertices(at, i, j),
+        Carrier::Edge(facing) => edge_and_vertex(at, facing, n, core),
+        Carrier::ParallelEdges(facing, partner) => parallel_edges(at, facing, partner, n, core),
     };
     let [r_a, r_b] = [pair.a.shape.radius * pair.scale, pair.b.shape.radius * pair.scale];
     let unscale = pair.unscale();
@@ -64,59 +71,62 @@ pub(crate) fn answer(pair: &Pair, proved: &Proved) -> Separation {
     Separation { separation, bounds, normal, ties, points, features }
 }
 
-/// Two vertices.
-fn vertices(pair: &Pair, i: usize, j: usize) -> Witnesses {
-    let points = [world_vertex(pair, Side::A, i), world_vertex(pair, Side::B, j)];
+/// Vertex i of A and vertex j of B.
+fn vertices(at: &Placement, i: usize, j: usize) -> Witnesses {
+    let pair = at.pair;
+    let points = [world_vertex(at, Side::A, i), world_vertex(at, Side::B, j)];
     (points, [pair.a.shape.vertex_feature(i), pair.b.shape.vertex_feature(j)])
 }
 
-/// A side of one body and a vertex of the other, `core` apart along `n`; scaled.
-fn edge_and_vertex(pair: &Pair, facing: DifferenceEdge, n: DVec2, core: f64) -> Witnesses {
+/// An edge of one body and a vertex of the other, `core` apart along `n`; scaled.
+fn edge_and_vertex(at: &Placement, facing: DifferenceEdge, n: DVec2, core: f64) -> Witnesses {
+    let pair = at.pair;
     let world = pair.world_vector(n) * core;
     let DifferenceEdge { source, edge, vertex } = facing;
     match source {
         Side::A => {
-            let point = world_vertex(pair, Side::B, vertex);
-            let local = (pair.place_b(pair.hull(Side::B).vertices[vertex]) - n * core) * pair.unscale();
+            let point = world_vertex(at, Side::B, vertex);
+            let local = (at.point_from_b(pair.hull(Side::B).vertices[vertex]) - n * core) * pair.unscale();
             let features = [pair.a.shape.edge_feature(edge, local), pair.b.shape.vertex_feature(vertex)];
             ([point - world, point], features)
         }
         Side::B => {
-            let point = world_vertex(pair, Side::A, vertex);
-            let local = pair.local_to_b(pair.hull(Side::A).vertices[vertex] * pair.scale + n * core);
+            let point = world_vertex(at, Side::A, vertex);
+            let local = at.point_to_b(pair.hull(Side::A).vertices[vertex] * pair.scale + n * core);
             let features = [pair.a.shape.vertex_feature(vertex), pair.b.shape.edge_feature(edge, local)];
             ([point, point + world], features)
         }
     }
 }
 
-/// Two parallel sides: the middle of their common span.
-fn faces(pair: &Pair, facing: DifferenceEdge, partner: usize, n: DVec2, core: f64) -> Witnesses {
+/// Two parallel edges, `core` apart along `n`, at the middle of what they share; scaled.
+fn parallel_edges(at: &Placement, facing: DifferenceEdge, partner: usize, n: DVec2, core: f64) -> Witnesses {
+    let pair = at.pair;
     let [k, l] = a_then_b(facing.source, facing.edge, partner);
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let along = perp(n);
-    // Places along the face, measured from A's vertex so that nothing cancels twice.
+    // Places along the edge, measured from A's vertex so that nothing cancels twice.
     let start = a.vertices[k] * pair.scale;
     let end = (a.vertices[a.next(k)] * pair.scale - start).dot(along);
-    let place = |j: usize| (pair.place_b(b.vertices[j]) - start).dot(along);
+    let place = |j: usize| (at.point_from_b(b.vertices[j]) - start).dot(along);
     let (p, q) = (place(l), place(b.next(l)));
     let (from, to) = (p.min(q).max(end.min(0.0)), p.max(q).min(end.max(0.0)));
     let middle = start + along * (0.5 * (from + to));
-    let point = world_point(pair, Side::A, middle);
+    let point = world_point(at, Side::A, middle);
     let features = [
         pair.a.shape.edge_feature(k, middle * pair.unscale()),
-        pair.b.shape.edge_feature(l, pair.local_to_b(middle + n * core)),
+        pair.b.shape.edge_feature(l, at.point_to_b(middle + n * core)),
     ];
     ([point, point + pair.world_vector(n) * core], features)
 }
 
 /// A core's vertex in the world.
-fn world_vertex(pair: &Pair, side: Side, k: usize) -> DVec2 {
-    world_point(pair, side, pair.hull(side).vertices[k] * pair.scale)
+fn world_vertex(at: &Placement, side: Side, k: usize) -> DVec2 {
+    world_point(at, side, at.pair.hull(side).vertices[k] * at.pair.scale)
 }
 
 /// A point of a body's frame in the world; both scaled.
-fn world_point(pair: &Pair, side: Side, local: DVec2) -> DVec2 {
-    let pose = pair.pose(side);
+fn world_point(at: &Placement, side: Side, local: DVec2) -> DVec2 {
+    let (pair, pose) = (at.pair, at.pose(side));
     pose.position * pair.scale + pose.vector(local)
 }

@@ -29,7 +29,7 @@ use crate::geometry::{Ball, DVec2, Enclosure, Side, length};
 /// Where the ray's line enters B ⊖ A, of a pair at t = 0.
 #[cold]
 pub(crate) fn entry(pair: &Pair) -> Entry {
-    let v = pair.closing_fine();
+    let v = pair.closing_in_balls();
     if dot(&v, &v).sign() == Some(0) {
         Entry::Still
     } else {

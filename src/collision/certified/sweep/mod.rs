@@ -101,7 +101,7 @@ impl<'s> Sweep<'s> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::collision::certified::distance::search::settle;
+    use crate::collision::certified::distance::settle;
     use crate::collision::tests::bodies::Bodies;
 
     #[test]

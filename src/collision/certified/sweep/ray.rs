@@ -8,9 +8,8 @@
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
 use crate::collision::answer::{Outcome, Reason};
-use crate::collision::certified::distance::search::settle;
 use crate::collision::certified::distance::witnesses::{self, Proved};
-use crate::collision::certified::distance::{Pair, certify};
+use crate::collision::certified::distance::{Pair, certify, settle};
 use crate::collision::feature::DifferenceFeature;
 use crate::geometry::Enclosure;
 
@@ -41,7 +40,7 @@ impl Entry {
     pub(crate) fn outcome(&self, pair: &Pair) -> Outcome {
         match *self {
             Self::At { time, contact: Some(ref proved), .. } if time.lo >= 0.0 => {
-                Outcome::Hit { time, contact: witnesses::answer(&pair.placed_at(time.lo), proved) }
+                Outcome::Hit { time, contact: witnesses::answer_at(&pair.placement_at(time.lo), proved) }
             }
             Self::Misses => Outcome::Miss,
             ref open => open.outcome_by_balls(pair),

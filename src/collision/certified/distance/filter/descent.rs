@@ -40,7 +40,7 @@ pub(crate) struct Vertex {
 const STEPS: usize = 64;
 
 /// The pair in the form that the search asks: seen from A.
-pub(crate) struct Asked<'p> {
+pub(crate) struct SupportPair<'p> {
     /// A's core.
     pub(crate) a: &'p Hull,
     /// B's core.
@@ -51,7 +51,7 @@ pub(crate) struct Asked<'p> {
     pub(crate) rotation: Rotation<f64>,
 }
 
-impl<'p> Asked<'p> {
+impl<'p> SupportPair<'p> {
     /// The two cores.
     #[inline]
     pub(crate) fn of(pair: &Pair<'p>) -> Self {
@@ -71,8 +71,8 @@ impl<'p> Asked<'p> {
 /// The feature of B ⊖ A nearest the origin, or that it is better looked for otherwise.
 #[inline]
 pub(crate) fn guess(pair: &Pair) -> Guess {
-    let asked = Asked::of(pair);
-    let first = asked.lowest(pair.center, ANYWHERE);
+    let supports = SupportPair::of(pair);
+    let first = supports.lowest(pair.center, ANYWHERE);
     if small::are_few(pair) {
         if first.p.dot(pair.center) <= 0.0 {
             return Guess::Crossing;
@@ -83,7 +83,7 @@ pub(crate) fn guess(pair: &Pair) -> Guess {
             None => {}
         }
     }
-    descend(&asked, first)
+    descend(&supports, first)
 }
 
 /// No vertices to start from.
@@ -92,17 +92,17 @@ pub(crate) const ANYWHERE: (usize, usize) = (usize::MAX, usize::MAX);
 /// The feature of B ⊖ A nearest the origin, looked for along a first direction and from vertices of A and B
 /// on: by descent alone.
 #[inline]
-pub(crate) fn search(asked: &Asked, toward: DVec2, from: (usize, usize)) -> Guess {
-    descend(asked, asked.lowest(toward, from))
+pub(crate) fn search(supports: &SupportPair, toward: DVec2, from: (usize, usize)) -> Guess {
+    descend(supports, supports.lowest(toward, from))
 }
 
 /// From a vertex of B ⊖ A to the feature that is nearest the origin.
 #[inline]
-fn descend(asked: &Asked, mut x: Vertex) -> Guess {
-    let (a, b) = (asked.a, asked.b);
+fn descend(supports: &SupportPair, mut x: Vertex) -> Guess {
+    let (a, b) = (supports.a, supports.b);
     let mut steps = 0;
     'vertex: loop {
-        let mut y = asked.lowest(x.p, (x.i, x.j));
+        let mut y = supports.lowest(x.p, (x.i, x.j));
         if (y.i, y.j) == (x.i, x.j) {
             return Guess::Apart(DifferenceFeature::Vertex([x.i, x.j]));
         }
@@ -124,7 +124,7 @@ fn descend(asked: &Asked, mut x: Vertex) -> Guess {
             let across = DVec2::new(-along.y, along.x);
             let height = across.dot(x.p);
             let n = if height < 0.0 { -across } else { across };
-            let z = asked.lowest(n, (y.i, y.j));
+            let z = supports.lowest(n, (y.i, y.j));
             if (z.i, z.j) == (x.i, x.j) || (z.i, z.j) == (y.i, y.j) || n.dot(z.p) >= height.abs() {
                 return facing(a, b, x, y)
                     .map_or(Guess::Unclear, |facing| Guess::Apart(DifferenceFeature::Edge(facing)));

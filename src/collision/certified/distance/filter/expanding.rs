@@ -11,8 +11,8 @@
 //! Vertices here are doubles within [`Pair::gap_error`] of theirs, and so are the distances of segments
 //! between them from the origin: a side that is farther by twice that is farther.
 
-use crate::collision::certified::distance::filter::descent::{Asked, Vertex, facing};
-use crate::collision::certified::distance::filter::{Support, support};
+use crate::collision::certified::distance::conditions::{Support, support};
+use crate::collision::certified::distance::filter::descent::{SupportPair, Vertex, facing};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::Side;
@@ -87,7 +87,7 @@ pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<DifferenceEd
     if pair.hull(Side::A).vertices.len() + pair.hull(Side::B).vertices.len() < WORTHWHILE {
         return None;
     }
-    let asked = Asked::of(pair);
+    let supports = SupportPair::of(pair);
     let error = pair.gap_error();
     let mut inside = Inscribed::new(triangle);
     while inside.count < SIDES {
@@ -100,7 +100,7 @@ pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<DifferenceEd
         let [p, q] = inside.ends(k);
         let along = q.p - p.p;
         let inward = crate::geometry::perp(along);
-        let z = asked.lowest(inward, (p.i, p.j));
+        let z = supports.lowest(inward, (p.i, p.j));
         if [(p.i, p.j), (q.i, q.j)].contains(&(z.i, z.j)) || inward.dot(z.p - p.p) >= 0.0 {
             let edge = facing(pair.hull(Side::A), pair.hull(Side::B), p, q)?;
             let alone = second > least + 2.0 * error;

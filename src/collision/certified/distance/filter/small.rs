@@ -7,8 +7,8 @@
 //! the side may be the closest feature (Mirtich, *V-Clip: Fast and Robust Polyhedral Collision Detection*,
 //! 1998). What either finds is a guess, that [`crate::collision::certified::distance::filter`] proves.
 
-use crate::collision::certified::distance::filter::{self, clearly_lowest};
-use crate::collision::certified::distance::gaps::{self, Close, Widest};
+use crate::collision::certified::distance::conditions::{clearly_lowest, slack};
+use crate::collision::certified::distance::gaps::{self, Ties, Widest};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
 use crate::geometry::{DVec2, Hull, Side};
@@ -52,7 +52,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
         let ([ahead_a, behind_a], [ahead_b, behind_b]) = (descents(a, i, down_a), descents(b, j, down_b));
         let (of_a, of_b) = (ahead_a.max(behind_a), ahead_b.max(behind_b));
         if of_a.max(of_b) < 0.0 {
-            let slack = filter::slack(pair, d);
+            let slack = slack(pair, d);
             let clear = clearly_lowest(a, i, down_a, slack) && clearly_lowest(b, j, down_b, slack);
             return clear.then_some(DifferenceFeature::Vertex([i, j]));
         }
@@ -83,7 +83,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
 }
 
 /// Vertices by coordinate, the first repeated to fill a block.
-struct Block {
+struct Lanes {
     /// Their x coordinates, scaled.
     x: [f64; FEW],
     /// Their y coordinates, scaled.
@@ -92,7 +92,7 @@ struct Block {
     blocks: usize,
 }
 
-impl Block {
+impl Lanes {
     /// The vertices of a core, each placed.
     #[inline]
     fn of(vertices: &[DVec2], place: impl Fn(DVec2) -> DVec2) -> Self {
@@ -133,7 +133,7 @@ impl Block {
 
 /// The widest gap and the next of the sides of one core.
 #[derive(Clone, Copy)]
-struct Top {
+struct BestGaps {
     /// The widest gap.
     gap: f64,
     /// The edge that has it.
@@ -144,8 +144,8 @@ struct Top {
 
 /// The gaps along a core's normals.
 #[inline]
-fn top(hull: &Hull, others: &Block) -> Top {
-    let mut top = Top { gap: f64::NEG_INFINITY, edge: 0, second: f64::NEG_INFINITY };
+fn top(hull: &Hull, others: &Lanes) -> BestGaps {
+    let mut top = BestGaps { gap: f64::NEG_INFINITY, edge: 0, second: f64::NEG_INFINITY };
     for (edge, (n, offset)) in hull.normals.iter().zip(&hull.offsets).enumerate() {
         let gap = others.least(**n) - offset;
         let lower = if gap < top.gap { gap } else { top.gap };
@@ -160,8 +160,8 @@ fn top(hull: &Hull, others: &Block) -> Top {
 #[inline]
 pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
     let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let of_b = Block::of(&b.vertices, |q| pair.center + pair.vector_from_b(q));
-    let of_a = Block::of(&a.vertices, |v| pair.local_to_b(v));
+    let of_b = Lanes::of(&b.vertices, |q| pair.center + pair.vector_from_b(q));
+    let of_a = Lanes::of(&a.vertices, |v| pair.local_to_b(v));
     let (along_a, along_b) = (top(a, &of_b), top(b, &of_a));
     let (source, best, other) =
         if along_a.gap >= along_b.gap { (Side::A, along_a, along_b) } else { (Side::B, along_b, along_a) };
@@ -173,6 +173,6 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
     Some(Widest {
         facing: DifferenceEdge { source, edge: best.edge, vertex },
         gap: best.gap,
-        close: Close::None,
+        ties: Ties::None,
     })
 }

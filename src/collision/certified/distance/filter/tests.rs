@@ -1,8 +1,7 @@
 //! What must hold of the filter of separations: on pairs that nobody chose, and on hard ones.
 
 use crate::collision::answer::Separation;
-use crate::collision::certified::distance::search::settle;
-use crate::collision::certified::distance::{Pair, filter};
+use crate::collision::certified::distance::{Pair, filter, settle};
 use crate::collision::tests::bodies::Bodies;
 use crate::collision::tests::hard_pairs::hard_resting_pairs;
 
@@ -43,4 +42,16 @@ fn without_the_filter_hard_cases_are_answered_as_truly() {
         decided += i32::from(filter::proved(&pair).is_some());
     }
     assert!(cases > 1_000 && decided > 300, "{decided} of {cases}");
+}
+
+#[test]
+fn bodies_of_many_vertices_are_answered_alike_without_the_filter() {
+    let (mut bodies, mut decided) = (Bodies::new(42), 0);
+    for round in 0..400 {
+        let (a, b) = (bodies.of_many_vertices(9 + round), bodies.of_many_vertices(3 + round / 2));
+        let pair = Pair::at(&a, &b, 0.0);
+        assert_the_same(&format!("{round}"), &both_ways(&pair));
+        decided += i32::from(filter::proved(&pair).is_some());
+    }
+    assert!(decided > 360, "the filter would be idle: {decided} of 400");
 }

@@ -8,7 +8,7 @@
 //!
 //! All of it is a guess in doubles; only that the gap is open at the moment is sure.
 
-use crate::collision::certified::distance::filter::descent::{ANYWHERE, Asked, Guess, search};
+use crate::collision::certified::distance::filter::descent::{ANYWHERE, Guess, SupportPair, search};
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::filter::gap_series::{Instant, OpenAxis, first_root};
 use crate::collision::certified::impact::filter::{BAND, Finder};
@@ -71,13 +71,13 @@ impl Finder<'_, '_> {
         let (a, b) = (self.pair.hull(Side::A), self.pair.hull(Side::B));
         let [of_a, of_b] = at.rotations;
         let (center, rotation) = (of_a.undo(at.apart), of_b.then(of_a.inverse()));
-        let asked = Asked { a, b, center, rotation };
+        let supports = SupportPair { a, b, center, rotation };
         let (toward, vertices) = match from {
             Some(OpenAxis { axis, gap }) if axis.owner == Side::A => (axis.n, (axis.own, gap.lowest)),
             Some(OpenAxis { axis, gap }) => (-rotation.apply(axis.n), (gap.lowest, axis.own)),
             None => (center, ANYWHERE),
         };
-        match search(&asked, toward, vertices) {
+        match search(&supports, toward, vertices) {
             Guess::Apart(feature) => Some(feature),
             _ => None,
         }

@@ -5,7 +5,7 @@
 
 use crate::collision::Separation;
 use crate::collision::certified::distance::Pair;
-use crate::collision::certified::distance::filter::{Support, support};
+use crate::collision::certified::distance::conditions::{Support, support};
 use crate::collision::certified::distance::refine::{along_normal, between};
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
 use crate::collision::certified::rounding::LAST_ERROR;

@@ -23,7 +23,7 @@
 pub(crate) mod crossed_edge;
 
 use crate::collision::certified::distance::Pair;
-use crate::collision::certified::distance::filter::is_lowest;
+use crate::collision::certified::distance::conditions::is_lowest;
 use crate::collision::certified::distance::refine::between;
 use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::certified::rounding::{LAST_ERROR, OFFSET_ERROR, REST_ERROR};
@@ -35,7 +35,7 @@ use crate::geometry::{
     Ball, DVec2, Dd, Enclosure, Rotation, Side, UnitVector, combined, two_product, two_sum,
 };
 
-/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::filter::is_lowest`]
+/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::conditions::is_lowest`]
 /// to know the error of p − t v.
 ///
 /// p is within 3.4 ε M, v in doubles and its product with t within ε of 4 M, the difference within 2.5 ε M,
