@@ -30,7 +30,7 @@ use serde::Serialize;
 pub enum Feature {
     /// A vertex, or the one point of a circle.
     Vertex(usize),
-    /// The side from vertex i to vertex i + 1.
+    /// The edge from vertex i to vertex i + 1.
     Edge(usize),
 }
 

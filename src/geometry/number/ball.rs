@@ -1,4 +1,4 @@
-//! A double-double with a proven error: the second stage of the certified queries computes with these.
+//! A double-double with a proven error: what doubles leave open is decided with these.
 //!
 //! A ball stands for an unknown real x with |x − value| ≤ radius. Every operation returns a ball that holds
 //! the exact result for all reals of its operands:

@@ -1,4 +1,4 @@
-//! Cosine and sine of a turning body's angle, quickly, for the first stage of the sweeps.
+//! Cosine and sine of a turning body's angle, quickly, for sweeps and impacts in doubles.
 //!
 //! The angle in degrees, a + ω t, is kept as a sum of two doubles, and quarter turns come off exactly; only
 //! the rest,

@@ -1,4 +1,4 @@
-//! Every rounding term of the second stage against 320 bits: each operation on balls keeps the exact result,
+//! Every rounding term of balls against 320 bits: each operation on balls keeps the exact result,
 //! and needs what it allows for. A whole query hides a deleted term behind the others; here nothing does.
 
 use tracefig_reference::float::Real;

@@ -1,4 +1,4 @@
-//! Features of a shape in the file's numbering, from vertices and sides of its core.
+//! Features of a shape in the file's numbering, from vertices and edges of its core.
 //!
 //! The core runs counter-clockwise without collinear vertices; the file may run clockwise and have more
 //! vertices. An answer names what the file has: the vertex, or the edge that holds the witness point.
@@ -16,9 +16,9 @@ impl Shape {
         Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
     }
 
-    /// The file's edge that holds `point` (body frame), which lies on side `k` of the core.
+    /// The file's edge that holds `point` (body frame), which lies on edge `k` of the core.
     ///
-    /// Where collinear vertices were dropped, the side is made of several edges of the file: the one whose
+    /// Where collinear vertices were dropped, the edge is made of several edges of the file: the one whose
     /// ends have the point between them is taken, the first in the file's order on a tie.
     #[inline]
     #[must_use]

@@ -27,7 +27,7 @@ pub(crate) struct BallPair<'p, 's> {
 pub(crate) struct MeasuredEdge {
     /// The edge, with a vertex that supports it as far as 106 bits tell.
     pub(crate) facing: DifferenceEdge,
-    /// The other body's side that is parallel to it and faces it, if one is (or may be, as far as 106 bits
+    /// The other body's edge that is parallel to it and faces it, if one is (or may be, as far as 106 bits
     /// tell).
     pub(crate) partner: Option<usize>,
     /// Unit vector from A to B.
@@ -62,7 +62,7 @@ pub(crate) fn rounded(v: &Vec2) -> DVec2 {
 }
 
 impl<'p, 's> BallPair<'p, 's> {
-    /// Prepares the second stage.
+    /// The pair in balls.
     pub(crate) fn new(pair: &'p Pair<'s>) -> Self {
         let center = pair.frame.rotation_in_balls().undo(pair.apart);
         Self { pair, center, rotation: pair.turn.rotation_in_balls() }
@@ -95,7 +95,7 @@ impl<'p, 's> BallPair<'p, 's> {
         }
     }
 
-    /// The unit normal of a side, from A to B.
+    /// The unit normal of an edge, from A to B.
     pub(crate) fn normal(&self, side: Side, k: usize) -> Vec2 {
         let outward = self.pair.hull(side).normal_in_balls(k);
         match side {

@@ -2,9 +2,9 @@
 //!
 //! Along the part of a convex boundary that the origin sees, the distance falls to one minimum and rises
 //! again. From an edge that the origin sees, step to the neighbour as long as the foot of the origin lies
-//! beyond the edge's end. The boundary is never built: after the vertex `w_j − v_i` comes either B's side j
-//! or A's side i reversed, whichever turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational
-//! Geometry*, 2008, §13.3). The first stage starts the walk where it found the minimum, so that it mostly
+//! beyond the edge's end. The boundary is never built: after the vertex `w_j − v_i` comes either B's edge j
+//! or A's edge i reversed, whichever turns off less (de Berg, Cheong, van Kreveld, Overmars, *Computational
+//! Geometry*, 2008, §13.3). The gaps in doubles start the walk where it found the minimum, so that it mostly
 //! ends where it begins.
 
 use crate::collision::certified::distance::balls::{BallPair, Vec2, cross, dot, reversed, rounded};
@@ -104,7 +104,7 @@ fn step(pair: &Pair, balls: &BallPair, [i, j]: [usize; 2], winding: Winding) -> 
         Winding::CounterClockwise => (i, j),
         Winding::Clockwise => (a.previous(i), b.previous(j)),
     };
-    // As they run in B ⊖ A: A's sides are reversed there.
+    // As they run in B ⊖ A: A's edges are reversed there.
     let along_a = (!a.edges.is_empty()).then(|| reversed(&balls.edge(Side::A, k)));
     let along_b = (!b.edges.is_empty()).then(|| balls.edge(Side::B, l));
     let of_a = match (along_a, along_b) {

@@ -1,12 +1,12 @@
-//! First stage: the gap between the bodies along the normal of every side, in doubles with a proven bound.
+//! First stage: the gap between the bodies along the normal of every edge, in doubles with a proven bound.
 //!
-//! Each side of A or B gives an edge of B ⊖ A: that side and the vertex of the other body that is nearest
+//! Each edge of A or B gives an edge of B ⊖ A: that edge and the vertex of the other body that is nearest
 //! along its normal. The signed distance of the origin from that edge's line is the gap between the cores
 //! along the normal; the largest of them is minus the penetration depth where they are all negative, and a
 //! lower bound of the distance where one is positive. As the normals of a convex polygon turn one way, so
-//! does the nearest vertex: one pointer goes round the other body while the sides go by, O(n + m) (Toussaint,
+//! does the nearest vertex: one pointer goes round the other body while the edges go by, O(n + m) (Toussaint,
 //! *Solving geometric problems with the rotating calipers*, 1983). Each pass works in the frame of the body
-//! whose sides it visits, and asks the other body in its own.
+//! whose edges it visits, and asks the other body in its own.
 
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
@@ -58,7 +58,7 @@ pub(crate) fn widest(pair: &Pair) -> Option<Widest> {
     best.map(|facing| Widest { facing, gap: top, ties })
 }
 
-/// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's sides
+/// Calls `visit` with every edge of B ⊖ A and its gap, within [`Pair::gap_error`] of the exact one: A's edges
 /// first.
 #[inline]
 pub(crate) fn every_gap(pair: &Pair, mut visit: impl FnMut(DifferenceEdge, f64)) {
@@ -89,7 +89,7 @@ pub(crate) fn pass(
         let u = rotation.undo(*n);
         if before.dot(*n) <= 0.0 {
             // More than a quarter turn (three times at most, and at the start): after a half turn the pointer
-            // would stand on the highest vertex, where rounding may take a level side for the bottom.
+            // would stand on the highest vertex, where rounding may take a level edge for the bottom.
             vertex = lowest(other, u);
         }
         before = n;

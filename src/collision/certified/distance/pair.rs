@@ -13,8 +13,7 @@
 //!
 //! Coordinates here are multiplied by a power of two, [`Pair::scale`], where the scene is so small or large
 //! that products of its numbers would leave the range of doubles (Dekker's product needs 2⁻⁹⁶⁹). The doubles
-//! of this struct serve the first stage, [`crate::collision::certified::distance::balls::BallPair`] is the
-//! second.
+//! of this struct serve the filters, [`crate::collision::certified::distance::balls::BallPair`] the searches.
 
 use crate::collision::certified::rounding::{GAP_ERROR, LOSSY, PLACING_ERROR, TAME};
 use crate::geometry::{Ball, Body, DVec2, Dd, Hull, Pose, Rotation, Shape, Side, Turn, taming_power};
@@ -161,7 +160,7 @@ impl<'s> Pair<'s> {
         self.frame.rotation_in_balls().undo([x, y])
     }
 
-    /// [`Self::closing_in_balls`] of a pair that needs no scaling, with the tails of the first stage, and the
+    /// [`Self::closing_in_balls`] of a pair that needs no scaling, in double-doubles, and the
     /// bound on its error as a vector; None where its products might leave the range of doubles, or it is 0.
     #[inline]
     pub(crate) fn closing_tailed(&self) -> Option<([Dd; 2], f64)> {
@@ -187,7 +186,7 @@ impl<'s> Pair<'s> {
         }
     }
 
-    /// Whether the doubles of the first stage can be trusted: the scene needs no scaling.
+    /// Whether the doubles of this struct can be trusted: the scene needs no scaling.
     #[inline]
     pub(crate) fn is_tame(&self) -> bool {
         self.tame
@@ -199,7 +198,7 @@ impl<'s> Pair<'s> {
         if self.tame { 1.0 } else { 1.0 / self.scale }
     }
 
-    /// Bound on the error of a gap of the first stage.
+    /// Bound on the error of a gap in doubles.
     #[inline]
     pub(crate) fn gap_error(&self) -> f64 {
         if self.is_tame() { GAP_ERROR * self.magnitude } else { f64::INFINITY }
@@ -334,7 +333,7 @@ fn apart_at(a: &Body, b: &Body, t: f64, scale: f64) -> [Ball; 2] {
     ]
 }
 
-/// M and [`Pair::placing_error`] of bodies that are `apart`, given the bounds on the errors of both rotations.
+/// M and [`Pair::placing_error`] of bodies that are `apart`, by the bounds on both rotations.
 #[inline]
 fn sizes(
     a: &Body,

@@ -4,8 +4,8 @@
 //! everything that they leave out meets once, at the end:
 //!
 //! ```text
-//! d = c + R q − v                        in A's frame, for a side of A and for two vertices
-//! d = Rᵀ (c − v) + q                     in B's frame, for a side of B, whose normal then needs no turning
+//! d = c + R q − v                        in A's frame, for an edge of A and for two vertices
+//! d = Rᵀ (c − v) + q                     in B's frame, for an edge of B, whose normal then needs no turning
 //! gap = n · d        |d| = ρ + (d · d − ρ²) / 2ρ        ρ = the double next to |d|
 //! ```
 //!
@@ -18,7 +18,7 @@ use crate::geometry::{
     two_sum, two_sum_each,
 };
 
-/// A distance of cores, its direction and what the turning of a side adds to the pair's placing error.
+/// A distance of cores, its direction and what the turning of an edge adds to the pair's placing error.
 pub(crate) struct Measured {
     /// Along the normal, or between the vertices.
     pub(crate) core: Dd,
@@ -29,7 +29,7 @@ pub(crate) struct Measured {
     pub(crate) turning: f64,
 }
 
-/// The gap along a side's normal, which the vertex is known to support.
+/// The gap along an edge's normal, which the vertex is known to support.
 #[inline]
 pub(crate) fn along_edge(pair: &Pair, DifferenceEdge { source, edge, vertex }: DifferenceEdge) -> Measured {
     let hull = pair.hull(source);
@@ -134,7 +134,7 @@ fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     (Long { hi, lo }, from.x.abs() + from.y.abs())
 }
 
-/// A side's normal from A to B in A's frame, and the gap along it of vertices `d` apart.
+/// An edge's normal from A to B in A's frame, and the gap along it of vertices `d` apart.
 #[inline]
 pub(crate) fn along_normal(pair: &Pair, facing: DifferenceEdge, d: [Dd; 2]) -> (UnitVector, Dd) {
     let hull = pair.hull(facing.source);

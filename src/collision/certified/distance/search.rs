@@ -84,7 +84,7 @@ fn confirm(pair: &Pair, balls: &BallPair, hint: DifferenceFeature) -> Option<Fou
         DifferenceFeature::Vertex(vertices) => {
             let found = vertex(balls, vertices)?;
             let Contact::Vertex(_, p) = found.contact else { return None };
-            // A side square to p, or one that points nearer, leaves it to the search.
+            // An edge square to p, or one that points nearer, leaves it to the search.
             let clear = |side: Side, k: usize, down: &Vec2| {
                 let hull = pair.hull(side);
                 hull.edges.is_empty()

@@ -1,4 +1,4 @@
-//! A guess, in plain doubles, of the feature of B ⊖ A nearest the origin: what the quick proof starts from.
+//! A guess, in plain doubles, of the feature of B ⊖ A nearest the origin: what the filter starts from.
 //!
 //! The distance algorithm of Gilbert, Johnson and Keerthi (1988) in its smallest form: a simplex of one or
 //! two vertices `w_j − v_i`, the closest point of it, the supporting vertex beyond. It ends on indices that

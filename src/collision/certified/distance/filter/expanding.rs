@@ -2,14 +2,15 @@
 //! is nearest.
 //!
 //! With the origin inside a polygon P whose vertices belong to B ⊖ A, no direction has less depth than the
-//! nearest side of P is away. So the nearest side is replaced by two, with the vertex of B ⊖ A farthest
-//! beyond it, until the nearest side is one of B ⊖ A itself: then its distance is the depth, and all that
-//! lies behind the other sides need never be seen. (van den Bergen, *Proximity Queries and Penetration Depth
+//! nearest edge of P is away. So the nearest edge is replaced by two, with the vertex of B ⊖ A farthest
+//! beyond it, until the nearest edge is one of B ⊖ A itself: then its distance is the depth, and all that
+//! lies behind the other edges need never be seen. (van den Bergen, *Proximity Queries and Penetration Depth
 //! Computation on 3D Game Objects*, 2001, section 3: the expanding polytope.) The number of steps hardly
 //! grows with the number of vertices; each is a search of O(log n).
 //!
 //! Vertices here are doubles within [`Pair::gap_error`] of theirs, and so are the distances of segments
-//! between them from the origin: a side that is farther by twice that is farther.
+//! between them from the origin, so that two of these that differ by more than twice that are in the order in
+//! which they are computed.
 
 use crate::collision::certified::distance::conditions::{Support, support};
 use crate::collision::certified::distance::filter::descent::{SupportPair, Vertex, facing};
@@ -17,8 +18,8 @@ use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::Side;
 
-/// Sides of the polygon at most; more are needed only where many depths are nearly the same.
-const SIDES: usize = 64;
+/// Edges of the polygon at most; more are needed only where many depths are nearly the same.
+const EDGES: usize = 64;
 
 /// With fewer edges than this B ⊖ A is measured edge by edge: about ten steps are needed, each as long as
 /// four edges.
@@ -27,9 +28,9 @@ const WORTHWHILE: usize = 48;
 /// A convex polygon P of vertices of B ⊖ A, counter-clockwise, that grows towards its boundary.
 struct Inscribed {
     /// Its vertices, of which the first `count` are in use.
-    vertices: [Vertex; SIDES],
+    vertices: [Vertex; EDGES],
     /// Distance of the origin from the line of the edge after each vertex, in scaled units.
-    distances: [f64; SIDES],
+    distances: [f64; EDGES],
     /// How many vertices it has.
     count: usize,
 }
@@ -44,15 +45,15 @@ fn distance(p: Vertex, q: Vertex) -> f64 {
 impl Inscribed {
     /// A triangle round the origin, either way round.
     fn new([p, q, r]: [Vertex; 3]) -> Self {
-        let mut vertices = [Vertex::default(); SIDES];
-        let mut distances = [0.0; SIDES];
+        let mut vertices = [Vertex::default(); EDGES];
+        let mut distances = [0.0; EDGES];
         let (q, r) = if p.p.perp_dot(q.p) > 0.0 { (q, r) } else { (r, q) };
         (vertices[0], vertices[1], vertices[2]) = (p, q, r);
         (distances[0], distances[1], distances[2]) = (distance(p, q), distance(q, r), distance(r, p));
         Self { vertices, distances, count: 3 }
     }
 
-    /// The nearest side, and the distance of the nearest but that one.
+    /// The nearest edge, and the distance of the nearest but that one.
     fn nearest(&self) -> (usize, f64) {
         let (mut best, mut least, mut second) = (0, f64::INFINITY, f64::INFINITY);
         for (k, &distance) in self.distances.iter().take(self.count).enumerate() {
@@ -65,12 +66,12 @@ impl Inscribed {
         (best, second)
     }
 
-    /// The ends of side k.
+    /// The ends of edge k.
     fn ends(&self, k: usize) -> [Vertex; 2] {
         [self.vertices[k], self.vertices[if k + 1 == self.count { 0 } else { k + 1 }]]
     }
 
-    /// Puts a vertex between the ends of side k.
+    /// Puts a vertex between the ends of edge k.
     fn split(&mut self, k: usize, vertex: Vertex) {
         let [p, q] = self.ends(k);
         self.vertices.copy_within(k + 1..self.count, k + 2);
@@ -90,7 +91,7 @@ pub(crate) fn deepest(pair: &Pair, triangle: [Vertex; 3]) -> Option<DifferenceEd
     let supports = SupportPair::of(pair);
     let error = pair.gap_error();
     let mut inside = Inscribed::new(triangle);
-    while inside.count < SIDES {
+    while inside.count < EDGES {
         let (k, second) = inside.nearest();
         let least = inside.distances[k];
         // Clear of 0: the polygon winds round the origin, once as the triangle does.

@@ -3,8 +3,8 @@
 //!
 //! At this size it is quicker to ask every vertex along every normal than to decide which to ask: nothing
 //! branches, and the processor does several at once. The walk goes from a pair of vertices to the neighbour
-//! that is nearer, as long as the foot of the one lies beyond the side of the other; where it lies inside,
-//! the side may be the closest feature (Mirtich, *V-Clip: Fast and Robust Polyhedral Collision Detection*,
+//! that is nearer, as long as the foot of the one lies beyond the edge of the other; where it lies inside,
+//! the edge may be the closest feature (Mirtich, *V-Clip: Fast and Robust Polyhedral Collision Detection*,
 //! 1998). What either finds is a guess, that [`crate::collision::certified::distance::filter`] proves.
 
 use crate::collision::certified::distance::conditions::{clearly_lowest, slack};
@@ -28,8 +28,8 @@ pub(crate) fn are_few(pair: &Pair) -> bool {
     pair.hull(Side::A).vertices.len() <= FEW && pair.hull(Side::B).vertices.len() <= FEW
 }
 
-/// The slopes of |d|² along the two sides at a vertex, `down` being the direction in which the vertex should
-/// be lowest: how much nearer the ends of the sides ahead and behind are.
+/// The slopes of |d|² along the two edges at a vertex, `down` being the direction in which the vertex should
+/// be lowest: how much nearer the ends of the edges ahead and behind are.
 #[inline]
 fn descents(hull: &Hull, k: usize, down: DVec2) -> [f64; 2] {
     if hull.edges.is_empty() {
@@ -66,7 +66,7 @@ pub(crate) fn walk(pair: &Pair, [mut i, mut j]: [usize; 2]) -> Option<Difference
         let (edge, end) = if ahead { (own, hull.next(own)) } else { (before, before) };
         let (mut own, mut vertex) = (own, vertex);
         if descent < hull.edges[edge].length_squared() {
-            // The foot is inside the side: the other vertex must be the nearest along its normal.
+            // The foot is inside the edge: the other vertex must be the nearest along its normal.
             let n = hull.normals[edge];
             let down = if source == Side::A { rotation.undo(*n) } else { rotation.apply(*n) };
             let [ahead, behind] = descents(other, vertex, down);
@@ -131,7 +131,7 @@ impl Lanes {
     }
 }
 
-/// The widest gap and the next of the sides of one core.
+/// The widest gap and the next of the edges of one core.
 #[derive(Clone, Copy)]
 struct BestGaps {
     /// The widest gap.
