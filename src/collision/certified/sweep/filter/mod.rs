@@ -35,8 +35,8 @@ use crate::geometry::{
     Ball, DVec2, Dd, Enclosure, Rotation, Side, UnitVector, combined, two_product, two_sum,
 };
 
-/// Farthest that the ray may have run, in M, for [`crate::collision::certified::distance::conditions::is_lowest`]
-/// to know the error of p − t v.
+/// Farthest that the ray may have run, in M, for
+/// [`crate::collision::certified::distance::conditions::is_lowest`] to know the error of p − t v.
 ///
 /// p is within 3.4 ε M, v in doubles and its product with t within ε of 4 M, the difference within 2.5 ε M,
 /// and t itself may add 4 ε M: 13.9 ε M, of the 16 ε M of [`Pair::gap_error`].
