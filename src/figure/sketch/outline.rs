@@ -13,6 +13,16 @@ use crate::geometry::{Body, DVec2, Pose, perp};
 /// page pixels the chord is 0.2 px from the arc; twice the angle would show as kinks in label distances.
 const SAMPLE_ANGLE: f64 = TAU / 72.0;
 
+/// More than this no outline turns at a vertex, radians: a convex core turns by half a turn at most, at the
+/// end of a segment, and what rounding makes of no turn is almost a whole one.
+const MOST_OF_A_TURN: f64 = 0.75 * TAU;
+
+/// A sweep without the turns after the first that add nothing to the picture: it ends at the same point, and
+/// what draws it or samples it is done.
+fn wound(sweep: f64) -> f64 {
+    if sweep.abs() < 2.0 * TAU { sweep } else { (TAU + sweep.abs() % TAU).copysign(sweep) }
+}
+
 /// A piece of an outline, after the piece before it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Piece {
@@ -77,7 +87,7 @@ impl Outline {
     /// Part of a circle from `start` over `sweep`; angles in radians, counter-clockwise from +x.
     #[must_use]
     pub(crate) fn arc(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
-        let first = on_circle(center, radius, start);
+        let (first, sweep) = (on_circle(center, radius, start), wound(sweep));
         Self { start: first, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: false }
     }
 
@@ -85,7 +95,8 @@ impl Outline {
     /// counter-clockwise from +x.
     #[must_use]
     pub(crate) fn sector(center: DVec2, radius: f64, start: f64, sweep: f64) -> Self {
-        Self { start: center, pieces: vec![Piece::Arc { center, radius, start, sweep }], closed: true }
+        let arc = Piece::Arc { center, radius, start, sweep: wound(sweep) };
+        Self { start: center, pieces: vec![arc], closed: true }
     }
 
     /// A convex core swept by a disc: `core` are its vertices, counter-clockwise, and `radius` is in their
@@ -201,8 +212,11 @@ impl Outline {
             pieces.push(Piece::Line(vertex + radius * normal(i)));
             let from = angle_of(normal(i));
             let turn = angle_of(normal((i + 1) % n)) - from;
-            let sweep = if turn <= 0.0 { turn + TAU } else { turn };
-            pieces.push(Piece::Arc { center: vertex, radius, start: from, sweep });
+            let sweep = if turn < 0.0 { turn + TAU } else { turn };
+            // Edges that go on in one line turn by nothing, or by rounding's little to the other side.
+            if sweep > 0.0 && sweep < MOST_OF_A_TURN {
+                pieces.push(Piece::Arc { center: vertex, radius, start: from, sweep });
+            }
         }
         Self { start, pieces, closed: true }
     }
@@ -212,6 +226,33 @@ impl Outline {
 mod tests {
     use super::*;
     use crate::drawing::{Point, Rect};
+
+    #[test]
+    fn edges_that_go_on_in_one_line_have_no_arc_between_them() {
+        let slanted = DVec2::new(0.1, 0.7);
+        for (a, b) in [(DVec2::ZERO, DVec2::X), (DVec2::new(0.3, 0.2), slanted)] {
+            let middle = a + (b - a) / 3.0;
+            let core = [a, middle, b, a + (b - a) * 0.5 + perp(b - a)];
+            let arcs = Outline::rounded(&core, 0.25).pieces.into_iter().filter_map(|piece| match piece {
+                Piece::Arc { center, sweep, .. } if center != middle => Some(sweep),
+                Piece::Arc { sweep, .. } => {
+                    assert!(sweep < 1e-12, "{sweep}");
+                    None
+                }
+                Piece::Line(_) => None,
+            });
+            assert!((arcs.sum::<f64>() - TAU).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn an_arc_of_many_turns_ends_where_it_ends_and_is_drawn_as_few() {
+        let (start, sweep) = (0.3, -1000.25 * TAU);
+        let arc = Outline::arc(DVec2::ZERO, 2.0, start, sweep);
+        let points = arc.sampled();
+        assert!(points.len() < 3 * 72);
+        assert!(points.last().unwrap().distance(on_circle(DVec2::ZERO, 2.0, start + sweep)) < 1e-9);
+    }
 
     #[test]
     fn a_rounded_outline_is_everywhere_its_radius_from_the_core() {
