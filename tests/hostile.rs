@@ -279,6 +279,7 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
         all.push(("spinning, swept axis", spin("swept-axis", degrees, "end"), None));
         all.push(("spinning, advancement", spin("conservative-advancement", degrees, "steps"), steps));
     }
+    all.extend(labels());
     // Dashes beyond the page count, as every viewer of the SVG walks them.
     let far_too_near = Some("over-limit");
     for (view, fate) in
@@ -288,6 +289,28 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
         all.push(("seen in print", near("print", view), fate));
     }
     all
+}
+
+/// Scenes that ask much of the search for places of labels, and of arcs.
+fn labels() -> Vec<(&'static str, String, Fate)> {
+    let circles = |radius: &str| {
+        format!(
+            "[shapes.A]\nkind = 'circle'\nradius = 1\n[shapes.B]\nkind = 'circle'\nradius = {radius}\n\
+             [query]\nkind = 'separation'\nof = ['A', 'B']\n"
+        )
+    };
+    let seen = |view: &str, layers: &str| format!("[[panels]]\nview = {view}\nlayers = [{layers}]\n");
+    let notes = |count| list(count, |i| note(&format!("'aaaa {i}'")));
+    let many = "'shapes', 'separation', 'normal', 'radii', { layer = 'note', lines = ['a', 'b'] }";
+    let arc = "[shapes.A]\nkind = 'box'\nhalf_extents = [4, 0.9]\nangular_velocity_deg = 1e9\n\
+               [query]\nkind = 'motion-bound'\nof = ['A']\n";
+    vec![
+        ("a body larger than its view", circles("1e9") + &seen("[-5, -3, 5, 3]", "'shapes'"), None),
+        ("thirty notes", circles("2") + &world(&notes(30)), None),
+        ("a hundred notes", circles("2") + &world(&notes(100)), None),
+        ("wide views", circles("2") + &seen("[-5, -3, 5, 1e300]", many).repeat(32), None),
+        ("an arc of a billion degrees", arc.to_owned() + &world("{ layer = 'arc', sector = true }"), None),
+    ]
 }
 
 fn teeth() -> String {

@@ -9,7 +9,7 @@ use super::describe;
 use super::fault::{Fault, Problem};
 use super::page::{Page, type_size};
 use super::panel::PanelPlan;
-use super::placement::{LabelFault, Labelled, Placed, Sought, faults, place};
+use super::placement::{Ground, LabelFault, Labelled, Placed, Sought, faults, place};
 use super::plan::Plan;
 use super::runs::Run;
 use super::sketch::{Request, Sketched};
@@ -140,7 +140,9 @@ fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labell
     let series = earlier(plan, index).map(|i| &before[i]);
     let series: Vec<(Rect, Placed)> =
         series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-    let labelled = place(&sought, &sketched.frame, &sketched.obstacles, &series);
+    let Sketched { frame, obstacles, .. } = &sketched;
+    let ground = Ground { frame, obstacles, earlier: &series, panels: plan.panels.len() };
+    let labelled = place(&sought, &ground);
     let mut layers = Group::new("layers");
     layers.clip = Some(sketched.frame.panel);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();

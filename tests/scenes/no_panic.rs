@@ -24,6 +24,33 @@ const SCENES: u64 = 400;
 /// Dots of an image.
 const DOTS: f64 = 10_000.0;
 
+/// Bodies of a question, and panels of it that once panicked.
+const ONCE: &[&str] = &[
+    // Labels that show nothing.
+    "[[panels]]\nlayers = ['shapes', 'separation']\n[labels]\nA = ' '\nd = '$$'\n",
+    "[[panels]]\nlayers = ['shapes', 'separation']\n[labels]\nA = '$\\,$'\nB = '$\\text{}$'\n",
+    "[[panels]]\nlayers = ['shapes', 'separation', { layer = 'note', lines = ['$\\frac{}{}$'] }]\n[labels]\nA = '\\t'\n",
+    // Places that overflow, seen from a body that is turned.
+    "[[panels]]\nspace = 'body'\nframe = 'C'\nlayers = ['origin']\n",
+];
+
+#[test]
+fn what_once_panicked_does_not() {
+    for panels in ONCE {
+        let of = if panels.contains("'C'") { "'A', 'C'" } else { "'A', 'B'" };
+        let other = if of.contains('C') {
+            "[shapes.C]\nkind = 'polygon'\nvertices = [[0, 1], [1, 0], [0, 0]]\nposition = [1e300, -1e300]\nangle_deg = -17.5\n"
+        } else {
+            "[shapes.B]\nkind = 'circle'\nradius = 1\nposition = [3, 0]\n"
+        };
+        let text = format!(
+            "[shapes.A]\nkind = 'circle'\nradius = 1\n{other}[query]\nkind = 'separation'\nof = [{of}]\n{panels}"
+        );
+        let reached = catch_unwind(AssertUnwindSafe(|| fate(&text)));
+        assert!(reached.is_ok_and(|fate| fate != "refused as a scene"), "{text}");
+    }
+}
+
 /// Numbers that break what is not careful.
 const EXTREMES: &[&str] = &[
     "0",

@@ -47,12 +47,19 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame, w: &Places) -> Vec<Cand
         }
         Anchor::Corner(corner) => corners(*corner, size, &frame.panel, w),
     };
+    let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
+    let found: Vec<Candidate> = found.into_iter().filter(on_page).collect();
     if found.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { found }
 }
 
-/// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label.
+/// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label, and
+/// neither has what is so far away that it has no place on the page.
 pub(super) fn is_in_view(anchor: &Anchor, frame: &Frame, w: &Places) -> bool {
-    let covered = bounds(anchor.points().iter().map(|&p| frame.page(p)));
+    let page: Vec<Point> = anchor.points().iter().map(|&p| frame.page(p)).collect();
+    if page.iter().any(|p| !(p.x.is_finite() && p.y.is_finite())) {
+        return false;
+    }
+    let covered = bounds(page);
     covered.is_none_or(|r| r.intersection(frame.panel.grown(w.gap)).is_some())
 }
 

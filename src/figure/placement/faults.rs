@@ -108,15 +108,20 @@ impl std::fmt::Display for LabelFault {
     }
 }
 
+/// The part of a label's box that nothing may share with it: all but a seam, and of a tiny one its middle.
+fn core(bounds: &Rect) -> Rect {
+    bounds.grown(-SEEMING.min(0.5 * bounds.width()).min(0.5 * bounds.height()))
+}
+
 /// Every fault of a panel's labels; at most one of a kind for each label (or pair).
 pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
     let mut found: Vec<LabelFault> =
         panel.dropped.iter().map(|(key, span)| LabelFault::Dropped { key, span: span.clone() }).collect();
     for (i, label) in panel.placed.iter().enumerate() {
         let (key, span) = (label.key, label.span.clone());
-        let rect = label.bounds.grown(-SEEMING);
+        let rect = core(&label.bounds);
         for other in &panel.placed[..i] {
-            if rect.intersection(other.bounds.grown(-SEEMING)).is_some() {
+            if rect.intersection(core(&other.bounds)).is_some() {
                 found.push(LabelFault::Overlap { key, other: other.key, span: span.clone() });
             }
         }

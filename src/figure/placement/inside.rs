@@ -98,19 +98,23 @@ fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect, w: &Places) -> Vec<(
     // best.
     let starts =
         points.iter().take(w.refined).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
-    let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &room)).collect();
+    let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &bounds, &room)).collect();
     refined.extend(points);
     refined.sort_by(|a, b| b.1.total_cmp(&a.1));
     refined
 }
 
-/// Moves to a better neighbour until the step is too small to be seen.
-fn climb(start: Point, step: f64, room: &impl Fn(Point) -> f64) -> (Point, f64) {
+/// Moves to a better neighbour within `bounds` until the step is too small to be seen. Outside there is no
+/// place for a label, however far another area reaches that covers all of this one.
+fn climb(start: Point, step: f64, bounds: &Rect, room: &impl Fn(Point) -> f64) -> (Point, f64) {
     let (mut p, mut best, mut step) = (start, room(start), step);
     while step > FINE {
         let mut moved = false;
         for (dx, dy) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
             let q = p + Offset::new(dx, dy) * step;
+            if !bounds.contains(q) {
+                continue;
+            }
             let r = room(q);
             if r > best + PAYS {
                 (p, best, moved) = (q, r, true);

@@ -31,7 +31,7 @@ use crate::typeset::Line;
 
 pub use faults::LabelFault;
 pub(crate) use faults::faults;
-pub(crate) use solve::place;
+pub(crate) use solve::{Ground, place};
 
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]

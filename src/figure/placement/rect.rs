@@ -44,9 +44,9 @@ pub(super) fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
     corners.iter().map(|&(x, y)| beside(Point::new(x, y))).fold(ends, f64::min)
 }
 
-/// The point of a rectangle nearest to a point.
+/// The point of a rectangle nearest to a point; of one that has no width or height after all, its upper left.
 pub(super) fn nearest_in(rect: &Rect, p: Point) -> Point {
-    Point::new(p.x.clamp(rect.x0, rect.x1), p.y.clamp(rect.y0, rect.y1))
+    Point::new(p.x.max(rect.x0).min(rect.x1), p.y.max(rect.y0).min(rect.y1))
 }
 
 /// The rectangle of a width and height about a centre.

@@ -1,5 +1,6 @@
 //! Greedy by regret, then 1-opt, then pairs, until nothing moves.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use crate::drawing::{Point, Rect};
@@ -19,6 +20,23 @@ const GAIN: f64 = 1e-6;
 /// so whatever the last bits of an answer are, and the first of them is taken.
 const PARTS: f64 = 1e6;
 
+/// Pairs of places that the search for better ones may price in a figure, shared evenly by its panels; labels
+/// then stay where they are. A pair takes 5 ns. The committed figures take 150,000 in a panel at most, 2,000
+/// random scenes 6 million.
+const MAX_PRICED: usize = 30_000_000;
+
+/// A panel in which labels seek their places.
+pub(crate) struct Ground<'p> {
+    /// The panel and its map.
+    pub(crate) frame: &'p Frame,
+    /// What labels keep off.
+    pub(crate) obstacles: &'p [Obstacle],
+    /// Labels of earlier panels of the series, each with its panel.
+    pub(crate) earlier: &'p [(Rect, Placed)],
+    /// How many panels the figure has, which share the work of the search.
+    pub(crate) panels: usize,
+}
+
 /// The candidates of every label, and which one each has at the moment.
 struct Choices<'w> {
     /// For each label its candidates, each with what it costs whatever the other labels do.
@@ -27,27 +45,20 @@ struct Choices<'w> {
     chosen: Vec<usize>,
     /// The numbers that decide.
     weights: &'w Weights,
+    /// How many pairs of places were priced so far.
+    priced: Cell<usize>,
+    /// How many may be.
+    most: usize,
 }
 
-/// Places the labels of a panel. `earlier` are those of the panels before it in the series, each with its
-/// panel.
-pub(crate) fn place(
-    sought: &[Sought],
-    frame: &Frame,
-    obstacles: &[Obstacle],
-    earlier: &[(Rect, Placed)],
-) -> Labelled {
-    place_by(&TUNED, sought, frame, obstacles, earlier)
+/// Places the labels of a panel.
+pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
+    place_by(&TUNED, sought, ground)
 }
 
 /// Places the labels of a panel by other numbers than the tuned ones.
-pub(super) fn place_by(
-    weights: &Weights,
-    sought: &[Sought],
-    frame: &Frame,
-    obstacles: &[Obstacle],
-    earlier: &[(Rect, Placed)],
-) -> Labelled {
+pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
+    let Ground { frame, obstacles, earlier, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
     let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs };
     let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame, &weights.places)).collect();
@@ -58,12 +69,16 @@ pub(super) fn place_by(
     };
     let places = sought.iter().zip(&homes);
     let places = places.map(|s| priced(s, candidates(s.0, frame, &weights.places))).collect();
-    let mut choices = Choices { places, chosen: vec![0; sought.len()], weights };
+    let (chosen, most) = (vec![0; sought.len()], MAX_PRICED / panels.max(1));
+    let mut choices = Choices { places, chosen, weights, priced: Cell::new(0), most };
     choices.greedy();
     choices.improve();
     let all: Vec<usize> = (0..sought.len()).collect();
     let search = &weights.search;
     for (label, s) in sought.iter().zip(&homes).enumerate() {
+        if choices.is_spent() {
+            break;
+        }
         if s.0.pin.is_some() || choices.cost(label, choices.chosen[label], &all) < search.trouble {
             continue;
         }
@@ -81,7 +96,8 @@ fn steady(cost: f64) -> f64 {
     (PARTS * cost).round() / PARTS
 }
 
-/// Two layers may name the same thing: it is named once. What the view cuts off is not named.
+/// Two layers may name the same thing: it is named once. What the view cuts off is not named, and a text that
+/// shows nothing names nothing.
 fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Sought> {
     let home = |s: &Sought| home(&s.anchor, frame, &weights.places);
     let same = |a: &Sought, b: &Sought| {
@@ -91,7 +107,11 @@ fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Soug
     };
     let mut kept: Vec<Sought> = Vec::new();
     for one in sought {
-        if is_in_view(&one.anchor, frame, &weights.places) && !kept.iter().any(|other| same(one, other)) {
+        let shows = one.lines.iter().any(|l| !(l.glyphs.is_empty() && l.rules.is_empty()));
+        if shows
+            && is_in_view(&one.anchor, frame, &weights.places)
+            && !kept.iter().any(|other| same(one, other))
+        {
             kept.push(one.clone());
         }
     }
@@ -104,9 +124,15 @@ impl Choices<'_> {
         &self.places[label][self.chosen[label]].0
     }
 
+    /// Whether all the work is done that may be.
+    fn is_spent(&self) -> bool {
+        self.priced.get() > self.most
+    }
+
     /// The cost of a place beside the labels in `set`.
     fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
         let (candidate, own) = &self.places[label][slot];
+        self.priced.set(self.priced.get() + set.len());
         let pairs = set.iter().filter(|&&o| o != label).map(|&o| self.pair(candidate, self.candidate(o)));
         own + pairs.sum::<f64>()
     }
@@ -163,6 +189,9 @@ impl Choices<'_> {
         for _ in 0..PASSES {
             let mut moved = false;
             for &label in &all {
+                if self.is_spent() {
+                    return;
+                }
                 let now = self.cost(label, self.chosen[label], &all);
                 let (slot, cost, _) = self.best(label, &all);
                 if cost + GAIN < now {
@@ -185,7 +214,7 @@ impl Choices<'_> {
         }
         let (before, kept) = (self.total(all), self.chosen.clone());
         for slot in self.cheapest(label, self.weights.search.cheapest) {
-            if self.places[label][slot].1 >= now {
+            if self.places[label][slot].1 >= now || self.is_spent() {
                 break;
             }
             self.chosen[label] = slot;

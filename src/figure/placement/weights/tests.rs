@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::drawing::Rect;
 use crate::figure::draw::{earlier, sought};
 use crate::figure::layer::{LAYERS, Shows};
-use crate::figure::placement::solve::place_by;
+use crate::figure::placement::solve::{Ground, place_by};
 use crate::figure::placement::{Labelled, Sought, faults};
 use crate::figure::plan::{Plan, plan};
 use crate::figure::sketch::Sketched;
@@ -70,7 +70,9 @@ impl Case {
             let before = series.iter().map(|&i| &all[i]);
             let before: Vec<(Rect, _)> =
                 before.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-            all.push(place_by(weights, sought, &sketched.frame, &sketched.obstacles, &before));
+            let Sketched { frame, obstacles, .. } = sketched;
+            let ground = Ground { frame, obstacles, earlier: &before, panels: self.panels.len() };
+            all.push(place_by(weights, sought, &ground));
         }
         all
     }
