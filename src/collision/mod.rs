@@ -27,7 +27,7 @@
 //! | add a kind of answer | a variant of [`Answer`] and its parts, in `answer.rs` |
 //! | tell something new | a variant of [`crate::trace::Event`], its sentence, and a layer that draws it |
 //!
-//! `tests/architecture/` holds the storeys apart, `tests/one_row_collision.rs` that a file and a row are
+//! `tests/architecture/` holds the storeys apart, `tests/one_row/` that a file and a row are
 //! enough.
 
 mod algorithm;

@@ -1,5 +1,5 @@
-//! One file and one row: an output format, a shape kind, a theme and a command each stand in a file of their
-//! own and in one table, and nothing else in `src/` knows them by name.
+//! One file and one row: an output format, a shape kind, a theme, a layer, an algorithm, a question and a
+//! command each stand in a file of their own and in one table, and nothing else in `src/` knows them by name.
 //!
 //! What is asked about a format, a kind or a theme is a column of its table, so that a new one is made by
 //! writing its file. Every string of every source file is read with `syn`, those inside macro calls and
@@ -7,107 +7,21 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+#[path = "../sources/mod.rs"]
+mod sources;
+mod tables;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use proc_macro2::{TokenStream, TokenTree};
 use syn::visit::{self, Visit};
 
-/// A table whose rows are a file each.
-struct Table {
-    /// What a row is.
-    what: &'static str,
-    /// The folder of its files below `src/`.
-    folder: &'static str,
-    /// The constant that holds a row, one in each file; for commands there is none, and the table has the
-    /// names.
-    row: Option<&'static str>,
-    /// The rows' names.
-    names: Vec<String>,
-    /// How a string of the source names a row.
-    finds: fn(&str, &str) -> bool,
-    /// Files where the same word says something else, with what it says there.
-    other_meanings: &'static [(&'static str, &'static str, &'static str)],
-}
+use tracefig::collision::{ALGORITHMS, QUERIES};
+use tracefig::figure::theme::THEMES;
 
-/// The string is the name.
-fn is_name(text: &str, name: &str) -> bool {
-    text == name
-}
-
-/// The name is a word of the string: `"svg,png"` and `"image/png"` name formats too.
-fn has_word(text: &str, name: &str) -> bool {
-    text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name)
-}
-
-fn tables() -> Vec<Table> {
-    let names = |all: &mut dyn Iterator<Item = &'static str>| all.map(str::to_owned).collect();
-    vec![
-        Table {
-            what: "format",
-            folder: "output",
-            row: Some("FORMAT"),
-            names: names(&mut tracefig::output::FORMATS.iter().map(|f| f.name)),
-            finds: has_word,
-            other_meanings: &[
-                ("svg", "output/html.rs", "the element inside a page"),
-                ("png", "output/mod.rs", "the option `--png`"),
-                ("html", "cli/check.rs", "the page of findings, which is no figure"),
-                ("html", "drift/report", "the page of findings, which is no figure"),
-            ],
-        },
-        Table {
-            what: "shape kind",
-            folder: "geometry/shape",
-            row: Some("KIND"),
-            names: names(&mut tracefig::geometry::shape::KINDS.iter().map(|k| k.name)),
-            finds: is_name,
-            other_meanings: &[
-                ("circle", "output/svg", "the element of SVG"),
-                ("box", "figure/layer/bounds.rs", "the part of a figure that is a bounding box"),
-                ("aabb", "collision", "the shape that the article compares extents of"),
-            ],
-        },
-        Table {
-            what: "theme",
-            folder: "figure/theme",
-            row: Some("THEME"),
-            names: names(&mut tracefig::figure::theme::THEMES.iter().map(|t| t.name)),
-            finds: is_name,
-            other_meanings: &[],
-        },
-        Table {
-            what: "command",
-            folder: "cli",
-            row: None,
-            names: commands(),
-            finds: is_name,
-            other_meanings: &[
-                ("trace", "drift/moved.rs", "a key of the metadata"),
-                ("describe", "report/files.rs", "`git describe`"),
-            ],
-        },
-    ]
-}
-
-/// The names in the table of commands, as `row::<…>("NAME", …)`.
-fn commands() -> Vec<String> {
-    struct Rows(Vec<String>);
-    impl<'ast> Visit<'ast> for Rows {
-        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
-            if let syn::Expr::Path(path) = &*call.func
-                && path.path.segments.last().is_some_and(|s| s.ident == "row")
-                && let Some(syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(name), .. })) = call.args.first()
-            {
-                self.0.push(name.value());
-            }
-            visit::visit_expr_call(self, call);
-        }
-    }
-    let mut rows = Rows(Vec::new());
-    rows.visit_file(&syn::parse_file(&fs::read_to_string(src().join("cli/mod.rs")).unwrap()).unwrap());
-    rows.0
-}
+use sources::{rust_files, src};
+use tables::{Table, has_word, tables};
 
 /// What one file says.
 #[derive(Default)]
@@ -116,7 +30,7 @@ struct Strings {
     found: Vec<(usize, String)>,
     /// Names of modules under `#[cfg(test)]`.
     test_modules: Vec<String>,
-    /// Constants with a field `name` that is a string.
+    /// Constants with a field `name` or `word` that is a string.
     rows: Vec<(String, String)>,
 }
 
@@ -162,7 +76,10 @@ impl<'ast> Visit<'ast> for Strings {
 
     fn visit_item_const(&mut self, item: &'ast syn::ItemConst) {
         if let syn::Expr::Struct(row) = &*item.expr {
-            let name = row.fields.iter().find(|f| matches!(&f.member, syn::Member::Named(n) if n == "name"));
+            let name = row
+                .fields
+                .iter()
+                .find(|f| matches!(&f.member, syn::Member::Named(n) if n == "name" || n == "word"));
             if let Some(syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(name), .. })) = name.map(|f| &f.expr)
             {
                 self.rows.push((item.ident.to_string(), name.value()));
@@ -194,8 +111,7 @@ fn strings_of(source: &str) -> Strings {
 
 /// Every file of `src/` that is not for tests only, below `src/`, with its strings.
 fn house() -> Vec<(PathBuf, Strings)> {
-    let mut paths = Vec::new();
-    rust_files(&src(), &mut paths);
+    let paths = rust_files(&src());
     let read = |path: &PathBuf| {
         let relative = path.strip_prefix(src()).unwrap().to_path_buf();
         (relative, strings_of(&fs::read_to_string(path).unwrap()))
@@ -215,22 +131,6 @@ fn house() -> Vec<(PathBuf, Strings)> {
         !tests.iter().any(|test| path.with_extension("") == *test || path.starts_with(test))
     });
     files
-}
-
-fn rust_files(folder: &Path, into: &mut Vec<PathBuf>) {
-    let mut entries: Vec<PathBuf> = fs::read_dir(folder).unwrap().map(|e| e.unwrap().path()).collect();
-    entries.sort();
-    for path in entries {
-        if path.is_dir() {
-            rust_files(&path, into);
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            into.push(path);
-        }
-    }
-}
-
-fn src() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
 }
 
 /// Where a row's file is: itself, or its folder where it is the folder's `mod.rs`.
@@ -337,4 +237,42 @@ fn a_planted_name_is_found_wherever_it_stands_in_code_and_nowhere_else() {
     ] {
         assert_eq!(found(source), 0, "{source}");
     }
+}
+
+#[test]
+fn a_file_of_a_layer_an_algorithm_or_a_question_bears_the_name_of_its_row() {
+    let house = house();
+    for table in tables().iter().filter(|table| ["layer", "algorithm", "question"].contains(&table.what)) {
+        for name in &table.names {
+            let own = own_place(table, name, &house).unwrap();
+            let expected = Path::new(table.folder).join(name.replace('-', "_")).with_extension("rs");
+            assert_eq!(own, expected, "{} `{name}`", table.what);
+            let (_, said) = house.iter().find(|(path, _)| *path == own).unwrap();
+            let count = said.found.iter().filter(|(_, text)| text == name).count();
+            assert!(count == 1 || table.what == "layer", "{} `{name}` is named once, in its row", table.what);
+        }
+    }
+}
+
+#[test]
+fn each_kind_of_question_has_its_row_and_an_algorithm_that_answers_it() {
+    let file = syn::parse_file(&fs::read_to_string(src().join("collision/query/mod.rs")).unwrap()).unwrap();
+    let variants = file.items.iter().find_map(|item| match item {
+        syn::Item::Enum(item) if item.ident == "QueryKind" => Some(item.variants.len()),
+        _ => None,
+    });
+    assert_eq!(variants, Some(QUERIES.len()));
+    for question in QUERIES {
+        assert_eq!(question.kind.question().word, question.word);
+        let answered = ALGORITHMS.iter().any(|algorithm| algorithm.kinds.contains(&question.kind));
+        assert!(answered, "no algorithm answers {}", question.word);
+    }
+}
+
+#[test]
+fn the_default_theme_is_the_first_row() {
+    let house = house();
+    let default = tables().into_iter().find(|table| table.what == "theme").unwrap();
+    assert_eq!(THEMES[0].name, default.names[0]);
+    assert_eq!(strangers(&default, &house), Vec::<String>::new());
 }

@@ -1,0 +1,183 @@
+//! The tables of the house, and where a row's name means something else.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use std::fs;
+
+use syn::visit::{self, Visit};
+
+use tracefig::collision::{ALGORITHMS, QUERIES};
+
+use super::sources::src;
+
+/// A table whose rows are a file each.
+pub(crate) struct Table {
+    /// What a row is.
+    pub(crate) what: &'static str,
+    /// The folder of its files below `src/`.
+    pub(crate) folder: &'static str,
+    /// The constant that holds a row, one in each file; for commands there is none, and the table has the
+    /// names.
+    pub(crate) row: Option<&'static str>,
+    /// The rows' names.
+    pub(crate) names: Vec<String>,
+    /// How a string of the source names a row.
+    pub(crate) finds: fn(&str, &str) -> bool,
+    /// Files where the same word says something else, with what it says there.
+    pub(crate) other_meanings: &'static [(&'static str, &'static str, &'static str)],
+}
+
+/// The string is the name.
+pub(crate) fn is_name(text: &str, name: &str) -> bool {
+    text == name
+}
+
+/// The name is a word of the string: `"svg,png"` and `"image/png"` name formats too.
+pub(crate) fn has_word(text: &str, name: &str) -> bool {
+    text.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == name)
+}
+
+/// The names of a table's rows.
+fn names(all: &mut dyn Iterator<Item = &'static str>) -> Vec<String> {
+    all.map(str::to_owned).collect()
+}
+
+/// Every table of the house.
+pub(crate) fn tables() -> Vec<Table> {
+    [outer(), layers(), algorithms()].into_iter().flatten().collect()
+}
+
+/// What a user adds from outside: formats, kinds, themes, commands.
+fn outer() -> Vec<Table> {
+    vec![
+        Table {
+            what: "format",
+            folder: "output",
+            row: Some("FORMAT"),
+            names: names(&mut tracefig::output::FORMATS.iter().map(|f| f.name)),
+            finds: has_word,
+            other_meanings: &[
+                ("svg", "output/html.rs", "the element inside a page"),
+                ("png", "output/mod.rs", "the option `--png`"),
+                ("html", "cli/check.rs", "the page of findings, which is no figure"),
+                ("html", "drift/report", "the page of findings, which is no figure"),
+            ],
+        },
+        Table {
+            what: "shape kind",
+            folder: "geometry/shape",
+            row: Some("KIND"),
+            names: names(&mut tracefig::geometry::shape::KINDS.iter().map(|k| k.name)),
+            finds: is_name,
+            other_meanings: &[
+                ("circle", "output/svg", "the element of SVG"),
+                ("box", "figure/layer/bounds.rs", "the part of a figure that is a bounding box"),
+                ("aabb", "collision", "the shape that the article compares extents of"),
+            ],
+        },
+        Table {
+            what: "theme",
+            folder: "figure/theme",
+            row: Some("THEME"),
+            names: names(&mut tracefig::figure::theme::THEMES.iter().map(|t| t.name)),
+            finds: is_name,
+            other_meanings: &[],
+        },
+        Table {
+            what: "command",
+            folder: "cli",
+            row: None,
+            names: commands(),
+            finds: is_name,
+            other_meanings: &[
+                ("trace", "drift/moved.rs", "a key of the metadata"),
+                ("describe", "report/files.rs", "`git describe`"),
+            ],
+        },
+    ]
+}
+
+/// Layers.
+fn layers() -> Vec<Table> {
+    vec![Table {
+        what: "layer",
+        folder: "figure/layer",
+        row: Some("LAYER"),
+        names: names(&mut tracefig::figure::layer::LAYERS.iter().map(|l| l.name)),
+        finds: is_name,
+        other_meanings: &[
+            ("shapes", "cli/list.rs", "a topic of `list`"),
+            ("arc", "collision", "an algorithm"),
+            ("bounds", "collision", "a kind of query"),
+            ("clamp", "collision", "an algorithm"),
+            ("normal", "collision/answer.rs", "a part of an answer"),
+            ("separation", "collision", "a kind of query"),
+            ("difference", "drawing/paint.rs", "a colour role"),
+            ("translation", "drawing/paint.rs", "a colour role"),
+            ("ray", "drift/moved.rs", "words for an event"),
+            ("closest", "figure/layer/advancement.rs", "a label and a part of the drawing"),
+            ("normal", "figure/layer/advancement.rs", "a part of the drawing"),
+            ("radii", "figure/layer/arc.rs", "a part of the drawing"),
+            ("axes", "figure/layer/axis_gaps.rs", "an option"),
+            ("contact", "figure/layer/normal.rs", "a word of an option"),
+            ("closest", "figure/layer/simplex.rs", "a label and a part of the drawing"),
+            ("contact", "figure/layer/velocity.rs", "a word of an option"),
+            ("radii", "figure/text/values.rs", "a value"),
+            ("separation", "figure/text/values.rs", "a value"),
+            ("frame", "scene", "a key of a panel"),
+            ("shapes", "scene", "a table of a scene"),
+            ("velocity", "scene", "a key of a shape"),
+        ],
+    }]
+}
+
+/// Algorithms, and the questions that they answer.
+fn algorithms() -> Vec<Table> {
+    vec![
+        Table {
+            what: "algorithm",
+            folder: "collision/algorithm",
+            row: Some("ALGORITHM"),
+            names: names(&mut ALGORITHMS.iter().map(|a| a.name)),
+            finds: is_name,
+            other_meanings: &[
+                ("circles", "drift/moved.rs", "words for an event"),
+                ("extents", "drift/moved.rs", "words for an event"),
+                ("arc", "figure", "a layer"),
+                ("clamp", "figure", "a layer"),
+            ],
+        },
+        Table {
+            what: "question",
+            folder: "collision/query",
+            row: Some("QUESTION"),
+            names: names(&mut QUERIES.iter().map(|q| q.word)),
+            finds: is_name,
+            other_meanings: &[
+                ("overlap", "collision/answer.rs", "a part of an answer"),
+                ("separation", "collision/answer.rs", "a part of an answer"),
+                ("bounds", "figure", "a layer"),
+                ("separation", "figure", "a layer, its labels, a value of texts"),
+            ],
+        },
+    ]
+}
+
+/// The names in the table of commands, as `row::<…>("NAME", …)`.
+fn commands() -> Vec<String> {
+    struct Rows(Vec<String>);
+    impl<'ast> Visit<'ast> for Rows {
+        fn visit_expr_call(&mut self, call: &'ast syn::ExprCall) {
+            if let syn::Expr::Path(path) = &*call.func
+                && path.path.segments.last().is_some_and(|s| s.ident == "row")
+                && let Some(syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(name), .. })) = call.args.first()
+            {
+                self.0.push(name.value());
+            }
+            visit::visit_expr_call(self, call);
+        }
+    }
+    let mut rows = Rows(Vec::new());
+    rows.visit_file(&syn::parse_file(&fs::read_to_string(src().join("cli/mod.rs")).unwrap()).unwrap());
+    rows.0
+}
