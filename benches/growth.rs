@@ -47,7 +47,7 @@ struct Family {
 }
 
 const FAMILIES: [Family; 2] = [
-    Family { name: "many corners", scene: vertices, sizes: [10, 100, 1_000, 4_096] },
+    Family { name: "many vertices", scene: vertices, sizes: [10, 100, 1_000, 4_096] },
     Family { name: "many iterations", scene: iterations, sizes: [2, 23, 230, 2_300] },
 ];
 

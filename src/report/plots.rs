@@ -90,7 +90,7 @@ fn growth(rows: &[&Row], names: &[&str], name: &str) -> Chart {
     #[expect(clippy::cast_precision_loss, reason = "at most 1,024")]
     let marks: Vec<f64> = VERTICES.iter().map(|&n| n as f64).collect();
     let x =
-        Axis { name: "corners $n$ of each polygon".into(), lo: 3.4, hi: 1200.0, logarithmic: true, marks };
+        Axis { name: "vertices $n$ of each polygon".into(), lo: 3.4, hi: 1200.0, logarithmic: true, marks };
     let y = Axis::powers_of_ten("time per query, ns", values(&series, |p| p.1));
     chart(format!("growth-{name}"), &format!("Growth with n: {name}"), x, y, series)
 }
