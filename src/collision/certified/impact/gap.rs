@@ -1,10 +1,25 @@
-//! The gap along a turning axis at a moment, how fast it closes, and how long it surely stays open.
+//! The gap of a moving pair along an axis that turns with one of the bodies: how wide it is at a moment, how
+//! fast it closes, and how long it surely stays open.
 //!
-//! Each vertex of the other body has a gap `f_j` with the derivatives of
-//! [`crate::collision::certified::impact::axis`]; its Taylor polynomial, less the bound on the third
-//! derivative, says how long it stays positive. The least of all values is the gap along the axis, the
-//! shortest of all times how long nothing touches. Only vertices low enough to come first within that time
-//! are looked at.
+//! Let R own the axis n (a unit vector in R's frame), O be the other body. With D = `c_O` − `c_R`, V = `v_O`
+//! − `v_R`, Δω = `ω_O` − `ω_R`, h = max n·q over R's core, `n_w` = n in the world, `x_j` = O's vertex j
+//! turned into R's frame, and perp(a) = (−`a_y`, `a_x`):
+//!
+//! ```text
+//! f_j   = n_w·D + n·x_j − h − ρ                       ρ = r_A + r_B
+//! f_j'  = ω_R perp(n_w)·D + n_w·V + Δω n·perp(x_j)
+//! f_j'' = −ω_R² n_w·D + 2 ω_R perp(n_w)·V − Δω² n·x_j
+//! |f_j'''| ≤ |ω_R|³ |D| + 3 ω_R² |V| + |Δω|³ |q_j|
+//! ```
+//!
+//! since `n_w`' = `ω_R` perp(`n_w`), `x_j`' = Δω perp(`x_j`) and perp(perp(a)) = −a. The least `f_j` is the
+//! gap along n, and a gap along any axis is a lower bound of the separation: while every `f_j` is positive,
+//! nothing touches. However O turns, n·`x_j` ≥ −(its reach), which gives one more lower bound, of any number
+//! of turns.
+//!
+//! The Taylor polynomial of `f_j`, less the bound on the third derivative, says how long it stays positive.
+//! The least of all values is the gap along the axis, the shortest of all times how long nothing touches.
+//! Only vertices low enough to come first within that time are looked at.
 
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::moving_pair::MovingPair;
@@ -57,6 +72,11 @@ impl Axis {
         };
         look.from(lowest);
         Gap { ahead: look.gap.ahead.max(whatever), ..look.gap }
+    }
+
+    /// Whether the axis separates at `t`.
+    pub(crate) fn separates(&self, pair: &MovingPair, t: f64) -> bool {
+        self.gap(pair, t, Precision::Balls, &mut 0).least > 0.0
     }
 }
 

@@ -33,6 +33,7 @@ pub(super) mod axis;
 mod closest;
 mod contact;
 pub(super) mod filter;
+mod follow;
 pub(super) mod gap;
 mod limits;
 mod moving_pair;

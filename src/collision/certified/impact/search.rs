@@ -3,7 +3,7 @@
 //!
 //! A distance query gives a separating axis. Fixed in the frame of the body that owns it, the axis goes on
 //! separating for a while, and how long is known to third order
-//! ([`crate::collision::certified::impact::axis`]): follow it until it is used up, then ask for a new one.
+//! ([`crate::collision::certified::impact::gap`]): follow it until it is used up, then ask for a new one.
 //! Close to contact the gap is evaluated in balls, and contact just after the last proved moment is proved by
 //! [`crate::collision::certified::impact::contact`].
 //!
@@ -15,9 +15,10 @@
 //! Developers Conference 2013; the certified Taylor step along it is this library's own.
 
 use crate::collision::answer::{Outcome, Reason, Separation};
-use crate::collision::certified::impact::axis::{Axis, AxisSpan, Followed};
+use crate::collision::certified::impact::axis::{Axis, AxisSpan};
 use crate::collision::certified::impact::closest::{closest_features, separation_at};
 use crate::collision::certified::impact::contact::{Before, touches_in_doubles};
+use crate::collision::certified::impact::follow::Followed;
 use crate::collision::certified::impact::gap::Precision;
 use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::moving_pair::MovingPair;

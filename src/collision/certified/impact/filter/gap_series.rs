@@ -1,6 +1,6 @@
 //! The gap along a turning axis at a moment, with four derivatives, in doubles: what the filter follows.
 //!
-//! With the letters of [`crate::collision::certified::impact::axis`], u = n·x and w = n·perp(x) for the
+//! With the letters of [`crate::collision::certified::impact::gap`], u = n·x and w = n·perp(x) for the
 //! lowest vertex x of O:
 //!
 //! ```text
