@@ -225,7 +225,7 @@ pub enum Event {
     },
     /// An advancement took one step.
     Advanced {
-        /// Number of the step, from 0.
+        /// Number of the step, from 1.
         step: usize,
         /// The moment before the step.
         at: Moment,

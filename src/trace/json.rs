@@ -1,20 +1,20 @@
 //! A trace as JSON lines: a header, then a line for each event, in order.
 //!
 //! ```json
-//! {"tracefig_trace":1,"algorithms":["minkowski"],"events":42}
+//! {"tracefig_trace":2,"algorithms":["minkowski"],"events":42}
 //! {"event":"started","algorithm":"minkowski","at":{"time":0.0,"angle_a":0.0,"angle_b":0.0}}
 //! ```
 //!
 //! Every event has its name under `event` and its fields under their own names; a point is a pair, a feature
 //! is `{"vertex": i}` or `{"edge": i}`, an interval `{"lo": …, "hi": …}`. Numbers are written so that they
-//! read back bit for bit. A field may be added; the 1 changes when one is renamed or changes its meaning.
+//! read back bit for bit. A field may be added; the 2 changes when one is renamed or changes its meaning.
 
 use serde::Serialize;
 
 use super::{Event, Trace};
 
-/// Version of the format, in the header of every trace.
-const TRACE_FORMAT: u32 = 1;
+/// Version of the format, in the header of every trace: since 2 an advancement counts its steps from 1.
+const TRACE_FORMAT: u32 = 2;
 
 /// The first line of a trace.
 #[derive(Serialize)]
@@ -37,7 +37,7 @@ struct Header<'t> {
 /// let mut trace = Trace::default();
 /// trace.record(|| Event::Finished { outcome: "apart" });
 /// let expected =
-///     [r#"{"tracefig_trace":1,"algorithms":[],"events":1}"#, r#"{"event":"finished","outcome":"apart"}"#];
+///     [r#"{"tracefig_trace":2,"algorithms":[],"events":1}"#, r#"{"event":"finished","outcome":"apart"}"#];
 /// assert!(json_lines(&trace)?.lines().eq(expected));
 /// # Ok::<(), serde_json::Error>(())
 /// ```

@@ -113,7 +113,7 @@ impl Advancement<'_> {
                     Flavor::Conservative => DVec2::ZERO,
                 };
                 Event::Advanced {
-                    step,
+                    step: step + 1,
                     at,
                     separation: near.separation,
                     normal: *near.normal,

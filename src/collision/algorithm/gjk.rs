@@ -1,7 +1,8 @@
 //! Distance by GJK, depth by EPA.
 //!
-//! GJK walks over B ⊖ A without building it: a simplex of at most three of its vertices, the point v of the
-//! simplex closest to the origin, and a new vertex w, the one farthest towards the origin:
+//! GJK walks over B ⊖ A without building it, so that it tells no edge of it: a simplex of at most three of
+//! its vertices, the point v of the simplex closest to the origin, and a new vertex w, the one farthest
+//! towards the origin:
 //!
 //! ```text
 //! w = s_B(−v) − s_A(v)      stop: ‖v‖² − v·w ≤ 0, no vertex is nearer      v = 0: the origin is inside
@@ -24,7 +25,7 @@
 use crate::collision::algorithm::candidate::{self, Candidate};
 use crate::collision::algorithm::epa;
 use crate::collision::algorithm::nearest_edge::NearestEdge;
-use crate::collision::algorithm::outline::{self, each_edge};
+use crate::collision::algorithm::outline::each_edge;
 use crate::collision::algorithm::simplex::{Simplex, Vertex};
 use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, DISCRETE, Stops, convex_pair};
@@ -61,7 +62,6 @@ enum Found {
 /// Answers a query for overlap or separation.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = PairView::start(query, ALGORITHM.name, tracer);
-    outline::tell(&pair, tracer);
     let candidate = match search(&pair, tracer) {
         Found::Vertex(v) => Some(Candidate::of_vertices(&pair, v.a, v.b)),
         Found::Edge(p, q) => of_edge(&pair, p, q),
@@ -190,6 +190,20 @@ mod tests {
             .collect();
         assert!(nearest.len() >= 2 && nearest.windows(2).all(|w| w[1] >= w[0]), "{nearest:?}");
         assert!((nearest.last().unwrap() + s).abs() < 1e-14, "{nearest:?} {s}");
+    }
+
+    #[test]
+    fn what_gjk_tells_is_what_it_did_and_no_edge_of_a_difference_that_it_never_builds() {
+        for (b, found) in [(4.0, "simplex-updated"), (1.0, "polytope-expanded")] {
+            let (_, events) = gjk(
+                &polygon(&[[-1., -1.], [1., -1.], [0., 1.]], 0.25),
+                &placed(boxed("box", 1., 1.), b, 0.5, 10.),
+            );
+            let name = |e: &Event| serde_json::to_value(e).unwrap()["event"].as_str().unwrap().to_owned();
+            let told: Vec<String> = events.iter().map(name).collect();
+            assert!(told.iter().any(|name| name == found), "{told:?}");
+            assert!(!told.iter().any(|name| name.starts_with("difference-")), "{told:?}");
+        }
     }
 
     #[test]

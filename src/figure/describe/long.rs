@@ -66,10 +66,14 @@ fn middle(body: &Body) -> DVec2 {
 fn steps(scene: &Scene, run: &Run) -> String {
     let algorithm = scene.query.algorithm.name;
     let advanced = run.events().filter(|e| matches!(e, Event::Advanced { .. })).count();
+    let grown = run
+        .events()
+        .filter(|e| matches!(e, Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. }))
+        .count();
     let edges = run.events().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
-    match (is_found_on_the_difference(run.kind), advanced, edges) {
+    match (is_found_on_the_difference(run.kind), advanced + grown, edges) {
         (_, 1, _) => format!("Found by {algorithm} in 1 step. "),
-        (_, 2.., _) => format!("Found by {algorithm} in {advanced} steps. "),
+        (_, steps @ 2.., _) => format!("Found by {algorithm} in {steps} steps. "),
         (true, _, 1..) => {
             format!("Found by {algorithm} among the {edges} edges of the Minkowski difference. ")
         }

@@ -52,7 +52,7 @@ struct Step {
 
 /// The panel's step; only of an algorithm whose estimate moves along the ray.
 fn step(context: &Context) -> Option<Step> {
-    let wanted = context.step?.checked_sub(1)?;
+    let wanted = context.step?;
     let v = relative(context);
     context.run().find_told(|event| match *event {
         Event::Advanced { step, estimate, closest, normal, next, .. } if step == wanted => {

@@ -218,12 +218,11 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// The steps that are drawn, each with its number: at most [`MOST`]. An advancement closes in, so that its
-/// first steps are the ones that differ; those, and the last.
+/// The steps that are drawn, each with its number, from 1: at most [`MOST`]. An advancement closes in, so
+/// that its first steps are the ones that differ; those, and the last.
 fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
-    let last = steps.len().saturating_sub(1);
-    let all = steps.iter().copied().enumerate();
-    all.filter(|&(k, _)| k + 1 < MOST || k == last).collect()
+    let all = (1..).zip(steps.iter().copied());
+    all.filter(|&(k, _)| k < MOST || k == steps.len()).collect()
 }
 
 /// Writes the number of each iteration below its lowest vertex.
@@ -266,12 +265,12 @@ mod tests {
     fn of_many_steps_the_first_and_the_last_are_drawn() {
         let steps: Vec<f64> = (0..23).map(f64::from).collect();
         let kept: Vec<usize> = thinned(&steps).into_iter().map(|(k, _)| k).collect();
-        assert_eq!(kept, [0, 1, 2, 3, 4, 22]);
+        assert_eq!(kept, [1, 2, 3, 4, 5, 23]);
     }
 
     #[test]
     fn few_steps_are_all_drawn() {
-        assert_eq!(thinned(&[0.0, 0.5]), [(0, 0.0), (1, 0.5)]);
+        assert_eq!(thinned(&[0.0, 0.5]), [(1, 0.0), (2, 0.5)]);
         assert!(thinned(&[]).is_empty());
     }
 }

@@ -63,7 +63,7 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "iterations", of: iterations },
     // Tolerance in force, world units.
     Value { name: "tolerance", of: tolerance },
-    // Number of the last step, from 0.
+    // Number of the last step, from 1.
     Value { name: "last_step", of: last_step },
     // Moment of the panel's step.
     Value { name: "step.time", of: |c| step(c, |at, _, _| Some(at)) },
@@ -196,9 +196,9 @@ fn tolerance(context: &Context) -> Option<Quantity> {
     }
 }
 
-/// The number of the last step, from 0.
+/// The number of the last step, from 1.
 fn last_step(context: &Context) -> Option<Quantity> {
-    context.steps().len().checked_sub(1).map(|last| Quantity::exactly(count(last)))
+    Some(context.steps().len()).filter(|&last| last > 0).map(|last| Quantity::exactly(count(last)))
 }
 
 /// A count as a number.
