@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind};
+use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
@@ -122,7 +122,10 @@ fn queries() -> Vec<(String, String)> {
         let fitting = ALGORITHMS.iter().filter(|a| a.kinds.contains(&kind)).map(|a| a.name);
         format!("by {}", fitting.collect::<Vec<_>>().join(", "))
     };
-    QUERIES.iter().map(|query| (query.word.to_owned(), names(query.kind))).collect()
+    let rows = |query: &Question| {
+        [(query.word.to_owned(), query.about.to_owned()), (String::new(), names(query.kind))]
+    };
+    QUERIES.iter().flat_map(rows).collect()
 }
 
 fn algorithms() -> Vec<(String, String)> {

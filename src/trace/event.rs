@@ -176,7 +176,7 @@ pub enum Event {
     },
     /// The pair was projected on an axis (separating-axis test).
     AxisTested {
-        /// The unit axis.
+        /// The unit axis: out of an edge of A, or into one of B.
         axis: DVec2,
         /// The body whose edge gave it.
         source: (Side, Feature),
@@ -184,7 +184,8 @@ pub enum Event {
         interval_a: Enclosure,
         /// B's interval along the axis.
         interval_b: Enclosure,
-        /// Gap along the axis; negative when the intervals overlap.
+        /// From A's upper end to B's lower one along the axis: positive, the gap of the intervals; negative,
+        /// the depth of the other body's support behind the edge's line.
         gap: f64,
     },
     /// An axis separates the pair; a test for overlap may stop here.

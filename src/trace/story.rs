@@ -174,8 +174,11 @@ fn candidate(goal: Goal, distance: f64, foot: DVec2, (side, feature): (Side, Fea
 
 fn axis_tested(axis: DVec2, (side, feature): (Side, Feature), [a, b]: [Enclosure; 2], gap: f64) -> String {
     let (a, b) = (interval(a), interval(b));
-    let between =
-        if gap > 0.0 { format!("a gap of {}", number(gap)) } else { format!("overlap {}", number(-gap)) };
+    let between = if gap > 0.0 {
+        format!("a gap of {}", number(gap))
+    } else {
+        format!("where B begins {} before A ends", number(-gap))
+    };
     format!(
         "Along {}, the normal of {} of {}: A spans {a}, B spans {b}, {between}.",
         point(axis),

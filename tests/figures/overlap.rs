@@ -242,7 +242,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         one.horizontal(A, -4.5, -0.5),
         one.horizontal(B, -2.5, 4.5),
         one.horizontal(Translation, -2.5, -0.5),
-        f.says("gap $= -2$"),
+        f.says("depth $= 2$"),
         f.says("gap $= 1$"),
         f.says("$n$"),
     ];

@@ -7,6 +7,9 @@
 //! gap(n) = min over B of n·b − max over A of n·a − (r_A + r_B)
 //! ```
 //!
+//! which is the signed distance of the other body's support from the edge's line: the gap of the intervals
+//! where it is positive, else the depth of that support behind the edge. (How much the intervals share may be
+//! less: one may reach past the other's far end, where another edge tells of it.)
 //! A test for overlap stops at the first such axis. The largest gap, when all are negative, is the depth.
 //! When the bodies are apart it is only a lower bound of the distance, for two vertices may face each other,
 //! and no edge is square to the line that joins them; so the edge and vertex of each axis are held against

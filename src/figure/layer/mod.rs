@@ -30,6 +30,8 @@ mod simplex;
 mod spin;
 mod support;
 mod sweep;
+#[cfg(test)]
+mod tests;
 mod tracks;
 mod translation;
 mod velocity;

@@ -1,14 +1,17 @@
-//! Both bodies projected on one axis of the separating-axis test: two intervals, and the gap or overlap
-//! between them.
+//! Both bodies projected on one axis of the separating-axis test, and what the test measures there: from
+//! where A ends along n to where B begins.
 //!
-//! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis is drawn
-//! beside the bodies, square to the edge whose normal it is.
+//! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis n points
+//! out of an edge of A, or into one of B, so that the measure is that of the other body's support from the
+//! edge's line. Where B begins beyond A's end it is the gap of the intervals. Else it is the depth: how far B
+//! must go along n until the edge parts them, which is more than the intervals share where one reaches past
+//! the other's far end.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight};
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Enclosure, Side, perp};
+use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
 use super::half_extents::beside;
@@ -20,6 +23,9 @@ const OFFSET: f64 = 26.0;
 /// Distance of the two intervals from the axis, page pixels: beside each other where they overlap.
 const TRACK: f64 = 6.0;
 
+/// Distance of the measure from the axis, page pixels: below the intervals.
+const MEASURE: f64 = 24.0;
+
 /// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
 
@@ -30,12 +36,15 @@ pub(super) const LAYER: Layer = Layer {
     options: &[OptionSpec {
         name: "axis",
         takes: Takes::Number,
-        default: "the one of the largest gap",
+        default: "the one of the largest gap, else of the least depth",
         about: "which tested axis, from 1",
     }],
     labels: &[
         LabelKey { key: "n", about: "the axis" },
-        LabelKey { key: "gap", about: "gap of the intervals, negative where they overlap" },
+        LabelKey {
+            key: "gap",
+            about: "gap from where A ends to where B begins; the depth, where B begins before that",
+        },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
     fed: |context, options| tested(context, options).is_some(),
@@ -47,21 +56,23 @@ pub(super) const LAYER: Layer = Layer {
 struct Tested {
     /// The unit vector along the axis.
     n: DVec2,
+    /// The body whose edge or vertex gave it.
+    source: (Side, Feature),
     /// From the least to the largest n·x of A's points.
     a: Enclosure,
     /// From the least to the largest n·x of B's points.
     b: Enclosure,
-    /// Gap of the intervals, negative where they overlap.
+    /// From A's upper end to B's lower one, negative where B begins before A ends.
     gap: f64,
 }
 
-/// The tested axis that the scene wants; else the one of the largest gap.
+/// The tested axis that the scene wants; else the one of the largest measure.
 fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let run = context.run();
     let all: Vec<Tested> = run
         .told(|event| match *event {
-            Event::AxisTested { axis, interval_a, interval_b, gap, .. } => {
-                Some(Tested { n: axis, a: interval_a, b: interval_b, gap })
+            Event::AxisTested { axis, source, interval_a, interval_b, gap } => {
+                Some(Tested { n: axis, source, a: interval_a, b: interval_b, gap })
             }
             _ => None,
         })
@@ -86,23 +97,41 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
     sketch.label(Label::new("n", "$n$", Anchor::tip(at(first, 0.0), at(last, 0.0)), Role::Muted));
+    edge(sketch, context, &t);
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
         let track = sketch.px(track);
         for end in [interval.lo, interval.hi] {
-            let vertex = points.iter().copied().min_by(|p, q| {
-                (p.dot(t.n) - end)
-                    .abs()
-                    .total_cmp(&(q.dot(t.n) - end).abs())
-                    .then(q.dot(down).total_cmp(&p.dot(down)))
-            });
-            if let Some(vertex) = vertex {
-                sketch.part("shadows").weight(Weight::Light).line(vertex, at(end, track), Pen::extension());
+            let measured = end == if body == Side::A { t.a.hi } else { t.b.lo };
+            let track = if measured { sketch.px(MEASURE) } else { track };
+            if let Some(from) = casting(&points, t.n, end, down) {
+                sketch.part("shadows").weight(Weight::Light).line(from, at(end, track), Pen::extension());
             }
         }
         let pen = Pen::highlighted(options.role(body.into()));
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
-    gap(sketch, &t, at);
+    measure(sketch, &t, at);
+}
+
+/// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to
+/// the axis.
+fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
+    let off = |p: DVec2| (p.dot(n) - end).abs();
+    points
+        .iter()
+        .copied()
+        .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
+}
+
+/// Draws the edge whose normal the axis is, thick.
+fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) {
+    let (side, Feature::Edge(index)) = t.source else { return };
+    let Some(body) = context.body(side) else { return };
+    let next = (index + 1) % body.shape.vertices.len().max(1);
+    let ends = [index, next].map(|i| context.vertex(side, i, context.time));
+    let [Some(p), Some(q)] = ends else { return };
+    let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
+    sketch.part("edge").line(p + out, q + out, Pen::highlighted(side.into()));
 }
 
 /// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view
@@ -125,13 +154,53 @@ fn beside_bodies(sketch: &Sketch, t: &Tested, points: &[DVec2]) -> (DVec2, f64) 
     (down, far(down))
 }
 
-/// Draws the gap between the facing ends: apart from A's upper end to B's lower one, overlapping the other
-/// way round.
-fn gap(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
-    let track = sketch.px(4.0 * TRACK);
+/// Draws what the test measures: from A's upper end to B's lower one.
+fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
+    let track = sketch.px(MEASURE);
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
     sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
     let out = at(0.0, 1.0) - at(0.0, 0.0);
-    let label = Label::new("gap", format!("gap $= {}$", number(t.gap)), beside(p, q, out), Role::Translation);
-    sketch.label(label.rank(Rank::Measure));
+    let word = if t.gap < 0.0 { "depth" } else { "gap" };
+    let text = format!("{word} $= {}$", number(t.gap.abs()));
+    sketch.label(Label::new("gap", text, beside(p, q, out), Role::Translation).rank(Rank::Measure));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, lines};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+    use crate::trace::Event;
+
+    /// Two polygons that overlap, on an axis along which each reaches past the other's far end or not.
+    fn scene(axis: usize) -> String {
+        format!(
+            r#"
+            shapes.A = {{ kind = "polygon", vertices = [[-1, -0.6], [0.9, -0.8], [1.2, 0.5], [0, 1.1]] }}
+            shapes.B = {{ kind = "polygon", vertices = [[-0.8, -0.5], [0.8, -0.6], [1, 0.3], [0.1, 0.9]],
+                radius = 0.25, position = [1.3, 0.9], angle_deg = 10 }}
+            query = {{ kind = "separation", of = ["A", "B"], algorithm = "separating-axes" }}
+            panels = [{{ layers = [{{ layer = "projection", axis = {axis} }}] }}]
+        "#
+        )
+    }
+
+    #[test]
+    fn the_number_is_the_drawn_length_and_a_gap_only_where_the_intervals_are_apart() {
+        for axis in 1..=8 {
+            let scene = open_text("axes", &scene(axis)).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let tested = |e: &Event| match *e {
+                Event::AxisTested { interval_a, interval_b, gap, .. } => Some((interval_a, interval_b, gap)),
+                _ => None,
+            };
+            let (a, b, gap) = plan.own_run().events().filter_map(tested).nth(axis - 1).unwrap();
+            assert!((gap - (b.lo - a.hi)).abs() < 1e-14 * 4.0, "axis {axis}: {gap}, {a:?} to {b:?}");
+            let figure = draw(&plan, plan.theme, "axes");
+            let (label, number) = labels(&figure).remove("gap").unwrap();
+            assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
+            let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;
+            assert!((drawn - number).abs() < 0.005 && (drawn - gap.abs()).abs() < 1e-9, "{label}: {drawn}");
+        }
+    }
 }

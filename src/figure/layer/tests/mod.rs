@@ -1,0 +1,63 @@
+//! What a figure shows, for the tests of its layers: the texts of its labels and the lengths of its lines.
+
+use std::collections::BTreeMap;
+
+use crate::drawing::{Contour, Group, Item, Path, Segment};
+use crate::figure::Figure;
+
+/// The labels of all panels by their keys: the markup, and the last number in it (NaN where there is none).
+pub(super) fn labels(figure: &Figure) -> BTreeMap<&'static str, (String, f64)> {
+    let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
+    let text = |line: &(_, std::sync::Arc<crate::typeset::Line>)| line.1.markup.clone();
+    placed
+        .map(|label| {
+            let markup = label.lines.iter().map(text).collect::<Vec<_>>().join(" ");
+            let number = last_number(&markup);
+            (label.key, (markup, number))
+        })
+        .collect()
+}
+
+/// The last number of a markup, with its power of ten; NaN where there is none.
+pub(super) fn last_number(markup: &str) -> f64 {
+    let plain = markup.replace('−', "-").replace(r" \times 10^{", "e").replace("10^{", "1e");
+    let numeric = |c: char| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e');
+    let words = plain.split(|c: char| !numeric(c));
+    words.filter_map(|word| word.parse().ok()).last().unwrap_or(f64::NAN)
+}
+
+/// The lengths of the straight lines of the parts of a name, in the order drawn, page pixels.
+pub(super) fn lines(figure: &Figure, part: &str) -> Vec<f64> {
+    let ends = |path: &Path| match &path.contour {
+        Contour::Segments(segments) => match segments[..] {
+            [Segment::Move(p), Segment::Line(q)] => Some((q - p).length()),
+            _ => None,
+        },
+        Contour::Circle { .. } => None,
+    };
+    paths(&figure.drawing.items, part).into_iter().filter_map(ends).collect()
+}
+
+/// The paths of the groups of a name, in the order drawn.
+pub(super) fn paths<'d>(items: &'d [Item], name: &str) -> Vec<&'d Path> {
+    let mut found = Vec::new();
+    for item in items {
+        if let Item::Group(Group { name: own, items, .. }) = item {
+            found.extend(paths(items, name));
+            found.extend(items.iter().filter_map(|item| match item {
+                Item::Path(path) if own == name => Some(path),
+                _ => None,
+            }));
+        }
+    }
+    found
+}
+
+#[test]
+fn numbers_are_read_out_of_labels() {
+    let cases = [("depth $= 2.63$", 2.63), (r"$d = 1.5 \times 10^{-7}$", 1.5e-7), ("$x_2 = -3$", -3.0)];
+    for (markup, number) in cases {
+        assert_eq!(last_number(markup), number, "{markup}");
+    }
+    assert!(last_number("$n$").is_nan());
+}
