@@ -61,10 +61,9 @@ fn json(name: &str, file: &SceneFile) -> serde_json::Value {
 /// The answer to a scene for people.
 fn text(name: &str, file: &SceneFile) -> String {
     let query = &file.scene.query;
-    let names: Vec<_> =
-        query.of.iter().filter_map(|&i| file.scene.shapes.get(i)).map(|(n, _)| n.value.as_str()).collect();
-    let answer = answer_text(query.kind, &solve(&file.scene));
-    format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.join(" and "), query.algorithm.name)
+    let names = file.scene.names();
+    let answer = answer_text(query.kind, &solve(&file.scene), &names);
+    format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.all(), query.algorithm.name)
 }
 
 /// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits

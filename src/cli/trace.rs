@@ -28,7 +28,7 @@ impl Runs for Trace {
         };
         let mut events = Events::default();
         (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
-        let text = if self.jsonl { json_lines(&events)? } else { story(&events) };
+        let text = if self.jsonl { json_lines(&events)? } else { story(&events, &file.scene.names()) };
         console.out.write_all(text.as_bytes())?;
         if events.left_out > 0 {
             console.out.flush()?;

@@ -5,6 +5,7 @@
 
 mod body;
 mod hull;
+mod names;
 pub(crate) mod number;
 mod rotation;
 pub mod shape;
@@ -13,6 +14,7 @@ mod unit_vector;
 pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
 pub use hull::Hull;
+pub use names::Names;
 pub use number::Degrees;
 pub(crate) use number::{
     Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_product_each, two_sum,
@@ -44,6 +46,17 @@ pub enum Side {
 }
 
 impl Side {
+    /// Both bodies, in the order of the query.
+    pub(crate) const BOTH: [Self; 2] = [Self::A, Self::B];
+
+    /// The letter that stands for the body in answers and keys, whatever the scene calls it.
+    pub(crate) const fn letter(self) -> &'static str {
+        match self {
+            Self::A => "A",
+            Self::B => "B",
+        }
+    }
+
     /// The other body.
     ///
     /// ```

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::collision::answer::Part;
 use crate::collision::{Answer, QueryKind};
-use crate::geometry::{Enclosure, Feature};
+use crate::geometry::{Enclosure, Feature, Names, Side};
 
 use super::node::number;
 
@@ -50,47 +50,80 @@ fn feature(f: Feature) -> Value {
     }
 }
 
-/// The answer for people: a line for each part of it, the name of the part first. World units.
+/// The answer for people: a line for each part of it, the name of the part first. World units; bodies are
+/// called `names`.
 ///
 /// ```
 /// use tracefig::collision::{Answer, MotionBound, QueryKind};
+/// use tracefig::geometry::Names;
 /// let answer = Answer::MotionBound(MotionBound { bound: 1.5 });
-/// let text = tracefig::scene::answer_text(QueryKind::MotionBound, &answer);
+/// let text = tracefig::scene::answer_text(QueryKind::MotionBound, &answer, &Names::default());
 /// assert_eq!(text.split_whitespace().collect::<Vec<_>>(), ["bound", "1.5"]);
 /// ```
 #[must_use]
-pub fn answer_text(kind: QueryKind, answer: &Answer) -> String {
+pub fn answer_text(kind: QueryKind, answer: &Answer, names: &Names) -> String {
     let Value::Object(fields) = answer_json(kind, answer) else { return String::new() };
     let mut lines = String::new();
     for (key, value) in fields.iter().filter(|(key, _)| *key != "kind") {
         // Writing to a text can't fail.
-        let _ = writeln!(lines, "  {:<18} {}", key.replace('_', " "), part(key, value));
+        let _ = writeln!(lines, "  {:<18} {}", key.replace('_', " "), part(key, value, names));
     }
     lines
 }
 
 /// Bounds as an interval, all else by its type.
-fn part(key: &str, value: &Value) -> String {
+fn part(key: &str, value: &Value, names: &Names) -> String {
     match value {
         Value::Array(ends) if key.ends_with("_bounds") => match ends.as_slice() {
-            [lo, Value::Null] => format!("[{}, inf)", words(lo)),
-            [lo, hi] => format!("[{}, {}]", words(lo), words(hi)),
-            _ => words(value),
+            [lo, Value::Null] => format!("[{}, inf)", words(lo, names)),
+            [lo, hi] => format!("[{}, {}]", words(lo, names), words(hi, names)),
+            _ => words(value, names),
         },
-        _ => words(value),
+        _ => words(value, names),
     }
 }
 
-fn words(value: &Value) -> String {
+fn words(value: &Value, names: &Names) -> String {
     match value {
         Value::Null => "unknown".to_owned(),
         Value::Bool(true) => "yes".to_owned(),
         Value::Bool(false) => "no".to_owned(),
         Value::Number(n) => n.as_f64().map_or_else(|| n.to_string(), number),
         Value::String(s) => s.clone(),
-        Value::Array(items) => format!("({})", items.iter().map(words).collect::<Vec<_>>().join(", ")),
-        Value::Object(entries) => {
-            entries.iter().map(|(k, v)| format!("{k} {}", words(v))).collect::<Vec<_>>().join(", ")
+        Value::Array(items) => {
+            format!("({})", items.iter().map(|item| words(item, names)).collect::<Vec<_>>().join(", "))
         }
+        Value::Object(entries) => {
+            let entry =
+                |(key, value): (&String, &Value)| format!("{} {}", whose(key, names), words(value, names));
+            entries.iter().map(entry).collect::<Vec<_>>().join(", ")
+        }
+    }
+}
+
+/// A key of an object for people: the body's name in the place of the letter that stands for it.
+fn whose(key: &str, names: &Names) -> String {
+    let side = Side::BOTH.into_iter().find(|side| side.letter() == key);
+    side.map_or_else(|| key.to_owned(), |side| names.quoted(side))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{open_text, solve};
+
+    #[test]
+    fn people_read_the_names_of_the_scene_and_programs_the_letters() {
+        let text = r#"
+            shapes.bullet = { kind = "circle", radius = 1 }
+            shapes."the wall" = { kind = "box", half_extents = [1, 1], position = [4, 0] }
+            query = { kind = "separation", of = ["bullet", "the wall"] }
+        "#;
+        let scene = open_text("s.toml", text).unwrap().scene;
+        let answer = solve(&scene);
+        let told = answer_text(scene.query.kind, &answer, &scene.names());
+        assert!(told.contains(r#"bullet (1, 0), "the wall" (3, 0)"#), "{told}");
+        assert!(told.contains(r#"bullet vertex 0, "the wall" edge 3"#), "{told}");
+        assert!(answer_json(scene.query.kind, &answer)["points"]["A"].is_array());
     }
 }

@@ -38,7 +38,7 @@ pub use source::{Place, Source, Syntax};
 pub use stream::{Reply, refuse_jsonl_line, solve, solve_jsonl_line};
 
 use crate::collision::{Algorithm, Query, QueryKind};
-use crate::geometry::Body;
+use crate::geometry::{Body, Names};
 
 /// A value with its place in the source.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +82,21 @@ impl Scene {
     #[must_use]
     pub fn query_of_bodies(&self) -> Query<'_> {
         self.query_at(self.query.time)
+    }
+
+    /// What the bodies of the query are called.
+    ///
+    /// ```
+    /// let query = "[query]\nkind = 'bounds'\nof = ['crate_1']";
+    /// let text = format!("[shapes.crate_1]\nkind = 'circle'\nradius = 2\n{query}");
+    /// assert_eq!(tracefig::scene::open_text("s.toml", &text)?.scene.names().all(), "crate_1");
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn names(&self) -> Names {
+        let name = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
+        let [a, b] = [0, 1].map(|i| name(i).map(|(name, _)| name.value.as_str()));
+        Names::new(a.unwrap_or_default(), b)
     }
 
     /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,

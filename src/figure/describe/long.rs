@@ -11,7 +11,7 @@ use crate::scene::{Panel, Scene, Space, When};
 use crate::trace::Event;
 
 use super::number::{point, value};
-use super::result::{capitalized, result};
+use super::result::sentence;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
 pub(crate) fn long(scene: &Scene, run: &Run) -> String {
@@ -21,7 +21,7 @@ pub(crate) fn long(scene: &Scene, run: &Run) -> String {
             let _ = write!(text, "{} ", body_in_words(&name.value, body));
         }
     }
-    let _ = write!(text, "{} ", capitalized(&result(scene, run)));
+    let _ = write!(text, "{} ", sentence(scene, run));
     text.push_str(&steps(scene, run));
     text.push_str(&panels(scene));
     text.trim_end().to_owned()

@@ -2,13 +2,15 @@
 
 use crate::collision::{Answer, Impact, Outcome, Reason};
 use crate::figure::runs::Run;
+use crate::geometry::Side;
 use crate::scene::Scene;
 
 use super::number::{number, point, value};
 
 /// The result of `run` as a sentence that begins with a small letter.
 pub(super) fn result(scene: &Scene, run: &Run) -> String {
-    let (a, b) = (name(scene, 0), name(scene, 1));
+    let names = scene.names();
+    let (a, b) = (names.of(Side::A), names.of(Side::B));
     match &run.answer {
         Answer::Bounds(bounds) => format!(
             "the bounding box of {a}{} reaches from {} to {}.",
@@ -68,13 +70,12 @@ fn impact_in_words(a: &str, b: &str, impact: &Impact) -> String {
     }
 }
 
-/// The name of the query's first (0) or second (1) body; empty where there is none.
-fn name(scene: &Scene, which: usize) -> &str {
-    scene.query.of.get(which).and_then(|&i| scene.shapes.get(i)).map_or("", |(name, _)| &name.value)
-}
-
-/// A sentence with a capital.
-pub(super) fn capitalized(text: &str) -> String {
+/// The result of `run` as a sentence of its own: with a capital, but a name stays as the scene writes it.
+pub(super) fn sentence(scene: &Scene, run: &Run) -> String {
+    let text = result(scene, run);
+    if text.starts_with(&format!("{} ", scene.names().of(Side::A))) {
+        return text;
+    }
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -132,7 +132,7 @@ fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
 
 /// The name of a part of the drawing that belongs to a body: `part("body", Side::A)` is `body-A`.
 fn part(word: &str, side: Side) -> String {
-    format!("{word}-{}", if side == Side::A { "A" } else { "B" })
+    format!("{word}-{}", side.letter())
 }
 
 /// A small count as a number.
