@@ -13,7 +13,7 @@ use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::theme::{self, Theme};
 use tracefig::figure::{Fault, Figure, draw, plan};
 use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
-use tracefig::scene::{Ink, Problem, Refused, SceneFile, Severity, message};
+use tracefig::scene::{Ink, Problem, Refused, SceneFile, message};
 
 use super::Status;
 use super::console::Console;
@@ -48,7 +48,7 @@ pub(crate) struct Files {
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
     png: String,
-    /// A label that finds no free place is an error
+    /// A label that finds no free place, and a layer or moment that the answer lacks, are errors
     #[arg(long)]
     strict: bool,
     /// Scenes drawn at once, at most; the files are the same for any number; default: as many as there are
@@ -239,7 +239,7 @@ impl Files {
 /// Adds the messages of warnings.
 fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut String) {
     for warning in warnings {
-        messages.push_str(&message(&file.source, warning, Severity::Warning, ink));
+        messages.push_str(&message(&file.source, warning, warning.fault.severity(), ink));
     }
 }
 

@@ -121,6 +121,12 @@ impl Context<'_> {
         }
     }
 
+    /// Whether the question is for the first contact, whatever the answer is.
+    #[must_use]
+    pub(crate) fn asks_for_a_hit(&self) -> bool {
+        matches!(self.run().answer, Answer::Impact(_))
+    }
+
     /// The moment that a scene names; `None` where there is no hit, or no such step.
     #[must_use]
     pub(crate) fn moment(&self, when: &When) -> Option<Moment> {

@@ -128,7 +128,8 @@ pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec
     let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
     let wording = Wording { context: &context, type_size: &size };
     // A text that can't be set was said by the plan.
-    let set = |request: &Request| wording.set(request, panel.span_of(request)).ok().flatten();
+    let set =
+        |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();
     let sought = sketched.requests.iter().filter_map(set).collect();
     (sketched, sought)
 }

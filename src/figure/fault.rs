@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::scene::{self, Explain, codes};
+use crate::scene::{self, Explain, Severity, codes};
 
 use super::placement::LabelFault;
 
@@ -27,8 +27,29 @@ pub enum Fault {
         /// How many steps the algorithm took.
         took: usize,
     },
-    /// A panel shows the moment of the hit, and the answer is none.
+    /// A panel shows the moment of the hit, and the question is not for one.
     NoHit,
+    /// A note: a panel is of the hit and the answer is none, so that it shows another moment.
+    OtherMoment {
+        /// The moment that it shows, as "the end of the motion".
+        shown: &'static str,
+        /// How the answer turned out, as "the answer is a miss".
+        why: &'static str,
+    },
+    /// A note: a panel is of a step that the algorithm did not need, so that it shows the last one.
+    OtherStep {
+        /// The step that the scene names, from 1.
+        asked: usize,
+        /// The last step, which is shown.
+        last: usize,
+    },
+    /// A note: this answer has nothing for a layer that another answer could feed.
+    NothingToDraw {
+        /// The name of the layer.
+        layer: &'static str,
+        /// How the answer turned out, or what the case is.
+        why: &'static str,
+    },
     /// A layer that shows another space than its panel.
     UnsuitedLayer {
         /// The name of the layer.
@@ -42,6 +63,13 @@ pub enum Fault {
         layer: &'static str,
         /// What it needs of the scene.
         needs: &'static str,
+    },
+    /// A note: this answer lacks a value that a text names, and a dash stands in its place.
+    NoValue {
+        /// The name of the value.
+        value: String,
+        /// How the answer turned out.
+        why: &'static str,
     },
     /// A text that can't be typeset.
     BadMarkup {
@@ -73,12 +101,38 @@ impl From<scene::Problem> for Problem {
     }
 }
 
+impl Fault {
+    /// How grave it is, where the figure is drawn all the same.
+    ///
+    /// ```
+    /// use tracefig::{figure::Fault, scene::Severity};
+    /// let fault = Fault::NothingToDraw { layer: "contact", why: "the answer is a miss" };
+    /// assert_eq!(fault.severity(), Severity::Note);
+    /// assert_eq!(Fault::CaptionDropped { lines: 9, room: 4 }.severity(), Severity::Warning);
+    /// ```
+    #[must_use]
+    pub fn severity(&self) -> Severity {
+        match self {
+            Self::OtherMoment { .. }
+            | Self::OtherStep { .. }
+            | Self::NothingToDraw { .. }
+            | Self::NoValue { .. } => Severity::Note,
+            Self::CaptionDropped { .. } | Self::LabelClash(_) => Severity::Warning,
+            _ => Severity::Error,
+        }
+    }
+}
+
 impl Explain for Fault {
     fn code(&self) -> &'static str {
         match self {
             Self::Scene(fault) => fault.code(),
             Self::NoPanels => codes::NO_PANELS.code,
             Self::NoSuchStep { .. } | Self::NoHit => codes::NO_SUCH_MOMENT.code,
+            Self::OtherMoment { .. }
+            | Self::OtherStep { .. }
+            | Self::NothingToDraw { .. }
+            | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
@@ -103,6 +157,10 @@ impl Explain for Fault {
             Self::NoPanels
             | Self::NoSuchStep { .. }
             | Self::NoHit
+            | Self::OtherMoment { .. }
+            | Self::OtherStep { .. }
+            | Self::NothingToDraw { .. }
+            | Self::NoValue { .. }
             | Self::UnsuitedLayer { .. }
             | Self::BadMarkup { .. } => None,
         }
@@ -117,7 +175,17 @@ impl fmt::Display for Fault {
             Self::NoSuchStep { step, took } => {
                 write!(f, "expected a step of the algorithm, got {step}: it took {took}")
             }
-            Self::NoHit => f.write_str("the panel shows the moment of the hit, but the answer is not a hit"),
+            Self::NoHit => {
+                f.write_str("the panel shows the moment of the hit, but the question is not for one")
+            }
+            Self::OtherMoment { shown, why } => {
+                write!(f, "the panel shows {shown} in place of the hit: {why}")
+            }
+            Self::OtherStep { asked, last } => {
+                write!(f, "the panel shows step {last} in place of step {asked}: the algorithm took {last}")
+            }
+            Self::NoValue { value, why } => write!(f, "a dash stands for `{{={value}}}`: {why}"),
+            Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
             Self::UnsuitedLayer { layer, shows } => {
                 write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
             }
@@ -134,7 +202,7 @@ impl fmt::Display for Fault {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{ERRORS, Ink, Severity, Source, message};
+    use crate::scene::{ERRORS, Ink, Source, message};
 
     /// Everything but what scenes and labels say of themselves, with its message and its help.
     fn all() -> Vec<(Fault, &'static str, &'static str)> {
@@ -145,7 +213,22 @@ mod tests {
                 "expected a step of the algorithm, got 9: it took 3",
                 "",
             ),
-            (Fault::NoHit, "the panel shows the moment of the hit, but the answer is not a hit", ""),
+            (Fault::NoHit, "the panel shows the moment of the hit, but the question is not for one", ""),
+            (
+                Fault::OtherMoment { shown: "the end of the motion", why: "the answer is a miss" },
+                "the panel shows the end of the motion in place of the hit: the answer is a miss",
+                "",
+            ),
+            (
+                Fault::OtherStep { asked: 9, last: 3 },
+                "the panel shows step 3 in place of step 9: the algorithm took 3",
+                "",
+            ),
+            (
+                Fault::NothingToDraw { layer: "one", why: "the answer is a miss" },
+                "`one` draws nothing: the answer is a miss",
+                "",
+            ),
             (
                 Fault::UnsuitedLayer { layer: "one", shows: "the world" },
                 "the layer `one` shows the world, and the panel another space",
@@ -155,6 +238,11 @@ mod tests {
                 Fault::UnfedLayer { layer: "one", needs: "a hit" },
                 "this scene can't feed the layer `one`",
                 "it needs a hit",
+            ),
+            (
+                Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
+                "a dash stands for `{=time}`: the answer is a miss",
+                "",
             ),
             (
                 Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },

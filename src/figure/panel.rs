@@ -8,7 +8,7 @@ use crate::typeset::Line;
 
 use super::context::{Context, Moment};
 use super::frame::Frame;
-use super::layer::{Layer, Options};
+use super::layer::{LabelKey, Layer, Options};
 use super::page::unit;
 use super::runs::Runs;
 use super::sketch::{Request, Sketch, Sketched};
@@ -23,6 +23,8 @@ pub(crate) struct PanelPlan<'s> {
     pub(crate) moment: Moment,
     /// The layers, in drawing order.
     pub(crate) layers: Vec<LayerPlan<'s>>,
+    /// The labels of layers that this answer has nothing for: a scene may speak of them.
+    pub(crate) unwritten: Vec<&'static LabelKey>,
     /// The title, set in type.
     pub(crate) title: Option<Line>,
     /// Where its space lies on the page.
@@ -50,6 +52,12 @@ impl PanelPlan<'_> {
     pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
         let Moment { time, step } = self.moment;
         Context { scene, space: &self.source.space, time, step, runs }
+    }
+
+    /// The labels that the panel's layers can write, whether the answer has something for them or not.
+    pub(crate) fn labels(&self) -> impl Iterator<Item = &'static LabelKey> {
+        let drawn = self.layers.iter().flat_map(|planned| planned.layer.labels);
+        drawn.chain(self.unwritten.iter().copied())
     }
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.

@@ -5,22 +5,17 @@
 
 use std::sync::Arc;
 
-use crate::drawing::Rect;
-use crate::geometry::DVec2;
-use crate::scene::{self, LayerSpec, Panel, Scene, Space, When};
-use crate::typeset::{Line, Style, typeset};
+use crate::scene::{self, Scene};
+use crate::typeset::Line;
 
 use super::budget::Budget;
-use super::context::{Context, Moment};
 use super::fault::{Fault, Problem};
-use super::frame::Frame;
-use super::layer::{self, Options, Shows};
-use super::page::{Page, type_size};
-use super::panel::{LayerPlan, PanelPlan};
-use super::question::{is_of_a_moment, keeps_the_difference};
+use super::page::Page;
+use super::panel::PanelPlan;
+use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{caption, caption_words, check_texts, set};
+use super::text::{caption, caption_words, check_texts};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -95,10 +90,10 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
     if scene.panels.is_empty() {
         problems.push(Problem::new(Fault::NoPanels, scene.query.span.clone()));
     }
-    let mut panels: Vec<PanelPlan> =
-        scene.panels.iter().filter_map(|panel| resolve(scene, &runs, panel, &mut problems)).collect();
+    let mut resolver = Resolver { scene, runs: &runs, problems, notes: Vec::new() };
+    let mut panels: Vec<PanelPlan> = scene.panels.iter().filter_map(|panel| resolver.panel(panel)).collect();
+    let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
-    let mut warnings = Vec::new();
     let first = panels.first().map(|panel| panel.context(scene, &runs));
     let caption = first.as_ref().map_or_else(Vec::new, |first| caption(first, &mut problems, &mut warnings));
     let titled = panels.iter().any(|p| p.title.is_some());
@@ -107,7 +102,8 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
-        let said = fitted.and_then(|sketched| say(scene, &runs, &panels, &sketched, &mut problems));
+        let said =
+            fitted.and_then(|sketched| say(scene, &runs, &panels, &sketched, (&mut problems, &mut warnings)));
         problems.extend(said.err().map(Problem::from));
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
@@ -127,13 +123,13 @@ fn say(
     runs: &Runs,
     panels: &[PanelPlan],
     sketched: &[Sketched],
-    problems: &mut Vec<Problem>,
+    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Result<(), scene::Problem> {
     let mut budget = Budget::default();
     for (panel, sketched) in panels.iter().zip(sketched) {
         budget.take(sketched, &panel.source.span)?;
         let requests = sketched.requests.iter().map(|request| (request, panel.span_of(request)));
-        check_texts(&panel.context(scene, runs), requests, &mut budget, problems)?;
+        check_texts(&panel.context(scene, runs), requests, &mut budget, (problems, notes))?;
     }
     Ok(())
 }
@@ -149,84 +145,10 @@ fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
     })
 }
 
-/// A panel with its moment and its layers; `None`, with the reason told, where its moment does not exist.
-fn resolve<'s>(
-    scene: &'s Scene,
-    runs: &Runs,
-    source: &'s Panel,
-    problems: &mut Vec<Problem>,
-) -> Option<PanelPlan<'s>> {
-    let moment = moment(scene, runs, source, problems)?;
-    let context = Context { scene, space: &source.space, time: moment.time, step: moment.step, runs };
-    let layers = source.layers.iter().filter_map(|spec| resolve_layer(&context, spec, problems)).collect();
-    let title = source.title.as_ref().and_then(|t| {
-        let size = type_size(scene.canvas.width, scene.canvas.height, 13.0);
-        set(t, &context, problems, |text| typeset(text, Style::semibold(size)))
-    });
-    let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
-    Some(PanelPlan { source, moment, layers, title, frame })
-}
-
-/// The panel's moment; `None`, with the reason told, where the answer does not have it. A step of a sweep
-/// without turning changes the estimate, not the difference: that is as it was.
-fn moment(scene: &Scene, runs: &Runs, panel: &Panel, problems: &mut Vec<Problem>) -> Option<Moment> {
-    let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
-    let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
-    let context = Context { scene, space: &panel.space, time: own, step: None, runs };
-    let found = context.moment(&when.value);
-    if found.is_none() {
-        let fault = match when.value {
-            When::Step(step) => Fault::NoSuchStep { step, took: context.steps().len() },
-            _ => Fault::NoHit,
-        };
-        problems.push(Problem::new(fault, when.span.clone()));
-    }
-    let still = keeps_the_difference(scene.query.kind) && panel.space == Space::Configuration;
-    found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
-}
-
-/// A layer with its options; `None`, with the reasons told, where it can't be drawn in this panel.
-fn resolve_layer<'s>(
-    context: &Context,
-    spec: &'s LayerSpec,
-    problems: &mut Vec<Problem>,
-) -> Option<LayerPlan<'s>> {
-    let span = &spec.name.span;
-    let Some(layer) = layer::find(&spec.name.value) else {
-        let known = layer::LAYERS.iter().map(|l| l.name.to_owned()).collect();
-        let fault = scene::Fault::UnknownWord { what: "layer", got: spec.name.value.clone(), known };
-        problems.push(Problem::new(fault.into(), span.clone()));
-        return None;
-    };
-    let options = match Options::read(layer.options, spec, context.scene) {
-        Ok(options) => options,
-        Err(more) => {
-            problems.extend(more.into_iter().map(Problem::from));
-            return None;
-        }
-    };
-    let configuration = *context.space == Space::Configuration;
-    let (wrong, shows) = match layer.shows {
-        Shows::World => (configuration, "the world"),
-        Shows::Configuration => (!configuration, "configuration space"),
-        Shows::Anywhere => (false, ""),
-    };
-    if wrong {
-        problems.push(Problem::new(Fault::UnsuitedLayer { layer: layer.name, shows }, span.clone()));
-        return None;
-    }
-    if !(layer.fed)(context, &options) {
-        let fault = Fault::UnfedLayer { layer: layer.name, needs: layer.needs };
-        problems.push(Problem::new(fault, span.clone()));
-        return None;
-    }
-    Some(LayerPlan { layer, options, span })
-}
-
 /// Tells of keys of `[labels]` that no layer of the scene writes.
 fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
     let mut known: Vec<String> = Vec::new();
-    for key in panels.iter().flat_map(|p| &p.layers).flat_map(|l| l.layer.labels) {
+    for key in panels.iter().flat_map(PanelPlan::labels) {
         if !known.iter().any(|k| k == key.key) {
             known.push(key.key.to_owned());
         }

@@ -45,9 +45,11 @@ codes! {
     UNSUITED_SHAPE = "unsuited-shape",
         "a shape that the query cannot be asked of, as an outline in a separation";
     NO_PANELS = "no-panels", "a scene without panels is to be drawn";
-    NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that the answer does not have";
+    NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that no answer to the query has";
     UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";
     UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";
+    NOT_IN_ANSWER = "not-in-answer",
+        "note: a layer or a moment that this answer lacks, as the contact where it is a miss";
     BAD_MARKUP = "bad-markup", "a text whose formula can't be typeset";
     CAPTION_DROPPED = "caption-dropped", "warning: the caption has more lines than the page has room for";
     LABEL_CLASH = "label-clash", "warning: a label found no free place";

@@ -24,6 +24,8 @@ pub enum Severity {
     Error,
     /// There is one, and something about it should be better.
     Warning,
+    /// There is one, and it shows less than another answer to the same question would have let it show.
+    Note,
 }
 
 /// Whether a message is coloured.
@@ -69,6 +71,7 @@ pub(super) fn message_at<F: Explain>(
     let level = match severity {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
+        Severity::Note => Level::NOTE,
     };
     let fault = &problem.fault;
     let mut elements: Vec<Element<'_>> = Vec::new();

@@ -109,6 +109,7 @@ pub(crate) const ROOMS: &[Row] = &[
     // From the ground floor up: what others stand on comes first.
     ("figure/limits", &["scene"]),
     ("figure/question", &["collision"]),
+    ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/theme", &["drawing"]),
     ("figure/page", &["drawing"]),
@@ -134,6 +135,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/placement",
             "figure/question",
             "figure/sketch",
+            "figure/standing",
         ],
     ),
     (

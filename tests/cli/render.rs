@@ -234,3 +234,21 @@ fn auto_in_the_dark_is_the_dark_theme() {
     assert_eq!(rules("auto", "@media (prefers-color-scheme:dark){"), dark);
     assert_eq!(rules("auto", "@media all{"), rules("light", "@media all{"));
 }
+
+#[test]
+fn a_layer_that_the_answer_lacks_is_a_note_and_under_strict_an_error() {
+    let scene = "[shapes.A]\nkind = \"circle\"\nradius = 1\nvelocity = [-1, 0]\n[shapes.B]\nkind = \"circle\"\n\
+                 radius = 1\nposition = [3, 0]\n[query]\nkind = \"linear-sweep\"\nof = [\"A\", \"B\"]\n\
+                 [[panels]]\nlayers = [\"shapes\", \"contact\"]\n";
+    let folder = folder_with("miss.toml", scene);
+    let render = |more: &[&str]| {
+        run(tracefig(folder.path()).args(["render", "miss.toml", "--format", "svg"]).args(more))
+    };
+    let ran = render(&[]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "miss.svg\n"));
+    let told = "note[not-in-answer]: `contact` draws nothing: the answer is a miss\n  --> miss.toml:13:21";
+    assert!(ran.err.starts_with(told), "{}", ran.err);
+    let strict = render(&["--strict"]);
+    assert_eq!((strict.code, strict.out.as_str()), (Some(1), ""));
+    assert!(strict.err.starts_with("error[not-in-answer]: `contact` draws nothing"), "{}", strict.err);
+}

@@ -7,3 +7,4 @@ mod corpus;
 mod fuzz_bodies;
 mod label_faults;
 mod no_panic;
+mod templates;

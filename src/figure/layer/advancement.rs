@@ -8,7 +8,7 @@ use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
 use super::velocity::relative;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
 const NORMAL: f64 = 0.5;
@@ -34,7 +34,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "next", about: "the new estimate" },
     ],
     needs: "an advancement without rotation, and a panel with a step",
-    fed: |context, _| step(context).is_some(),
+    fed: |context, _| {
+        let ever = context.step.is_some() && !context.steps().is_empty();
+        Fed::by_the_answer(step(context).is_some(), ever)
+    },
     draw,
 };
 

@@ -13,7 +13,7 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::half_extents::ON_LINE;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Radius of the angle mark, as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
@@ -51,7 +51,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "p'", about: "the extreme point after the turn" },
     ],
     needs: "a query for the motion bound of a body that turns",
-    fed: |context, options| turn(context, options).is_some(),
+    fed: |context, options| Fed::by_the_scene(turn(context, options).is_some()),
     draw,
 };
 

@@ -4,7 +4,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::DVec2;
 
-use super::{Layer, Options, Shows};
+use super::{Fed, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "axes",
@@ -13,7 +13,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[],
     labels: &[],
     needs: "nothing",
-    fed: |_, _| true,
+    fed: |_, _| Fed::Yes,
     draw,
 };
 

@@ -12,7 +12,7 @@ use crate::geometry::DVec2;
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
@@ -42,7 +42,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "centers.y", about: "distance of the centres along y" },
     ],
     needs: "the algorithm \"extents\": two AABBs",
-    fed: |context, _| compared(context).is_some(),
+    fed: |context, _| Fed::by_the_scene(compared(context).is_some()),
     draw,
 };
 

@@ -8,7 +8,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, SupportVertex};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists
 /// them.
@@ -47,7 +47,9 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "touching.top", about: "vertex of largest y" },
     ],
     needs: "a query for bounds",
-    fed: |context, _| context.run().events().any(|e| matches!(e, Event::BoundsFound { .. })),
+    fed: |context, _| {
+        Fed::by_the_scene(context.run().events().any(|e| matches!(e, Event::BoundsFound { .. })))
+    },
     draw,
 };
 

@@ -9,7 +9,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sket
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// The words of the parts that can be shown alone.
 const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
@@ -29,7 +29,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "D", about: "from there to the circle's centre" },
     ],
     needs: "the algorithm \"clamp\": a circle against a box",
-    fed: |context, _| clamped(context).is_some(),
+    fed: |context, _| Fed::by_the_scene(clamped(context).is_some()),
     draw,
 };
 

@@ -7,7 +7,7 @@ use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
@@ -16,7 +16,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[],
     labels: &[LabelKey { key: "d", about: "distance or depth" }],
     needs: "two convex bodies",
-    fed: |context, _| nearest(context).is_some(),
+    fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
     draw,
 };
 

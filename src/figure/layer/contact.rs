@@ -4,7 +4,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
 
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "contact",
@@ -13,7 +13,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[],
     labels: &[LabelKey { key: "contact", about: "the point of first contact; without a text of its own" }],
     needs: "a hit",
-    fed: |context, _| context.hit().is_some(),
+    fed: |context, _| Fed::by_a_hit(context),
     draw,
 };
 

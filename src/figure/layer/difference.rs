@@ -16,7 +16,7 @@ use crate::trace::{Culling, Event};
 use crate::scene::When;
 
 use super::half_extents::ON_LINE;
-use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
 const THIN: (f64, f64) = (0.75, 0.55);
@@ -70,8 +70,9 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "two convex bodies; for \"steps\" an advancement",
     fed: |context, options| match options.word("at", "") {
-        STEPS => !context.steps().is_empty(),
-        _ => difference(context, when(context, options).unwrap_or(context.time)).is_some(),
+        STEPS => Fed::by_the_scene(!context.steps().is_empty()),
+        When::HIT if context.hit().is_none() => Fed::by_a_hit(context),
+        _ => Fed::by_the_scene(difference(context, when(context, options).unwrap_or(context.time)).is_some()),
     },
     draw,
 };

@@ -5,7 +5,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
@@ -20,7 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[],
     needs: "nothing",
-    fed: |_, _| true,
+    fed: |_, _| Fed::Yes,
     draw,
 };
 

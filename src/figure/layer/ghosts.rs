@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Dash, Label, Outline, Pen, Rank, Size, Sketc
 use crate::geometry::Side;
 use crate::scene::When;
 
-use super::{LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade, part};
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
@@ -47,9 +47,9 @@ pub(super) const LAYER: Layer = Layer {
     needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", \
         steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
-        SEPARATED => separation(context).is_some(),
-        STEPS => !context.steps().is_empty(),
-        _ => when(context, options).is_some(),
+        SEPARATED => Fed::by_the_scene(separation(context).is_some()),
+        STEPS => Fed::by_the_scene(!context.steps().is_empty()),
+        _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
     },
     draw,
 };

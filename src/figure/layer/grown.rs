@@ -11,7 +11,7 @@ use crate::figure::sketch::{
 use crate::geometry::{DVec2, Side};
 
 use super::difference::{difference, edge_pen};
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -28,7 +28,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "b", about: "the point that B shrinks to" },
     ],
     needs: "two convex bodies",
-    fed: |context, _| difference(context, context.time).is_some(),
+    fed: |context, _| Fed::by_the_scene(difference(context, context.time).is_some()),
     draw,
 };
 

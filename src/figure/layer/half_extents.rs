@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, left_of};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Distance of the lines from the box where the scene does not say, page pixels: a dimension's label fits
 /// beside it.
@@ -46,7 +46,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "h_y", about: "half the height" },
     ],
     needs: "a query for bounds, or a box",
-    fed: |context, options| boxed(context, options).is_some(),
+    fed: |context, options| Fed::by_the_scene(boxed(context, options).is_some()),
     draw,
 };
 

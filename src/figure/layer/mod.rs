@@ -13,6 +13,7 @@ mod clamp;
 mod closest;
 mod contact;
 mod difference;
+mod fed;
 mod frame;
 mod ghosts;
 mod grown;
@@ -40,6 +41,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
 use crate::geometry::Side;
 
+pub(crate) use fed::Fed;
 pub(crate) use options::{OptionSpec, Options, Takes};
 
 /// Which panels a layer can stand in.
@@ -76,8 +78,8 @@ pub struct Layer {
     pub labels: &'static [LabelKey],
     /// What it needs of the scene; the text of an error says it: "needs …".
     pub needs: &'static str,
-    /// Whether the scene can feed it at the panel's moment.
-    pub(crate) fed: fn(&Context, &Options) -> bool,
+    /// Whether it finds what it draws at the panel's moment.
+    pub(crate) fed: fn(&Context, &Options) -> Fed,
     /// Draws it into the panel.
     pub(crate) draw: fn(&mut Sketch, &Context, &Options),
 }

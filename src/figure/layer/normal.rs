@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
@@ -31,7 +31,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "N", about: "the normal from B to A, with flip" },
     ],
     needs: "a separation or a hit",
-    fed: |context, _| contact(context).is_some(),
+    fed: |context, _| Fed::by_the_scene(contact(context).is_some()),
     draw,
 };
 

@@ -4,7 +4,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Corner, Label, Rank, Size, Sketch};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "note",
@@ -26,7 +26,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[LabelKey { key: "note", about: "the lines" }],
     needs: "lines",
-    fed: |_, options| options.words("lines").is_some(),
+    fed: |_, options| Fed::by_the_scene(options.words("lines").is_some()),
     draw,
 };
 

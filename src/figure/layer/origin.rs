@@ -6,7 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
 use crate::geometry::DVec2;
 
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",
@@ -15,7 +15,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[],
     labels: &[LabelKey { key: "O", about: "the origin" }],
     needs: "nothing",
-    fed: |_, _| true,
+    fed: |_, _| Fed::Yes,
     draw,
 };
 

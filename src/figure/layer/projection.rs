@@ -7,6 +7,7 @@
 //! must go along n until the edge parts them, which is more than the intervals share where one reaches past
 //! the other's far end.
 
+use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight};
@@ -15,7 +16,7 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
 /// Distance of the axis from the bodies, page pixels.
 const OFFSET: f64 = 26.0;
@@ -47,7 +48,12 @@ pub(super) const LAYER: Layer = Layer {
         },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
-    fed: |context, options| tested(context, options).is_some(),
+    fed: |context, options| {
+        // A test for overlap stops at the first axis that separates; the others look at every axis.
+        let some = context.run().events().any(|e| matches!(e, Event::AxisTested { .. }));
+        let stopped = matches!(context.run().answer, Answer::Overlap(_));
+        Fed::by_the_answer(tested(context, options).is_some(), some && stopped)
+    },
     draw,
 };
 

@@ -12,7 +12,7 @@ use crate::trace::Event;
 use crate::scene::COMPASS;
 
 use super::half_extents::beside;
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
@@ -47,8 +47,8 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a round body; for lengths the algorithm \"circles\"",
     fed: |context, options| match options.word("as", "line") {
-        "lengths" => compared(context).is_some(),
-        _ => !round(context, options).is_empty(),
+        "lengths" => Fed::by_the_scene(compared(context).is_some()),
+        _ => Fed::by_the_scene(!round(context, options).is_empty()),
     },
     draw,
 };

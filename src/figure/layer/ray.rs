@@ -5,10 +5,9 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
-use crate::trace::Event;
 
 use super::velocity::{relative, until_hit};
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
@@ -19,10 +18,11 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "t", about: "time of the hit" },
     ],
-    needs: "a sweep of bodies that move relative to each other",
+    needs: "a question for the first contact of bodies that move relative to each other and do not turn",
     fed: |context, _| {
-        relative(context) != DVec2::ZERO
-            && context.run().events().any(|e| matches!(e, Event::RayClipped { .. } | Event::Advanced { .. }))
+        let turns = |side| context.body(side).is_some_and(|body| body.spin.0 != 0.0);
+        let turning = context.sides().into_iter().any(turns);
+        Fed::by_the_scene(context.asks_for_a_hit() && !turning && relative(context) != DVec2::ZERO)
     },
     draw,
 };

@@ -16,7 +16,7 @@ use crate::trace::Event;
 
 use crate::scene::When;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
@@ -69,7 +69,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],
     needs: "two bodies",
-    fed: |context, options| found(context, options).is_some(),
+    fed: |context, options| match options.when("at") {
+        Some(When::Hit) if context.hit().is_none() => Fed::by_a_hit(context),
+        _ => Fed::by_the_scene(found(context, options).is_some()),
+    },
     draw,
 };
 

@@ -4,7 +4,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash};
 use crate::geometry::{Pose, Side};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",
@@ -26,7 +26,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "b", about: "origin of the second body, with centers" },
     ],
     needs: "nothing",
-    fed: |_, _| true,
+    fed: |_, _| Fed::Yes,
     draw,
 };
 

@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, S
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
@@ -27,7 +27,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "w", about: "the vertex that comes next" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
-    fed: |context, options| shown(context, options).is_some(),
+    fed: |context, options| {
+        let some = context.run().events().any(|e| matches!(e, Event::SimplexUpdated { .. }));
+        Fed::by_the_answer(shown(context, options).is_some(), some)
+    },
     draw,
 };
 

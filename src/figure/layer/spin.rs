@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
 use crate::geometry::Side;
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
@@ -28,7 +28,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "omega_B", about: "angular velocity of the second body" },
     ],
     needs: "a body that turns",
-    fed: |context, _| !turning(context).is_empty(),
+    fed: |context, _| Fed::by_the_scene(!turning(context).is_empty()),
     draw,
 };
 

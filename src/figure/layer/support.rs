@@ -8,11 +8,14 @@ use crate::scene::Space;
 use crate::trace::{Event, SupportVertex};
 
 use super::difference::difference;
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 /// How much a direction that is the normal's may differ from it: both are unit vectors rounded a few times. A
 /// hundred million times more is still a thousandth of a degree.
 const SAME_DIRECTION: f64 = 1e-12;
+
+/// The case in which there is no nearest edge.
+const NO_EDGE: &str = "the bodies are closest at a vertex of each, so that no edge faces the other body";
 
 pub(super) const LAYER: Layer = Layer {
     name: "support",
@@ -25,10 +28,20 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "b_1", about: "first supporting vertex, on B" },
         LabelKey { key: "b_2", about: "second supporting vertex, on B" },
     ],
-    needs: "an algorithm that tells its supporting vertices, as \"minkowski\"",
-    fed: |context, _| supports(context).is_some(),
+    needs: "two convex bodies with edges",
+    fed,
     draw,
 };
+
+/// Two vertices that face each other, or nothing at all where the bodies' distance is not measured from an
+/// edge, leave nothing to mark.
+fn fed(context: &Context, _: &Options) -> Fed {
+    let edges = |side| context.body(side).is_some_and(|body| body.shape.core.len() > 1);
+    if context.separation_at(context.time).is_none() || !context.sides().into_iter().any(edges) {
+        return Fed::Never;
+    }
+    if supports(context).is_some() { Fed::Yes } else { Fed::NotHere(NO_EDGE) }
+}
 
 /// The body and its vertices that support the nearest edge: a tie first, then B's.
 fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {

@@ -9,7 +9,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 
-use super::{Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",
@@ -23,7 +23,7 @@ pub(super) const LAYER: Layer = Layer {
     }],
     labels: &[],
     needs: "a hit of convex bodies",
-    fed: |context, _| context.hit().is_some(),
+    fed: |context, _| Fed::by_a_hit(context),
     draw,
 };
 

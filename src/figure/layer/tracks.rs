@@ -6,7 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{LabelKey, Layer, Options, Shows, part};
+use super::{Fed, LabelKey, Layer, Options, Shows, part};
 
 /// How many pieces a path is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px radius.
 const PIECES: u32 = 64;
@@ -21,7 +21,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "x2", about: "the point of B" },
     ],
     needs: "a hit",
-    fed: |context, _| context.hit().is_some(),
+    fed: |context, _| Fed::by_a_hit(context),
     draw,
 };
 

@@ -9,7 +9,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::Side;
 use crate::trace::Event;
 
-use super::{LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "translation",
@@ -18,7 +18,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[],
     labels: &[LabelKey { key: "P", about: "the minimum translation" }],
     needs: "a separation",
-    fed: |context, _| run(context).is_some(),
+    fed: |context, _| Fed::by_the_scene(run(context).is_some()),
     draw,
 };
 

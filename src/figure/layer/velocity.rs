@@ -11,7 +11,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 
-use super::{LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "velocity",
@@ -50,12 +50,13 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "v_B", about: "velocity of the second body" },
         LabelKey { key: "t", about: "time of the hit" },
     ],
-    needs: "a body that moves; for \"contact\" and \"hit\" a hit",
+    needs: "a body that moves; for \"contact\" and \"hit\" a question for the first contact",
     fed: |context, options| {
         let hit = options.word("from", "center") == "contact"
             || options.word("cut", "") == When::HIT
             || options.word("accent", "") == When::HIT;
-        !(moving(context).is_empty() || hit && context.hit().is_none())
+        // A motion without a hit is drawn whole.
+        Fed::by_the_scene(!moving(context).is_empty() && (!hit || context.asks_for_a_hit()))
     },
     draw,
 };

@@ -10,18 +10,21 @@ use crate::typeset::{Line, Style, TypesetError, wrap};
 
 use super::fill::fill;
 use super::plain;
-use super::wording::bad_markup;
+use super::wording::{bad_markup, no_value};
 
 /// A text of the scene, filled and set by `typeset`; `None`, with the reason in `problems`, where it can't
-/// be.
+/// be. What the answer lacks for it is in `notes`.
 pub(crate) fn set<T>(
     text: &Spanned<String>,
     context: &Context,
-    problems: &mut Vec<Problem>,
+    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
     typeset: impl Fn(&str) -> Result<T, TypesetError>,
 ) -> Option<T> {
     let filled = match fill(&text.value, context, &text.span) {
-        Ok(filled) => filled,
+        Ok((filled, lacking)) => {
+            notes.extend(lacking.into_iter().map(|value| no_value(value, context, &text.span)));
+            filled
+        }
         Err(problem) => {
             problems.push(problem);
             return None;
@@ -41,7 +44,7 @@ pub(crate) fn caption(
     let (width, height) = (context.scene.canvas.width, context.scene.canvas.height);
     let measure = Page::new(width, height, 1, false, 2).measure;
     let style = Style::regular(type_size(width, height, CAPTION_SIZE));
-    let lines = set(text, context, problems, |t| wrap(t, style, measure)).unwrap_or_default();
+    let lines = set(text, context, (problems, warnings), |t| wrap(t, style, measure)).unwrap_or_default();
     let most = Page::caption_lines(width, height);
     if lines.len() > most {
         let fault = Fault::CaptionDropped { lines: lines.len(), room: most };
@@ -54,5 +57,5 @@ pub(crate) fn caption(
 /// The caption in plain words, with the values of `context`; `None` without a caption.
 pub(crate) fn caption_words(context: &Context) -> Option<String> {
     let text = context.scene.caption.as_ref()?;
-    Some(plain(&fill(&text.value, context, &text.span).ok()?))
+    Some(plain(&fill(&text.value, context, &text.span).ok()?.0))
 }

@@ -121,6 +121,24 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "c.y", of: |c| center(c).map(|p| Quantity::exactly(p.y)) },
 ];
 
+/// Whether another answer to the question of a context has a value.
+type Asks = fn(&Context) -> bool;
+
+/// Values that hang on how the answer turns out.
+static OF_THE_OUTCOME: &[(&str, Asks)] = &[
+    ("depth", |context| separation(context).is_some()),
+    ("time", |context| context.asks_for_a_hit()),
+    ("n.x", |context| context.asks_for_a_hit()),
+    ("n.y", |context| context.asks_for_a_hit()),
+    ("bound", |context| context.asks_for_a_hit()),
+    ("step.next", |context| context.step.is_some()),
+];
+
+/// Whether another answer to the question has the value of that name, where this one lacks it.
+pub(crate) fn another_answer_has(name: &str, context: &Context) -> bool {
+    OF_THE_OUTCOME.iter().any(|(known, asks)| *known == name && asks(context))
+}
+
 /// The bounds of the separation at the panel's moment.
 fn separation(context: &Context) -> Option<Quantity> {
     let run = context.separation_at(context.time)?;

@@ -8,6 +8,7 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::placement::Sought;
 use crate::figure::sketch::Request;
+use crate::figure::standing::standing;
 use crate::scene::{self, LabelOverride, Scene, Spanned};
 use crate::typeset::{Style, TypesetError, typeset};
 
@@ -24,11 +25,16 @@ pub(crate) struct Wording<'w> {
 impl Wording<'_> {
     /// A label with its text; none where the scene hides it or nobody gives it a text.
     ///
-    /// `origin` is the place of its layer in the scene.
+    /// `origin` is the place of its layer in the scene; what the answer lacks for it is in `notes`.
     ///
     /// # Errors
     /// Where the text names a value that the query does not have, or can't be typeset.
-    pub(crate) fn set(&self, request: &Request, origin: &Range<usize>) -> Result<Option<Sought>, Problem> {
+    pub(crate) fn set(
+        &self,
+        request: &Request,
+        origin: &Range<usize>,
+        notes: &mut Vec<Problem>,
+    ) -> Result<Option<Sought>, Problem> {
         let label = &request.label;
         let given = overridden(self.context.scene, label.key);
         if given.is_some_and(|(_, o)| o.hide) {
@@ -42,13 +48,14 @@ impl Wording<'_> {
             return Ok(None);
         }
         let style = Style::regular((self.type_size)(label.size.px()));
-        let set = |line: &String| {
-            let filled = fill(line, self.context, &place)?;
+        let mut set = |line: &String| {
+            let (filled, values) = fill(line, self.context, &place)?;
+            notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
             typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
         };
         Ok(Some(Sought {
             key: label.key,
-            lines: lines.iter().map(set).collect::<Result<_, _>>()?,
+            lines: lines.iter().map(&mut set).collect::<Result<_, _>>()?,
             anchor: label.anchor.clone(),
             role: label.role,
             rank: label.rank,
@@ -68,11 +75,11 @@ pub(crate) fn check_texts<'r>(
     context: &Context,
     requests: impl Iterator<Item = (&'r Request, &'r Range<usize>)>,
     budget: &mut Budget,
-    problems: &mut Vec<Problem>,
+    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Result<(), scene::Problem> {
     let wording = Wording { context, type_size: &|px| px };
     for (request, span) in requests {
-        match wording.set(request, span) {
+        match wording.set(request, span, notes) {
             Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
             Ok(None) => {}
             Err(problem) => problems.push(problem),
@@ -84,6 +91,11 @@ pub(crate) fn check_texts<'r>(
 /// What a scene says of a label.
 fn overridden<'s>(scene: &'s Scene, key: &str) -> Option<&'s (Spanned<String>, LabelOverride)> {
     scene.labels.iter().find(|(k, _)| k.value == key)
+}
+
+/// A value that a text at `at` names and this answer lacks.
+pub(crate) fn no_value(value: String, context: &Context, at: &Range<usize>) -> Problem {
+    Problem::new(Fault::NoValue { value, why: standing(&context.run().answer) }, at.clone())
 }
 
 /// A text that can't be typeset: `markup` is the text with its values filled in.

@@ -1,0 +1,41 @@
+//! Whether a layer finds what it draws: in this answer, in another answer to the same question, or never.
+//!
+//! A scene is often a template that many lines of a log are put through. One of them is a miss, and then the
+//! layer of the contact has nothing to draw; that is no mistake in the scene. A layer that no answer could
+//! ever feed is one.
+
+use crate::figure::context::Context;
+
+/// Whether a layer finds what it draws at its panel's moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fed {
+    /// It does.
+    Yes,
+    /// The answer lacks it, and another answer to the same question may have it: the layer draws nothing.
+    NotByThisAnswer,
+    /// The answer lacks it for this reason, as "the closest points are vertices of both".
+    NotHere(&'static str),
+    /// No answer to the scene's question by its algorithm has it: the scene is wrong.
+    Never,
+}
+
+impl Fed {
+    /// A layer that depends on the scene's bodies and algorithm alone, and not on how the answer turns out.
+    pub(super) fn by_the_scene(found: bool) -> Self {
+        if found { Self::Yes } else { Self::Never }
+    }
+
+    /// A layer that finds its matter or does not, where `ever` says whether another answer could have it.
+    pub(super) fn by_the_answer(found: bool, ever: bool) -> Self {
+        match (found, ever) {
+            (true, _) => Self::Yes,
+            (false, true) => Self::NotByThisAnswer,
+            (false, false) => Self::Never,
+        }
+    }
+
+    /// A layer of the first contact.
+    pub(super) fn by_a_hit(context: &Context) -> Self {
+        Self::by_the_answer(context.hit().is_some(), context.asks_for_a_hit())
+    }
+}

@@ -1,0 +1,152 @@
+//! A panel's moment, layers and options, resolved against what the answer has.
+//!
+//! What no answer to the scene's question could have is a problem of the scene. What this answer lacks, as
+//! the hit where it is a miss, is a note: a scene may be a template that every line of a log is put through.
+
+use crate::collision::{Answer, Outcome};
+use crate::drawing::Rect;
+use crate::geometry::DVec2;
+use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, When};
+use crate::typeset::{Style, typeset};
+
+use super::context::{Context, Moment};
+use super::fault::{Fault, Problem};
+use super::frame::Frame;
+use super::layer::{self, Fed, Layer, Options, Shows};
+use super::page::type_size;
+use super::panel::{LayerPlan, PanelPlan};
+use super::question::{is_of_a_moment, keeps_the_difference};
+use super::runs::Runs;
+use super::standing::standing;
+use super::text::set;
+
+/// Resolves the panels of a scene and keeps what is wrong with them.
+pub(super) struct Resolver<'r, 's> {
+    /// The scene whose panels they are.
+    pub(super) scene: &'s Scene,
+    /// The algorithm runs of the figure so far.
+    pub(super) runs: &'r Runs,
+    /// What keeps the figure from being drawn.
+    pub(super) problems: Vec<Problem>,
+    /// What the answer lacks, with its place in the scene.
+    pub(super) notes: Vec<Problem>,
+}
+
+/// A layer that can stand in its panel.
+enum Resolved<'s> {
+    /// It has something to draw.
+    Drawn(LayerPlan<'s>),
+    /// The answer has nothing for it.
+    Unfed(&'static Layer),
+}
+
+impl<'s> Resolver<'_, 's> {
+    /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
+    pub(super) fn panel(&mut self, source: &'s Panel) -> Option<PanelPlan<'s>> {
+        let moment = self.moment(source)?;
+        let (scene, runs) = (self.scene, self.runs);
+        let context = Context { scene, space: &source.space, time: moment.time, step: moment.step, runs };
+        let (mut layers, mut unwritten) = (Vec::new(), Vec::new());
+        for spec in &source.layers {
+            match self.layer(&context, spec) {
+                Some(Resolved::Drawn(layer)) => layers.push(layer),
+                Some(Resolved::Unfed(layer)) => unwritten.extend(layer.labels),
+                None => {}
+            }
+        }
+        let title = source.title.as_ref().and_then(|t| {
+            let size = type_size(scene.canvas.width, scene.canvas.height, 13.0);
+            set(t, &context, (&mut self.problems, &mut self.notes), |text| {
+                typeset(text, Style::semibold(size))
+            })
+        });
+        let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
+        Some(PanelPlan { source, moment, layers, unwritten, title, frame })
+    }
+
+    /// The panel's moment; `None`, with the reason told, where no answer can have it. A step of a sweep
+    /// without turning changes the estimate, not the difference: that is as it was.
+    fn moment(&mut self, panel: &Panel) -> Option<Moment> {
+        let (scene, runs) = (self.scene, self.runs);
+        let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
+        let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
+        let context = Context { scene, space: &panel.space, time: own, step: None, runs };
+        let found = context.moment(&when.value).or_else(|| self.other_moment(&context, when));
+        let still = keeps_the_difference(scene.query.kind) && panel.space == Space::Configuration;
+        found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
+    }
+
+    /// The moment that a panel shows where this answer lacks the one that it names: of a miss the end of the
+    /// motion, of an undecided one the last moment that is proved free, of a step after the last one that.
+    fn other_moment(&mut self, context: &Context, when: &Spanned<When>) -> Option<Moment> {
+        let steps = context.steps();
+        let answer = &context.run().answer;
+        let (fault, moment) = match (&when.value, answer, steps.last()) {
+            (&When::Step(asked), _, Some(&time)) => {
+                let step = steps.len();
+                (Fault::OtherStep { asked, last: step }, Moment { time, step: Some(step) })
+            }
+            (When::Hit, Answer::Impact(impact), _) => {
+                let (shown, time) = match impact.outcome {
+                    Outcome::Unresolved { free_until, .. } => ("the last moment proved free", free_until),
+                    _ => ("the end of the motion", 1.0),
+                };
+                (Fault::OtherMoment { shown, why: standing(answer) }, Moment { time, step: None })
+            }
+            (&When::Step(step), ..) => {
+                self.problems.push(Problem::new(Fault::NoSuchStep { step, took: 0 }, when.span.clone()));
+                return None;
+            }
+            _ => {
+                self.problems.push(Problem::new(Fault::NoHit, when.span.clone()));
+                return None;
+            }
+        };
+        self.notes.push(Problem::new(fault, when.span.clone()));
+        Some(moment)
+    }
+
+    /// A layer with its options; `None`, with the reasons told, where it can't be drawn in this panel.
+    fn layer(&mut self, context: &Context, spec: &'s LayerSpec) -> Option<Resolved<'s>> {
+        let span = &spec.name.span;
+        let Some(layer) = layer::find(&spec.name.value) else {
+            let known = layer::LAYERS.iter().map(|l| l.name.to_owned()).collect();
+            let fault = scene::Fault::UnknownWord { what: "layer", got: spec.name.value.clone(), known };
+            self.problems.push(Problem::new(fault.into(), span.clone()));
+            return None;
+        };
+        let options = match Options::read(layer.options, spec, context.scene) {
+            Ok(options) => options,
+            Err(more) => {
+                self.problems.extend(more.into_iter().map(Problem::from));
+                return None;
+            }
+        };
+        if let Some(shows) = other_space(layer, context.space) {
+            let fault = Fault::UnsuitedLayer { layer: layer.name, shows };
+            self.problems.push(Problem::new(fault, span.clone()));
+            return None;
+        }
+        let why = match (layer.fed)(context, &options) {
+            Fed::Yes => return Some(Resolved::Drawn(LayerPlan { layer, options, span })),
+            Fed::NotByThisAnswer => standing(&context.run().answer),
+            Fed::NotHere(why) => why,
+            Fed::Never => {
+                let fault = Fault::UnfedLayer { layer: layer.name, needs: layer.needs };
+                self.problems.push(Problem::new(fault, span.clone()));
+                return None;
+            }
+        };
+        self.notes.push(Problem::new(Fault::NothingToDraw { layer: layer.name, why }, span.clone()));
+        Some(Resolved::Unfed(layer))
+    }
+}
+
+/// The space that a layer shows, as "the world", where it is not the panel's.
+fn other_space(layer: &Layer, space: &Space) -> Option<&'static str> {
+    match (layer.shows, *space == Space::Configuration) {
+        (Shows::World, true) => Some("the world"),
+        (Shows::Configuration, false) => Some("configuration space"),
+        _ => None,
+    }
+}
