@@ -10,7 +10,7 @@ use super::Status;
 /// Where a command writes.
 pub(crate) struct Console {
     /// Standard output, for results.
-    pub(crate) out: BufWriter<Stdout>,
+    pub(crate) out: Results,
     /// Whether messages are coloured.
     ink: Ink,
     /// Whether standard error is a terminal.
@@ -25,7 +25,7 @@ impl Console {
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
         let ink = if on_terminal && !no_color && !dumb { Ink::Coloured } else { Ink::Plain };
-        Self { out: BufWriter::new(io::stdout()), ink, on_terminal }
+        Self { out: Results { out: BufWriter::new(io::stdout()), failed: None }, ink, on_terminal }
     }
 
     /// How messages are written.
@@ -61,7 +61,50 @@ impl Console {
     }
 
     /// Writes what is still buffered.
+    ///
+    /// # Errors
+    /// When not all results could be written, though somebody was there to read them.
     pub(crate) fn finish(&mut self) -> io::Result<()> {
-        self.out.flush()
+        self.out.flush()?;
+        match self.out.failed.take() {
+            // Whoever read has seen enough.
+            Some(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(error),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Standard output. From its first failure on, what is written is dropped: files and reports are still to be
+/// written, and the exit status is to tell of all the work. [`Console::finish`] tells of the failure.
+pub(crate) struct Results {
+    /// Where results go.
+    out: BufWriter<Stdout>,
+    /// Why nothing more goes there.
+    failed: Option<io::Error>,
+}
+
+impl Results {
+    /// Whether what is written is dropped.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.failed.is_some()
+    }
+
+    /// Writes or flushes, unless an earlier time failed.
+    fn attempt(&mut self, write: impl FnOnce(&mut BufWriter<Stdout>) -> io::Result<()>) {
+        if self.failed.is_none() {
+            self.failed = write(&mut self.out).err();
+        }
+    }
+}
+
+impl Write for Results {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.attempt(|out| out.write_all(bytes));
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.attempt(Write::flush);
+        Ok(())
     }
 }

@@ -1,7 +1,8 @@
 //! The command line: one command a file, each a row in [`COMMANDS`].
 //!
 //! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a
-//! check failed, 2 usage. A closed pipe ends a command quietly.
+//! check failed, 2 usage. A closed pipe costs a command nothing but its readers: what it had to do is done and
+//! its exit status is the same, only a stream of scenes is read no further.
 
 mod atomic_file;
 mod check;
@@ -11,6 +12,7 @@ mod describe;
 mod files;
 mod inputs;
 mod jobs;
+mod lines;
 mod list;
 mod man;
 mod orphans;
@@ -21,7 +23,7 @@ mod solve;
 mod timings;
 mod trace;
 
-use std::io;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 use clap::{ArgMatches, Args};
@@ -101,25 +103,39 @@ fn app() -> clap::Command {
 
 /// Runs the command line of this process.
 pub(crate) fn run() -> ExitCode {
-    let matches = app().get_matches();
+    let matches = match app().try_get_matches() {
+        Ok(matches) => matches,
+        Err(answer) => return print(&answer),
+    };
     let mut console = Console::new();
     tell_bugs_briefly();
     let Some((name, arguments)) = matches.subcommand() else { return ExitCode::from(2) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else {
         return ExitCode::from(2);
     };
-    let ended = (command.run)(arguments, &mut console).and_then(|status| console.finish().map(|()| status));
-    match ended {
+    let ended = (command.run)(arguments, &mut console);
+    match console.finish().and(ended) {
         Ok(Status::Done) => ExitCode::SUCCESS,
         Ok(Status::Wrong) => ExitCode::from(1),
         Ok(Status::Usage) => ExitCode::from(2),
-        // Whoever reads has seen enough.
-        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-        Err(error) => {
-            console.error(&format!("can't write to standard output: {error}"));
-            ExitCode::from(1)
-        }
+        Err(error) => cant_print(&error),
     }
+}
+
+/// Prints what the parser has to say instead of running a command: help and version on standard output, what
+/// is wrong with the arguments on standard error.
+fn print(answer: &clap::Error) -> ExitCode {
+    let printed = answer.print().and_then(|()| io::stdout().flush());
+    match printed {
+        Err(error) if !answer.use_stderr() && error.kind() != io::ErrorKind::BrokenPipe => cant_print(&error),
+        _ => ExitCode::from(u8::try_from(answer.exit_code()).unwrap_or(2)),
+    }
+}
+
+/// Says that standard output failed.
+fn cant_print(error: &io::Error) -> ExitCode {
+    Console::new().error(&format!("can't write to standard output: {error}"));
+    ExitCode::from(1)
 }
 
 /// A panic is a bug of ours: one line that says so, and no backtrace unless `RUST_BACKTRACE` asks for it.

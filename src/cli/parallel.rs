@@ -8,7 +8,8 @@ use std::sync::mpsc;
 use std::thread;
 
 /// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the
-/// items. A result is `None` where the work panicked: a bug, of which the others must not suffer.
+/// items. A result is `None` where the work panicked: a bug, of which the others must not suffer. Where the
+/// system gives fewer threads, those do it; where it gives none, and for one, this thread does.
 ///
 /// # Errors
 /// The first error of `each`; the rest of the results are then dropped.
@@ -19,21 +20,28 @@ pub(crate) fn in_order<T: Sync, R: Send, E>(
     mut each: impl FnMut(&T, Option<R>) -> Result<(), E>,
 ) -> Result<(), E> {
     let next = AtomicUsize::new(0);
-    let workers = threads.get().min(items.len());
+    let work = |item: &T| catch_unwind(AssertUnwindSafe(|| work(item))).ok();
     let (results, arrived) = mpsc::channel();
     thread::scope(|scope| {
-        for _ in 0..workers {
+        let mut workers = 0;
+        while threads.get() > 1 && workers < threads.get().min(items.len()) {
             let (results, next, work) = (results.clone(), &next, &work);
-            scope.spawn(move || {
+            let worker = move || {
                 while let Some((i, item)) = take(items, next) {
-                    let result = catch_unwind(AssertUnwindSafe(|| work(item))).ok();
-                    if results.send((i, result)).is_err() {
+                    if results.send((i, work(item))).is_err() {
                         return;
                     }
                 }
-            });
+            };
+            if thread::Builder::new().spawn_scoped(scope, worker).is_err() {
+                break;
+            }
+            workers += 1;
         }
         drop(results);
+        if workers == 0 {
+            return items.iter().try_for_each(|item| each(item, work(item)));
+        }
         let mut early = BTreeMap::new();
         let mut wanted = 0;
         for (i, result) in &arrived {

@@ -1,14 +1,16 @@
 //! `tracefig solve`: the answer alone.
 
-use std::io::{self, BufRead, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{SceneFile, answer_json, answer_text, refuse_jsonl_line, solve, solve_jsonl_line};
+use tracefig::scene::{
+    SceneFile, answer_json, answer_text, refuse_jsonl_line, refuse_long_jsonl_line, solve, solve_jsonl_line,
+};
 
 use super::console::Console;
 use super::inputs::inputs;
+use super::lines::{Line, Lines};
 use super::{Runs, Status};
 
 /// Options of `solve`.
@@ -67,31 +69,28 @@ fn text(name: &str, file: &SceneFile) -> String {
 }
 
 /// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits
-/// gets its answer before writing the next.
+/// gets its answer before writing the next. Where nobody reads the answers any more, no more lines are read.
 fn stream(input: impl Read, console: &mut Console) -> io::Result<Status> {
-    let mut input = io::BufReader::with_capacity(1 << 16, input);
+    let mut lines = Lines::new(input);
     let mut status = Status::Done;
-    let mut bytes = Vec::new();
-    for line in 1.. {
-        bytes.clear();
-        // One more than a scene may have, so that a longer line is known to be one and its rest is never
-        // kept.
-        if (&mut input).take(MAX_FILE_BYTES as u64 + 2).read_until(b'\n', &mut bytes)? == 0 {
-            break;
-        }
-        if bytes.len() > MAX_FILE_BYTES && bytes.last() != Some(&b'\n') {
-            input.skip_until(b'\n')?;
-        }
-        let reply = match std::str::from_utf8(&bytes) {
-            Ok(text) => solve_jsonl_line(text, line),
-            Err(_) => refuse_jsonl_line(line),
+    while !console.out.is_closed() {
+        let reply = match lines.next() {
+            Ok(Some((number, Line::Text(text)))) => solve_jsonl_line(text, number),
+            Ok(Some((number, Line::NotUtf8))) => refuse_jsonl_line(number),
+            Ok(Some((number, Line::TooLong(bytes)))) => refuse_long_jsonl_line(number, bytes),
+            Ok(None) => break,
+            Err(error) => {
+                console.out.flush()?;
+                console.error(&format!("can't read standard input: {error}"));
+                return Ok(Status::Wrong);
+            }
         };
         if !reply.solved {
             status = Status::Wrong;
         }
         console.out.write_all(reply.line.as_bytes())?;
         console.out.write_all(b"\n")?;
-        if input.buffer().is_empty() {
+        if !lines.has_next() {
             console.out.flush()?;
         }
     }

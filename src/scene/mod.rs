@@ -35,7 +35,7 @@ pub use problem::{Explain, Fault, Problem};
 pub use read::read;
 pub use schema::schema;
 pub use source::{Place, Source, Syntax};
-pub use stream::{Reply, refuse_jsonl_line, solve, solve_jsonl_line};
+pub use stream::{Reply, refuse_jsonl_line, refuse_long_jsonl_line, solve, solve_jsonl_line};
 
 use crate::collision::{Algorithm, Query, QueryKind};
 use crate::geometry::{Body, Names};

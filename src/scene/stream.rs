@@ -46,10 +46,11 @@ pub fn solve(scene: &Scene) -> Answer {
 #[must_use]
 pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
     let source = Source::json_line("<stdin>", text.trim_end_matches(['\r', '\n']), line);
-    let mut id = "null";
-    let answered = too_long(&source).and_then(|()| source.tree()).and_then(|root: Node| {
-        if let Some(span) = read::id_span(&root) {
-            id = source.text.get(span).unwrap_or("null");
+    let mut id = "null".to_owned();
+    let answered = held(&source).and_then(|()| source.tree()).and_then(|root: Node| {
+        if let Some(text) = read::id_span(&root).and_then(|span| source.text.get(span)) {
+            // Between the parts of a list or an object, either is a blank, and would end our line.
+            id = text.replace(['\r', '\n'], " ");
         }
         read::from_tree(&root)
     });
@@ -58,12 +59,12 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
         Ok(scene) => match catch_unwind(AssertUnwindSafe(|| answer_json(scene.query.kind, &solve(&scene)))) {
             Ok(result) => Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true },
             Err(_) => refuse(
-                id,
+                &id,
                 line,
                 &json!({ "code": codes::INTERNAL.code, "message": "a bug of tracefig; please report it" }),
             ),
         },
-        Err(problems) => refuse(id, line, &error_json(&problems, &source)),
+        Err(problems) => refuse(&id, line, &error_json(&problems, &source)),
     }
 }
 
@@ -78,17 +79,31 @@ pub fn refuse_jsonl_line(line: usize) -> Reply {
     refuse("null", line, &json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() }))
 }
 
+/// The reply to a line of more than [`MAX_FILE_BYTES`], `bytes` of them, which need not be kept to be refused;
+/// `line` counts from 1.
+///
+/// ```
+/// let reply = tracefig::scene::refuse_long_jsonl_line(3, 5_000_000);
+/// assert!(reply.line.starts_with(r#"{"id":null,"line":3,"error":{"code":"over-limit""#));
+/// assert!(reply.line.ends_with("at most 4194304 bytes, got 5000000\"}}"));
+/// ```
+#[must_use]
+pub fn refuse_long_jsonl_line(line: usize, bytes: usize) -> Reply {
+    let fault = too_long(bytes);
+    refuse("null", line, &json!({ "code": fault.code(), "message": fault.to_string() }))
+}
+
 fn refuse(id: &str, line: usize, error: &Value) -> Reply {
     Reply { line: format!("{{\"id\":{id},\"line\":{line},\"error\":{error}}}"), solved: false }
 }
 
-fn too_long(source: &Source) -> Result<(), Vec<Problem>> {
+fn held(source: &Source) -> Result<(), Vec<Problem>> {
     let got = source.text.len();
-    if got <= MAX_FILE_BYTES {
-        return Ok(());
-    }
-    let fault = Fault::OverLimit { what: "the line".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got };
-    Err(vec![Problem::new(fault, 0..0)])
+    if got <= MAX_FILE_BYTES { Ok(()) } else { Err(vec![Problem::new(too_long(got), 0..0)]) }
+}
+
+fn too_long(got: usize) -> Fault {
+    Fault::OverLimit { what: "the line".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got }
 }
 
 /// The first problem, with the JSON pointer to it; how many more there are.

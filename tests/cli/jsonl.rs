@@ -1,5 +1,10 @@
 //! `solve --jsonl`, field by field.
 
+use std::process::Stdio;
+use std::sync::mpsc;
+use std::thread;
+use std::time::Duration;
+
 use serde_json::{Value, json};
 
 use crate::{TRACEFIG, run, run_on, tracefig};
@@ -164,6 +169,55 @@ fn an_answer_comes_before_the_next_line_is_written() {
     }
     drop(input);
     assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn an_answer_does_not_wait_for_the_rest_of_the_next_line() {
+    use std::io::{BufRead, BufReader, Write};
+    let mut child = tracefig(".".as_ref())
+        .args(["solve", "--jsonl"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let (mut input, output) = (child.stdin.take().unwrap(), child.stdout.take().unwrap());
+    let (sender, answers) = mpsc::channel();
+    thread::spawn(move || BufReader::new(output).lines().try_for_each(|line| sender.send(line.unwrap())));
+    let line = pair("overlap", r#""position": [3, 0]"#);
+    let (begin, end) = line.split_at(20);
+    write!(input, "{line}\n{begin}").unwrap();
+    let first = answers.recv_timeout(Duration::from_secs(60));
+    assert!(first.is_ok_and(|answer| answer.contains("\"overlap\":false")), "the answer was held back");
+    writeln!(input, "{end}").unwrap();
+    drop(input);
+    assert!(answers.recv().unwrap().contains("\"overlap\":false"));
+    assert!(child.wait().unwrap().success());
+}
+
+#[test]
+fn a_line_that_is_too_long_is_told_with_its_length_and_the_run_goes_on() {
+    let long = format!("{{\"title\": \"{}\"}}", "é".repeat(2_500_000));
+    let (got, code) = answers(&format!("{long}\n{}", pair("overlap", r#""position": [3, 0]"#)));
+    assert_eq!((got.len(), code), (2, Some(1)));
+    let message = "the line: expected at most 4194304 bytes, got 5000013";
+    assert_eq!(got[0]["error"], json!({"code": "over-limit", "message": message}));
+    assert_eq!(got[1]["result"]["overlap"], false);
+}
+
+#[test]
+fn a_byte_order_mark_may_stand_before_the_first_line() {
+    let line = pair("overlap", r#""position": [3, 0]"#);
+    let (got, code) = answers(&format!("\u{feff}{line}\n\u{feff}{line}\n"));
+    assert_eq!((&got[0]["result"]["overlap"], code), (&json!(false), Some(1)));
+    assert_eq!(got[1]["error"]["code"], "syntax");
+}
+
+#[test]
+fn an_id_does_not_break_the_line_of_its_answer() {
+    let scene = pair("overlap", r#""position": [3, 0]"#).replace(r#""x""#, "[1,\r\r{\"a\":\r2}]");
+    let ran = run_on(tracefig(".".as_ref()).args(["solve", "--jsonl"]), scene);
+    assert!(ran.out.starts_with("{\"id\":[1,  {\"a\": 2}],\"result\""), "{:?}", ran.out);
+    assert_eq!(ran.out.matches(['\r', '\n']).count(), 1);
 }
 
 #[test]

@@ -1,7 +1,9 @@
 //! Standard input, output and error: what goes where, in which colour, and what a closed pipe does.
 
+use std::path::Path;
 use std::process::{Command, Stdio};
 
+use crate::render::{drawn, names};
 use crate::{CIRCLES, TRACEFIG, folder_with, run, run_on, tracefig};
 
 #[test]
@@ -100,20 +102,90 @@ fn a_closed_pipe_is_quiet() {
     }
 }
 
+/// Runs with nobody at the other end of standard output; the exit status.
+#[cfg(unix)]
+fn unread(folder: &Path, arguments: &[&str]) -> Option<i32> {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let command = &mut tracefig(folder);
+    command.args(arguments).stdout(writer).stderr(Stdio::null()).status().unwrap().code()
+}
+
+#[cfg(unix)]
+#[test]
+fn work_goes_on_though_nobody_reads_and_the_exit_status_tells_of_all() {
+    let folder = tempfile::tempdir().unwrap();
+    for i in 0..40 {
+        std::fs::write(folder.path().join(format!("s{i:02}.toml")), drawn()).unwrap();
+    }
+    let there = || names(folder.path()).iter().filter(|name| name.ends_with(".svg")).count();
+    assert_eq!(unread(folder.path(), &["render", ".", "--format", "svg", "--threads", "1"]), Some(0));
+    assert_eq!(there(), 40);
+    std::fs::remove_file(folder.path().join("s39.svg")).unwrap();
+    let check = ["check", ".", "--format", "svg", "--junit", "junit.xml", "--summary", "summary.md"];
+    assert_eq!(unread(folder.path(), &check), Some(1));
+    let junit = std::fs::read_to_string(folder.path().join("junit.xml")).unwrap();
+    assert!(junit.contains("tests=\"40\" failures=\"1\""), "{junit}");
+    assert!(folder.path().join("summary.md").exists());
+    std::fs::write(folder.path().join("s39.toml"), "title = 1").unwrap();
+    assert_eq!(unread(folder.path(), &["solve", "."]), Some(1));
+    assert_eq!(unread(folder.path(), &["render", ".", "--format", "svg"]), Some(1));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_stream_whose_answers_nobody_reads_ends() {
+    let script = "yes '{}' | (\"$0\" solve --jsonl; echo $? >&2) | head -1";
+    let ran = run(Command::new("sh").args(["-c", script]).arg(TRACEFIG));
+    assert_eq!((ran.out.lines().count(), ran.err.as_str()), (1, "1\n"));
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_told() {
-    let folder = folder_with("s.toml", CIRCLES);
-    let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-    let output = Command::new(TRACEFIG)
-        .args(["solve", "s.toml"])
-        .current_dir(folder.path())
-        .stdout(full)
-        .output()
-        .unwrap();
-    assert_eq!(output.status.code(), Some(1));
-    let err = String::from_utf8_lossy(&output.stderr);
-    assert!(err.starts_with("error: can't write to standard output: No space left"), "{err}");
+    let folder = folder_with("s.toml", &drawn());
+    let render = ["render", "s.toml", "--format", "svg"];
+    for arguments in [&["solve", "s.toml"][..], &["--help"], &["solve", "--help"], &["--version"], &render] {
+        let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = tracefig(folder.path()).args(arguments).stdout(full).output().unwrap();
+        let err = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            err.starts_with("error: can't write to standard output: No space left"),
+            "{arguments:?}: {err}"
+        );
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+    }
+    assert!(folder.path().join("s.svg").exists());
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_stream_that_can_not_be_read_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let unreadable = std::fs::File::open(folder.path()).unwrap();
+    let ran = run(tracefig(folder.path()).args(["solve", "--jsonl"]).stdin(unreadable));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.starts_with("error: can't read standard input: Is a directory"), "{}", ran.err);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn where_there_are_no_threads_there_are_fewer() {
+    let folder = tempfile::tempdir().unwrap();
+    for i in 0..6 {
+        std::fs::write(folder.path().join(format!("s{i}.toml")), drawn()).unwrap();
+    }
+    // There is less address space than a stack is to have, so no thread can be made.
+    let limited = |threads: &str| {
+        let script = format!(
+            "ulimit -v 1000000; export RUST_MIN_STACK=2000000000; exec \"$0\" render . --format svg --threads {threads}"
+        );
+        run(Command::new("sh").args(["-c", &script]).arg(TRACEFIG).current_dir(folder.path()))
+    };
+    for threads in ["1", "2", "500"] {
+        let ran = limited(threads);
+        assert_eq!((ran.code, ran.err.as_str(), ran.out.lines().count()), (Some(0), "", 6), "{threads}");
+    }
 }
 
 #[test]
