@@ -1,8 +1,8 @@
 //! The command line: one command a file, each a row in [`COMMANDS`].
 //!
 //! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a
-//! check failed, 2 usage. A closed pipe costs a command nothing but its readers: what it had to do is done and
-//! its exit status is the same, only a stream of scenes is read no further.
+//! check failed, 2 usage. A closed pipe costs a command nothing but its readers: what it had to do is done
+//! and its exit status is the same, only a stream of scenes is read no further.
 
 mod atomic_file;
 mod check;

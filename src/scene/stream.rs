@@ -79,8 +79,8 @@ pub fn refuse_jsonl_line(line: usize) -> Reply {
     refuse("null", line, &json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() }))
 }
 
-/// The reply to a line of more than [`MAX_FILE_BYTES`], `bytes` of them, which need not be kept to be refused;
-/// `line` counts from 1.
+/// The reply to a line of more than [`MAX_FILE_BYTES`], `bytes` of them, which need not be kept to be
+/// refused; `line` counts from 1.
 ///
 /// ```
 /// let reply = tracefig::scene::refuse_long_jsonl_line(3, 5_000_000);
