@@ -274,6 +274,9 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
             None,
         ),
     ];
+    for degrees in ["1e10", "1e22"] {
+        all.push(("turning without end", turning_without_end(degrees), None));
+    }
     // Ten thousand turns a second take more steps of advancement than a trace may have.
     for (degrees, steps) in [("36000", None), ("3.6e7", Some("over-limit")), ("1e300", None)] {
         all.push(("spinning, swept axis", spin("swept-axis", degrees, "end"), None));
@@ -289,6 +292,17 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
         all.push(("seen in print", near("print", view), fate));
     }
     all
+}
+
+/// Bodies in reach of each other, one of which turns so often that each axis lasts for next to nothing.
+fn turning_without_end(degrees: &str) -> String {
+    format!(
+        "[shapes.A]\nkind='polygon'\nvertices=[[0,-3],[1,0],[0,1.5],[-1,0]]\nposition=[-7,-1]\nvelocity=[10,6]\n\
+        angular_velocity_deg=180\n[shapes.B]\nkind='polygon'\nvertices=[[-2,-1.5],[1.5,-2],[2.5,0],[2,1.5],[-2,1.5]]\n\
+        position=[7.5,-1.5]\nvelocity=[-10,6]\nangular_velocity_deg={degrees}\n[query]\nkind='time-of-impact'\n\
+        of=['A','B']\nmax_iterations=100000\n{}",
+        world("'shapes'")
+    )
 }
 
 /// Scenes that ask much of the search for places of labels, and of arcs.

@@ -21,6 +21,8 @@ pub(crate) struct Followed {
     pub(crate) gap: f64,
     /// Its rate of change there.
     pub(crate) slope: f64,
+    /// What it took, in vertices looked at in doubles.
+    pub(crate) work: usize,
 }
 
 /// An axis is used up, in doubles, when its gap is below this many roundings. Half costs 0.3 % more gaps,
@@ -37,15 +39,23 @@ const EXHAUSTED: f64 = 1.0 / 64.0;
 const EVALUATIONS: usize = 4096;
 
 impl Axis {
-    /// Follows the gap from `start` until the axis is used up, or to the end of the motion.
-    pub(crate) fn follow(&self, pair: &MovingPair, start: f64, precision: Precision) -> Followed {
+    /// Follows the gap from `start` until the axis or the work that may be done is used up, or to the end of
+    /// the motion.
+    pub(crate) fn follow(
+        &self,
+        pair: &MovingPair,
+        start: f64,
+        precision: Precision,
+        most_work: usize,
+    ) -> Followed {
         let mut t = start;
-        let mut followed = Followed { axis: *self, until: start, at: start, gap: 0.0, slope: 0.0 };
+        let mut followed = Followed { axis: *self, until: start, at: start, gap: 0.0, slope: 0.0, work: 0 };
         let mut lowest = self.facing;
         let exhausted = if precision == Precision::Balls { EXHAUSTED } else { 0.0 };
         for _ in 0..EVALUATIONS {
             let gap = self.gap(pair, t, precision, &mut lowest);
-            followed = Followed { until: t, at: t, gap: gap.least, slope: gap.slope, ..followed };
+            let work = followed.work + gap.work;
+            followed = Followed { axis: *self, until: t, at: t, gap: gap.least, slope: gap.slope, work };
             if t >= 1.0 || gap.least <= exhausted * pair.rounding {
                 break;
             }
@@ -57,7 +67,8 @@ impl Axis {
             }
             t = next;
             followed.until = t;
-            if t < 1.0 && precision == Precision::Doubles && gap.least < USED_UP * pair.rounding {
+            let used_up = precision == Precision::Doubles && gap.least < USED_UP * pair.rounding;
+            if t < 1.0 && (used_up || work >= most_work) {
                 break;
             }
         }

@@ -60,6 +60,13 @@ pub(crate) enum Ended {
     },
 }
 
+impl Ended {
+    /// At a limit of the search: free until a moment, and no more is known.
+    fn at_limit(free_until: f64) -> Self {
+        Self::Decided(Outcome::Unresolved { reason: Reason::IterationLimit, free_until })
+    }
+}
+
 /// How closing in on a contact ended.
 enum Closed {
     /// The search is over.
@@ -76,6 +83,8 @@ pub(crate) struct Search<'p, 'q, F> {
     limits: Limits,
     /// Distance queries made.
     queries: usize,
+    /// Vertices looked at along axes.
+    work: usize,
     /// Takes what is proved.
     report: F,
 }
@@ -83,7 +92,7 @@ pub(crate) struct Search<'p, 'q, F> {
 impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
     /// A search that counts on from `queries` made before it.
     pub(crate) fn new(pair: &'p MovingPair<'q>, limits: Limits, queries: usize, report: F) -> Self {
-        Self { pair, limits, queries, report }
+        Self { pair, limits, queries, work: 0, report }
     }
 
     /// The end of the search, and the distance queries made.
@@ -110,9 +119,8 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
             }
             let stuck = until <= t;
             t = until;
-            if self.queries >= self.limits.max_queries {
-                let reason = Reason::IterationLimit;
-                return Ended::Decided(Outcome::Unresolved { reason, free_until: t });
+            if self.queries >= self.limits.max_queries || self.is_spent() {
+                return Ended::at_limit(t);
             }
             let gap;
             (near, gap) = self.closest(t);
@@ -143,8 +151,16 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
         self.reported(longest, t)
     }
 
-    fn follow(&self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<Followed> {
-        axis.map(|axis| axis.follow(self.pair, t, precision))
+    fn follow(&mut self, axis: Option<Axis>, t: f64, precision: Precision) -> Option<Followed> {
+        let left = self.limits.work().saturating_sub(self.work);
+        let followed = axis?.follow(self.pair, t, precision, left);
+        self.work += followed.work;
+        Some(followed)
+    }
+
+    /// Whether the search has done all the work along axes that it may.
+    fn is_spent(&self) -> bool {
+        self.work >= self.limits.work()
     }
 
     /// A followed axis, once what it proved from `t` on is reported.
@@ -198,6 +214,9 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
             }
             if stuck {
                 return Closed::Ended(Ended::Grazing { free_until: t, near });
+            }
+            if self.is_spent() {
+                return Closed::Ended(Ended::at_limit(t));
             }
             let gap;
             (near, gap) = self.closest(t);
@@ -258,5 +277,32 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
             if before.touches_by(middle) { good = middle } else { bad = middle }
         }
         good
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::tests::bodies::{moving, placed, polygon};
+
+    #[test]
+    fn turns_without_end_spend_what_the_limit_allows_and_no_more() {
+        let a = placed(polygon(&[[0., -3.], [1., 0.], [0., 1.5], [-1., 0.]], 0.0), -7.0, -1.0, 0.0);
+        let b = [[-2., -1.5], [1.5, -2.], [2.5, 0.], [2., 1.5], [-2., 1.5]];
+        let b = placed(polygon(&b, 0.0), 7.5, -1.5, 0.0);
+        let (a, b) = (moving(a, [10.0, 6.0], 180.0), moving(b, [-10.0, 6.0], 1e10));
+        let pair = MovingPair::new(&a, &b);
+        for max_queries in [1_000, 2_000] {
+            let limits = Limits { tolerance: 1e-12, max_queries };
+            let mut search = Search::new(&pair, limits, 0, |_| ());
+            let ended = search.step_by_step();
+            let Ended::Decided(Outcome::Unresolved { reason, free_until }) = ended else {
+                panic!("decided, or a graze")
+            };
+            assert_eq!(reason, Reason::IterationLimit);
+            assert!(free_until > 0.4 && free_until < 0.5, "{free_until}");
+            let most = limits.work();
+            assert!(search.work >= most && search.work < most + most / 10, "{} of {most}", search.work);
+        }
     }
 }
