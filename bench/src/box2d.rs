@@ -28,7 +28,7 @@ fn vector(v: tracefig::geometry::DVec2) -> Vec2 {
 
 #[expect(clippy::cast_possible_truncation, reason = "the library computes in f32")]
 fn transform(body: &Body) -> Transform {
-    Transform { p: vector(body.position), q: make_rot(body.angle.0.to_radians() as f32) }
+    Transform { p: vector(body.position), q: make_rot(body.angle.radians() as f32) }
 }
 
 fn points(body: &Body) -> Vec<Vec2> {
@@ -46,8 +46,8 @@ fn sweep(body: &Body) -> Sweep {
         local_center: Vec2 { x: 0.0, y: 0.0 },
         c1: vector(body.position),
         c2: vector(body.position + body.velocity),
-        q1: make_rot(body.angle.0.to_radians() as f32),
-        q2: make_rot((body.angle.0 + body.spin.0).to_radians() as f32),
+        q1: make_rot(body.angle.radians() as f32),
+        q2: make_rot((body.angle.degrees() + body.spin.degrees()).to_radians() as f32),
     }
 }
 
@@ -125,7 +125,7 @@ impl Contender for Box2d {
                 })
             }
             // Its sweep interpolates between two rotations, so it can't say more than half a turn.
-            QueryKind::TimeOfImpact if case.a.spin.0.abs().max(case.b.spin.0.abs()) <= 180.0 => {
+            QueryKind::TimeOfImpact if case.a.spin.degrees().abs().max(case.b.spin.degrees().abs()) <= 180.0 => {
                 let ready = (sweep(&case.a), sweep(&case.b));
                 Box::new(move || {
                     let (sa, sb) = if scratch { (sweep(&case.a), sweep(&case.b)) } else { ready };

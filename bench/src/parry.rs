@@ -23,11 +23,11 @@ fn polygon(body: &Body) -> Option<ConvexPolygon> {
 }
 
 fn pose(body: &Body) -> Pose {
-    Pose::new(vector(body.position), body.angle.0.to_radians())
+    Pose::new(vector(body.position), body.angle.radians())
 }
 
 fn motion(body: &Body) -> NonlinearRigidMotion {
-    NonlinearRigidMotion::new(pose(body), Vector::ZERO, vector(body.velocity), body.spin.0.to_radians())
+    NonlinearRigidMotion::new(pose(body), Vector::ZERO, vector(body.velocity), body.spin.radians())
 }
 
 impl Contender for Parry {

@@ -5,7 +5,7 @@ use std::hint::black_box;
 
 use tracefig::collision::{ALGORITHMS, Algorithm, Query, QueryKind};
 use tracefig::geometry::shape::FieldValue;
-use tracefig::geometry::{Body, DVec2, Degrees, Shape};
+use tracefig::geometry::{Body, DVec2, Angle, Shape};
 use tracefig::trace::NoTrace;
 
 fn main() {
@@ -69,5 +69,5 @@ fn shape(kind: &str, fields: &[(&str, FieldValue)]) -> Shape {
 
 fn body(shape: &Shape, position: DVec2, angle: f64) -> Body {
     let velocity = if position == DVec2::ZERO { DVec2::new(6.0, 0.5) } else { DVec2::ZERO };
-    Body { shape: shape.clone(), position, angle: Degrees(angle), velocity, spin: Degrees(0.0) }
+    Body { shape: shape.clone(), position, angle: Angle::Degrees(angle), velocity, spin: Angle::Degrees(0.0) }
 }

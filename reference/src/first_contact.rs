@@ -16,8 +16,8 @@
 //! No step of the solver's is used: neither its times nor its axes.
 
 use crate::float::Real;
-use crate::placement::{Placed, Point, convex_core, radians};
-use crate::scene::Body;
+use crate::placement::{Placed, Point, convex_core};
+use crate::scene::{Angle, Body};
 use crate::separation::{Exact, separation};
 
 /// Two bodies in motion.
@@ -76,12 +76,16 @@ impl Motion {
     pub fn of(bodies: &[Body]) -> Self {
         let each = [0, 1].map(|i| {
             let body = bodies[i].clone();
-            if body.vertices == [[0.0, 0.0]] { Body { angle: 0.0, spin: 0.0, ..body } } else { body }
+            if body.vertices == [[0.0, 0.0]] {
+                Body { angle: Angle::default(), spin: Angle::default(), ..body }
+            } else {
+                body
+            }
         });
         let cores = each.each_ref().map(|body| convex_core(&body.vertices));
-        let reach = |i: usize| cores[i].iter().map(|k| Point::of(each[i].vertices[*k]).length()).collect();
+        let reach = |i: usize| cores[i].iter().map(|k| each[i].vertex(*k).length()).collect();
         Self {
-            spins: each.each_ref().map(|body| radians(Real::from(body.spin))),
+            spins: each.each_ref().map(|body| body.spin.in_radians()),
             velocities: each.each_ref().map(|body| Point::of(body.velocity)),
             reaches: [reach(0), reach(1)],
             radii: Real::from(each[0].radius) + Real::from(each[1].radius),

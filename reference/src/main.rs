@@ -1,4 +1,4 @@
-//! `generate [separation|impact] N SEED` prints cases; `check CASES ANSWERS` holds answers against them.
+//! `generate [separation|impact|logged|logged-impact] N SEED` prints cases; `check CASES ANSWERS` holds answers against them.
 //!
 //! ```text
 //! cargo run -p tracefig-reference -- generate separation 1000 1 > cases.jsonl
@@ -12,7 +12,7 @@ use std::process::ExitCode;
 use tracefig_reference::generate::Family;
 use tracefig_reference::tally::Tally;
 
-const USAGE: &str = "usage: tracefig-reference generate [separation|impact] N SEED\n       tracefig-reference check CASES.jsonl ANSWERS.jsonl";
+const USAGE: &str = "usage: tracefig-reference generate [separation|impact|logged|logged-impact] N SEED\n       tracefig-reference check CASES.jsonl ANSWERS.jsonl";
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -21,6 +21,8 @@ fn main() -> ExitCode {
         ["generate", count, seed] => generate(&[Family::Separation, Family::Impact], count, seed),
         ["generate", "separation", count, seed] => generate(&[Family::Separation], count, seed),
         ["generate", "impact", count, seed] => generate(&[Family::Impact], count, seed),
+        ["generate", "logged", count, seed] => generate(&[Family::Logged], count, seed),
+        ["generate", "logged-impact", count, seed] => generate(&[Family::LoggedImpact], count, seed),
         ["check", cases, answers] => check(cases, answers),
         _ => Err(USAGE.to_owned()),
     };

@@ -1,6 +1,6 @@
 //! Where a body is at a moment: every vertex to 300 bits.
 //!
-//! Degrees are exact: a = angle + spin · t is reduced by the nearest multiple of 90 without rounding, and
+//! A vertex is multiplied by its body's matrix first, whose numbers are exact. Degrees are exact: a = angle + spin · t is reduced by the nearest multiple of 90 without rounding, and
 //! only the rest,
 //! |r| ≤ 45, meets π/180. So multiples of 90° are exact; so are cos 60° and sin 30°.
 
@@ -118,6 +118,12 @@ impl Rotation {
     }
 }
 
+/// Degrees of radians; nothing is lost of 0.
+#[must_use]
+pub fn degrees_of(radians: Real) -> Real {
+    if radians.is_zero() { Real::ZERO } else { (radians * Real::from(180.0)).over(Real::pi()) }
+}
+
 /// Radians of degrees.
 #[must_use]
 pub fn radians(degrees: Real) -> Real {
@@ -159,33 +165,52 @@ pub struct Placed {
     pub radius: Real,
     /// World place of the body's origin.
     pub origin: Point,
-    /// How the body is turned.
+    /// How the body is turned, besides the matrix that its vertices are multiplied by.
     pub rotation: Rotation,
+    /// Whether the body is the hull of its vertices, and its edges those of the core.
+    pub hull: bool,
 }
 
 impl Placed {
     /// A body at time `t`; `core` is [`convex_core`] of it, which does not change with time.
     #[must_use]
     pub fn at(body: &Body, core: &[usize], t: Real) -> Self {
-        let rotation = Rotation::of_degrees(Real::from(body.angle) + Real::from(body.spin) * t);
+        let sum = |angle: f64, spin: f64| Real::from(angle) + Real::from(spin) * t;
+        let (degrees, radians) =
+            (sum(body.angle.degrees, body.spin.degrees), sum(body.angle.radians, body.spin.radians));
+        let rotation = Rotation::of_degrees(degrees + degrees_of(radians));
         let origin = Point::of(body.position).plus(Point::of(body.velocity).times(t));
-        let place = |vertex: &[f64; 2]| origin.plus(Point::of(*vertex).turned(rotation));
         Self {
-            vertices: body.vertices.iter().map(place).collect(),
+            vertices: body.multiplied().map(|vertex| origin.plus(vertex.turned(rotation))).collect(),
             core: core.to_vec(),
             ring: body.ring,
             radius: Real::from(body.radius),
             origin,
             rotation,
+            hull: body.hull,
         }
     }
 
-    /// Indices of the two ends of edge `i` of the file.
+    /// Indices of the two ends of edge `i` of the file: of a hull, from vertex `i` to the next vertex of the
+    /// hull.
     #[must_use]
     pub fn edge(&self, i: usize) -> Option<[usize; 2]> {
+        if self.hull {
+            let count = self.core.len();
+            let k = self.core.iter().position(|&vertex| vertex == i)?;
+            let next = if self.runs_clockwise() { k + count - 1 } else { k + 1 };
+            return Some([i, self.core[next % count]]);
+        }
         let n = self.vertices.len();
         let edges = if self.ring { n } else { n - 1 };
         (i < edges).then(|| [i, (i + 1) % n])
+    }
+
+    /// Whether the file has the core's vertices in clockwise order, from any one of them on.
+    fn runs_clockwise(&self) -> bool {
+        let count = self.core.len();
+        let rises = (0..count).filter(|&k| self.core[k] < self.core[(k + 1) % count]).count();
+        count > 2 && rises == 1
     }
 
     /// The core's vertices.

@@ -1,7 +1,9 @@
 //! A scene as a line of JSON: its bodies as *core polygon + radius*, in the doubles of the file, and its
 //! question.
 
+use crate::float::Real;
 use crate::json::Json;
+use crate::placement::{Point, Rotation, radians};
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,23 +40,45 @@ impl Kind {
     }
 }
 
-/// A body: world units, degrees, t in [0, 1].
+/// An angle as it is written: so many degrees and so many radians, exactly, of which a scene gives one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Angle {
+    /// Degrees.
+    pub degrees: f64,
+    /// Radians.
+    pub radians: f64,
+}
+
+impl Angle {
+    /// As radians.
+    #[must_use]
+    pub fn in_radians(self) -> Real {
+        radians(Real::from(self.degrees)) + Real::from(self.radians)
+    }
+}
+
+/// A body: world units, t in [0, 1].
 #[derive(Clone, Debug)]
 pub struct Body {
     /// Vertices in the file's order, in the body's frame; features are numbered by it.
     pub vertices: Vec<[f64; 2]>,
     /// Whether the vertices close to a ring (a capsule's and a circle's do not).
     pub ring: bool,
+    /// Whether the body is the convex hull of the vertices, whatever their order.
+    pub hull: bool,
+    /// The matrix ((c, −s), (s, c)) that the vertices are multiplied by before they are turned; its numbers
+    /// are used as written.
+    pub matrix: [f64; 2],
     /// Radius of the disc that sweeps the core.
     pub radius: f64,
     /// World place of the body's origin at t = 0.
     pub position: [f64; 2],
-    /// Turn from the file's frame at t = 0, in degrees.
-    pub angle: f64,
+    /// Turn from the file's frame at t = 0.
+    pub angle: Angle,
     /// World units a unit of time.
     pub velocity: [f64; 2],
-    /// Degrees a unit of time.
-    pub spin: f64,
+    /// Turn a unit of time.
+    pub spin: Angle,
 }
 
 /// A scene.
@@ -127,15 +151,33 @@ impl Body {
             Some("capsule") => (points("points")?, false),
             _ => return Err("unknown kind of shape".to_owned()),
         };
+        let angle = |degrees: &str, radians: &str| Angle {
+            degrees: json.number_at(degrees).unwrap_or(0.0),
+            radians: json.number_at(radians).unwrap_or(0.0),
+        };
         Ok(Self {
             vertices,
             ring,
+            hull: json.get("hull") == Some(&Json::Bool(true)),
+            matrix: json.pair_at("rotation").unwrap_or([1.0, 0.0]),
             radius,
             position: json.pair_at("position").unwrap_or([0.0, 0.0]),
-            angle: json.number_at("angle_deg").unwrap_or(0.0),
+            angle: angle("angle_deg", "angle_rad"),
             velocity: json.pair_at("velocity").unwrap_or([0.0, 0.0]),
-            spin: json.number_at("angular_velocity_deg").unwrap_or(0.0),
+            spin: angle("angular_velocity_deg", "angular_velocity_rad"),
         })
+    }
+
+    /// Vertex `k` multiplied by the matrix.
+    #[must_use]
+    pub fn vertex(&self, k: usize) -> Point {
+        let [cos, sin] = self.matrix.map(Real::from);
+        Point::of(self.vertices[k]).turned(Rotation { cos, sin })
+    }
+
+    /// Every vertex multiplied by the matrix, in the file's order.
+    pub fn multiplied(&self) -> impl Iterator<Item = Point> {
+        (0..self.vertices.len()).map(|k| self.vertex(k))
     }
 
     /// Number of edges: of a ring as many as vertices, of a capsule one, of a circle none.
@@ -159,7 +201,7 @@ pub fn scale(bodies: &[Body], moving: bool) -> f64 {
         let arm = body.vertices.iter().map(|[x, y]| (x * x + y * y).sqrt()).fold(reach, f64::max);
         s = s.max(reach + body.radius).max(largest(body.position));
         if moving {
-            s = s.max(largest(body.velocity)).max(body.spin.abs() * (std::f64::consts::PI / 180.0) * arm);
+            s = s.max(largest(body.velocity)).max(body.spin.in_radians().abs().to_f64() * arm);
         }
     }
     if let [a, b] = bodies {

@@ -13,11 +13,11 @@ use crate::geometry::{DVec2, Enclosure, Feature, UnitVector};
 ///
 /// ```
 /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
-/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
 /// let square = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
 /// let at = |x| Body {
-///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
-///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(0.0),
+///     velocity: DVec2::ZERO, spin: Angle::Degrees(0.0),
 /// };
 /// let (a, b) = (at(0.0), at(1.75));
 /// let answer = |kind| {

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::geometry::Degrees;
+use crate::geometry::Angle;
 use crate::geometry::Rotation;
 use crate::geometry::Shape;
 use crate::geometry::Turn;
@@ -15,11 +15,11 @@ pub struct Body {
     /// World position of the body's origin at t = 0, in world units.
     pub position: DVec2,
     /// Angle at t = 0.
-    pub angle: Degrees,
+    pub angle: Angle,
     /// World units per unit of time.
     pub velocity: DVec2,
-    /// Degrees per unit of time, about the body's origin.
-    pub spin: Degrees,
+    /// Angle per unit of time, about the body's origin.
+    pub spin: Angle,
 }
 
 /// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures;
@@ -86,12 +86,14 @@ impl Body {
     /// is good to an ulp.
     ///
     /// ```
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
     /// let body = Body {
-    ///     shape, position: DVec2::new(1.0, 2.0), angle: Degrees(30.0), velocity: DVec2::X, spin:
-    /// Degrees(120.0), }; let pose = body.pose_at(0.5); assert_eq!((pose.position, pose.rotation.cos),
-    /// (DVec2::new(1.5, 2.0), 0.0));
+    ///     shape, position: DVec2::new(1.0, 2.0), angle: Angle::Degrees(30.0),
+    ///     velocity: DVec2::X, spin: Angle::Degrees(120.0),
+    /// };
+    /// let pose = body.pose_at(0.5);
+    /// assert_eq!((pose.position, pose.rotation.cos), (DVec2::new(1.5, 2.0), 0.0));
     /// ```
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
@@ -102,14 +104,16 @@ impl Body {
     /// The angle at time `t`, in degrees, rounded.
     ///
     /// ```
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
     /// let body = Body {
-    ///     shape, position: DVec2::new(1.0, 2.0), angle: Degrees(30.0), velocity: DVec2::X, spin:
-    /// Degrees(120.0), }; assert_eq!(body.angle_at(0.5), 90.0);
+    ///     shape, position: DVec2::new(1.0, 2.0), angle: Angle::Degrees(30.0),
+    ///     velocity: DVec2::X, spin: Angle::Degrees(120.0),
+    /// };
+    /// assert_eq!(body.angle_at(0.5), 90.0);
     /// ```
     #[must_use]
     pub fn angle_at(&self, t: f64) -> f64 {
-        self.angle.0 + self.spin.0 * t
+        self.angle.degrees() + self.spin.degrees() * t
     }
 }

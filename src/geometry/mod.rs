@@ -15,7 +15,7 @@ pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
 pub use hull::Hull;
 pub use names::Names;
-pub use number::Degrees;
+pub use number::Angle;
 pub(crate) use number::{
     Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_product_each, two_sum,
     two_sum_each,

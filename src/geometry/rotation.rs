@@ -168,11 +168,11 @@ impl Rotation<Ball> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Degrees, Turn};
+    use crate::geometry::{Angle, Turn};
 
     /// Angles all round, quarter turns among them.
     fn turns() -> impl Iterator<Item = Turn> {
-        (-40..40).map(|k| Turn::at(Degrees(f64::from(k) * 7.5), Degrees(0.0), 0.0))
+        (-40..40).map(|k| Turn::at(Angle::Degrees(f64::from(k) * 7.5), Angle::Degrees(0.0), 0.0))
     }
 
     #[test]

@@ -10,7 +10,7 @@
 use oorandom::Rand64;
 
 use crate::collision::{Query, QueryKind};
-use crate::geometry::{Body, DVec2, Degrees, Shape};
+use crate::geometry::{Angle, Body, DVec2, Shape};
 
 use super::answers;
 
@@ -220,8 +220,8 @@ fn pair(class: Class, difficulty: Difficulty, vertices: usize, random: &mut Rand
         Class::Turning => {
             sweep(&mut a, &mut b, u, gap, Difficulty::Easy, random);
             let turn = if difficulty == Difficulty::Hard { 720.0 } else { 90.0 };
-            a.spin = Degrees(between(random, 0.5, 1.0) * turn);
-            b.spin = Degrees(-between(random, 0.0, 0.5) * turn);
+            a.spin = Angle::Degrees(between(random, 0.5, 1.0) * turn);
+            b.spin = Angle::Degrees(-between(random, 0.0, 0.5) * turn);
         }
     }
     Some((a, b))
@@ -251,9 +251,9 @@ fn body(difficulty: Difficulty, vertices: usize, random: &mut Rand64) -> Option<
     Some(Body {
         shape: polygon(vertices, height, random)?,
         position: DVec2::new(between(random, -1.0, 1.0), between(random, -1.0, 1.0)),
-        angle: Degrees(between(random, 0.0, 360.0)),
+        angle: Angle::Degrees(between(random, 0.0, 360.0)),
         velocity: DVec2::ZERO,
-        spin: Degrees(0.0),
+        spin: Angle::Degrees(0.0),
     })
 }
 

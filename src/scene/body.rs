@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::geometry::shape::{FieldType, FieldValue, KINDS, Kind};
-use crate::geometry::{Body, DVec2, Degrees, Shape};
+use crate::geometry::{Angle, Body, DVec2, Shape};
 
 use super::Spanned;
 use super::checked::{Checked, as_list, as_text, check};
@@ -36,6 +36,12 @@ pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Rea
     Read { name: name.clone(), body }
 }
 
+/// The keys of an angle at t = 0, in degrees and in radians.
+const ANGLES: [&str; 2] = ["angle_deg", "angle_rad"];
+
+/// The keys of an angular velocity, in degrees and in radians.
+const SPINS: [&str; 2] = ["angular_velocity_deg", "angular_velocity_rad"];
+
 fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
     let Some(kind) =
         node.get("kind").and_then(as_text).and_then(|word| KINDS.iter().find(|k| k.name == word))
@@ -45,21 +51,40 @@ fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
     };
     let table = check(node, &name.value, &with_article(kind.name), &shape_rows(kind), p)?;
     if !kind.turns {
-        for key in ["angle_deg", "angular_velocity_deg"] {
+        for key in ANGLES.into_iter().chain(SPINS) {
             if let Some(angle) = table.number(key).filter(|angle| angle.value != 0.0) {
                 p.add(Fault::FixedAngle { kind: kind.name, key, got: number(angle.value) }, &angle.span);
             }
         }
     }
     let shape = shape(kind, &table, p)?;
-    let number = |key| table.number(key).map_or(0.0, |n| n.value);
     Some(Body {
         shape,
         position: table.pair("position").unwrap_or(DVec2::ZERO),
-        angle: Degrees(number("angle_deg")),
+        angle: angle(&table, ANGLES, p),
         velocity: table.pair("velocity").unwrap_or(DVec2::ZERO),
-        spin: Degrees(number("angular_velocity_deg")),
+        spin: angle(&table, SPINS, p),
     })
+}
+
+/// The angle that is written in degrees or in radians; both at once are a problem.
+fn angle(table: &Checked<'_>, keys: [&'static str; 2], p: &mut Problems) -> Angle {
+    only_one(table, &keys, p);
+    let [degrees, radians] = keys.map(|key| table.number(key));
+    radians.map_or_else(
+        || degrees.map_or(Angle::ZERO, |degrees| Angle::Degrees(degrees.value)),
+        |radians| Angle::Radians(radians.value),
+    )
+}
+
+/// Notes the keys, of those that say one thing in several ways, that are there beside the first of them.
+fn only_one(table: &Checked<'_>, keys: &[&'static str], p: &mut Problems) {
+    let mut written = keys.iter().filter_map(|key| table.get(key).map(|node| (key, node)));
+    let Some((first, _)) = written.next() else { return };
+    for (other, node) in written {
+        let message = format!("`{first}` and `{other}` say the same: expected one of them, got both");
+        p.add(Fault::Conflict { message }, &node.span);
+    }
 }
 
 /// Without a kind the other keys can't be judged; what the kind itself lacks is told.

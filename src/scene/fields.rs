@@ -121,12 +121,14 @@ pub(super) static BODY: TableRows = TableRows {
         must("kind", Holds::Word { what: "kind of shape", known: kind_words }, "the kind of shape"),
         may("position", Holds::Pair, "world position of the body's origin at t = 0; default [0, 0]"),
         may("angle_deg", ANY_NUMBER, "angle at t = 0, degrees counter-clockwise; default 0"),
+        may("angle_rad", ANY_NUMBER, "the same in radians, instead of `angle_deg`"),
         may("velocity", Holds::Pair, "world units per unit of time; default [0, 0]"),
         may(
             "angular_velocity_deg",
             ANY_NUMBER,
             "degrees per unit of time, about the body's origin; default 0",
         ),
+        may("angular_velocity_rad", ANY_NUMBER, "the same in radians, instead of `angular_velocity_deg`"),
     ],
 };
 

@@ -127,7 +127,7 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
     }
     let mut fits = true;
     for (name, body) in bodies {
-        if question.motion == Motion::Unturning && body.spin.0 != 0.0 {
+        if question.motion == Motion::Unturning && !body.spin.is_zero() {
             p.add(Fault::TurningBody { body: (*name).to_owned() }, &span_of(table, "kind"));
             fits = false;
         }

@@ -6,11 +6,17 @@
 use crate::asking::{of_kind, query, takers};
 use tracefig::collision::{Answer, QueryKind, Separation};
 use tracefig::geometry::shape::FieldValue;
-use tracefig::geometry::{Body, DVec2, Degrees, Shape};
+use tracefig::geometry::{Angle, Body, DVec2, Shape};
 use tracefig::trace::NoTrace;
 
 fn at(shape: Shape, x: f64, y: f64) -> Body {
-    Body { shape, position: DVec2::new(x, y), angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0) }
+    Body {
+        shape,
+        position: DVec2::new(x, y),
+        angle: Angle::Degrees(0.0),
+        velocity: DVec2::ZERO,
+        spin: Angle::Degrees(0.0),
+    }
 }
 
 fn circle(radius: f64) -> Shape {

@@ -7,7 +7,7 @@ use crate::asking::{of_kind, query, takers};
 use crate::random_pairs::pairs;
 use tracefig::collision::{ALGORITHMS, Algorithm, Answer, QueryKind, Separation};
 use tracefig::geometry::shape::FieldValue;
-use tracefig::geometry::{Body, DVec2, Degrees, Side};
+use tracefig::geometry::{Angle, Body, DVec2, Side};
 use tracefig::trace::{Event, NoTrace, Trace};
 
 /// Plain doubles: what the brute-force hull and the comparison of two answers may be off by, as a multiple of
@@ -353,7 +353,7 @@ fn a_rigid_motion_of_the_pair_turns_the_answer_with_it() {
             let p = body.position;
             let turned = if angle == 0.0 { p } else { DVec2::new(-p.y, p.x) };
             let position = turned + DVec2::new(16.0, -8.0);
-            Body { position, angle: Degrees(body.angle.0 + angle), ..body.clone() }
+            Body { position, angle: Angle::Degrees(body.angle.degrees() + angle), ..body.clone() }
         };
         let (c, d) = (moved(&a), moved(&b));
         for algorithm in takers(&query(QueryKind::Separation, &a, &b)) {

@@ -28,9 +28,9 @@ fn body_json(body: &Body) -> serde_json::Value {
         "kind": "polygon",
         "vertices": body.shape.vertices.iter().map(|v| pair(*v)).collect::<Vec<_>>(),
         "position": pair(body.position),
-        "angle_deg": body.angle.0,
+        "angle_deg": body.angle.degrees(),
         "velocity": pair(body.velocity),
-        "angular_velocity_deg": body.spin.0,
+        "angular_velocity_deg": body.spin.degrees(),
     })
 }
 

@@ -339,3 +339,12 @@ fn one_bad_scene_does_not_stop_the_others() {
     assert_eq!(ran.out.matches(": separation of A and B").count(), 2, "{}", ran.out);
     assert_eq!(ran.err.matches("error[").count(), 2, "{}", ran.err);
 }
+
+#[test]
+fn an_angle_in_two_units_names_both() {
+    let angles = "radius = 2\nangle_deg = 30\nangle_rad = 0.5";
+    let got = complaint("s.toml", &changed("radius = 2", angles));
+    let expected = "error[conflict]: `angle_deg` and `angle_rad` say the same: expected one of them, got both\n \
+                    --> s.toml:9:13\n";
+    assert!(got.starts_with(expected), "{got}");
+}

@@ -4,7 +4,7 @@ use crate::asking::{of_kind, query, takers};
 use crate::random_pairs::pairs;
 use tracefig::collision::QueryKind;
 use tracefig::geometry::shape::FieldValue;
-use tracefig::geometry::{Body, DVec2, Degrees};
+use tracefig::geometry::{Angle, Body, DVec2};
 use tracefig::trace::{NoTrace, Trace};
 
 const KINDS: [QueryKind; 4] =
@@ -31,7 +31,7 @@ fn a_moving_untraced_query_allocates_nothing() {
         (a.velocity, b.velocity) = (DVec2::new(3.0, 1.0), DVec2::new(-1.0, 0.5));
         for kind in [QueryKind::LinearSweep, QueryKind::TimeOfImpact] {
             if kind == QueryKind::TimeOfImpact && a.shape.kind != "aabb" {
-                a.spin = Degrees(45.0);
+                a.spin = Angle::Degrees(45.0);
             }
             let query = query(kind, &a, &b);
             for algorithm in takers(&query) {
@@ -56,9 +56,9 @@ fn a_thousand_corners_allocate_nothing_either() {
     let body = |n: u32, x: f64| Body {
         shape: of_kind("polygon", &[("vertices", vertices(n))]),
         position: DVec2::new(x, 0.25),
-        angle: Degrees(x),
+        angle: Angle::Degrees(x),
         velocity: DVec2::ZERO,
-        spin: Degrees(0.0),
+        spin: Angle::Degrees(0.0),
     };
     let a = body(1024, 0.0);
     for x in [0.0, 0.5, 2.5] {

@@ -4,7 +4,7 @@
 #![expect(clippy::cast_precision_loss, reason = "counts are far below 2^53")]
 
 use tracefig::geometry::shape::FieldValue;
-use tracefig::geometry::{Body, DVec2, Degrees, Shape};
+use tracefig::geometry::{Angle, Body, DVec2, Shape};
 use tracefig_reference::random::Random;
 
 use crate::asking::of_kind;
@@ -58,7 +58,7 @@ fn body(r: &mut Random) -> Body {
         1..4 => DVec2::new(r.quarter(-4, 4), r.quarter(-4, 4)),
         _ => DVec2::new(r.between(-4.0, 4.0), r.between(-4.0, 4.0)),
     };
-    Body { shape, position, angle: Degrees(angle), velocity: DVec2::ZERO, spin: Degrees(0.0) }
+    Body { shape, position, angle: Angle::Degrees(angle), velocity: DVec2::ZERO, spin: Angle::Degrees(0.0) }
 }
 
 /// Seeded pairs of bodies at rest.

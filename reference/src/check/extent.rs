@@ -3,7 +3,7 @@
 use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Placed, Point, radians};
+use crate::placement::{Placed, Point};
 use crate::scene::{EPSILON, Scene};
 use crate::separation::separation;
 
@@ -82,8 +82,8 @@ pub(super) fn check_motion_bound(report: &mut Report, scene: &Scene, result: &Js
     let linear = velocity(0).minus(velocity(1)).length();
     let (mut least, mut most) = (linear, linear);
     for body in &scene.bodies {
-        let reach = body.vertices.iter().map(|p| Point::of(*p).length()).max().unwrap_or(Real::ZERO);
-        let spin = radians(Real::from(body.spin)).abs();
+        let reach = body.multiplied().map(Point::length).max().unwrap_or(Real::ZERO);
+        let spin = body.spin.in_radians().abs();
         least = least + spin * reach;
         most = most + spin * (reach + Real::from(body.radius));
     }

@@ -7,6 +7,7 @@ mod draft;
 mod extremes;
 mod impact;
 mod lattice;
+mod logged;
 mod pair;
 mod separation;
 mod stillness;
@@ -73,6 +74,21 @@ const IN_MOTION: &[Category] = &[
     Category { name: "sweep-extreme", draw: extremes::sweep },
 ];
 
+/// Cases as an engine logs them, at one moment.
+const LOGGED: &[Category] = &[
+    Category { name: "logged", draw: logged::separation },
+    Category { name: "logged-resting", draw: logged::resting },
+    Category { name: "logged-stacked", draw: logged::stacked },
+    Category { name: "logged-bounds", draw: logged::bounds },
+    Category { name: "logged-motion-bound", draw: logged::motion_bound },
+];
+
+/// Cases as an engine logs them, in motion.
+const LOGGED_IN_MOTION: &[Category] = &[
+    Category { name: "logged-sweep", draw: logged::sweep },
+    Category { name: "logged-turning", draw: logged::impact },
+];
+
 /// Which table of categories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Family {
@@ -80,6 +96,10 @@ pub enum Family {
     Separation,
     /// Linear sweeps and times of impact.
     Impact,
+    /// Questions at one moment, as an engine's log has the bodies.
+    Logged,
+    /// Linear sweeps and times of impact of such bodies.
+    LoggedImpact,
 }
 
 impl Family {
@@ -89,6 +109,8 @@ impl Family {
         match self {
             Self::Separation => AT_ONE_MOMENT,
             Self::Impact => IN_MOTION,
+            Self::Logged => LOGGED,
+            Self::LoggedImpact => LOGGED_IN_MOTION,
         }
     }
 
@@ -117,7 +139,7 @@ mod tests {
 
     #[test]
     fn every_case_is_a_scene_and_the_same_one_again() {
-        for family in [Family::Separation, Family::Impact] {
+        for family in [Family::Separation, Family::Impact, Family::Logged, Family::LoggedImpact] {
             let mut texts = BTreeSet::new();
             for i in 0..600 {
                 let text = family.case(5, i).to_string();

@@ -175,14 +175,18 @@ impl Advancement<'_> {
 /// It is −ds/dt as long as the same features face each other.
 fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
     let at = |body: &Body, p: DVec2| {
-        body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.0.to_radians()
+        body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.radians()
     };
     (at(a, near.points[0]) - at(b, near.points[1])).dot(*near.normal)
 }
 
 /// The moment of time `t`, as events tell it.
 pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
-    Moment { time: t, angle_a: a.angle.0 + a.spin.0 * t, angle_b: b.angle.0 + b.spin.0 * t }
+    Moment {
+        time: t,
+        angle_a: a.angle.degrees() + a.spin.degrees() * t,
+        angle_b: b.angle.degrees() + b.spin.degrees() * t,
+    }
 }
 
 /// r |ω| of a body: the fastest that turning brings its boundary closer, in world units per unit of time.
@@ -191,7 +195,7 @@ pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
 /// radius never counts.
 fn arm(body: &Body) -> f64 {
     let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
-    far * body.spin.0.abs().to_radians()
+    far * body.spin.radians().abs()
 }
 
 /// S of a pair: the size that its rounding is measured by, in world units.
@@ -202,7 +206,7 @@ fn scale_of(a: &Body, b: &Body) -> f64 {
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
     let extent = |body: &Body| {
         let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v)));
-        far.max(body.shape.radius).max(far * body.spin.0.abs().to_radians())
+        far.max(body.shape.radius).max(far * body.spin.radians().abs())
     };
     let shares =
         largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));

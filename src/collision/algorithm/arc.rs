@@ -55,10 +55,10 @@ fn shapes(_: &Query) -> Result<(), &'static str> {
 /// Answers a query for a motion bound.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     tracer.record(|| {
-        let angle_b = query.b.map_or(0.0, |b| b.angle.0);
+        let angle_b = query.b.map_or(0.0, |b| b.angle.degrees());
         Event::Started {
             algorithm: ALGORITHM.name,
-            at: Moment { time: 0.0, angle_a: query.a.angle.0, angle_b },
+            at: Moment { time: 0.0, angle_a: query.a.angle.degrees(), angle_b },
         }
     });
     let relative = query.a.velocity - query.b.map_or(DVec2::ZERO, |b| b.velocity);
@@ -75,7 +75,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
 fn is_at_rest(query: &Query, relative: DVec2) -> bool {
     let still = |body: &Body| {
         let point = body.shape.radius == 0.0 && body.shape.vertices.iter().all(|v| *v == DVec2::ZERO);
-        body.spin.0 == 0.0 || point
+        body.spin.is_zero() || point
     };
     relative == DVec2::ZERO && still(query.a) && query.b.is_none_or(still)
 }
@@ -86,10 +86,10 @@ fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let far = |v: &DVec2| length(*v);
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
     let radius = reach + body.shape.radius;
-    // Degrees first: a tiny angle in radians would lose its digits to underflow.
-    let arc = (body.spin.0.abs() * radius).to_radians();
+    // Angle first: a tiny angle in radians would lose its digits to underflow.
+    let arc = (body.spin.degrees().abs() * radius).to_radians();
     tracer.record(|| {
-        let theta = body.spin.0.abs().to_radians();
+        let theta = body.spin.radians().abs();
         let pose = body.pose_at(0.0);
         let vertices = body.shape.vertices.iter().enumerate().filter(|(_, v)| far(v) >= reach * SAME_RADIUS);
         let vertices = vertices.map(|(index, &v)| SupportVertex { index, point: pose.point(v) }).collect();
@@ -103,7 +103,7 @@ mod tests {
     use super::*;
     use crate::collision::tests::bodies::{boxed, polygon};
     use crate::collision::{Answer, QueryKind};
-    use crate::geometry::Degrees;
+    use crate::geometry::Angle;
     use crate::trace::{NoTrace, Trace};
 
     fn ask(a: &Body, b: Option<&Body>, tracer: &mut impl Tracer) -> f64 {
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn the_box_of_figure_8_moves_no_farther_than_the_arc_of_its_vertex() {
         let mut a = boxed("box", 4., 0.9);
-        a.spin = Degrees(60.0);
+        a.spin = Angle::Degrees(60.0);
         let mut trace = Trace::default();
         let bound = ask(&a, None, &mut trace);
         // 4.1 π/3 to 25 digits: 4.29350995990605076…
@@ -138,18 +138,18 @@ mod tests {
     #[test]
     fn a_body_turning_about_a_point_of_itself_only_does_not_move() {
         let mut a = polygon(&[[0., 0.]], 0.0);
-        a.spin = Degrees(360.0);
+        a.spin = Angle::Degrees(360.0);
         assert_eq!(ask(&a, None, &mut NoTrace), 0.0);
     }
 
     #[test]
     fn a_bound_that_underflows_is_still_above_zero() {
         let mut a = polygon(&[[1e-200, 0.]], 0.0);
-        a.spin = Degrees(1e-200);
+        a.spin = Angle::Degrees(1e-200);
         let bound = ask(&a, None, &mut NoTrace);
         assert!(bound > 0.0 && bound < 10.0 * UNDERFLOW, "{bound:e}");
         let mut b = polygon(&[[1e290, 0.]], 0.0);
-        b.spin = Degrees(5e-324);
+        b.spin = Angle::Degrees(5e-324);
         // 4.94065645841246544e-324 π/180 1e290 to 20 digits.
         assert!(ask(&b, None, &mut NoTrace) >= 8.623_072_240_921_98e-36);
     }
@@ -158,7 +158,7 @@ mod tests {
     fn two_bodies_add_their_arcs_to_the_relative_path() {
         let mut a = polygon(&[[3., 0.]], 1.0);
         let mut b = polygon(&[[0., 2.]], 0.0);
-        (a.spin, b.spin) = (Degrees(180.0), Degrees(-90.0));
+        (a.spin, b.spin) = (Angle::Degrees(180.0), Angle::Degrees(-90.0));
         (a.velocity, b.velocity) = (DVec2::new(3., 0.), DVec2::new(0., 4.));
         let bound = ask(&a, Some(&b), &mut NoTrace);
         let exact = 5.0 + 5.0 * std::f64::consts::PI;
@@ -169,7 +169,7 @@ mod tests {
     fn vertices_that_rounding_tells_apart_are_not_both_extreme() {
         let told = |shorter: f64| {
             let mut a = polygon(&[[-4.0, 0.0], [0.0, -1.0], [shorter, 0.0]], 0.0);
-            a.spin = Degrees(60.0);
+            a.spin = Angle::Degrees(60.0);
             let mut trace = Trace::default();
             ask(&a, None, &mut trace);
             trace.events.iter().find_map(|event| match event {

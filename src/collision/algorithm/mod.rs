@@ -49,12 +49,12 @@ use crate::trace::{NoTrace, Trace};
 ///
 /// ```
 /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind, Stops};
-/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
 /// use tracefig::trace::{Event, Trace};
 /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
 /// let at = |x, speed| Body {
-///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
-///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(0.0),
+///     velocity: DVec2::new(speed, 0.0), spin: Angle::Degrees(0.0),
 /// };
 /// let (a, b) = (at(0.0, 8.0), at(6.0, 0.0));
 /// let query = Query {
@@ -110,10 +110,10 @@ impl Algorithm {
     ///
     /// ```
     /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let body = Body {
     ///     shape: Shape::of_kind("circle", &[("radius", FieldValue::Number(0.5))]).unwrap(),
-    ///     position: DVec2::new(2.0, 1.0), angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0),
+    ///     position: DVec2::new(2.0, 1.0), angle: Angle::ZERO, velocity: DVec2::ZERO, spin: Angle::ZERO,
     /// };
     /// let query = Query {
     ///     kind: QueryKind::Bounds, a: &body, b: None, time: 0.0, tolerance: 0.0, max_iterations: 1,
@@ -131,10 +131,10 @@ impl Algorithm {
     ///
     /// ```
     /// use tracefig::collision::{ALGORITHMS, Query, QueryKind};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let body = Body {
     ///     shape: Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap(),
-    ///     position: DVec2::ZERO, angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(90.0),
+    ///     position: DVec2::ZERO, angle: Angle::ZERO, velocity: DVec2::ZERO, spin: Angle::Degrees(90.0),
     /// };
     /// let query = Query {
     ///     kind: QueryKind::MotionBound, a: &body, b: None, time: 0.0, tolerance: 0.0, max_iterations: 1,
@@ -181,6 +181,6 @@ fn convex_pair(query: &Query) -> Result<(), &'static str> {
 /// Takes two convex bodies that do not turn.
 fn unturning_pair(query: &Query) -> Result<(), &'static str> {
     convex_pair(query)?;
-    let turns = |body: &Body| body.spin.0 != 0.0;
+    let turns = |body: &Body| !body.spin.is_zero();
     if turns(query.a) || query.b.is_some_and(turns) { Err("takes bodies that do not turn") } else { Ok(()) }
 }

@@ -2,9 +2,9 @@
 //!
 //! # The promise
 //!
-//! Every bound encloses the exact answer to the bodies as their doubles say them (angles in degrees,
-//! exactly), all rounding included; a verdict is given only where it holds for the exact reals. What cannot
-//! be decided is said to be undecided, never guessed.
+//! Every bound encloses the exact answer to the bodies as their doubles say them (angles in degrees or
+//! radians, exactly), all rounding included; a verdict is given only where it holds for the exact reals. What
+//! cannot be decided is said to be undecided, never guessed.
 //!
 //! # The three means
 //!

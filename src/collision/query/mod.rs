@@ -140,11 +140,11 @@ impl QueryKind {
 ///
 /// ```
 /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
-/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
 /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
 /// let at = |x, y| Body {
-///     shape: disc.clone(), position: DVec2::new(x, y), angle: Degrees(0.0),
-///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+///     shape: disc.clone(), position: DVec2::new(x, y), angle: Angle::Degrees(0.0),
+///     velocity: DVec2::ZERO, spin: Angle::Degrees(0.0),
 /// };
 /// let (a, b) = (at(0.0, 0.0), at(3.0, 4.0));
 /// let query = Query {

@@ -3,7 +3,7 @@
 use tracefig_reference::random::Random;
 
 use crate::geometry::shape::FieldValue;
-use crate::geometry::{Body, DVec2, Degrees, Hull, Shape};
+use crate::geometry::{Angle, Body, DVec2, Hull, Shape};
 
 /// 3-4-5 in degrees: cos 0.8, sin 0.6.
 pub(crate) const TILT: f64 = 36.869_897_645_844_02;
@@ -32,19 +32,25 @@ pub(crate) fn boxed(kind: &'static str, x: f64, y: f64) -> Body {
 /// The body elsewhere.
 pub(crate) fn placed(mut body: Body, x: f64, y: f64, angle: f64) -> Body {
     body.position = DVec2::new(x, y);
-    body.angle = Degrees(angle);
+    body.angle = Angle::Degrees(angle);
     body
 }
 
 /// A body of this shape that rests at the world's origin.
 pub(crate) fn body(shape: Shape) -> Body {
-    Body { shape, position: DVec2::ZERO, angle: Degrees(0.0), velocity: DVec2::ZERO, spin: Degrees(0.0) }
+    Body {
+        shape,
+        position: DVec2::ZERO,
+        angle: Angle::Degrees(0.0),
+        velocity: DVec2::ZERO,
+        spin: Angle::Degrees(0.0),
+    }
 }
 
 /// The body with velocities.
 pub(crate) fn moving(mut body: Body, velocity: [f64; 2], spin: f64) -> Body {
     body.velocity = DVec2::from(velocity);
-    body.spin = Degrees(spin);
+    body.spin = Angle::Degrees(spin);
     body
 }
 

@@ -8,7 +8,7 @@ use tracefig_reference::scene::{self, Kind, Scene, scale};
 
 use crate::collision::Outcome;
 use crate::geometry::shape::FieldValue;
-use crate::geometry::{Body, DVec2, Degrees, Enclosure, Shape};
+use crate::geometry::{Angle, Body, DVec2, Enclosure, Shape};
 
 /// A pair with a witness.
 pub(crate) struct HardPair {
@@ -54,10 +54,14 @@ fn body(of: &scene::Body) -> Body {
     Body {
         shape: shape.expect("a shape"),
         position: DVec2::from(of.position),
-        angle: Degrees(of.angle),
+        angle: angle(of.angle),
         velocity: DVec2::from(of.velocity),
-        spin: Degrees(of.spin),
+        spin: angle(of.spin),
     }
+}
+
+fn angle(of: scene::Angle) -> Angle {
+    if of.radians == 0.0 { Angle::Degrees(of.degrees) } else { Angle::Radians(of.radians) }
 }
 
 impl HardPair {

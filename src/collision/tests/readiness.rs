@@ -3,7 +3,7 @@
 use crate::collision::tests::asking::query;
 use crate::collision::tests::bodies::Bodies;
 use crate::collision::{ALGORITHMS, Answer, Outcome, Query};
-use crate::geometry::{Body, Degrees};
+use crate::geometry::{Angle, Body};
 
 /// What encloses the number of an answer.
 fn span(answer: &Answer) -> (f64, f64) {
@@ -22,7 +22,7 @@ fn span(answer: &Answer) -> (f64, f64) {
 
 #[test]
 fn what_stands_ready_gives_the_answer_of_a_fresh_query() {
-    let still = |body: &Body| Body { spin: Degrees(0.0), ..body.clone() };
+    let still = |body: &Body| Body { spin: Angle::Degrees(0.0), ..body.clone() };
     let mut asked = 0;
     for algorithm in ALGORITHMS {
         let Some(ready) = algorithm.ready else { continue };

@@ -2,7 +2,7 @@
 
 use crate::collision::tests::bodies::{Bodies, body, placed};
 use crate::collision::{Pair, Separation};
-use crate::geometry::{Body, DVec2, Degrees, Feature, Shape, shape::FieldValue};
+use crate::geometry::{Angle, Body, DVec2, Feature, Shape, shape::FieldValue};
 
 fn at(shape: Shape, position: (f64, f64), angle: f64) -> Body {
     placed(body(shape), position.0, position.1, angle)
@@ -76,11 +76,17 @@ fn a_quarter_turn_and_a_power_of_two_of_everything_keep_the_answer() {
         let one = found(&pair);
         let turned = pair.clone().map(|body| Body {
             position: crate::geometry::perp(body.position),
-            angle: Degrees(body.angle.0 + if body.angle.0 < 0.0 { 90.0 } else { -270.0 }),
+            angle: Angle::Degrees(
+                body.angle.degrees() + if body.angle.degrees() < 0.0 { 90.0 } else { -270.0 },
+            ),
             ..body
         });
         // The sum of degrees may round: then the bodies are others.
-        if turned.iter().zip(&pair).all(|(t, p)| (t.angle.0 - p.angle.0).rem_euclid(360.0) == 90.0) {
+        if turned
+            .iter()
+            .zip(&pair)
+            .all(|(t, p)| (t.angle.degrees() - p.angle.degrees()).rem_euclid(360.0) == 90.0)
+        {
             let two = found(&turned);
             assert!(meet(&one, &two, 1.0), "{round}: {one:?} {two:?}");
         }

@@ -42,14 +42,14 @@ fn body_in_words(name: &str, body: &Body) -> String {
         let _ = write!(text, " of radius {}", value(body.shape.radius));
     }
     let _ = write!(text, " at {}", point(middle(body)));
-    if body.angle.0 != 0.0 {
-        let _ = write!(text, ", turned by {}°", value(body.angle.0));
+    if body.angle.degrees() != 0.0 {
+        let _ = write!(text, ", turned by {}°", value(body.angle.degrees()));
     }
     if body.velocity != DVec2::ZERO {
         let _ = write!(text, ", moving by {}", point(body.velocity));
     }
-    if body.spin.0 != 0.0 {
-        let _ = write!(text, ", turning by {}°", value(body.spin.0));
+    if !body.spin.is_zero() {
+        let _ = write!(text, ", turning by {}°", value(body.spin.degrees()));
     }
     text.push('.');
     text

@@ -98,7 +98,7 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
                 .or(vertices.first())?;
             let center = context.pose(*body, 0.0)?.position;
             let start = angle_of(chosen.point - center);
-            let sweep = theta.copysign(context.body(*body)?.spin.0);
+            let sweep = theta.copysign(context.body(*body)?.spin.degrees());
             Some(Turn { side: *body, center, p: chosen.point, radius: *radius, start, sweep, arc: *arc })
         }
         _ => None,

@@ -34,7 +34,7 @@ pub(super) const LAYER: Layer = Layer {
 
 /// The bodies that turn.
 fn turning(context: &Context) -> Vec<Side> {
-    let turns = |side: &Side| context.body(*side).is_some_and(|body| body.spin.0 != 0.0);
+    let turns = |side: &Side| context.body(*side).is_some_and(|body| !body.spin.is_zero());
     context.sides().into_iter().filter(turns).collect()
 }
 
@@ -45,7 +45,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
             continue;
         };
-        let sweep = SWEEP.copysign(body.spin.0);
+        let sweep = SWEEP.copysign(body.spin.degrees());
         // The opening lies around the velocity, whose arrow starts here too.
         let away = angle_of(-body.velocity);
         let start = if body.velocity.length_squared() > 0.0 { away } else { PI } - 0.5 * sweep;

@@ -2,7 +2,8 @@
 //!
 //! The angle in degrees, a + ω t, is kept as a sum of two doubles, and quarter turns come off exactly; only
 //! the rest,
-//! |δ| ≤ 45°, is rounded and turned into radians. The series then need no table:
+//! |δ| ≤ 45°, is rounded and turned into radians. An angle in radians becomes one in degrees, to twice the
+//! precision of a double. The series then need no table:
 //!
 //! ```text
 //! sin x = x − x³/3! + … − x¹⁵/15!        remainder ≤ x¹⁷/17! < ε/4 for |x| ≤ π/4
@@ -12,7 +13,7 @@
 //! δ, π/180 and their product are rounded by ε/2 each, 1.2 ε of x at most; the sums lose ε more. So each is
 //! within 3 ε, for any number of turns. [`Turn`] is six times as precise, and slower.
 
-use crate::geometry::{Degrees, Rotation, Turn, two_product, two_sum};
+use crate::geometry::{Angle, Rotation, Turn, two_product, two_sum};
 
 /// Above this the number of quarter turns would not be exact; [`Turn`] takes over.
 const MANY_DEGREES: f64 = 1e12;
@@ -25,14 +26,33 @@ const RADIANS: f64 = std::f64::consts::PI / 180.0;
 
 /// Cosine and sine of `angle` + `spin` t, each within 3 ε.
 #[inline]
-pub(crate) fn cos_sin(angle: Degrees, spin: Degrees, t: f64) -> Rotation<f64> {
-    let (p, e) = two_product(spin.0, t);
-    let (sum, f) = two_sum(angle.0, p);
-    if !(spin.0.abs() < MANY_DEGREES && angle.0.abs() < MANY_DEGREES) {
+pub(crate) fn cos_sin(angle: Angle, spin: Angle, t: f64) -> Rotation<f64> {
+    let (Angle::Degrees(a), Angle::Degrees(w)) = (angle, spin) else {
+        return of_radians(angle, spin, t);
+    };
+    if !(w.abs() < MANY_DEGREES && a.abs() < MANY_DEGREES) {
         return Turn::at(angle, spin, t).rotation();
     }
+    let (p, e) = two_product(w, t);
+    let (sum, f) = two_sum(a, p);
+    of_sum(sum, e + f)
+}
+
+/// Cosine and sine where an angle or a spin is in radians.
+fn of_radians(angle: Angle, spin: Angle, t: f64) -> Rotation<f64> {
+    let (a, w) = (angle.degrees_tailed(), spin.degrees_tailed());
+    if !(w.hi.abs() < MANY_DEGREES && a.hi.abs() < MANY_DEGREES) {
+        return Turn::at(angle, spin, t).rotation();
+    }
+    let sum = a + w.scale(t);
+    of_sum(sum.hi, sum.lo)
+}
+
+/// Cosine and sine of a sum of doubles in degrees.
+#[inline]
+fn of_sum(sum: f64, low: f64) -> Rotation<f64> {
     let quarters = (sum * (1.0 / 90.0) + WHOLE) - WHOLE;
-    let x = ((sum - 90.0 * quarters) + (e + f)) * RADIANS;
+    let x = ((sum - 90.0 * quarters) + low) * RADIANS;
     let z = x * x;
     let sin = x - x * z * (S3 - z * (S5 - z * (S7 - z * (S9 - z * (S11 - z * (S13 - z * S15))))));
     let cos = 1.0 - z * (0.5 - z * (C4 - z * (C6 - z * (C8 - z * (C10 - z * (C12 - z * (C14 - z * C16)))))));
@@ -65,7 +85,7 @@ mod tests {
         let mut worst = 0.0_f64;
         for k in -30_000..30_000 {
             let (angle, spin, t) =
-                (Degrees(f64::from(k) * 0.0137), Degrees(f64::from(k % 97) * 1111.1), 0.377);
+                (Angle::Degrees(f64::from(k) * 0.0137), Angle::Degrees(f64::from(k % 97) * 1111.1), 0.377);
             let Rotation { cos, sin } = cos_sin(angle, spin, t);
             let Rotation { cos: c, sin: s } = Turn::at(angle, spin, t).rotation_in_balls();
             let off = |x: f64, y: crate::geometry::Ball| ((y.value.hi - x) + y.value.lo).abs();

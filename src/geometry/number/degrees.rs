@@ -1,4 +1,4 @@
-//! Angles as they are written in files: degrees, exactly, any number of turns.
+//! Angles as they are written in files: degrees or radians, exactly, any number of turns.
 //!
 //! An angle at time t is a sum of doubles and products of doubles, that is, a sum of doubles without any
 //! rounding. Each is reduced by whole turns (`%` is exact), the sum is kept as an expansion (Shewchuk,
@@ -16,17 +16,15 @@
 //! (Tang, *Table-Driven Implementation of the Exponential Function in IEEE Floating-Point Arithmetic*, 1989,
 //! has the idea of the table.)
 
+use crate::geometry::Angle;
 use crate::geometry::Ball;
 use crate::geometry::Dd;
 use crate::geometry::Rotation;
+use crate::geometry::number::expansion::{Expansion, exact_product};
+use crate::geometry::number::radians::add_radians;
 use crate::geometry::number::series::{onto, series};
 use crate::geometry::number::sines::{RADIANS_PER_DEGREE, SINES};
-use crate::geometry::two_product;
 use crate::geometry::two_sum;
-
-/// An angle in degrees, positive counter-clockwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Degrees(pub f64);
 
 /// An exact sum of angles, less whole quarter turns.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,8 +44,17 @@ pub(crate) struct Turn {
 #[cfg(test)]
 pub(crate) const COS_SIN_ERROR: f64 = 0.5 * f64::EPSILON;
 
-/// Bound on the error of [`Turn::rotation_tailed`], ε/16: the correction in the bracket is below 0.0088 with
-/// four roundings of ε/2 on its way, and the table's lower half comes with it.
+/// Parts of a sum of radians in degrees. An angle of ordinary size needs six, one of 300 digits twenty; what
+/// finds no room is rounded away, and counts as an error.
+const PARTS: usize = 32;
+
+/// At least π/180, and what cosine or sine may change by for each degree that an angle is off.
+const PER_DEGREE: f64 = 0.02;
+
+/// Bound on the error of [`Turn::rotation_tailed`] besides that of the angle, ε/16.
+///
+/// The correction in the bracket is below 0.0088 with four roundings of ε/2 on its way, and the table's lower
+/// half comes with it.
 pub(crate) const TAILED_ERROR: f64 = f64::EPSILON / 16.0;
 
 /// Bound on the error of the double-double cosine and sine, 2 ε²: the entry of the table ε²/8; ρ, below
@@ -62,27 +69,65 @@ impl Turn {
 
     /// `angle` + `spin` · `t`.
     #[must_use]
-    pub(crate) fn at(angle: Degrees, spin: Degrees, t: f64) -> Self {
-        if spin.0 == 0.0 || t == 0.0 {
-            return Self::of_two(angle.0, 0.0);
+    pub(crate) fn at(angle: Angle, spin: Angle, t: f64) -> Self {
+        let still = t == 0.0 || spin.is_zero();
+        match (angle, spin) {
+            (Angle::Degrees(a), _) if still => Self::of_two(a, 0.0),
+            (Angle::Degrees(a), Angle::Degrees(w)) => {
+                let (p, e, lost) = exact_product(w, t);
+                let mut turn = Self::sum(&[a, p, e]);
+                turn.error += lost;
+                turn
+            }
+            _ => Self::mixed(&[(angle, 1.0), (spin, if still { 0.0 } else { t })]),
         }
-        let (p, e, lost) = turned(spin, t);
-        let mut turn = Self::sum(&[angle.0, p, e]);
-        turn.error += lost;
-        turn
     }
 
     /// The angle of `to` less the angle of `from`, both at `t`; each is (angle, spin).
     #[must_use]
-    pub(crate) fn between(from: (Degrees, Degrees), to: (Degrees, Degrees), t: f64) -> Self {
-        if t == 0.0 || (from.1.0 == 0.0 && to.1.0 == 0.0) {
-            return Self::of_two(to.0.0, -from.0.0);
+    pub(crate) fn between(from: (Angle, Angle), to: (Angle, Angle), t: f64) -> Self {
+        let still = t == 0.0 || (from.1.is_zero() && to.1.is_zero());
+        match (from, to) {
+            ((Angle::Degrees(a), _), (Angle::Degrees(b), _)) if still => Self::of_two(b, -a),
+            ((Angle::Degrees(a), Angle::Degrees(v)), (Angle::Degrees(b), Angle::Degrees(w))) => {
+                let (p, e, lost_p) = exact_product(w, t);
+                let (q, f, lost_q) = exact_product(v, t);
+                let mut turn = Self::sum(&[b, -a, p, -q, e, -f]);
+                turn.error += lost_p + lost_q;
+                turn
+            }
+            _ => {
+                let t = if still { 0.0 } else { t };
+                Self::mixed(&[(to.0, 1.0), (from.0, -1.0), (to.1, t), (from.1, -t)])
+            }
         }
-        let (p, e, lost_p) = turned(to.1, t);
-        let (q, f, lost_q) = turned(from.1, t);
-        let mut turn = Self::sum(&[to.0.0, -from.0.0, p, -q, e, -f]);
-        turn.error += lost_p + lost_q;
-        turn
+    }
+
+    /// A sum of at most four angles times numbers; equal radians of opposite sign leave nothing.
+    #[cold]
+    fn mixed(terms: &[(Angle, f64)]) -> Self {
+        let (mut degrees, mut radians) = (Expansion::<PARTS>::default(), Expansion::<8>::default());
+        for &(angle, factor) in terms.iter().take(4) {
+            match angle {
+                Angle::Degrees(size) => {
+                    let (p, e, lost) = exact_product(size, factor);
+                    degrees.grow(p % 360.0);
+                    degrees.grow(e % 360.0);
+                    degrees.error += lost;
+                }
+                Angle::Radians(size) => {
+                    let (p, e, lost) = exact_product(size, factor);
+                    radians.grow(p);
+                    radians.grow(e);
+                    // A radian has 57.3 degrees.
+                    degrees.error += lost * 64.0;
+                }
+            }
+        }
+        for part in radians.largest_first() {
+            add_radians(&mut degrees, part);
+        }
+        Self::reduced(degrees)
     }
 
     /// a + b, exactly; without an expansion where neither is above a turn.
@@ -108,10 +153,15 @@ impl Turn {
     /// The exact sum of at most six angles, in degrees.
     #[must_use]
     pub(crate) fn sum(terms: &[f64]) -> Self {
-        let mut sum = Expansion::default();
+        let mut sum = Expansion::<8>::default();
         for &term in terms.iter().take(6) {
             sum.grow(if term.abs() < 360.0 { term } else { term % 360.0 });
         }
+        Self::reduced(sum)
+    }
+
+    /// A sum in degrees, less its quarter turns and its whole degrees.
+    fn reduced<const N: usize>(mut sum: Expansion<N>) -> Self {
         let quarters = nearest_integer(sum.approximate() / 90.0);
         if quarters != 0.0 {
             sum.grow(-90.0 * quarters);
@@ -123,10 +173,10 @@ impl Turn {
         let (rest, error) = sum.rounded();
         #[expect(
             clippy::cast_possible_truncation,
-            reason = "|quarters| ≤ 24 and |whole| ≤ 45 after the reduction"
+            reason = "|quarters| ≤ 4 for each term and |whole| ≤ 45 after the reduction"
         )]
         let (quarters, whole) = ((quarters as i64).rem_euclid(4).unsigned_abs() as u8, whole as i8);
-        Self { quarters, whole, rest, error }
+        Self { quarters, whole, rest, error: error + sum.error }
     }
 
     /// Whether it is exactly a number of quarter turns.
@@ -142,7 +192,7 @@ impl Turn {
     }
 
     /// Cosine and sine with what their doubles leave out, and the bound on the error of each: 0 for quarter
-    /// turns, else [`TAILED_ERROR`]. Costs one addition more than the doubles alone.
+    /// turns, else [`TAILED_ERROR`] and what the angle is off. It costs one addition more than the doubles.
     #[inline]
     #[must_use]
     pub(crate) fn rotation_tailed(&self) -> (Rotation<Dd>, f64) {
@@ -157,7 +207,7 @@ impl Turn {
         let cos_x = z * (-0.5 + z * (1.0 / 24.0 - z * (1.0 / 720.0 - z * (1.0 / 40_320.0))));
         let sin = Dd::sum(s.hi, s.lo + (c.hi * sin_x + s.hi * cos_x));
         let cos = Dd::sum(c.hi, c.lo + (c.hi * cos_x - s.hi * sin_x));
-        (Rotation { cos, sin }.quarters_on(self.quarters), TAILED_ERROR)
+        (Rotation { cos, sin }.quarters_on(self.quarters), TAILED_ERROR + self.error * PER_DEGREE)
     }
 
     /// Cosine and sine to twice the precision, with a proven radius; points where they are exact.
@@ -169,51 +219,11 @@ impl Turn {
         } else {
             let (sin_x, cos_x) = series(self.rest * RADIANS_PER_DEGREE);
             let (sin, cos) = (onto(s, [(c, sin_x), (s, cos_x)]), onto(c, [(c, cos_x), (-s, sin_x)]));
-            let radius = FINE_ERROR + self.error * 0.02;
+            // However far the angle may be off, both lie in [−1, 1].
+            let radius = (FINE_ERROR + self.error * PER_DEGREE).min(2.0);
             (Ball::within(cos, radius), Ball::within(sin, radius))
         };
         Rotation { cos, sin }.quarters_on(self.quarters)
-    }
-}
-
-/// A sum of at most eight doubles without rounding: parts that do not overlap, the smallest first.
-#[derive(Default)]
-struct Expansion {
-    /// The parts, of which the first `count` are in use.
-    parts: [f64; 8],
-    /// How many parts there are.
-    count: usize,
-}
-
-impl Expansion {
-    /// Adds `x`, exactly (Shewchuk's GROW-EXPANSION).
-    #[inline]
-    fn grow(&mut self, x: f64) {
-        let mut carry = x;
-        for part in self.parts.iter_mut().take(self.count) {
-            (carry, *part) = two_sum(*part, carry);
-        }
-        self.parts[self.count] = carry;
-        self.count += 1;
-    }
-
-    /// Its value, to a few ulp.
-    #[inline]
-    fn approximate(&self) -> f64 {
-        self.parts.iter().take(self.count).sum()
-    }
-
-    /// Its value as a double-double and a bound on what that leaves out.
-    #[inline]
-    fn rounded(&self) -> (Dd, f64) {
-        let (mut top, mut error) = (Dd::ZERO, 0.0);
-        for &part in self.parts.iter().take(self.count).rev().filter(|part| **part != 0.0) {
-            if top.lo != 0.0 {
-                error += Dd::ROUNDING * (top.hi.abs() + part.abs());
-            }
-            top = top.add_f64(part);
-        }
-        (top, error)
     }
 }
 
@@ -224,22 +234,6 @@ fn nearest_integer(x: f64) -> f64 {
     /// 1.5 · 2⁵².
     const SHIFT: f64 = 6_755_399_441_055_744.0;
     (x + SHIFT) - SHIFT
-}
-
-/// spin · t = p + e, and a bound on what is lost to underflow.
-fn turned(spin: Degrees, t: f64) -> (f64, f64, f64) {
-    /// Above this the splitting of a product could overflow; 2¹⁰⁰ comes off first and goes back exactly.
-    const HUGE: f64 = 1e270;
-    /// Below this the low half may underflow.
-    const TINY: f64 = 1e-270;
-    /// 2¹⁰⁰.
-    const STEP: f64 = f64::from_bits((1023 + 100) << 52);
-    if spin.0.abs() > HUGE {
-        let (p, e) = two_product(spin.0 / STEP, t);
-        return (p * STEP, e * STEP, 0.0);
-    }
-    let (p, e) = two_product(spin.0, t);
-    (p, e, if p.abs() < TINY && spin.0 != 0.0 && t != 0.0 { TINY } else { 0.0 })
 }
 
 /// Sine and cosine of −45 to 45 whole degrees.
@@ -264,7 +258,7 @@ mod tests {
         for (degrees, cos, sin) in
             [(0.0, 1.0, 0.0), (90.0, 0.0, 1.0), (-180.0, -1.0, 0.0), (36_270.0, 0.0, -1.0)]
         {
-            let turn = Turn::at(Degrees(degrees), Degrees(0.0), 0.0);
+            let turn = Turn::at(Angle::Degrees(degrees), Angle::Degrees(0.0), 0.0);
             assert_eq!(turn.rotation(), Rotation { cos, sin }, "{degrees}");
             assert_eq!(turn.rotation_tailed().1, 0.0, "{degrees}");
             let balls = Rotation { cos: Ball::new(cos), sin: Ball::new(sin) };
@@ -274,9 +268,10 @@ mod tests {
 
     #[test]
     fn rational_cosines_are_points() {
-        let sixty = Turn::at(Degrees(60.0), Degrees(0.0), 0.0).rotation_in_balls();
+        let sixty = Turn::at(Angle::Degrees(60.0), Angle::Degrees(0.0), 0.0).rotation_in_balls();
         assert_eq!(sixty.cos, Ball::new(0.5));
-        let many = Turn::at(Degrees(0.0), Degrees(18_000.0 * 7.0 + 150.0), 1.0).rotation_in_balls();
+        let many =
+            Turn::at(Angle::Degrees(0.0), Angle::Degrees(18_000.0 * 7.0 + 150.0), 1.0).rotation_in_balls();
         assert_eq!(many.sin, Ball::new(0.5));
     }
 
@@ -305,7 +300,8 @@ mod tests {
     #[test]
     fn both_precisions_agree_within_their_bounds() {
         for k in -4000..4000 {
-            let turn = Turn::at(Degrees(f64::from(k) * 0.137), Degrees(f64::from(k) * 1e4), 0.37);
+            let turn =
+                Turn::at(Angle::Degrees(f64::from(k) * 0.137), Angle::Degrees(f64::from(k) * 1e4), 0.37);
             let (rough, Rotation { cos: c, sin: s }) = (turn.rotation(), turn.rotation_in_balls());
             assert!((c - Ball::new(rough.cos)).value.hi.abs() <= COS_SIN_ERROR, "{k}");
             assert!((s - Ball::new(rough.sin)).value.hi.abs() <= COS_SIN_ERROR, "{k}");
@@ -315,23 +311,29 @@ mod tests {
 
     #[test]
     fn a_difference_of_equal_angles_is_no_turn() {
-        let turn =
-            Turn::between((Degrees(36.869_897), Degrees(1e7)), (Degrees(36.869_897), Degrees(1e7)), 0.123);
+        let turn = Turn::between(
+            (Angle::Degrees(36.869_897), Angle::Degrees(1e7)),
+            (Angle::Degrees(36.869_897), Angle::Degrees(1e7)),
+            0.123,
+        );
         assert!(turn.is_quarter());
         assert_eq!(turn.rotation_in_balls().cos, Ball::ONE);
     }
 
     #[test]
     fn a_tiny_difference_of_angles_is_kept() {
-        let turn =
-            Turn::between((Degrees(30.0), Degrees(0.0)), (Degrees(30.0_f64.next_up()), Degrees(0.0)), 0.5);
+        let turn = Turn::between(
+            (Angle::Degrees(30.0), Angle::Degrees(0.0)),
+            (Angle::Degrees(30.0_f64.next_up()), Angle::Degrees(0.0)),
+            0.5,
+        );
         let sine = turn.rotation().sin;
         assert!((sine / (4.0 * f64::EPSILON * 4.0).to_radians() - 1.0).abs() < 1e-12 || sine > 0.0);
     }
 
     #[test]
     fn fifty_turns_and_a_third_have_the_cosine_of_120_degrees() {
-        let turn = Turn::at(Degrees(18_000.0), Degrees(240.0), 0.5).rotation();
+        let turn = Turn::at(Angle::Degrees(18_000.0), Angle::Degrees(240.0), 0.5).rotation();
         assert!((turn.cos + 0.5).abs() <= COS_SIN_ERROR);
         assert!((turn.sin - 3_f64.sqrt() / 2.0).abs() <= 2.0 * COS_SIN_ERROR);
     }

@@ -1,18 +1,21 @@
-//! Numbers with known errors: double-doubles, balls, exact degrees, and their cosines and sines.
+//! Numbers with known errors: double-doubles, balls, exact angles, and their cosines and sines.
 
+mod angle;
 mod ball;
 pub(crate) mod cos_sin;
 mod degrees;
 mod double_double;
+mod expansion;
 mod length;
+mod radians;
 #[cfg(test)]
 mod roundings;
 mod series;
 mod sines;
 mod vector;
 
+pub use angle::Angle;
 pub(crate) use ball::Ball;
-pub use degrees::Degrees;
 pub(crate) use degrees::Turn;
 pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
 pub(crate) use length::length;

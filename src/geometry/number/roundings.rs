@@ -7,7 +7,7 @@ use tracefig_reference::random::Random;
 
 use crate::geometry::number::degrees::{COS_SIN_ERROR, TAILED_ERROR};
 use crate::geometry::number::double_double::COMBINED_ERROR;
-use crate::geometry::{Ball, Dd, Degrees, Rotation, Turn, combined};
+use crate::geometry::{Angle, Ball, Dd, Rotation, Turn, combined};
 
 /// Operands of each operation.
 const CASES: usize = 5_000;
@@ -120,7 +120,7 @@ fn cosines_and_sines_are_within_their_errors() {
     for _ in 0..CASES {
         let angle = random.between(-1.0, 1.0) * random.one_of(&[1e-9, 45.0, 360.0, 1e5, 1e12]);
         let (spin, t) = (random.between(-720.0, 720.0), random.unit());
-        let turn = Turn::at(Degrees(angle), Degrees(spin), t);
+        let turn = Turn::at(Angle::Degrees(angle), Angle::Degrees(spin), t);
         let truth = placement::Rotation::of_degrees(Real::from(angle) + Real::from(spin) * Real::from(t));
         let Rotation { cos, sin } = turn.rotation_in_balls();
         for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
@@ -139,6 +139,40 @@ fn cosines_and_sines_are_within_their_errors() {
     }
     assert!(doubles.iter().all(|&part| part > LEAST), "only {doubles:?} of the bounds is used");
     assert!(most > LEAST, "the radius is {:.0} times too large", most.recip());
+}
+
+#[test]
+fn radians_are_as_good_as_degrees_at_any_size() {
+    let mut random = Random::new(6);
+    for _ in 0..CASES / 5 {
+        let angle = random.between(-1.0, 1.0) * random.one_of(&[1e-9, 1.0, 6.3, 1e9, 1e60, 1e150]);
+        let (spin, t) = (random.between(-9.0, 9.0) * random.one_of(&[1.0, 1e6]), random.unit());
+        let turn = Turn::at(Angle::Radians(angle), Angle::Radians(spin), t);
+        let radians = Real::from(angle) + Real::from(spin) * Real::from(t);
+        // 320 bits hold an angle of 1e60 with 120 to spare, and none of 1e150.
+        let Rotation { cos, sin } = turn.rotation_in_balls();
+        assert!(cos.radius <= 4.0 * f64::EPSILON * f64::EPSILON, "{angle} + {spin} · {t}: {cos:?}");
+        if angle.abs() < 1e61 {
+            let truth = placement::Rotation::of_degrees(placement::degrees_of(radians));
+            for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
+                let error = (truth - exact(ball.value)).abs();
+                assert!(error <= Real::from(ball.radius), "{angle} + {spin} · {t}: {error}");
+            }
+        }
+        let mixed = Turn::between(
+            (Angle::Radians(angle), Angle::ZERO),
+            (Angle::Radians(angle), Angle::Degrees(60.0)),
+            0.5,
+        );
+        assert!((mixed.rotation_in_balls().sin - Ball::new(0.5)).value == Dd::ZERO, "{angle}");
+    }
+}
+
+#[test]
+fn an_angle_that_no_digits_tell_is_any_angle() {
+    let turn = Turn::at(Angle::Radians(1e300), Angle::Radians(-1e300), 0.3);
+    let Rotation { cos, sin } = turn.rotation_in_balls();
+    assert!(cos.radius > 0.0 && cos.radius <= 2.0 && sin.radius <= 2.0, "{cos:?} {sin:?}");
 }
 
 #[test]

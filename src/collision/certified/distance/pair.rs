@@ -73,11 +73,11 @@ impl<'s> Pair<'s> {
     ///
     /// ```
     /// use tracefig::collision::Pair;
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let shape = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
     /// let still = |x| Body {
-    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Degrees(30.0),
-    ///     velocity: DVec2::ZERO, spin: Degrees(0.0),
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(30.0),
+    ///     velocity: DVec2::ZERO, spin: Angle::Degrees(0.0),
     /// };
     /// let (a, b) = (still(0.0), still(4.0));
     /// let found = Pair::at(&a, &b, 0.0).separation();
@@ -210,11 +210,11 @@ impl<'s> Pair<'s> {
     ///
     /// ```
     /// use tracefig::collision::Pair;
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let shape = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
     /// let moving = |x, v| Body {
-    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
-    ///     velocity: DVec2::new(v, 0.0), spin: Degrees(0.0),
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(0.0),
+    ///     velocity: DVec2::new(v, 0.0), spin: Angle::Degrees(0.0),
     /// };
     /// let (a, b) = (moving(0.0, 4.0), moving(4.0, 0.0));
     /// let found = Pair::at(&a, &b, 0.25).refined().separation();

@@ -65,11 +65,11 @@ impl MovingPair<'_> {
     ///
     /// ```
     /// use tracefig::collision::{MovingPair, Outcome};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let square = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
     /// let turning = |x| Body {
-    ///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
-    ///     velocity: DVec2::ZERO, spin: Degrees(90.0),
+    ///     shape: square.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(0.0),
+    ///     velocity: DVec2::ZERO, spin: Angle::Degrees(90.0),
     /// };
     /// let (a, near, far) = (turning(0.0), turning(2.5), turning(3.0));
     /// // Turned alike by θ, the squares touch where 2.5 cos θ = 2.

@@ -13,7 +13,7 @@
 
 use crate::collision::certified::rounding::{MOVING_GAP_ERROR, TAME};
 use crate::geometry::number::cos_sin;
-use crate::geometry::{Ball, Body, DVec2, Dd, Degrees, Hull, Rotation, Side, Turn, perp};
+use crate::geometry::{Angle, Ball, Body, DVec2, Dd, Hull, Rotation, Side, Turn, perp};
 
 /// Two bodies in relative motion, ready to be asked for their first contact: cosines and sines at t = 0,
 /// spins in radians, differences of positions and velocities.
@@ -31,7 +31,7 @@ pub struct MovingPair<'q> {
     velocity: [Dd; 2],
     /// Angle at t = 0 and spin of A and B; none for a body whose core is its own origin, which looks the same
     /// from everywhere: its frame is the world's.
-    turning: [(Degrees, Degrees); 2],
+    turning: [(Angle, Angle); 2],
     /// From the frames of A and B to the world, at t = 0.
     pub(crate) start: [Rotation<f64>; 2],
     /// Whether both are turned alike at all times.
@@ -70,12 +70,12 @@ impl<'q> MovingPair<'q> {
     ///
     /// ```
     /// use tracefig::collision::{MovingPair, Outcome};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let half_extents = FieldValue::Point(DVec2::new(2.0, 0.5));
     /// let bar = Shape::of_kind("box", &[("half_extents", half_extents)]).unwrap();
     /// let at = |x, spin| Body {
-    ///     shape: bar.clone(), position: DVec2::new(x, 0.0), angle: Degrees(90.0),
-    ///     velocity: DVec2::ZERO, spin: Degrees(spin),
+    ///     shape: bar.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(90.0),
+    ///     velocity: DVec2::ZERO, spin: Angle::Degrees(spin),
     /// };
     /// // The turning bar's far end meets the other bar's edge.
     /// let (a, b) = (at(0.0, 90.0), at(2.0, 0.0));
@@ -99,12 +99,12 @@ impl<'q> MovingPair<'q> {
         Self {
             bodies: [a, b],
             unit,
-            start: turning.map(|(angle, _)| cos_sin::cos_sin(angle, Degrees(0.0), 0.0)),
-            aligned: turning[0] == turning[1],
+            start: turning.map(|(angle, _)| cos_sin::cos_sin(angle, Angle::Degrees(0.0), 0.0)),
+            aligned: turning[0].0.is(turning[1].0) && turning[0].1.is(turning[1].1),
             apart,
             velocity,
             turning,
-            rate: [turning[0].1.0.to_radians(), turning[1].1.0.to_radians()],
+            rate: [turning[0].1.radians(), turning[1].1.radians()],
             reach,
             radius,
             rounding: MOVING_GAP_ERROR * sum * (1.0 + MOVING_GAP_ERROR),
@@ -132,12 +132,13 @@ impl<'q> MovingPair<'q> {
 
     /// Whether neither body turns.
     pub(crate) fn is_linear(&self) -> bool {
-        self.turning.iter().all(|(_, spin)| spin.0 == 0.0)
+        self.turning.iter().all(|(_, spin)| spin.is_zero())
     }
 
     /// Whether a body's frame is turned like the world's at all times.
     pub(crate) fn is_never_turned(&self, side: Side) -> bool {
-        self.turning[side as usize] == UNTURNED
+        let (angle, spin) = self.turning[side as usize];
+        angle.is_zero() && spin.is_zero()
     }
 
     /// The body that turns more slowly: A where they turn alike.
@@ -157,7 +158,7 @@ impl<'q> MovingPair<'q> {
     #[inline]
     pub(crate) fn rotation(&self, side: Side, t: f64) -> Rotation<f64> {
         let (angle, spin) = self.turning[side as usize];
-        if spin.0 == 0.0 { self.start[side as usize] } else { cos_sin::cos_sin(angle, spin, t) }
+        if spin.is_zero() { self.start[side as usize] } else { cos_sin::cos_sin(angle, spin, t) }
     }
 
     /// How the bodies are turned at `t`.
@@ -252,12 +253,12 @@ impl RelativePose<Ball> {
 }
 
 /// Angle and spin, none for a body whose core is its own origin.
-fn turning(body: &Body) -> (Degrees, Degrees) {
+fn turning(body: &Body) -> (Angle, Angle) {
     if body.shape.hull.reach == 0.0 { UNTURNED } else { (body.angle, body.spin) }
 }
 
 /// The world's own frame.
-const UNTURNED: (Degrees, Degrees) = (Degrees(0.0), Degrees(0.0));
+const UNTURNED: (Angle, Angle) = (Angle::ZERO, Angle::ZERO);
 
 /// A power of two that brings the largest length of a pair near 1; 1 where that is harmless as it is.
 fn unit_of(a: &Body, b: &Body) -> f64 {

@@ -37,11 +37,11 @@ impl<'s> Sweep<'s> {
     ///
     /// ```
     /// use tracefig::collision::{Outcome, Sweep};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let shape = Shape::of_kind("box", &[("half_extents", FieldValue::Point(DVec2::ONE))]).unwrap();
     /// let body = |x, speed| Body {
-    ///     shape: shape.clone(), position: DVec2::new(x, 0.5), angle: Degrees(30.0),
-    ///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+    ///     shape: shape.clone(), position: DVec2::new(x, 0.5), angle: Angle::Degrees(30.0),
+    ///     velocity: DVec2::new(speed, 0.0), spin: Angle::Degrees(0.0),
     /// };
     /// let (a, b) = (body(0.0, 0.0), body(4.0, -3.0));
     /// let Outcome::Hit { time, .. } = Sweep::new(&a, &b).first_contact() else { panic!() };
@@ -62,11 +62,11 @@ impl<'s> Sweep<'s> {
     ///
     /// ```
     /// use tracefig::collision::{Outcome, Sweep};
-    /// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
     /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
     /// let body = |x, speed| Body {
-    ///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Degrees(0.0),
-    ///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+    ///     shape: disc.clone(), position: DVec2::new(x, 0.0), angle: Angle::Degrees(0.0),
+    ///     velocity: DVec2::new(speed, 0.0), spin: Angle::Degrees(0.0),
     /// };
     /// let (a, near, far) = (body(0.0, 4.0), body(5.0, 0.0), body(7.0, 0.0));
     /// let Outcome::Hit { time, contact } = Sweep::new(&a, &near).first_contact() else { panic!() };

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use crate::collision::certified::distance::filter::descent;
     use crate::collision::certified::distance::gaps;
-    use crate::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+    use crate::geometry::{Angle, Body, DVec2, Shape, shape::FieldValue};
 
     /// A polygon of `count` vertices on an ellipse.
     fn oval(count: u32, height: f64, position: DVec2, angle: f64) -> Body {
@@ -128,7 +128,13 @@ mod tests {
         };
         let vertices = FieldValue::Points((0..count).map(vertex).collect());
         let shape = Shape::of_kind("polygon", &[("vertices", vertices)]).unwrap();
-        Body { shape, position, angle: Degrees(angle), velocity: DVec2::ZERO, spin: Degrees(0.0) }
+        Body {
+            shape,
+            position,
+            angle: Angle::Degrees(angle),
+            velocity: DVec2::ZERO,
+            spin: Angle::Degrees(0.0),
+        }
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use tracefig_reference::random::Random;
 
-use crate::geometry::{Body, DVec2, Degrees, Rotation, Shape, shape::FieldValue};
+use crate::geometry::{Angle, Body, DVec2, Rotation, Shape, shape::FieldValue};
 
 /// The numbers that a pair is made of.
 #[derive(Clone)]
@@ -92,8 +92,8 @@ impl Case {
                 shape: Shape::of_kind("polygon", &fields).ok()?,
                 position: DVec2::new(m[2 * k], m[2 * k + 1]),
                 velocity: DVec2::new(m[4 + 2 * k], m[5 + 2 * k]),
-                angle: Degrees(m[8 + k]),
-                spin: Degrees(m[10 + k]),
+                angle: Angle::Degrees(m[8 + k]),
+                spin: Angle::Degrees(m[10 + k]),
             })
         };
         Some(([body(0)?, body(1)?], m[14].abs().min(1.0)))

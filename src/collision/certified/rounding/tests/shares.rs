@@ -267,7 +267,7 @@ pub(super) fn turned_dot(case: &Case) -> f64 {
 pub(super) fn derivative(case: &Case) -> f64 {
     let Some(([a, b], t)) = case.bodies() else { return 0.0 };
     let (pair, truth) = (MovingPair::new(&a, &b), Truth::of(&a, &b, t));
-    let rate = |side: Side| placement::radians(real([&a, &b][side as usize].spin.0));
+    let rate = |side: Side| placement::radians(real([&a, &b][side as usize].spin.degrees()));
     let of = |(source, edge): (Side, usize)| {
         let other = source.other();
         let near = DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex: 0 });
@@ -315,7 +315,8 @@ pub(super) fn root(case: &Case) -> f64 {
 pub(super) fn extreme(case: &Case) -> f64 {
     let Some(([a, _], t)) = case.bodies() else { return 0.0 };
     let placing = Placing::new(&a, t);
-    let rotation = placement::Rotation::of_degrees(real(a.angle.0) + real(a.spin.0) * real(t));
+    let rotation =
+        placement::Rotation::of_degrees(real(a.angle.degrees()) + real(a.spin.degrees()) * real(t));
     let at = point(a.position).plus(point(a.velocity).times(real(t)));
     let mut most = 0.0_f64;
     for &v in &a.shape.vertices {

@@ -44,7 +44,7 @@ pub(super) struct Truth {
 
 impl Truth {
     pub(super) fn of(a: &Body, b: &Body, t: f64) -> Self {
-        let angle = |body: &Body| real(body.angle.0) + real(body.spin.0) * real(t);
+        let angle = |body: &Body| real(body.angle.degrees()) + real(body.spin.degrees()) * real(t);
         let frame = placement::Rotation::of_degrees(angle(a));
         let relative = placement::Rotation::of_degrees(angle(b) - angle(a));
         let at = |body: &Body| point(body.position).plus(point(body.velocity).times(real(t)));
