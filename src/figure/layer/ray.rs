@@ -20,7 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
     fed: |context, _| {
-        let turns = |side| context.body(side).is_some_and(|body| body.spin.0 != 0.0);
+        let turns = |side| context.body(side).is_some_and(|body| !body.spin.is_zero());
         let turning = context.sides().into_iter().any(turns);
         Fed::by_the_scene(context.asks_for_a_hit() && !turning && relative(context) != DVec2::ZERO)
     },
