@@ -73,11 +73,11 @@ pub(super) fn fit(
 ///
 /// When they draw more than a figure may show.
 fn sketch(scene: &Scene, runs: &Runs, theme: &Theme, panels: &[PanelPlan]) -> Result<Vec<Sketched>, Problem> {
-    let (mut points, mut painted) = (0, 0.0);
+    let (mut points, mut painted) = (0_usize, 0.0);
     let mut all = Vec::with_capacity(panels.len());
     for panel in panels {
         let sketched = panel.sketch(&panel.context(scene, runs), theme);
-        points += sketched.points;
+        points = points.saturating_add(sketched.points);
         painted += sketched.painted;
         within("the lines of the figure", "points", points, MAX_POINTS, &panel.source.span)?;
         areas_within(painted, &panel.source.span)?;

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use tracefig::collision::{ALGORITHMS, Bodies, QUERIES};
-use tracefig::figure::layer::{LAYERS, Layer};
+use tracefig::collision::{ALGORITHMS, Bodies, Motion, QUERIES, Question, Shapes};
+use tracefig::figure::layer::{LAYERS, Layer, Shows};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, Takes, draw, plan};
 use tracefig::geometry::shape::{FieldType, KINDS, Kind};
@@ -21,6 +21,8 @@ use tracefig_reference::random::Random;
 
 /// Scenes of a usual run; few enough for a debug build.
 const SCENES: u64 = 400;
+/// One in so many scenes says what its question or its kind of shape refuses.
+const SELDOM: usize = 12;
 /// Dots of an image.
 const DOTS: f64 = 10_000.0;
 
@@ -33,6 +35,16 @@ const ONCE: &[&str] = &[
     // Places that overflow, seen from a body that is turned.
     "[[panels]]\nspace = 'body'\nframe = 'C'\nlayers = ['origin']\n",
 ];
+
+/// Lines of more dashes than can be counted, and one line more.
+const DASHES: &str = "[shapes.A]\nkind = 'outline'\nvertices = [[-5, 0.5], [-3, -1], [1e300, 1], [-2, 0.5]]\n\
+                      [query]\nkind = 'bounds'\nof = ['A']\n\
+                      [[panels]]\nview = [-6, -4, 9, 3]\nlayers = [{ layer = 'half-extents', style = 'bar' }]\n";
+
+#[test]
+fn dashes_without_number_are_more_than_a_figure_may_show() {
+    assert_eq!(fate(DASHES), "answered, refused as a figure");
+}
 
 #[test]
 fn what_once_panicked_does_not() {
@@ -117,7 +129,7 @@ const PIECES: &[&str] = &[
 
 /// Mostly a number as on a figure.
 fn number(r: &mut Random) -> String {
-    if r.once_in(12) {
+    if r.once_in(60) {
         return r.one_of(EXTREMES).to_owned();
     }
     format!("{}", r.quarter(-8, 8))
@@ -127,7 +139,17 @@ fn point(r: &mut Random) -> String {
     format!("[{}, {}]", number(r), number(r))
 }
 
-fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
+/// Mostly a kind that the question can be asked of.
+fn kind<'k>(r: &mut Random, question: &Question) -> &'k Kind {
+    let any = r.pick(KINDS);
+    if any.name != "outline" || question.shapes == Shapes::Any || r.once_in(SELDOM) {
+        return any;
+    }
+    kind(r, question)
+}
+
+fn shape(r: &mut Random, question: &Question, name: &str) -> String {
+    let kind = kind(r, question);
     let mut text = format!("[shapes.{name}]\nkind = \"{}\"\n", kind.name);
     for field in kind.fields {
         if !field.required && r.once_in(2) {
@@ -144,7 +166,10 @@ fn shape(r: &mut Random, kind: &Kind, name: &str) -> String {
     for (key, is_pair) in
         [("position", true), ("angle_deg", false), ("velocity", true), ("angular_velocity_deg", false)]
     {
-        if r.once_in(2) {
+        let turns = key.starts_with("angle") && kind.turns
+            || key.starts_with("angular") && kind.turns && question.motion == Motion::Any;
+        let suits = is_pair || turns || r.once_in(SELDOM);
+        if suits && r.once_in(2) {
             let value = if is_pair { point(r) } else { number(r) };
             writeln!(text, "{key} = {value}").unwrap();
         }
@@ -177,7 +202,7 @@ fn layer(r: &mut Random, layer: &Layer) -> String {
             Takes::Bodies => r.pick(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""]).to_string(),
             Takes::When(words) if r.once_in(2) => format!("{:?}", r.pick(words)),
             Takes::When(_) => r.pick(&["0", "0.5", "1", "1e-300"]).to_string(),
-            Takes::Role => r.pick(&["\"a\"", "\"b\"", "\"accent\"", "\"ink\""]).to_string(),
+            Takes::Role => r.pick(&["\"a\"", "\"b\"", "\"now\"", "\"ink\""]).to_string(),
             Takes::Lines => r.pick(&["\"x\"", "[\"{=separation}\", \"$\\\\hat{n}$\"]", "\"\""]).to_string(),
         };
         write!(text, ", {} = {value}", option.name).unwrap();
@@ -188,9 +213,12 @@ fn layer(r: &mut Random, layer: &Layer) -> String {
 fn panel(r: &mut Random) -> String {
     let mut text = String::new();
     let space = r.pick(&["\"world\"", "\"configuration\"", "\"body\"\nframe = \"A\""]);
+    let other = if space.contains("conf") { Shows::World } else { Shows::Configuration };
     let layers: Vec<String> = (0..=r.below(5))
         .map(|_| {
-            let chosen = r.pick(LAYERS);
+            let any = r.once_in(SELDOM);
+            let suited: Vec<&Layer> = LAYERS.iter().filter(|l| any || l.shows != other).collect();
+            let chosen = r.pick(&suited);
             layer(r, chosen)
         })
         .collect();
@@ -224,11 +252,10 @@ fn random_scene(r: &mut Random) -> String {
     if r.once_in(2) {
         text += "title = \"T $x$\"\ncaption = \"From {=time} to $\\\\frac{1}{2}$, {=separation}\"\n";
     }
-    for name in ["A", "B"] {
-        let kind = r.pick(KINDS);
-        text += &shape(r, kind, name);
-    }
     let question = r.pick(QUERIES);
+    for name in ["A", "B"] {
+        text += &shape(r, question, name);
+    }
     let single = question.bodies == Bodies::OneOrTwo && r.once_in(2);
     write!(
         text,
@@ -276,7 +303,7 @@ fn mended(text: &str) -> String {
         let span = first.span.clone();
         // Blanks keep the places; a layer's name becomes one that every scene can feed.
         let filler = match text.get(span.clone()) {
-            Some(word) if word.starts_with('"') && word.len() >= 8 => {
+            Some(word) if word.starts_with('"') && word.len() >= 6 => {
                 format!("\"axes\"{}", " ".repeat(word.len() - 6))
             }
             _ => return text,

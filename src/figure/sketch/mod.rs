@@ -242,18 +242,24 @@ impl<'f> Sketch<'f> {
 
     /// Counts what an outline costs: points, dashes, the area that is painted.
     fn count(&mut self, points: &[DVec2], wash: Option<Wash>, pen: Option<Pen>) {
-        self.points += points.len();
-        let page = || points.iter().map(|&p| self.frame.page(p));
+        self.spend(points.len());
+        let frame = self.frame;
+        let page = || points.iter().map(|&p| frame.page(p));
         if pen.is_some_and(|p| p.dash != Dash::Solid) {
             let length: f64 = page().zip(page().skip(1)).map(|(p, q)| (q - p).length()).sum();
-            self.points = self.points.saturating_add(whole(length / DASH));
+            self.spend(whole(length / DASH));
         }
         let Some(wash) = wash else { return };
         let bounds = page().map(|p| Rect::new(p, p)).reduce(Rect::union);
-        if let Some(seen) = bounds.and_then(|bounds| bounds.intersection(self.frame.panel)) {
+        if let Some(seen) = bounds.and_then(|bounds| bounds.intersection(frame.panel)) {
             let times = if self.pattern(wash).is_some() { PATTERNED } else { 1.0 };
             self.painted += times * seen.width() * seen.height() / 1e6;
         }
+    }
+
+    /// Counts points as drawn; there is no end to the dashes of a long line.
+    fn spend(&mut self, points: usize) {
+        self.points = self.points.saturating_add(points);
     }
 
     /// The opaque paint of a role.
@@ -283,7 +289,7 @@ impl<'f> Sketch<'f> {
 
     /// Puts something into the current part.
     fn push(&mut self, item: Item) -> &mut Self {
-        self.points += 1;
+        self.spend(1);
         if self.is_full() {
             return self;
         }
