@@ -307,7 +307,7 @@ impl fmt::Display for Fault {
             Self::UnsuitedShape { body, reason } => {
                 write!(f, "the query can't be asked of `{body}`: {reason}")
             }
-            Self::Shape(error) => write!(f, "`{}`: {}", error.field, error.message),
+            Self::Shape(error) => error.fmt(f),
         }
     }
 }

@@ -160,6 +160,14 @@ impl Shape {
     }
 }
 
+impl std::fmt::Display for ShapeError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}`: {}", self.field, self.message)
+    }
+}
+
+impl std::error::Error for ShapeError {}
+
 impl ShapeError {
     /// An error without an element.
     fn new(code: &'static str, field: &'static str, message: String) -> Self {
