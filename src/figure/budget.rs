@@ -7,7 +7,7 @@ use crate::scene::Problem;
 use crate::typeset::Line;
 
 use super::limits::{INSIDE, MAX_ALL_LABELS, MAX_GLYPHS, MAX_LABELS, MAX_PAIRS, MAX_TEXT_BYTES, within};
-use super::sketch::{Anchor, Request, Sketched};
+use super::sketch::{Anchor, Sketched};
 
 /// What the panels so far asked for.
 #[derive(Default)]
@@ -30,7 +30,10 @@ impl Budget {
     pub(crate) fn take(&mut self, sketched: &Sketched, at: &Range<usize>) -> Result<(), Problem> {
         let (labels, lines) = (sketched.requests.len(), sketched.obstacles.len());
         self.labels += labels;
-        self.pairs += labels * lines + INSIDE * sketched.requests.iter().map(points_of).sum::<usize>();
+        // A name looks for the remotest place from all areas.
+        let areas = sketched.requests.iter().map(|r| &r.label.anchor).chain(&sketched.unnamed).map(points_of);
+        let names = sketched.requests.iter().filter(|r| points_of(&r.label.anchor) > 0).count();
+        self.pairs += labels * lines + INSIDE * names * areas.sum::<usize>();
         self.bytes += sketched.requests.iter().flat_map(|r| &r.label.lines).map(String::len).sum::<usize>();
         within("the texts of the figure", "bytes", self.bytes, MAX_TEXT_BYTES, at)?;
         within("the labels of the panel", "labels", labels, MAX_LABELS, at)?;
@@ -49,9 +52,6 @@ impl Budget {
 }
 
 /// The points of the area that a label may stand in; 0 for a label of anything else.
-fn points_of(request: &Request) -> usize {
-    match &request.label.anchor {
-        Anchor::Inside { area, avoid } => area.len() + avoid.iter().map(Vec::len).sum::<usize>(),
-        _ => 0,
-    }
+fn points_of(anchor: &Anchor) -> usize {
+    if let Anchor::Inside { area } = anchor { area.len() } else { 0 }
 }

@@ -9,7 +9,7 @@ use super::describe;
 use super::fault::{Fault, Problem};
 use super::page::{Page, type_size};
 use super::panel::PanelPlan;
-use super::placement::{Ground, LabelFault, Labelled, Placed, Sought, faults, place};
+use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
 use super::plan::Plan;
 use super::runs::Run;
 use super::sketch::{Request, Sketched};
@@ -20,6 +20,8 @@ use super::theme::{Side, Theme};
 const HALO: f64 = 2.5;
 /// Width of leader lines and of the lines between panels, page pixels.
 const THIN: f64 = 0.75;
+/// Radius of the dot at the end of a leader line in an area, page pixels: twice the line, and no marker.
+const LEADER_DOT: f64 = 1.6;
 
 /// A figure, drawn in a theme.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,8 +143,9 @@ fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labell
     let series = earlier(plan, index).map(|i| &before[i]);
     let series: Vec<(Rect, Placed)> =
         series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-    let Sketched { frame, obstacles, .. } = &sketched;
-    let ground = Ground { frame, obstacles, earlier: &series, panels: plan.panels.len() };
+    let Sketched { frame, obstacles, requests, unnamed, .. } = &sketched;
+    let things = &things(requests, unnamed, obstacles, frame);
+    let ground = Ground { frame, obstacles, things, earlier: &series, panels: plan.panels.len() };
     let labelled = place(&sought, &ground);
     let mut layers = Group::new("layers");
     layers.clip = Some(sketched.frame.panel);
@@ -174,9 +177,13 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
     for label in &panel.placed {
         let mut one = Group::new(format!("label-{}", label.key));
         one.role = Some(label.role);
-        if let Some((from, to)) = label.leader {
+        if let Some(Leader { from, to, dot, .. }) = label.leader {
             let stroke = Stroke::solid(theme.paint(Role::Muted), THIN);
             one.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
+            if dot {
+                let disc = Contour::Circle { center: from, radius: LEADER_DOT };
+                one.items.push(Item::Path(Path::filled(disc, theme.paint(Role::Muted))));
+            }
         }
         let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
         one.items.extend(label.lines.iter().map(|(origin, line)| {

@@ -6,5 +6,6 @@ mod corpus;
 #[path = "../fuzz_bodies/mod.rs"]
 mod fuzz_bodies;
 mod label_faults;
+mod label_rule;
 mod no_panic;
 mod templates;

@@ -166,7 +166,7 @@ fn diamonds(sketch: &mut Sketch, found: &Difference) {
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
     let bare = |side| context.name(side).trim_matches('$').to_owned();
     let text = format!(r"${} \ominus {}$", bare(Side::B), bare(Side::A));
-    let anchor = Anchor::inside(&found.outline(), &[]);
+    let anchor = Anchor::inside(&found.outline());
     let role = options.role(Role::Difference);
     // A part of its own, as the name must not lie on the vertices.
     sketch.part("name").label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));

@@ -103,12 +103,10 @@ fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, 
     name(sketch, context, options, side, outline);
 }
 
-/// Names a ghost inside it, best where no body is.
+/// Names a ghost inside it.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
     let key = if side == Side::A { "A'" } else { "B'" };
-    let others: Vec<Outline> =
-        context.sides().into_iter().filter_map(|s| context.outline(s, context.time)).collect();
-    let anchor = Anchor::inside(outline, &others);
+    let anchor = Anchor::inside(outline);
     sketch.label(
         Label::new(key, context.primed(side, 1), anchor, options.role(side.into()))
             .rank(Rank::Name)
@@ -128,6 +126,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
+            sketch.unnamed(Anchor::inside(&outline));
         }
     }
     if let Some(outline) = context.outline(side, last) {

@@ -64,7 +64,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
-    let inside = Anchor::inside(&outline_a, &[]);
+    let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
     sketch.label(Label::new("b", "$b$", Anchor::point(b), Role::B).rank(Rank::Point));
 }

@@ -1,7 +1,7 @@
 //! The bodies at the panel's moment, filled and named; with `centers`, their origins marked.
 
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Wash};
 use crate::geometry::{Pose, Side};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
@@ -48,22 +48,14 @@ fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     sketch.part(part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
 }
 
-/// Names a body inside it, best where no other is; with `center`, marks its origin.
+/// Names a body inside it; with `center`, marks its origin.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, center: bool) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
     let key = if side == Side::A { "A" } else { "B" };
-    let others: Vec<Outline> = context
-        .sides()
-        .into_iter()
-        .filter(|&s| s != side)
-        .filter_map(|s| context.outline(s, context.time))
-        .collect();
     let pose = context.pose(side, context.time).filter(|_| center);
     sketch.part(part("body", side)).label(
-        Label::new(key, context.name(side), Anchor::inside(&outline, &others), role)
-            .rank(Rank::Name)
-            .size(Size::Name),
+        Label::new(key, context.name(side), Anchor::inside(&outline), role).rank(Rank::Name).size(Size::Name),
     );
     if let Some(Pose { position, .. }) = pose {
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };

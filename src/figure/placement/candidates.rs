@@ -1,13 +1,15 @@
-//! The candidate places of a label, by what it belongs to. Their order is fixed: the place of the same label
-//! in another panel of a series has the same slot.
+//! The candidate places of a label, by what it belongs to. Their order is fixed: of places that are
+//! as good, the first is taken.
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Corner, on_circle};
 use crate::scene::LabelPlace;
 
-use super::rect::{DIRECTIONS, about, bounds, distance_to, nearest_in, reach};
-use super::weights::{Places, Search};
+use super::leader::{LONGEST, leader};
+use super::rect::{DIRECTIONS, about, bounds, reach};
+use super::things::Things;
+use super::weights::{Places, Weights};
 use super::{Candidate, Sought, inside};
 
 /// Where a label may stand along a line, as parts of the way from its start: the middle first, then about it.
@@ -22,10 +24,10 @@ const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 const LEVEL: f64 = 1e-9;
 
 /// The candidate places of a label, at least one.
-pub(super) fn candidates(sought: &Sought, frame: &Frame, w: &Places) -> Vec<Candidate> {
+pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Places) -> Vec<Candidate> {
     let size = sought.size();
     if let Some(pin) = sought.pin {
-        return pinned(pin, &sought.anchor, size, frame, w);
+        return pinned(pin, &sought.anchor, size, frame, things, w);
     }
     let found = match &sought.anchor {
         Anchor::Point { at, clear, toward } => {
@@ -41,15 +43,36 @@ pub(super) fn candidates(sought: &Sought, frame: &Frame, w: &Places) -> Vec<Cand
             });
             sides(&points, size, w.other_side, w)
         }
-        Anchor::Inside { area, avoid } => {
-            let page = |points: &Vec<_>| points.iter().map(|&p| frame.page(p)).collect::<Vec<Point>>();
-            inside::places(&page(area), &avoid.iter().map(page).collect::<Vec<_>>(), size, &frame.panel, w)
-        }
+        Anchor::Inside { .. } => inside::places(things, size, w),
         Anchor::Corner(corner) => corners(*corner, size, &frame.panel, w),
     };
-    let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
-    let found: Vec<Candidate> = found.into_iter().filter(on_page).collect();
+    let found = led(found, things, w);
     if found.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { found }
+}
+
+/// The places that are on a page, those far from what their label belongs to with a leader line, those that
+/// mislead a second time with one.
+fn led(found: Vec<Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
+    let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
+    let mut all = Vec::with_capacity(2 * found.len());
+    for candidate in found.into_iter().filter(on_page) {
+        let line = || leader(things, &candidate.rect, w).filter(|line| line.length() <= LONGEST);
+        if is_far(things, &candidate.rect, w) {
+            all.extend(line().map(|line| Candidate { leader: Some(line), ..candidate.clone() }));
+            continue;
+        }
+        let clearer = if things.misleads(&candidate) { line() } else { None };
+        let reluctance = candidate.reluctance + w.lead;
+        let clearer = clearer.map(|line| Candidate { leader: Some(line), reluctance, ..candidate.clone() });
+        all.push(candidate);
+        all.extend(clearer);
+    }
+    all
+}
+
+/// Whether a label that stands there is so far from what it belongs to that a reader has to be led.
+fn is_far(things: &Things, rect: &Rect, w: &Places) -> bool {
+    things.own.as_ref().is_some_and(|own| own.distance(rect) > w.led * w.far_gap)
 }
 
 /// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label, and
@@ -97,12 +120,21 @@ fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
 }
 
 /// Where the scene pins a label: at an offset, or on the first two rings in a direction.
-fn pinned(pin: LabelPlace, anchor: &Anchor, size: (f64, f64), frame: &Frame, w: &Places) -> Vec<Candidate> {
+fn pinned(
+    pin: LabelPlace,
+    anchor: &Anchor,
+    size: (f64, f64),
+    frame: &Frame,
+    things: &Things,
+    w: &Places,
+) -> Vec<Candidate> {
     let (at, clear) = reference(anchor, frame, w);
     match pin {
         LabelPlace::Offset(dx, dy) => {
             let rect = about(at + Offset::new(dx, dy), size);
-            vec![Candidate { rect, reluctance: 0.0, leader: leader(at, clear, &rect, w) }]
+            let place = Candidate { rect, reluctance: 0.0, leader: None };
+            let line = is_far(things, &rect, w) || things.misleads(&place);
+            vec![Candidate { leader: if line { leader(things, &rect, w) } else { None }, ..place }]
         }
         LabelPlace::Compass(direction) => {
             let direction = DIRECTIONS[usize::from(direction) % DIRECTIONS.len()];
@@ -139,18 +171,10 @@ fn around(at: Point, clear: f64, preferred: Option<Offset>, size: (f64, f64), w:
                 let d = Offset::new(dx, dy).unit().unwrap_or_default();
                 w.astray * (1.0 - u.dot(d)) + w.around_asked * usual
             });
-            all.push(Candidate { rect, reluctance: own + more, leader: leader(at, clear, &rect, w) });
+            all.push(Candidate { rect, reluctance: own + more, leader: None });
         }
     }
     all
-}
-
-/// A line from what a label belongs to, where it stands so far off that a reader has to be led.
-fn leader(at: Point, clear: f64, rect: &Rect, w: &Places) -> Option<(Point, Point)> {
-    let near = nearest_in(rect, at);
-    let u = (near - at).unit()?;
-    let ends = (at + u * (clear + w.leader_room), near + u * -w.leader_room);
-    (distance_to(rect, at) - clear > w.led * w.far_gap).then_some(ends)
 }
 
 /// Beside at most five points of a line, from the best, on the side of their normals or (more reluctantly by
@@ -158,7 +182,8 @@ fn leader(at: Point, clear: f64, rect: &Rect, w: &Places) -> Option<(Point, Poin
 fn sides(points: &[(Point, Offset)], size: (f64, f64), other: f64, w: &Places) -> Vec<Candidate> {
     let mut all = Vec::new();
     let off_middle = [0.0, w.off_best, w.off_best, w.off_end, w.off_end];
-    for (gap, more) in near_rings(w) {
+    let [first, second] = near_rings(w);
+    for (gap, more) in [first, second, (w.far_gap, w.far_ring)] {
         for (&(p, n), off_middle) in points.iter().zip(off_middle) {
             for (normal, side) in [(n, 0.0), (-n, other)] {
                 let rect = about(p + normal * (gap + reach(normal, size)), size);
@@ -220,7 +245,8 @@ fn beyond(a: Point, b: Point, u: Offset, size: (f64, f64), w: &Places) -> Vec<Ca
 }
 
 /// Places about a place, for a label that finds room nowhere else.
-pub(super) fn nudged(place: &Candidate, search: &Search) -> Vec<Candidate> {
+pub(super) fn nudged(place: &Candidate, things: &Things, w: &Weights) -> Vec<Candidate> {
+    let search = &w.search;
     let mut steps = vec![-search.nudge];
     while let Some(&last) = steps.last().filter(|&&last| last + search.nudge_step <= search.nudge) {
         steps.push(last + search.nudge_step);
@@ -231,7 +257,12 @@ pub(super) fn nudged(place: &Candidate, search: &Search) -> Vec<Candidate> {
             let by = Offset::new(dx, dy);
             let rect = about(place.rect.center() + by, (place.rect.width(), place.rect.height()));
             let reluctance = place.reluctance + search.nudged * by.length();
-            all.push(Candidate { rect, reluctance, leader: place.leader.map(|(p, q)| (p, q + by)) });
+            let far = place.leader.is_some() || is_far(things, &rect, &w.places);
+            let line = || leader(things, &rect, &w.places).filter(|line| line.length() <= LONGEST);
+            let leader = if far { line() } else { None };
+            if leader.is_some() == far {
+                all.push(Candidate { rect, reluctance, leader });
+            }
         }
     }
     all
@@ -262,6 +293,9 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
 
 #[cfg(test)]
 mod tests {
+    use super::super::rect::distance_to;
+    use super::super::things::{Kind, Thing};
+    use super::super::weights::TUNED;
     use super::*;
     use crate::geometry::DVec2;
 
@@ -278,10 +312,33 @@ mod tests {
     #[test]
     fn a_far_place_has_a_leader_of_at_most_forty_pixels() {
         let at = Point::new(0.0, 0.0);
-        let far: Vec<_> =
-            around(at, 4.5, None, (30.0, 12.0), W).into_iter().filter_map(|c| c.leader).collect();
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let things = Things::among(&[], Thing::new(Kind::Point, vec![at], 4.5), &panel, W);
+        let places = led(around(at, 4.5, None, (30.0, 12.0), W), &things, W);
+        let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
         assert!(!far.is_empty());
-        assert!(far.iter().all(|(p, q)| (*q - *p).length() <= 40.0));
+        assert!(far.iter().all(|line| line.length() <= 40.0 && (line.from - at).length() > 4.5));
+    }
+
+    #[test]
+    fn a_place_that_misleads_is_offered_again_with_a_leader_to_its_own_area() {
+        let square = |x: f64| {
+            let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)];
+            let points = points.map(|(dx, dy)| Point::new(x + 80.0 * dx, 80.0 * dy));
+            Thing::new(Kind::Area, points.to_vec(), 0.0).unwrap()
+        };
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let all = [square(0.0), square(40.0)];
+        let things = Things::among(&all, Some(square(40.0)), &panel, W);
+        // Above the middle of both.
+        let rect = about(Point::new(60.0, -12.0), (60.0, 12.0));
+        let [plain, clear] = &led(vec![Candidate { rect, reluctance: 0.0, leader: None }], &things, W)[..]
+        else {
+            panic!("two places")
+        };
+        let line = clear.leader.unwrap();
+        assert!(plain.leader.is_none() && line.dot && line.length() < 40.0);
+        assert!(line.from.x > 80.0 && line.from.x < 120.0, "in the part that is its alone: {line:?}");
     }
 
     #[test]
@@ -305,8 +362,9 @@ mod tests {
 
     #[test]
     fn a_label_in_trouble_is_offered_a_square_of_places_about_its_own() {
+        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
         let place = Candidate { rect: about(Point::default(), (30.0, 12.0)), reluctance: 1.0, leader: None };
-        let all = nudged(&place, &Search::TUNED);
+        let all = nudged(&place, &Things::among(&[], None, &panel, W), &TUNED);
         assert_eq!(all.len(), 13 * 13);
         assert!(all.contains(&place), "its own place is among them, at no further reluctance");
     }

@@ -4,7 +4,8 @@ use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Cover, Obstacle, Weight};
 
-use super::rect::{cross, distance_to, length_inside, nearest_in, segment_distance};
+use super::rect::{cross, distance_to, length_inside, nearest_in, rect_distance, segment_distance};
+use super::things::{ALIKE, Things};
 use super::weights::Costs;
 use super::{Candidate, Placed, Sought};
 
@@ -33,7 +34,7 @@ fn influence(obstacle: &Obstacle, w: &Costs) -> Rect {
 /// All that is looked at for a place: its box, its leader, the way to the point that it names.
 fn hull(candidate: &Candidate, named: Option<Point>) -> Rect {
     let rect = named.map_or(candidate.rect, |p| candidate.rect.union(Rect::new(p, p)));
-    candidate.leader.map_or(rect, |(p, q)| rect.union(Rect::new(p, q)))
+    candidate.leader.map_or(rect, |line| rect.union(Rect::new(line.from, line.to)))
 }
 
 /// The point that a label names.
@@ -46,7 +47,7 @@ fn named(sought: &Sought, frame: &Frame) -> Option<Point> {
 
 /// What a place costs whatever the other labels do.
 pub(super) fn own_cost(
-    sought: &Sought,
+    (sought, things): (&Sought, &Things),
     home: Point,
     candidate: &Candidate,
     near_by: &NearBy,
@@ -54,6 +55,9 @@ pub(super) fn own_cost(
 ) -> f64 {
     let w = scene.costs;
     let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel, w);
+    if candidate.leader.is_none() {
+        cost += doubt(things.margin(&candidate.rect, w.doubt_reach), w);
+    }
     let named = named(sought, scene.frame);
     let near = named.map(|p| (p, nearest_in(&candidate.rect, p)));
     let reach = hull(candidate, named);
@@ -74,6 +78,11 @@ pub(super) fn own_cost(
         }
     }
     cost + if moved(sought, home, candidate, scene) { w.moved } else { 0.0 }
+}
+
+/// What standing nearer to another thing costs, or not much nearer to its own, by a margin in page pixels.
+fn doubt(margin: f64, w: &Costs) -> f64 {
+    if margin <= ALIKE { w.nearer } else { w.doubt * (1.0 - margin / w.doubt_reach).max(0.0) }
 }
 
 /// Whether an earlier panel has this label of a thing at the same place, and elsewhere than here.
@@ -118,7 +127,8 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Cost
             } else {
                 w.crowd * (1.0 - distance / w.crowd_reach).max(0.0)
             };
-            let led = candidate.leader.filter(|_| !own).is_some_and(|(p, q)| cross(p, q, from, to));
+            let led =
+                candidate.leader.filter(|_| !own).is_some_and(|line| cross(line.border, line.to, from, to));
             hidden + if led { w.leader } else { 0.0 }
         }
         Cover::Marker { at, radius } | Cover::Head { at, radius } => {
@@ -150,16 +160,21 @@ pub(super) fn pair_cost(a: &Candidate, b: &Candidate, w: &Costs) -> f64 {
     if hull(a, None).grown(w.label_comfort + 1.0).intersection(hull(b, None)).is_none() {
         return 0.0;
     }
-    let led =
-        |x: &Candidate, y: &Candidate| x.leader.is_some_and(|(p, q)| length_inside(p, q, &y.rect).is_some());
-    let mut cost = if led(a, b) || led(b, a) { w.leader } else { 0.0 };
+    let mut cost = 0.0;
+    for (line, other) in [(a.leader, b), (b.leader, a)] {
+        if line.is_some_and(|line| length_inside(line.from, line.to, &other.rect).is_some()) {
+            cost += w.under;
+        }
+    }
+    if let (Some(p), Some(q)) = (a.leader, b.leader)
+        && cross(p.from, p.to, q.from, q.to)
+    {
+        cost += w.under;
+    }
     if a.rect.grown(w.label_room).intersection(b.rect).is_some() {
         cost += w.overlap;
     } else if a.rect.grown(w.label_comfort).intersection(b.rect).is_some() {
-        let gap = |lo: f64, hi: f64| (lo - hi).max(0.0);
-        let dx = gap(a.rect.x0, b.rect.x1).max(gap(b.rect.x0, a.rect.x1));
-        let dy = gap(a.rect.y0, b.rect.y1).max(gap(b.rect.y0, a.rect.y1));
-        cost += w.close * (1.0 - libm::hypot(dx, dy) / w.label_comfort).max(0.0);
+        cost += w.close * (1.0 - rect_distance(&a.rect, &b.rect) / w.label_comfort).max(0.0);
     }
     cost
 }

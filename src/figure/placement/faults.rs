@@ -5,12 +5,12 @@ use std::ops::Range;
 use crate::drawing::Rect;
 use crate::figure::sketch::Cover;
 
-use super::Labelled;
+use super::leader::LONGEST;
 use super::rect::{distance_to, length_inside};
+use super::things::{ALIKE, Thing};
 use super::weights::Costs;
+use super::{Labelled, Placed};
 
-/// Length of a leader line beyond which it is a fault, page pixels.
-const LONGEST_LEADER: f64 = 40.0;
 /// How much boxes of glyphs may share in one direction and only seem to touch, page pixels.
 const SEEMING: f64 = 0.5;
 /// The part of an arrowhead's disc, about its middle, that the head itself covers.
@@ -63,6 +63,32 @@ pub enum LabelFault {
         /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
+    /// The label stands as near to another thing that it could name as to its own, or nearer, and no line
+    /// leads to it.
+    Misleading {
+        /// The key of the label.
+        key: &'static str,
+        /// Where the label comes from in the scene, bytes of its text.
+        span: Range<usize>,
+    },
+    /// Two labels stand each at what the other one names.
+    Swapped {
+        /// The key of the label.
+        key: &'static str,
+        /// The key of the other label.
+        other: &'static str,
+        /// Where the label comes from in the scene, bytes of its text.
+        span: Range<usize>,
+    },
+    /// The line that leads to a label runs under another one.
+    UnderLabel {
+        /// The key of the label that the line leads to.
+        key: &'static str,
+        /// The key of the other label.
+        other: &'static str,
+        /// Where the label comes from in the scene, bytes of its text.
+        span: Range<usize>,
+    },
     /// The label found no place and is left out.
     Dropped {
         /// The key of the label.
@@ -70,6 +96,14 @@ pub enum LabelFault {
         /// Where the label comes from in the scene, bytes of its text.
         span: Range<usize>,
     },
+}
+
+impl Placed {
+    /// Whether the line that leads to it runs under another label.
+    fn leads_under(&self, other: &Self) -> bool {
+        let line = self.leader.filter(|_| !std::ptr::eq(self, other));
+        line.is_some_and(|line| length_inside(line.from, line.to, &core(&other.bounds)).is_some())
+    }
 }
 
 impl LabelFault {
@@ -89,6 +123,9 @@ impl LabelFault {
             | Self::OnStroke { key, span }
             | Self::OverEdge { key, span }
             | Self::LongLeader { key, span }
+            | Self::Misleading { key, span }
+            | Self::Swapped { key, span, .. }
+            | Self::UnderLabel { key, span, .. }
             | Self::Dropped { key, span } => (key, span),
         }
     }
@@ -103,6 +140,15 @@ impl std::fmt::Display for LabelFault {
             Self::OnStroke { key, .. } => write!(f, "a line runs through the label `{key}`"),
             Self::OverEdge { key, .. } => write!(f, "the label `{key}` reaches over the edge of its panel"),
             Self::LongLeader { key, .. } => write!(f, "the label `{key}` stands far from what it names"),
+            Self::Misleading { key, .. } => {
+                write!(f, "the label `{key}` seems to name something else than its own thing")
+            }
+            Self::Swapped { key, other, .. } => {
+                write!(f, "the labels `{key}` and `{other}` stand each at what the other one names")
+            }
+            Self::UnderLabel { key, other, .. } => {
+                write!(f, "the line to the label `{key}` runs under the label `{other}`")
+            }
             Self::Dropped { key, .. } => write!(f, "the label `{key}` found no place and is left out"),
         }
     }
@@ -125,6 +171,9 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
                 found.push(LabelFault::Overlap { key, other: other.key, span: span.clone() });
             }
         }
+        for other in panel.placed.iter().filter(|other| label.leads_under(other)) {
+            found.push(LabelFault::UnderLabel { key, other: other.key, span: span.clone() });
+        }
         let covers =
             |hides: fn(&Cover, &Rect) -> bool| panel.obstacles.iter().any(|o| hides(&o.cover, &rect));
         if covers(is_marker_under) {
@@ -140,11 +189,32 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
         if edge.union(label.bounds) != edge {
             found.push(LabelFault::OverEdge { key, span: span.clone() });
         }
-        if label.leader.is_some_and(|(p, q)| (q - p).length() > LONGEST_LEADER) {
-            found.push(LabelFault::LongLeader { key, span });
+        if label.leader.is_some_and(|line| line.length() > LONGEST) {
+            found.push(LabelFault::LongLeader { key, span: span.clone() });
+        }
+        if misleads(label, &panel.things) {
+            found.push(LabelFault::Misleading { key, span: span.clone() });
+        }
+        for other in panel.placed[..i].iter().filter(|other| are_swapped(label, other)) {
+            found.push(LabelFault::Swapped { key, other: other.key, span: span.clone() });
         }
     }
     found
+}
+
+/// Whether a label names something else to who looks at it.
+fn misleads(label: &Placed, things: &[Thing]) -> bool {
+    label.leader.is_none()
+        && label.thing.as_ref().is_some_and(|own| own.margin(things, &label.bounds) <= ALIKE)
+}
+
+/// Whether each of two labels stands nearer to what the other one names.
+fn are_swapped(label: &Placed, other: &Placed) -> bool {
+    let (Some(own), Some(its)) = (&label.thing, &other.thing) else { return false };
+    let astray = |label: &Placed, own: &Thing, its: &Thing| {
+        label.leader.is_none() && own.margin(std::slice::from_ref(its), &label.bounds) < -ALIKE
+    };
+    astray(label, own, its) && astray(other, its, own)
 }
 
 /// Whether it is a marker that reaches under a label.

@@ -9,6 +9,7 @@ use crate::drawing::{Offset, Point, Rect};
 
 use super::Candidate;
 use super::rect::{DIRECTIONS, about, bounds, length_inside, reach};
+use super::things::{Thing, Things};
 use super::weights::Places;
 
 /// How much remoter than the line itself, in shares of the pole's distance, a place may count: one on the
@@ -23,25 +24,20 @@ const PAYS: f64 = 0.01;
 /// left, left, lower right, down, lower left.
 const OUTSIDE: [usize; 8] = [1, 2, 0, 3, 4, 7, 6, 5];
 
-/// Places for a name inside an area, best where no area to avoid is, then around it; all in page pixels.
-pub(super) fn places(
-    area: &[Point],
-    avoid: &[Vec<Point>],
-    size: (f64, f64),
-    panel: &Rect,
-    w: &Places,
-) -> Vec<Candidate> {
-    let points = grid(area, avoid, panel, w);
-    let best = points.first().map_or(1.0, |p| p.1.max(1.0));
+/// Places for a name inside its area, best where no other area is, then around it.
+pub(super) fn places(things: &Things, size: (f64, f64), w: &Places) -> Vec<Candidate> {
+    let Some(area) = things.own.as_ref().map(Thing::points) else { return Vec::new() };
     let Some(bounds) = bounds(area.iter().copied()) else { return Vec::new() };
+    let avoid = things.avoid();
+    let best = things.remote.first().map_or(1.0, |p| p.1.max(1.0));
     let reach = 0.5 * libm::hypot(bounds.width(), bounds.height()).max(1.0);
     let mut inside: Vec<Candidate> = Vec::new();
-    for (center, room) in points {
+    for &(center, room) in &things.remote {
         let rect = about(center, size);
         if fits(&rect, area, w) {
             let off_pole = w.off_pole * (1.0 - room / best).clamp(0.0, MOST_OFF_POLE);
             let off_middle = w.off_middle * (center - bounds.center()).length() / reach;
-            let reluctance = off_pole + off_middle + shared(&rect, avoid, w);
+            let reluctance = off_pole + off_middle + shared(&rect, &avoid, w);
             inside.push(Candidate { rect, reluctance, leader: None });
         }
     }
@@ -54,12 +50,12 @@ pub(super) fn places(
             all.push(candidate);
         }
     }
-    all.extend(outside(area, avoid, size, w));
+    all.extend(outside(things, &avoid, size, w));
     all
 }
 
 /// What it costs to stand on another area.
-fn shared(rect: &Rect, avoid: &[Vec<Point>], w: &Places) -> f64 {
+fn shared(rect: &Rect, avoid: &[&[Point]], w: &Places) -> f64 {
     if avoid.iter().any(|a| meets(rect, a, w)) { w.shared } else { 0.0 }
 }
 
@@ -72,7 +68,7 @@ pub(super) fn pole(area: &[Point], w: &Places) -> Point {
 
 /// Points inside the area and the panel, the farthest from all boundaries first, the best refined; each with
 /// that distance, page pixels.
-fn grid(area: &[Point], avoid: &[Vec<Point>], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
+pub(super) fn grid(area: &[Point], avoid: &[&[Point]], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
     let Some(all) = bounds(area.iter().copied()) else { return Vec::new() };
     let Some(bounds) = all.intersection(*panel) else { return Vec::new() };
     let count = u32::try_from(w.grid).unwrap_or(1);
@@ -128,7 +124,7 @@ fn climb(start: Point, step: f64, bounds: &Rect, room: &impl Fn(Point) -> f64) -
 }
 
 /// Signed distance to the nearest boundary: negative outside the area, or inside one to avoid.
-fn room_at(p: Point, area: &[Point], avoid: &[Vec<Point>], panel: &Rect) -> f64 {
+fn room_at(p: Point, area: &[Point], avoid: &[&[Point]], panel: &Rect) -> f64 {
     let own = distance_to_line(area, p);
     let own = if contains(area, p) { own } else { -own };
     let edge = (p.x - panel.x0).min(panel.x1 - p.x).min(p.y - panel.y0).min(panel.y1 - p.y);
@@ -158,7 +154,7 @@ fn distance_to_line(line: &[Point], p: Point) -> f64 {
 }
 
 /// Even-odd: whether a ray to the right crosses the line an odd number of times.
-fn contains(line: &[Point], p: Point) -> bool {
+pub(super) fn contains(line: &[Point], p: Point) -> bool {
     let mut inside = false;
     for (a, b) in edges(line) {
         if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
@@ -183,23 +179,66 @@ fn crosses(rect: &Rect, line: &[Point]) -> bool {
     edges(line).any(|(a, b)| length_inside(a, b, rect).is_some())
 }
 
-/// Around the area, touching it from outside in eight directions.
-fn outside(area: &[Point], avoid: &[Vec<Point>], size: (f64, f64), w: &Places) -> Vec<Candidate> {
-    let Some(bounds) = bounds(area.iter().copied()) else { return Vec::new() };
-    let center = bounds.center();
-    let place = |(rank, direction): (f64, usize)| {
-        let (dx, dy) = DIRECTIONS[direction];
-        let u = Offset::new(dx, dy).unit()?;
-        let far = area.iter().map(|&p| (p - center).dot(u)).fold(0.0, f64::max);
-        let rect = about(center + u * (far + w.area_room + reach(u, size)), size);
+/// Around the area, touching it from outside: in eight directions from its middle, and square to its line at
+/// points along it.
+fn outside(things: &Things, avoid: &[&[Point]], size: (f64, f64), w: &Places) -> Vec<Candidate> {
+    let Some(own) = &things.own else { return Vec::new() };
+    let Some(bounds) = bounds(own.points().iter().copied()) else { return Vec::new() };
+    let place = |rect: Rect, rank: f64| {
         let reluctance = w.outside + w.outside_next * rank + shared(&rect, avoid, w);
-        Some(Candidate { rect, reluctance, leader: None })
+        Candidate { rect, reluctance, leader: None }
     };
-    (0_u8..).map(f64::from).zip(OUTSIDE).filter_map(place).collect()
+    let mut all = Vec::with_capacity(OUTSIDE.len() + w.beside_area);
+    for (rank, direction) in (0_u8..).map(f64::from).zip(OUTSIDE) {
+        let (dx, dy) = DIRECTIONS[direction];
+        let Some(u) = Offset::new(dx, dy).unit() else { continue };
+        let far = own.points().iter().map(|&p| (p - bounds.center()).dot(u)).fold(0.0, f64::max);
+        let far = far + w.area_room + reach(u, size);
+        all.push(place(touching(own, bounds.center(), u * far, size, w), rank));
+    }
+    for (p, normal) in along(own.points(), w.beside_area) {
+        for n in [normal, -normal] {
+            let rect = about(p + n * (w.area_room + reach(n, size)), size);
+            if own.distance(&rect) > w.area_room - FINE {
+                all.push(place(rect, w.off_eight));
+            }
+        }
+    }
+    all
+}
+
+/// A box that comes from far off towards the middle of an area, where it first touches: `far` is where it
+/// certainly does not.
+fn touching(own: &Thing, middle: Point, far: Offset, size: (f64, f64), w: &Places) -> Rect {
+    let (mut near, mut off) = (0.0, 1.0);
+    while (off - near) * far.length() > FINE {
+        let half = 0.5 * (near + off);
+        let apart = own.distance(&about(middle + far * half, size)) > w.area_room;
+        (near, off) = if apart { (near, half) } else { (half, off) };
+    }
+    about(middle + far * off, size)
+}
+
+/// Points at even distances along a closed line, each with a normal of it.
+fn along(line: &[Point], count: usize) -> Vec<(Point, Offset)> {
+    let length: f64 = edges(line).map(|(a, b)| (b - a).length()).sum();
+    let step = length / f64::from(u32::try_from(count.max(1)).unwrap_or(1));
+    let (mut all, mut before, mut next) = (Vec::new(), 0.0, 0.5 * step);
+    for (a, b) in edges(line) {
+        let d = b - a;
+        let Some(u) = d.unit() else { continue };
+        while next < before + d.length() && all.len() < count {
+            all.push((a + u * (next - before), u.left()));
+            next += step;
+        }
+        before += d.length();
+    }
+    all
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::things::Kind;
     use super::*;
 
     const W: &Places = &Places::TUNED;
@@ -218,11 +257,18 @@ mod tests {
         assert!((distance_to_line(&area, pole) - 40.0).abs() < 1.0);
     }
 
+    /// The places of a name of 12 × 12 in one area among others.
+    fn offered(area: &[Point], others: &[Vec<Point>]) -> Vec<Candidate> {
+        let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
+        let thing = |points: &[Point]| Thing::new(Kind::Area, points.to_vec(), 0.0).unwrap();
+        let all: Vec<Thing> = others.iter().map(|other| thing(other)).collect();
+        places(&Things::among(&all, Some(thing(area)), &panel, W), (12.0, 12.0), W)
+    }
+
     #[test]
     fn a_name_keeps_out_of_the_part_that_another_body_covers() {
-        let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
         let (a, b) = (square(10.0, 10.0, 100.0), square(60.0, 10.0, 100.0));
-        let best = places(&a, std::slice::from_ref(&b), (12.0, 12.0), &panel, W)
+        let best = offered(&a, std::slice::from_ref(&b))
             .into_iter()
             .min_by(|p, q| p.reluctance.total_cmp(&q.reluctance))
             .unwrap();
@@ -231,9 +277,12 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_has_no_room_inside_stands_outside() {
-        let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
+    fn a_name_that_has_no_room_inside_stands_outside_and_beside_it() {
         let tiny = square(100.0, 100.0, 8.0);
-        assert!(places(&tiny, &[], (12.0, 12.0), &panel, W).iter().all(|c| !crosses(&c.rect, &tiny)));
+        let thing = Thing::new(Kind::Area, tiny.clone(), 0.0).unwrap();
+        for place in offered(&tiny, &[]) {
+            assert!(!crosses(&place.rect, &tiny));
+            assert!(thing.distance(&place.rect) < W.area_room + 2.0 * FINE, "{place:?}");
+        }
     }
 }

@@ -9,15 +9,21 @@
 //! The approach follows Christensen, Marks, Shieber, "An Empirical Study of Algorithms for Point-Feature
 //! Label Placement", ACM Transactions on Graphics 14(3), 1995, with regret as the greedy order.
 //!
-//! The way through: [`candidates`] and [`inside`] offer places, [`cost`] prices them, [`solve`] chooses among
-//! them, [`faults`] says what is still wrong. All their numbers are [`weights`].
+//! Every label stands nearer to its own thing than to any other that it could name, or a [`leader`] line joins
+//! them.
+//!
+//! The way through: [`things`](mod@things) says what each label could name, [`candidates`] and [`inside`]
+//! offer places, [`cost`] prices them, [`solve`] chooses among them, [`faults`] says what is still wrong. All
+//! their numbers are [`weights`].
 
 mod candidates;
 mod cost;
 mod faults;
 mod inside;
+mod leader;
 mod rect;
 mod solve;
+mod things;
 mod weights;
 
 use std::ops::Range;
@@ -31,7 +37,9 @@ use crate::typeset::Line;
 
 pub use faults::LabelFault;
 pub(crate) use faults::faults;
+pub(crate) use leader::Leader;
 pub(crate) use solve::{Ground, place};
+pub(crate) use things::{Thing, things};
 
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]
@@ -73,8 +81,8 @@ struct Candidate {
     rect: Rect,
     /// How far it is from the best kind of place: 1 is a slight preference, 10 a strong one.
     reluctance: f64,
-    /// The line that leads from what it belongs to, where it stands far off, page pixels.
-    leader: Option<(Point, Point)>,
+    /// The line that leads from what it belongs to, where it stands far off or near something else.
+    leader: Option<Leader>,
 }
 
 /// A label at its place.
@@ -88,14 +96,39 @@ pub struct Placed {
     pub(crate) lines: Vec<(Point, Arc<Line>)>,
     /// The box of its glyphs, page pixels.
     pub bounds: Rect,
-    /// A line to what it belongs to, where it stands far from it, page pixels.
-    pub(crate) leader: Option<(Point, Point)>,
+    /// A line to what it belongs to, where it stands far from it or near something else.
+    pub(crate) leader: Option<Leader>,
+    /// What it belongs to; none for a note at a corner of the panel.
+    pub(crate) thing: Option<Thing>,
     /// The number of the part of the drawing that it belongs to.
     pub(crate) part: usize,
     /// Where what it belongs to lies, page pixels from the upper left corner of its panel.
     pub(crate) home: Offset,
     /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
+}
+
+impl Placed {
+    /// Whether a line leads to the label from what it belongs to.
+    ///
+    /// ```
+    /// use tracefig::{figure::{draw, plan}, scene::{Source, read}};
+    /// let text = r#"
+    /// shapes.A = { kind = "circle", radius = 1 }
+    /// query = { kind = "bounds", of = ["A"] }
+    /// labels.O.at = [40, -30]
+    /// panels = [{ space = "world", layers = ["shapes", "origin"] }]
+    /// "#;
+    /// let scene = read(&Source::new("pinned.toml", text)).unwrap();
+    /// let plan = plan(&scene).unwrap();
+    /// let figure = draw(&plan, plan.theme, "pinned");
+    /// let led = |key| figure.panels[0].placed.iter().any(|p| p.key == key && p.is_led());
+    /// assert!(led("O") && !led("A"));
+    /// ```
+    #[must_use]
+    pub fn is_led(&self) -> bool {
+        self.leader.is_some()
+    }
 }
 
 /// A panel with its labels.
@@ -105,6 +138,8 @@ pub struct Labelled {
     pub frame: Frame,
     /// What labels keep off.
     pub(crate) obstacles: Vec<Obstacle>,
+    /// Everything that a label could name.
+    pub(crate) things: Vec<Thing>,
     /// The labels that found a place, in the order in which the layers asked for them.
     pub placed: Vec<Placed>,
     /// Keys of labels that did not, with the places that warnings point at.

@@ -29,6 +29,14 @@ pub(super) fn distance_to(rect: &Rect, p: Point) -> f64 {
     (p - nearest_in(rect, p)).length()
 }
 
+/// Distance of two rectangles; 0 where they touch.
+pub(super) fn rect_distance(a: &Rect, b: &Rect) -> f64 {
+    let gap = |lo: f64, hi: f64| (lo - hi).max(0.0);
+    let dx = gap(a.x0, b.x1).max(gap(b.x0, a.x1));
+    let dy = gap(a.y0, b.y1).max(gap(b.y0, a.y1));
+    libm::hypot(dx, dy)
+}
+
 /// Distance of a segment from a rectangle; 0 where they touch.
 pub(super) fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
     if length_inside(from, to, rect).is_some() {

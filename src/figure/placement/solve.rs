@@ -9,6 +9,7 @@ use crate::figure::sketch::{Anchor, Corner, Obstacle};
 
 use super::candidates::{candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
+use super::things::{Thing, Things};
 use super::weights::{TUNED, Weights};
 use super::{Candidate, LEADING, Labelled, Placed, Sought};
 
@@ -31,6 +32,8 @@ pub(crate) struct Ground<'p> {
     pub(crate) frame: &'p Frame,
     /// What labels keep off.
     pub(crate) obstacles: &'p [Obstacle],
+    /// Everything that a label could name.
+    pub(crate) things: &'p [Thing],
     /// Labels of earlier panels of the series, each with its panel.
     pub(crate) earlier: &'p [(Rect, Placed)],
     /// How many panels the figure has, which share the work of the search.
@@ -58,37 +61,46 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 
 /// Places the labels of a panel by other numbers than the tuned ones.
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
-    let Ground { frame, obstacles, earlier, panels } = *ground;
+    let Ground { frame, obstacles, things, earlier, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
     let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs };
-    let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame, &weights.places)).collect();
-    let priced = |(s, at): (&Sought, &Point), all: Vec<Candidate>| {
-        let near_by = near_by(s, &all, &surroundings);
-        let cost = |c: &Candidate| steady(own_cost(s, *at, c, &near_by, &surroundings));
-        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect::<Vec<_>>()
-    };
-    let places = sought.iter().zip(&homes);
-    let places = places.map(|s| priced(s, candidates(s.0, frame, &weights.places))).collect();
-    let (chosen, most) = (vec![0; sought.len()], MAX_PRICED / panels.max(1));
+    let seekers: Vec<Seeker> = sought
+        .iter()
+        .map(|sought| {
+            let things = Things::of(&sought.anchor, things, frame, &weights.places);
+            Seeker { sought, home: home(&sought.anchor, frame, &weights.places), things }
+        })
+        .collect();
+    let places = seekers
+        .iter()
+        .map(|s| s.priced(candidates(s.sought, &s.things, frame, &weights.places), &surroundings));
+    let (places, chosen, most) = (places.collect(), vec![0; sought.len()], MAX_PRICED / panels.max(1));
     let mut choices = Choices { places, chosen, weights, priced: Cell::new(0), most };
     choices.greedy();
     choices.improve();
-    let all: Vec<usize> = (0..sought.len()).collect();
-    let search = &weights.search;
-    for (label, s) in sought.iter().zip(&homes).enumerate() {
-        if choices.is_spent() {
-            break;
-        }
-        if s.0.pin.is_some() || choices.cost(label, choices.chosen[label], &all) < search.trouble {
-            continue;
-        }
-        let cheapest = choices.cheapest(label, search.cheapest);
-        let more =
-            cheapest.into_iter().flat_map(|slot| nudged(&choices.places[label][slot].0, search)).collect();
-        choices.places[label].extend(priced(s, more));
-    }
+    choices.widen(&seekers, &surroundings);
     choices.improve();
-    choices.finish(sought, frame, obstacles)
+    choices.finish(&seekers, ground)
+}
+
+/// A label that seeks its place.
+struct Seeker<'s> {
+    /// What it says, and of what.
+    sought: &'s Sought,
+    /// Where what it belongs to lies, page pixels.
+    home: Point,
+    /// What it names, and what it must not seem to name.
+    things: Things<'s>,
+}
+
+impl Seeker<'_> {
+    /// Places, each with what it costs whatever the other labels do.
+    fn priced(&self, all: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
+        let near_by = near_by(self.sought, &all, scene);
+        let own = |c: &Candidate| own_cost((self.sought, &self.things), self.home, c, &near_by, scene);
+        let cost = |c: &Candidate| steady(own(c));
+        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect()
+    }
 }
 
 /// A cost rounded to whole [`PARTS`].
@@ -205,6 +217,23 @@ impl Choices<'_> {
         }
     }
 
+    /// Offers the labels in trouble places about their places.
+    fn widen(&mut self, seekers: &[Seeker], scene: &Surroundings) {
+        let all: Vec<usize> = (0..seekers.len()).collect();
+        let search = &self.weights.search;
+        for (label, seeker) in seekers.iter().enumerate() {
+            if self.is_spent() {
+                break;
+            }
+            if seeker.sought.pin.is_some() || self.cost(label, self.chosen[label], &all) < search.trouble {
+                continue;
+            }
+            let about = |slot: usize| nudged(&self.places[label][slot].0, &seeker.things, self.weights);
+            let more = self.cheapest(label, search.cheapest).into_iter().flat_map(about).collect();
+            self.places[label].extend(seeker.priced(more, scene));
+        }
+    }
+
     /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there
     /// move, and keeps the first that lowers the sum of all costs.
     fn eject(&mut self, label: usize, all: &[usize]) -> bool {
@@ -238,10 +267,11 @@ impl Choices<'_> {
     }
 
     /// The labels at their places, without those that clash beyond help.
-    fn finish(&self, sought: &[Sought], frame: &Frame, obstacles: &[Obstacle]) -> Labelled {
+    fn finish(&self, seekers: &[Seeker], ground: &Ground) -> Labelled {
+        let Ground { frame, obstacles, things, .. } = *ground;
         let clash = self.weights.search.clash;
-        let mut order: Vec<usize> = (0..sought.len()).collect();
-        order.sort_by_key(|&i| std::cmp::Reverse(sought[i].rank));
+        let mut order: Vec<usize> = (0..seekers.len()).collect();
+        order.sort_by_key(|&i| std::cmp::Reverse(seekers[i].sought.rank));
         let mut kept: Vec<usize> = Vec::new();
         let mut dropped = Vec::new();
         for &i in &order {
@@ -251,20 +281,21 @@ impl Choices<'_> {
                 both.is_some_and(|r| r.width() > clash && r.height() > clash)
             };
             if kept.iter().any(clashes) {
-                dropped.push((sought[i].key, sought[i].span.clone()));
+                dropped.push((seekers[i].sought.key, seekers[i].sought.span.clone()));
             } else {
                 kept.push(i);
             }
         }
         kept.sort_unstable();
-        let placed =
-            kept.iter().map(|&i| placed(&sought[i], self.candidate(i), frame, self.weights)).collect();
-        Labelled { frame: *frame, obstacles: obstacles.to_vec(), placed, dropped }
+        let placed = kept.iter().map(|&i| placed(&seekers[i], self.candidate(i), frame)).collect();
+        let (obstacles, things) = (obstacles.to_vec(), things.to_vec());
+        Labelled { frame: *frame, obstacles, things, placed, dropped }
     }
 }
 
 /// A label at its place: its lines below each other, centred but for notes.
-fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame, weights: &Weights) -> Placed {
+fn placed(seeker: &Seeker, candidate: &Candidate, frame: &Frame) -> Placed {
+    let sought = seeker.sought;
     let bounds = candidate.rect;
     // The lines of a note are read as a paragraph or a column of equations.
     let align = match sought.anchor {
@@ -279,8 +310,9 @@ fn placed(sought: &Sought, candidate: &Candidate, frame: &Frame, weights: &Weigh
         y += line.height() + LEADING;
     }
     let Sought { key, role, part, .. } = *sought;
-    let home = home(&sought.anchor, frame, &weights.places) - Point::new(frame.panel.x0, frame.panel.y0);
-    Placed { key, role, lines, bounds, leader: candidate.leader, part, home, span: sought.span.clone() }
+    let home = seeker.home - Point::new(frame.panel.x0, frame.panel.y0);
+    let (leader, thing, span) = (candidate.leader, seeker.things.own.clone(), sought.span.clone());
+    Placed { key, role, lines, bounds, leader, thing, part, home, span }
 }
 
 #[cfg(test)]

@@ -50,8 +50,6 @@ pub(crate) enum Anchor {
     Inside {
         /// Points along the area's contour, in the panel's space.
         area: Vec<DVec2>,
-        /// Points along the contours of areas to keep out of, in the panel's space.
-        avoid: Vec<Vec<DVec2>>,
     },
     /// A corner or edge of the panel, to stand in.
     Corner(Corner),
@@ -145,10 +143,10 @@ impl Anchor {
         Self::Along { from, to, best: Best::Middle }
     }
 
-    /// Inside an area of the panel's space, best where the areas to avoid are not.
+    /// Inside an area of the panel's space, best where no other area is that a label stands in.
     #[must_use]
-    pub(crate) fn inside(area: &Outline, avoid: &[Outline]) -> Self {
-        Self::Inside { area: area.sampled(), avoid: avoid.iter().map(Outline::sampled).collect() }
+    pub(crate) fn inside(area: &Outline) -> Self {
+        Self::Inside { area: area.sampled() }
     }
 
     /// Points of the panel's space that it is made of; none for a corner of the panel.
@@ -160,7 +158,7 @@ impl Anchor {
             Self::Arc { center, radius, start, sweep } => {
                 Outline::arc(*center, *radius, *start, *sweep).sampled()
             }
-            Self::Inside { area, .. } => area.clone(),
+            Self::Inside { area } => area.clone(),
             Self::Corner(_) => Vec::new(),
         }
     }

@@ -104,6 +104,8 @@ pub(crate) struct Sketch<'f> {
     obstacles: Vec<Obstacle>,
     /// The labels asked for so far.
     requests: Vec<Request>,
+    /// What has no label so far, though one of its kind could name it.
+    unnamed: Vec<Anchor>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     extent: Option<(DVec2, DVec2)>,
     /// Points of all lines so far.
@@ -122,6 +124,8 @@ pub(crate) struct Sketched {
     pub(crate) obstacles: Vec<Obstacle>,
     /// The labels that were asked for.
     pub(crate) requests: Vec<Request>,
+    /// What has no label, though one of its kind could name it.
+    pub(crate) unnamed: Vec<Anchor>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     pub(crate) extent: Option<(DVec2, DVec2)>,
     /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
@@ -144,6 +148,7 @@ impl<'f> Sketch<'f> {
             labels: true,
             obstacles: Vec::new(),
             requests: Vec::new(),
+            unnamed: Vec::new(),
             extent: None,
             points: 0,
             painted: 0.0,
@@ -160,8 +165,8 @@ impl<'f> Sketch<'f> {
 
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
-        let Self { frame, layers, obstacles, requests, extent, points, painted, .. } = self;
-        Sketched { frame, layers, obstacles, requests, extent, points, painted }
+        let Self { frame, layers, obstacles, requests, unnamed, extent, points, painted, .. } = self;
+        Sketched { frame, layers, obstacles, requests, unnamed, extent, points, painted }
     }
 
     /// Whether more was drawn than a figure may show: it will be refused.
@@ -188,9 +193,21 @@ impl<'f> Sketch<'f> {
 
     /// Asks for a label of the current part; without effect where the scene turned this layer's labels off.
     pub(crate) fn label(&mut self, label: Label) -> &mut Self {
-        if self.labels && self.requests.len() < MAX_POINTS {
+        if !self.labels {
+            return self.unnamed(label.anchor);
+        }
+        if self.requests.len() < MAX_POINTS {
             let layer = self.layers.len().saturating_sub(1);
             self.requests.push(Request { label, part: self.part, layer });
+        }
+        self
+    }
+
+    /// Tells of something that has no label of its own: one of its kind that stands nearer to it than to its
+    /// own thing would name it.
+    pub(crate) fn unnamed(&mut self, anchor: Anchor) -> &mut Self {
+        if self.unnamed.len() < MAX_POINTS {
+            self.unnamed.push(anchor);
         }
         self
     }

@@ -73,9 +73,17 @@ super::numbers! {
         /// Two labels that nearly touch, falling to nothing at `label_comfort`.
         /// Twice: 2 + 104 labels; half: 3 + 138 labels.
         close: f64 = 4.0;
-        /// A stroke or a label under a leader line.
+        /// A stroke under a leader line.
         /// Twice: nothing; half: 0 + 9 labels.
         leader: f64 = 8.0;
+        /// A label or another leader line under a leader line.
+        under: f64 = 40.0;
+        /// Standing as near to another thing as to its own, or nearer, without a leader line.
+        nearer: f64 = 40.0;
+        /// How much nearer to its own thing than to any other a label should stand, page pixels.
+        doubt_reach: f64 = 8.0;
+        /// Standing just nearer to its own thing than to another one, falling to nothing at `doubt_reach`.
+        doubt: f64 = 5.0;
         /// Standing elsewhere than the same label of the same thing in an earlier panel.
         /// Twice: 1 + 13 labels; half: 0 + 17 labels.
         moved: f64 = 6.0;

@@ -30,6 +30,10 @@ super::numbers! {
         /// Room between either end of a leader line and what it joins, page pixels.
         /// Twice and half: nothing that the survey sees, which looks at labels and not at leader lines.
         leader_room: f64 = 2.0;
+        /// Reluctance to have a leader line where a label stands near its thing, but as near to another one.
+        lead: f64 = 5.0;
+        /// How far a leader line reaches into an area, page pixels.
+        leader_depth: f64 = 6.0;
         /// Reluctance to stand in each of the eight directions about a point, from the east
         /// counter-clockwise. Mapmakers put names right above their place if they can.
         /// Twice: 1 + 67 labels; half: 2 + 77 labels.
@@ -112,5 +116,9 @@ super::numbers! {
         /// Reluctance to take each next of the eight directions about an area, from the upper right.
         /// Twice: 0 + 40 labels; half: 0 + 28 labels.
         outside_next: f64 = 0.3;
+        /// How many points along its area's line a name may stand beside, besides the eight directions.
+        beside_area: usize = 12;
+        /// Reluctance to stand beside one of those points, in steps of `outside_next`.
+        off_eight: f64 = 9.0;
     }
 }

@@ -7,7 +7,7 @@ use crate::drawing::Rect;
 use crate::figure::draw::{earlier, sought};
 use crate::figure::layer::{LAYERS, Shows};
 use crate::figure::placement::solve::{Ground, place_by};
-use crate::figure::placement::{Labelled, Sought, faults};
+use crate::figure::placement::{Labelled, Sought, faults, things};
 use crate::figure::plan::{Plan, plan};
 use crate::figure::sketch::Sketched;
 use crate::scene::{Scene, Source, open, read};
@@ -70,8 +70,9 @@ impl Case {
             let before = series.iter().map(|&i| &all[i]);
             let before: Vec<(Rect, _)> =
                 before.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-            let Sketched { frame, obstacles, .. } = sketched;
-            let ground = Ground { frame, obstacles, earlier: &before, panels: self.panels.len() };
+            let Sketched { frame, obstacles, requests, unnamed, .. } = sketched;
+            let things = &things(requests, unnamed, obstacles, frame);
+            let ground = Ground { frame, obstacles, things, earlier: &before, panels: self.panels.len() };
             all.push(place_by(weights, sought, &ground));
         }
         all
