@@ -7,6 +7,7 @@ use crate::figure::sketch::{Anchor, Best, Corner, on_circle};
 use crate::scene::LabelPlace;
 
 use super::leader::{LONGEST, leader};
+use super::pole::pole;
 use super::rect::{DIRECTIONS, about, bounds, reach};
 use super::things::Things;
 use super::weights::{Places, Weights};
@@ -113,7 +114,7 @@ fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
         }
         Anchor::Inside { area, .. } => {
             let page: Vec<Point> = area.iter().map(|&p| frame.page(p)).collect();
-            (inside::pole(&page, w), 0.0)
+            (pole(&page, w), 0.0)
         }
         Anchor::Corner(_) => (frame.panel.center(), 0.0),
     }

@@ -6,7 +6,7 @@
 
 use crate::drawing::{Point, Rect};
 
-use super::inside::contains;
+use super::pole::contains;
 use super::rect::nearest_in;
 use super::things::Things;
 use super::weights::Places;

@@ -9,8 +9,8 @@
 //! The approach follows Christensen, Marks, Shieber, "An Empirical Study of Algorithms for Point-Feature
 //! Label Placement", ACM Transactions on Graphics 14(3), 1995, with regret as the greedy order.
 //!
-//! Every label stands nearer to its own thing than to any other that it could name, or a [`leader`] line joins
-//! them.
+//! Every label stands nearer to its own thing than to any other that it could name, or a [`leader`] line
+//! joins them.
 //!
 //! The way through: [`things`](mod@things) says what each label could name, [`candidates`] and [`inside`]
 //! offer places, [`cost`] prices them, [`solve`] chooses among them, [`faults`] says what is still wrong. All
@@ -21,6 +21,7 @@ mod cost;
 mod faults;
 mod inside;
 mod leader;
+mod pole;
 mod rect;
 mod solve;
 mod things;

@@ -18,7 +18,7 @@ use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Cover, Obstacle, Request};
 
 use super::Candidate;
-use super::inside::{contains, grid};
+use super::pole::{contains, grid};
 use super::rect::{about, bounds, distance_to, rect_distance, segment_distance};
 use super::weights::Places;
 
