@@ -12,18 +12,28 @@ use std::path::Path;
 
 use tempfile::NamedTempFile;
 
+use super::regular::replaceable;
+
 /// What the name of a part begins with; the dot hides it.
 const PREFIX: &str = ".tracefig-";
 /// What the name of a part ends with.
 const SUFFIX: &str = ".part";
 
-/// Writes a file. Whatever goes wrong, its place holds all of the new bytes or what it held before.
+/// Writes a file. Whatever goes wrong, its place holds all of the new bytes or what it held before. Who may
+/// read and write it stays as it was.
+///
+/// # Errors
+/// Where the place holds what is no regular file, and what the system says.
 pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    replaceable(path)?;
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
     let mut file = part_in(folder)?;
+    if let Ok(old) = path.symlink_metadata() {
+        file.as_file().set_permissions(old.permissions())?;
+    }
     file.write_all(bytes)?;
     file.as_file().sync_all()?;
     file.persist(path).map_err(|e| e.error)?;
@@ -116,6 +126,33 @@ mod tests {
         write_whole(&place, b"first, and longer").unwrap();
         write_whole(&place, b"second").unwrap();
         assert_eq!(std::fs::read(&place).unwrap(), b"second");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn who_may_read_a_file_stays_as_it_was() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let place = folder.path().join("figure.svg");
+        write_whole(&place, b"first").unwrap();
+        for mode in [0o600, 0o444, 0o664] {
+            std::fs::set_permissions(&place, std::fs::Permissions::from_mode(mode)).unwrap();
+            write_whole(&place, b"second").unwrap();
+            assert_eq!(place.metadata().unwrap().permissions().mode() & 0o777, mode);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_is_neither_replaced_nor_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let (place, other) = (folder.path().join("figure.svg"), folder.path().join("other"));
+        std::fs::write(&other, "theirs").unwrap();
+        std::os::unix::fs::symlink(&other, &place).unwrap();
+        let error = write_whole(&place, b"<svg/>").unwrap_err().to_string();
+        assert_eq!(error, "it is a link, not a regular file");
+        assert!(place.is_symlink() && std::fs::read(&other).unwrap() == b"theirs");
+        assert_eq!(names(folder.path()), ["figure.svg", "other"]);
     }
 
     #[test]

@@ -1,23 +1,26 @@
 //! `tracefig check`: is every figure on disk what its scene gives today?
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use tracefig::drawing::Rect;
-use tracefig::drift::report::{Finding, html, json, junit, markdown, tally};
-use tracefig::drift::{
-    Change, PixelDrift, Rendered, State, TRIPTYCH_FORMAT, compare, elements_in, triptych, what_moved,
-};
-use tracefig::output::Format;
+use tracefig::drift::report::{Finding, json, tally};
+use tracefig::drift::{Change, PixelDrift, Rendered, State, compare, elements_in, triptych, what_moved};
+use tracefig::output::{Format, MOST_BYTES};
+use tracefig::scene::visible;
 
 use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
-use super::jobs::{Job, Planned, Target, folders_of};
+use super::inputs::shown;
+use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
 use super::orphans::orphans;
 use super::parallel::in_order;
+use super::regular::read_regular;
 use super::render::cant_write;
+use super::reports::Places;
 use super::{Runs, Status};
 
 /// Options of `check`.
@@ -26,9 +29,9 @@ pub(crate) struct Check {
     /// Which scenes, and how they are drawn.
     #[command(flatten)]
     files: Files,
-    /// Folder for the images expected · difference · actual of changed figures, and a page that shows all
-    #[arg(short, long, value_name = "DIR", default_value = "target/tracefig-check")]
-    output: PathBuf,
+    /// Where the findings go.
+    #[command(flatten)]
+    places: Places,
     /// Write what changed, is stale or is missing
     #[arg(long)]
     accept: bool,
@@ -38,13 +41,10 @@ pub(crate) struct Check {
     /// Print the findings as JSON
     #[arg(long)]
     json: bool,
-    /// Write the findings as `JUnit` XML
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Append the findings as Markdown, as to $`GITHUB_STEP_SUMMARY`
-    #[arg(long, value_name = "FILE")]
-    summary: Option<PathBuf>,
 }
+
+/// Where the picture of each figure's differences goes.
+type Pictures = BTreeMap<PathBuf, PathBuf>;
 
 /// What `check` says of a scene.
 #[derive(Default)]
@@ -70,8 +70,14 @@ impl Runs for Check {
             Ok(jobs) => jobs,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
+        let mut kept = inputs_of(&jobs);
+        self.files.theme_files().for_each(|path| kept.keep(path, "a theme of this run"));
+        let pictures = match self.places.planned(&jobs, kept, self.json) {
+            Ok(pictures) => pictures,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
+        };
         let ink = console.ink();
-        clear_leftovers(&self.output);
+        clear_leftovers(self.places.folder());
         if self.accept {
             folders_of(&jobs).into_iter().for_each(clear_leftovers);
         }
@@ -79,12 +85,15 @@ impl Runs for Check {
         in_order(
             &jobs,
             self.files.threads(),
-            |job| self.compare_all(job, self.files.draw(job, ink)),
+            |job| self.compare_all(job, self.files.draw(job, ink), &pictures),
             |job, checked| -> io::Result<()> {
                 let checked = checked.unwrap_or_else(|| {
                     let mut bug = Checked::default();
-                    let name = job.input.name();
-                    bug.fail(&name, &format!("error: {name} was not drawn because of a bug of tracefig\n"));
+                    let name = job.input.shown();
+                    bug.fail(
+                        &job.input.name(),
+                        &format!("error: {name} was not drawn because of a bug of tracefig\n"),
+                    );
                     bug
                 });
                 self.tell(&checked.findings, &checked.messages, console)?;
@@ -95,31 +104,32 @@ impl Runs for Check {
         let orphans = orphans(&jobs, &self.files.folders());
         self.tell(&orphans, "", console)?;
         findings.extend(orphans);
-        let written = self.write_reports(&findings);
-        if let Err(message) = &written {
-            Console::message(message);
-        }
+        let failed = self.places.write(&findings, &mut console.out);
+        Console::message(&failed);
         self.conclude(&findings, console)?;
         let settled = |f: &Finding| !f.is_bad() || (self.accept && !["orphan", "error"].contains(&f.state));
-        let good = written.is_ok() && findings.iter().all(settled);
+        let good = failed.is_empty() && findings.iter().all(settled);
         Ok(if good { Status::Done } else { Status::Wrong })
     }
 }
 
 impl Check {
-    /// Says what was found, unless it will be said as JSON.
+    /// Says what was found, unless standard output is for a report.
     fn tell(&self, findings: &[Finding], messages: &str, console: &mut Console) -> io::Result<()> {
         if !messages.is_empty() {
             console.out.flush()?;
             Console::message(messages);
         }
-        for finding in findings.iter().filter(|f| f.is_bad() && f.state != "error" && !self.json) {
-            writeln!(console.out, "{:<9} {}", finding.state, finding.file)?;
+        if self.json || self.places.take_stdout() {
+            return Ok(());
+        }
+        for finding in findings.iter().filter(|f| f.is_bad() && f.state != "error") {
+            writeln!(console.out, "{:<9} {}", finding.state, visible(&finding.file))?;
             for line in &finding.details {
-                writeln!(console.out, "          {line}")?;
+                writeln!(console.out, "          {}", visible(line))?;
             }
             if let Some((path, _)) = &finding.picture {
-                writeln!(console.out, "          {path}: expected · difference · actual")?;
+                writeln!(console.out, "          {}: expected · difference · actual", visible(path))?;
             }
         }
         Ok(())
@@ -129,6 +139,9 @@ impl Check {
     fn conclude(&self, findings: &[Finding], console: &mut Console) -> io::Result<()> {
         if self.json {
             return console.out.write_all(json(findings).as_bytes());
+        }
+        if self.places.take_stdout() {
+            return Ok(());
         }
         let always = ["identical", "changed", "missing"];
         let counts: Vec<_> = tally(findings)
@@ -140,28 +153,8 @@ impl Check {
         writeln!(console.out, "{}{accepted}", counts.join(", "))
     }
 
-    /// Writes the page, `JUnit` XML and the summary, those that are wanted.
-    fn write_reports(&self, findings: &[Finding]) -> Result<(), String> {
-        let write = |path: &Path, text: String| {
-            write_whole(path, text.as_bytes()).map_err(|error| cant_write(path, &error))
-        };
-        if findings.iter().any(Finding::is_bad) {
-            std::fs::create_dir_all(&self.output).map_err(|error| cant_write(&self.output, &error))?;
-            write(&self.output.join("index.html"), html(findings))?;
-        }
-        if let Some(path) = &self.junit {
-            write(path, junit(findings))?;
-        }
-        if let Some(path) = &self.summary {
-            let file = std::fs::OpenOptions::new().create(true).append(true).open(path);
-            let written = file.and_then(|mut file| file.write_all(markdown(findings).as_bytes()));
-            written.map_err(|error| cant_write(path, &error))?;
-        }
-        Ok(())
-    }
-
     /// Compares all files of a scene.
-    fn compare_all(&self, job: &Job, drawn: Drawn) -> Checked {
+    fn compare_all(&self, job: &Job, drawn: Drawn, pictures: &Pictures) -> Checked {
         let mut checked = Checked::default();
         if drawn.failed {
             checked.fail(&job.input.name(), &drawn.messages);
@@ -170,7 +163,10 @@ impl Check {
         }
         for (file, encoded) in job.files.iter().zip(&drawn.files) {
             match &file.target {
-                Target::File(path) => self.compare_one(path, file, encoded, &mut checked),
+                Target::File(path) => {
+                    let picture = pictures.get(path).map_or(Path::new(""), PathBuf::as_path);
+                    self.compare_one((path, picture), file, encoded, &mut checked);
+                }
                 Target::Stdout => {
                     checked.fail("<stdin>", "error: a scene from standard input has no files to check\n");
                 }
@@ -179,13 +175,22 @@ impl Check {
         checked
     }
 
-    /// Compares a file with what lies in its place, and writes it where that is accepted.
-    fn compare_one(&self, path: &Path, file: &Planned, encoded: &Encoded, checked: &mut Checked) {
+    /// Compares a file with what lies in its place, and writes it where that is accepted; where they differ,
+    /// there is then a picture of it.
+    fn compare_one(
+        &self,
+        (path, picture): (&Path, &Path),
+        file: &Planned,
+        encoded: &Encoded,
+        checked: &mut Checked,
+    ) {
         let name = path.display().to_string();
-        let on_disk = match std::fs::read(path) {
+        let on_disk = match read_regular(path, MOST_BYTES) {
             Ok(bytes) => Some(bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return checked.fail(&name, &format!("error: can't read {name}: {error}\n")),
+            Err(error) => {
+                return checked.fail(&name, &format!("error: can't read {}: {error}\n", shown(path)));
+            }
         };
         let scale = self.files.scale();
         let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
@@ -202,13 +207,12 @@ impl Check {
                 let old = on_disk.unwrap_or_default();
                 finding.details = self.details(change, &old, file.format, encoded);
                 if let Some(image) = triptych(file.format, &old, &encoded.bytes, scale) {
-                    let path = self.output.join(picture_name(path));
-                    let written =
-                        std::fs::create_dir_all(&self.output).and_then(|()| write_whole(&path, &image));
+                    let written = std::fs::create_dir_all(self.places.folder())
+                        .and_then(|()| write_whole(picture, &image));
                     if let Err(error) = written {
-                        checked.fail(&name, &cant_write(&path, &error));
+                        checked.fail(&name, &cant_write(picture, &error));
                     }
-                    finding.picture = Some((path.display().to_string(), image));
+                    finding.picture = Some((picture.display().to_string(), image));
                 }
             }
         }
@@ -242,16 +246,4 @@ impl Check {
         let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / self.files.scale());
         elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
     }
-}
-
-/// The name of the picture that shows how a file differs: the file's own where the two have one format, else
-/// with the picture's extension after it.
-fn picture_name(path: &Path) -> PathBuf {
-    let extension = TRIPTYCH_FORMAT.name;
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    if path.extension().is_some_and(|e| e != extension) {
-        name.push(".");
-        name.push(extension);
-    }
-    name.into()
 }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use tracefig::figure::{draw, plan};
-use tracefig::scene::Refused;
+use tracefig::scene::{Refused, visible};
 
 use super::console::Console;
 use super::inputs::single;
@@ -29,7 +29,8 @@ impl Runs for Describe {
             Err(problems) => return console.refuse(&Refused { source: file.source.clone(), problems }),
         };
         let drawing = draw(&plan, plan.theme, "figure").drawing;
-        writeln!(console.out, "{}\n\n{}", drawing.title, drawing.desc)?;
+        let line = |text: &str| visible(&text.replace('\n', " ")).into_owned();
+        writeln!(console.out, "{}\n\n{}", line(&drawing.title), line(&drawing.desc))?;
         Ok(Status::Done)
     }
 }

@@ -12,13 +12,15 @@ use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::theme::{self, Theme};
 use tracefig::figure::{Fault, Figure, draw, plan};
-use tracefig::output::{FORMATS, Format, Options, OutputError, PngEffort, Writer, format};
-use tracefig::scene::{Ink, Problem, Refused, SceneFile, message};
+use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, format};
+use tracefig::scene::limits::MAX_FILE_BYTES;
+use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
 use super::Status;
 use super::console::Console;
 use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
+use super::regular::read_regular;
 use super::timings::Timings;
 
 /// The formats that are written where none is asked for, separated by commas.
@@ -76,21 +78,33 @@ struct ChosenTheme {
     theme: Theme,
     /// What tells it apart in a hash: the name, or the file's text.
     key: String,
+    /// The file; `None` for one of the house.
+    file: Option<PathBuf>,
 }
 
 /// A theme as written on the command line: the word for one of the house, or a file.
 fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
     if let Some(known) = theme::find(text) {
-        return Ok(ChosenTheme { name: text.to_owned(), theme: known.clone(), key: text.to_owned() });
+        return Ok(ChosenTheme {
+            name: text.to_owned(),
+            theme: known.clone(),
+            key: text.to_owned(),
+            file: None,
+        });
     }
     let path = Path::new(text);
     if path.extension().is_none_or(|e| e != "toml") {
         let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
         return Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")));
     }
-    let key = std::fs::read_to_string(path).map_err(|e| e.to_string())?;
+    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| e.to_string())?;
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(format!("expected at most {MAX_FILE_BYTES} bytes"));
+    }
+    let key = String::from_utf8(bytes).map_err(|e| e.to_string())?;
     let theme = theme::parse(&key).map_err(|e| e.to_string())?;
-    Ok(ChosenTheme { name: path.file_stem().unwrap_or_default().to_string_lossy().into_owned(), theme, key })
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(ChosenTheme { name, theme, key, file: Some(path.to_owned()) })
 }
 
 /// One file, ready to be written.
@@ -119,9 +133,21 @@ impl Files {
         let inputs = inputs(&self.scenes).map_err(Unplanned::Wrong)?;
         let mut formats: Vec<&'static Format> = self.format.iter().filter_map(|name| format(name)).collect();
         dedup(&mut formats, |f| f.name);
+        for (i, theme) in self.theme.iter().enumerate() {
+            if self.theme[..i].iter().any(|other| other.name == theme.name && other.key != theme.key) {
+                let name = visible(&theme.name);
+                let message = format!("two themes are called `{name}`, and their files would be one");
+                return Err(Unplanned::Usage(message));
+            }
+        }
         let mut themes: Vec<String> = self.theme.iter().map(|t| t.name.clone()).collect();
         dedup(&mut themes, Clone::clone);
         jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
+    }
+
+    /// The files of themes.
+    pub(crate) fn theme_files(&self) -> impl Iterator<Item = &Path> {
+        self.theme.iter().filter_map(|theme| theme.file.as_deref())
     }
 
     /// The folders that are meant as a whole.
@@ -160,7 +186,8 @@ impl Files {
             let Target::File(path) = &planned.target else { return false };
             let theme = self.chosen(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
             let hash = self.hash(&file, planned.format, theme);
-            let stamp = std::fs::read(path).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
+            let stamp =
+                read_regular(path, MOST_BYTES).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
             stamp.is_some_and(|stamp| stamp.is_of(&hash))
         })
     }

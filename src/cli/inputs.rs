@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tracefig::scene::{Refused, SceneFile, open, open_reader};
+use tracefig::scene::{Refused, SceneFile, open, open_reader, visible};
 
 /// The folder whose scenes are meant when none is named.
 const DEFAULT_FOLDER: &str = "figures";
@@ -18,12 +18,17 @@ pub(crate) enum Input {
 }
 
 impl Input {
-    /// How messages call it.
+    /// Its name.
     pub(crate) fn name(&self) -> String {
         match self {
             Self::Stdin => "<stdin>".to_owned(),
             Self::File(path) => path.display().to_string(),
         }
+    }
+
+    /// Its name in a line for people.
+    pub(crate) fn shown(&self) -> String {
+        visible(&self.name()).into_owned()
     }
 
     /// Reads and checks the scene.
@@ -33,6 +38,11 @@ impl Input {
             Self::File(path) => open(path),
         }
     }
+}
+
+/// A path as a message names it.
+pub(crate) fn shown(path: &Path) -> String {
+    visible(&path.display().to_string()).into_owned()
 }
 
 /// The input that one argument names.
@@ -72,16 +82,18 @@ pub(crate) fn whole_folders(arguments: &[PathBuf]) -> Vec<PathBuf> {
     arguments.iter().filter(|a| a.is_dir()).cloned().collect()
 }
 
-/// The scenes of a folder, by name.
+/// The scenes of a folder, by name. What is neither a file nor a link is no scene, whatever its name: a pipe
+/// would keep the others waiting. A link that leads nowhere is told when it is opened.
 fn folder(path: &Path) -> Result<Vec<Input>, String> {
-    let entries = path.read_dir().map_err(|e| format!("can't read the folder {}: {e}", path.display()))?;
+    let entries = path.read_dir().map_err(|e| format!("can't read the folder {}: {e}", shown(path)))?;
     let mut paths: Vec<PathBuf> = entries
         .filter_map(|entry| entry.ok().map(|e| e.path()))
         .filter(|p| p.extension().is_some_and(|e| e == "toml" || e == "json"))
+        .filter(|p| p.metadata().is_ok_and(|place| place.is_file()) || p.is_symlink() && !p.exists())
         .collect();
     paths.sort();
     if paths.is_empty() {
-        return Err(format!("there is no scene (*.toml, *.json) in the folder {}", path.display()));
+        return Err(format!("there is no scene (*.toml, *.json) in the folder {}", shown(path)));
     }
     Ok(paths.into_iter().map(Input::File).collect())
 }

@@ -1,11 +1,13 @@
 //! Which files a scene becomes: `STEM[.THEME].EXT`, beside it or in a folder.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use tracefig::output::Format;
 
-use super::inputs::Input;
+use super::inputs::{Input, shown};
+use super::outputs::{Kept, one_name};
 
 /// Where a file goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,6 +73,7 @@ pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, 
         return Err(Unplanned::Usage(message.to_owned()));
     }
     twins(&jobs)?;
+    inputs_stay(&jobs)?;
     Ok(jobs)
 }
 
@@ -99,12 +102,15 @@ fn target(input: &Input, folder: Option<&Path>, theme: Option<&str>, extension: 
         Input::Stdin if folder.is_none() => return Target::Stdout,
         Input::Stdin => (Path::new("."), "stdin".into()),
         Input::File(path) => {
-            let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-            (path.parent().unwrap_or(Path::new("")), stem)
+            (path.parent().unwrap_or(Path::new("")), path.file_stem().unwrap_or_default().to_owned())
         }
     };
-    let theme = theme.map_or(String::new(), |t| format!(".{t}"));
-    Target::File(folder.unwrap_or(beside).join(format!("{stem}{theme}.{extension}")))
+    let mut name: OsString = stem;
+    for part in theme.into_iter().chain([extension]) {
+        name.push(".");
+        name.push(part);
+    }
+    Target::File(folder.unwrap_or(beside).join(name))
 }
 
 /// The folders that files go to.
@@ -125,7 +131,7 @@ fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
         for file in &job.files {
             let Target::File(path) = &file.target else { continue };
             if let Some(other) = first.insert(one_name(path), &job.input) {
-                let (a, b, path) = (other.name(), job.input.name(), path.display());
+                let (a, b, path) = (other.shown(), job.input.shown(), shown(path));
                 return Err(Unplanned::Wrong(format!(
                     "{a} and {b} would both become {path}; nothing was written"
                 )));
@@ -135,11 +141,31 @@ fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
     Ok(())
 }
 
-/// A path that is the same for the same place, however its folder is written.
-fn one_name(path: &Path) -> PathBuf {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."));
-    let folder = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-    folder.join(path.file_name().unwrap_or_default())
+/// The files that a run reads, which it must not write.
+pub(crate) fn inputs_of(jobs: &[Job]) -> Kept {
+    let mut kept = Kept::default();
+    for job in jobs {
+        if let Input::File(path) = &job.input {
+            kept.keep(path, "a scene of this run");
+        }
+    }
+    kept
+}
+
+/// Refuses a file that would replace a scene of the same run.
+fn inputs_stay(jobs: &[Job]) -> Result<(), Unplanned> {
+    let kept = inputs_of(jobs);
+    for file in jobs.iter().flat_map(|job| &job.files) {
+        if let Target::File(path) = &file.target
+            && let Some(what) = kept.what(path)
+        {
+            return Err(Unplanned::Wrong(format!(
+                "{} is {what}, and a figure would take its place; nothing was written",
+                shown(path)
+            )));
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

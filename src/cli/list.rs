@@ -11,7 +11,7 @@ use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
-use tracefig::scene::{ERRORS, Field, Holds, TABLES, schema, shape_rows};
+use tracefig::scene::{ERRORS, Field, Holds, TABLES, schema, shape_rows, visible};
 
 use super::console::Console;
 use super::inputs::inputs;
@@ -208,5 +208,5 @@ fn figures() -> Vec<(String, String)> {
         Ok(file) => file.scene.title.map_or(String::new(), |t| t.value),
         Err(refused) => format!("({} in it)", refused.problems.len()),
     };
-    inputs.iter().map(|input| (input.name(), title(input))).collect()
+    inputs.iter().map(|input| (input.shown(), visible(&title(input)).into_owned())).collect()
 }

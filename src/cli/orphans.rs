@@ -6,22 +6,17 @@ use std::path::{Path, PathBuf};
 use tracefig::drift::Stamp;
 use tracefig::drift::report::Finding;
 use tracefig::figure::theme::THEMES;
-use tracefig::output::format;
+use tracefig::output::{MOST_BYTES, format};
 
 use super::inputs::Input;
 use super::jobs::Job;
+use super::regular::read_regular;
 
 /// The orphans in the folders that were checked as a whole, by name.
 pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
-    let stems: BTreeSet<PathBuf> = jobs
-        .iter()
-        .filter_map(|job| match &job.input {
-            Input::File(path) => Some(path.with_extension("")),
-            Input::Stdin => None,
-        })
-        .collect();
+    let scenes = names_of_files(jobs);
     let mut found: Vec<PathBuf> = folders.iter().flat_map(|folder| files_of_ours(folder)).collect();
-    found.retain(|path| !has_scene(path, &stems));
+    found.retain(|path| !scenes.contains(&path.with_extension("")));
     found.sort();
     let finding = |path: PathBuf| Finding {
         file: path.display().to_string(),
@@ -42,12 +37,25 @@ fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
 /// Whether a file says of itself that it is a figure of ours.
 fn is_ours(path: &Path) -> bool {
     let Some(format) = path.extension().and_then(|e| format(&e.to_string_lossy())) else { return false };
-    std::fs::read(path).is_ok_and(|bytes| Stamp::read(format, &bytes).is_some())
+    read_regular(path, MOST_BYTES).is_ok_and(|bytes| Stamp::read(format, &bytes).is_some())
 }
 
-/// Whether `STEM.EXT` or `STEM.THEME.EXT` belongs to a scene.
-fn has_scene(path: &Path, stems: &BTreeSet<PathBuf>) -> bool {
-    let stem = path.with_extension("");
-    let themed = stem.extension().is_some_and(|e| THEMES.iter().any(|t| e == t.name));
-    stems.contains(&stem) || (themed && stems.contains(&stem.with_extension("")))
+/// What the files of the scenes may be called, without the format's extension: STEM, and STEM.THEME for each
+/// theme of the house and each that was asked for.
+fn names_of_files(jobs: &[Job]) -> BTreeSet<PathBuf> {
+    let asked = jobs.iter().flat_map(|job| &job.files).filter_map(|file| file.theme.as_deref());
+    let themes: BTreeSet<&str> = THEMES.iter().map(|theme| theme.name).chain(asked).collect();
+    let mut names = BTreeSet::new();
+    for job in jobs {
+        let Input::File(path) = &job.input else { continue };
+        let stem = path.with_extension("");
+        for theme in &themes {
+            let mut name = stem.clone().into_os_string();
+            name.push(".");
+            name.push(theme);
+            names.insert(name.into());
+        }
+        names.insert(stem);
+    }
+    names
 }

@@ -9,6 +9,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
+use super::inputs::shown;
 use super::jobs::{Job, Target, folders_of};
 use super::parallel::in_order;
 use super::timings::Timings;
@@ -71,7 +72,7 @@ impl Runs for Render {
         if let Some(folder) = self.output.as_deref().filter(|f| f.as_os_str() != "-")
             && let Err(error) = std::fs::create_dir_all(folder)
         {
-            console.error(&format!("can't make the folder {}: {error}", folder.display()));
+            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
             return Ok(Status::Wrong);
         }
         // Twins are looked for among all scenes, whichever share is drawn.
@@ -137,7 +138,7 @@ impl Written {
 
     /// A job whose drawing panicked.
     fn bug(job: &Job) -> Self {
-        let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.name());
+        let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.shown());
         Self { messages, failed: true, ..Self::nothing() }
     }
 }
@@ -150,7 +151,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
         match &file.target {
             Target::Stdout => written.results = bytes,
             Target::File(path) => match write_whole(path, &bytes) {
-                Ok(()) => written.results.extend(format!("{}\n", path.display()).into_bytes()),
+                Ok(()) => written.results.extend(format!("{}\n", shown(path)).into_bytes()),
                 Err(error) => {
                     written.messages.push_str(&cant_write(path, &error));
                     written.failed = true;
@@ -164,7 +165,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
 
 /// The message of a file that can't be written.
 pub(super) fn cant_write(path: &Path, error: &io::Error) -> String {
-    format!("error: can't write {}: {error}\n", path.display())
+    format!("error: can't write {}: {error}\n", shown(path))
 }
 
 /// A bar where someone watches and there is something to wait for.

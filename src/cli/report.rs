@@ -10,7 +10,9 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use tracefig::report::{self, Contender, Effort};
 
+use super::atomic_file::write_whole;
 use super::console::Console;
+use super::inputs::shown;
 use super::render::cant_write;
 use super::{Runs, Status};
 
@@ -55,18 +57,26 @@ impl Runs for Report {
         if found.partial {
             console.error("stopped: the report holds what was finished");
         }
-        match report::write(&found, &self.output) {
-            Ok(files) => {
-                for file in files {
-                    writeln!(console.out, "{}", file.display())?;
-                }
-                Ok(if found.partial { Status::Wrong } else { Status::Done })
-            }
+        let files = std::fs::create_dir_all(&self.output).and_then(|()| report::files(&found));
+        let files = match files {
+            Ok(files) => files,
             Err(error) => {
                 Console::message(&cant_write(&self.output, &error));
-                Ok(Status::Wrong)
+                return Ok(Status::Wrong);
+            }
+        };
+        let mut status = if found.partial { Status::Wrong } else { Status::Done };
+        for (name, bytes) in files {
+            let path = self.output.join(name);
+            match write_whole(&path, &bytes) {
+                Ok(()) => writeln!(console.out, "{}", shown(&path))?,
+                Err(error) => {
+                    Console::message(&cant_write(&path, &error));
+                    status = Status::Wrong;
+                }
             }
         }
+        Ok(status)
     }
 }
 

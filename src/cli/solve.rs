@@ -47,7 +47,7 @@ impl Solve {
         for input in &inputs {
             match input.open() {
                 Ok(file) if self.json => writeln!(console.out, "{}", json(&input.name(), &file))?,
-                Ok(file) => console.out.write_all(text(&input.name(), &file).as_bytes())?,
+                Ok(file) => console.out.write_all(text(&input.shown(), &file).as_bytes())?,
                 Err(refused) => status = console.refuse(&refused)?,
             }
         }

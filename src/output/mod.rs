@@ -187,6 +187,11 @@ impl PngEffort {
 /// Pixels of the largest image: 2²⁶, of which four bytes each are kept.
 pub const MOST_PIXELS: f64 = 67_108_864.0;
 
+/// Bytes of the largest file that is read again, 64 MiB. The largest figure that may be drawn, 250,000 points
+/// of text or 2²⁶ pixels that repeat from row to row, has some 10 MB; a scene has no more memory than eight
+/// times as much.
+pub const MOST_BYTES: usize = 64 << 20;
+
 /// Why a drawing can't be written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum OutputError {

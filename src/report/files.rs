@@ -28,22 +28,39 @@ use super::{Report, json, markdown, plots};
 /// ```
 pub fn write(report: &Report, folder: &Path) -> io::Result<Vec<PathBuf>> {
     fs::create_dir_all(folder)?;
-    let mut files = Vec::new();
-    let mut put = |name: String, bytes: &[u8]| {
+    let mut paths = Vec::new();
+    for (name, bytes) in files(report)? {
         let path = folder.join(name);
         fs::write(&path, bytes)?;
-        files.push(path);
-        io::Result::Ok(())
-    };
-    put("report.md".into(), markdown(report).as_bytes())?;
-    put("report.json".into(), format!("{:#}\n", json(report)).as_bytes())?;
+        paths.push(path);
+    }
+    Ok(paths)
+}
+
+/// The files of a report, each with its name: `report.md`, `report.json` and every plot.
+///
+/// # Errors
+///
+/// When a plot can't be drawn.
+///
+/// ```
+/// use tracefig::report::{Report, files};
+/// let files = files(&Report { machine: vec![], rows: vec![], partial: true })?;
+/// assert_eq!(files[0].0, "report.md");
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn files(report: &Report) -> io::Result<Vec<(String, Vec<u8>)>> {
+    let mut files = vec![
+        ("report.md".to_owned(), markdown(report).into_bytes()),
+        ("report.json".to_owned(), format!("{:#}\n", json(report)).into_bytes()),
+    ];
     let look = &theme::THEMES[0];
     let color = |role: Role| look.color(role);
     for plot in plots(report, &color).map_err(io::Error::other)? {
         for format in FORMATS.iter().filter(|format| format.usual) {
             if let Writer::One(bytes) = format.write {
                 let bytes = bytes(&plot.drawing, &Options::default()).map_err(io::Error::other)?;
-                put(format!("{}.{}", plot.stem, format.name), &bytes)?;
+                files.push((format!("{}.{}", plot.stem, format.name), bytes));
             }
         }
     }

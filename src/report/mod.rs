@@ -15,7 +15,7 @@ mod tables;
 mod workload;
 
 pub use contender::{Contender, Outcome, Preparation, Prepared};
-pub use files::{machine, write};
+pub use files::{files, machine, write};
 pub use measure::{Effort, Row, run};
 pub use ours::contenders;
 pub use plots::plots;

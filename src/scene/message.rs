@@ -16,6 +16,7 @@ use annotate_snippets::{AnnotationKind, Element, Level, Origin, Renderer, Snippe
 
 use super::problem::{Explain, Problem};
 use super::source::Source;
+use super::visible::{brief, visible};
 
 /// How grave a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,34 +74,34 @@ pub(super) fn message_at<F: Explain>(
         Severity::Warning => Level::WARNING,
         Severity::Note => Level::NOTE,
     };
-    let fault = &problem.fault;
+    let (fault, name) = (&problem.fault, visible(&source.name).into_owned());
     let mut elements: Vec<Element<'_>> = Vec::new();
     if fault.has_place() {
         let place = source.place(problem.span.start);
-        let origin = Origin::path(source.name.as_str()).line(place.line).char_column(place.column);
-        let Quote { line, span, from_start } = quote(source, &problem.span);
+        let origin = Origin::path(name.as_str()).line(place.line).char_column(place.column);
+        let Quote { line, span, from_start } = quote(source, &problem.span).visible();
         let is_blank = line.trim().is_empty();
         let quoted =
             Snippet::source(line).line_start(place.line).annotation(AnnotationKind::Primary.span(span));
         if is_blank {
             elements.push(origin.into());
         } else if from_start {
-            elements.push(quoted.path(source.name.as_str()).into());
+            elements.push(quoted.path(name.as_str()).into());
         } else {
             // The snippet would count columns from where the line was cut.
             elements.push(origin.into());
             elements.push(quoted.into());
         }
     } else {
-        elements.push(Origin::path(source.name.as_str()).into());
+        elements.push(Origin::path(name.as_str()).into());
     }
-    elements.extend(fault.help().map(|help| Level::HELP.message(help).into()));
+    elements.extend(fault.help().map(|help| Level::HELP.message(brief(&help)).into()));
     elements.extend(
         pointer
             .filter(|pointer| !pointer.is_empty())
-            .map(|pointer| Level::NOTE.message(format!("at {pointer}")).into()),
+            .map(|pointer| Level::NOTE.message(format!("at {}", brief(&pointer))).into()),
     );
-    let report = level.primary_title(fault.to_string()).id(fault.code()).elements(elements);
+    let report = level.primary_title(brief(&fault.to_string())).id(fault.code()).elements(elements);
     let renderer = match ink {
         Ink::Plain => Renderer::plain(),
         Ink::Coloured => Renderer::styled(),
@@ -120,6 +121,26 @@ struct Quote {
     from_start: bool,
 }
 
+impl Quote {
+    /// The quote with signs for what would act; a tab stays one.
+    fn visible(self) -> Self {
+        let signs = |text: &str| text.split('\t').map(visible).collect::<Vec<_>>().join("\t");
+        let Range { start, end } = self.span;
+        let (Some(before), Some(marked), Some(after)) =
+            (self.line.get(..start), self.line.get(start..end), self.line.get(end..))
+        else {
+            return Self { line: signs(&self.line), span: 0..0, ..self };
+        };
+        let (mut line, marked) = (signs(before), signs(marked));
+        let start = line.len();
+        line.push_str(&marked);
+        let span = start..line.len();
+        line.push_str(&signs(after));
+        Self { line, span, ..self }
+    }
+}
+
+/// The line of a place, cut to what can be read, and the place within it.
 fn quote(source: &Source, span: &Range<usize>) -> Quote {
     let (line_start, line) = source.line_at(span.start);
     let start = span.start.saturating_sub(line_start).min(line.len());
@@ -175,5 +196,19 @@ mod tests {
     fn escape_codes_in_a_scene_do_not_reach_the_terminal() {
         let got = plain(&Source::new("s.toml", "title = '\u{1b}[31mred'"), 0..5);
         assert!(!got.contains('\u{1b}'), "{got:?}");
+        let got =
+            plain(&Source::new("\u{1b}[31m\n.json", "{\"\u{9b}\": {\"\\u001b[2J\\u0085\": 1}}"), 26..27);
+        assert!(got.contains("--> ␛[31m␊.json:1:") && got.contains("= note: at /�/␛[2J�"), "{got:?}");
+        assert!(!got.contains(['\u{1b}', '\u{85}', '\u{9b}']), "{got:?}");
+    }
+
+    #[test]
+    fn a_key_that_fills_the_screen_is_cut() {
+        let key = "k".repeat(900_000);
+        let fault =
+            Fault::UnknownKey { key: key.clone(), place: "a circle".to_owned(), known: vec![key.clone()] };
+        let source = Source::new("s.json", &format!("{{\"{key}\": 1}}"));
+        let got = message(&source, &Problem::new(fault, 2..900_002), Severity::Error, Ink::Plain);
+        assert!(got.len() < 6_000, "{} bytes", got.len());
     }
 }

@@ -21,6 +21,7 @@ mod source;
 mod stream;
 mod suggest;
 mod toml;
+mod visible;
 
 use std::ops::Range;
 
@@ -36,6 +37,7 @@ pub use read::read;
 pub use schema::schema;
 pub use source::{Place, Source, Syntax};
 pub use stream::{Reply, refuse_jsonl_line, refuse_long_jsonl_line, solve, solve_jsonl_line};
+pub use visible::visible;
 
 use crate::collision::{Algorithm, Query, QueryKind};
 use crate::geometry::{Body, Names};
@@ -95,8 +97,8 @@ impl Scene {
     #[must_use]
     pub fn names(&self) -> Names {
         let name = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
-        let [a, b] = [0, 1].map(|i| name(i).map(|(name, _)| name.value.as_str()));
-        Names::new(a.unwrap_or_default(), b)
+        let [a, b] = [0, 1].map(|i| name(i).map(|(name, _)| visible(&name.value)));
+        Names::new(&a.unwrap_or_default(), b.as_deref())
     }
 
     /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,

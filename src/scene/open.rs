@@ -79,7 +79,14 @@ impl<F: Explain + fmt::Debug> std::error::Error for Refused<F> {}
 pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
     let name = path.display().to_string();
     match File::open(path) {
-        Ok(file) => open_reader(&name, file),
+        Ok(file) => {
+            // What has no length, as a pipe, is read to the limit.
+            let length = file.metadata().map_or(0, |place| if place.is_file() { place.len() } else { 0 });
+            match usize::try_from(length) {
+                Ok(got) if got > MAX_FILE_BYTES => Err(Box::new(refuse(&name, too_long(got)))),
+                _ => open_reader(&name, file),
+            }
+        }
         Err(error) => Err(Box::new(refuse(&name, Fault::Unreadable { reason: error.to_string() }))),
     }
 }
@@ -92,6 +99,8 @@ pub fn open(path: &Path) -> Result<SceneFile, Box<Refused>> {
 /// ```
 /// let refused = tracefig::scene::open_reader("<stdin>", &b"\xff"[..]).unwrap_err();
 /// assert_eq!(refused.problems[0].fault.code(), "not-utf8");
+/// let refused = tracefig::scene::open_reader("<stdin>", std::io::repeat(b' ')).unwrap_err();
+/// assert_eq!(refused.problems[0].fault.code(), "over-limit");
 /// ```
 pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refused>> {
     let mut bytes = Vec::new();
@@ -99,11 +108,7 @@ pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refus
         return Err(Box::new(refuse(name, Fault::Unreadable { reason: error.to_string() })));
     }
     if bytes.len() > MAX_FILE_BYTES {
-        let (what, got) = ("the file".to_owned(), bytes.len());
-        return Err(Box::new(refuse(
-            name,
-            Fault::OverLimit { what, limit: MAX_FILE_BYTES, unit: "bytes", got },
-        )));
+        return Err(Box::new(refuse(name, Fault::Endless { limit: MAX_FILE_BYTES, unit: "bytes" })));
     }
     match String::from_utf8(bytes) {
         Ok(text) => open_text(name, &text),
@@ -133,6 +138,10 @@ pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {
         Ok(scene) => Ok(SceneFile { source, scene }),
         Err(problems) => Err(Box::new(Refused { source, problems })),
     }
+}
+
+fn too_long(got: usize) -> Fault {
+    Fault::OverLimit { what: "the file".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got }
 }
 
 fn refuse(name: &str, fault: Fault) -> Refused {

@@ -45,6 +45,13 @@ pub enum Fault {
         /// What the scene has.
         got: usize,
     },
+    /// A stream that goes on beyond what is read of it.
+    Endless {
+        /// The limit.
+        limit: usize,
+        /// What the limit counts, as "bytes".
+        unit: &'static str,
+    },
     /// A key that means nothing here.
     UnknownKey {
         /// The key.
@@ -204,7 +211,7 @@ impl Explain for Fault {
     }
 
     fn has_place(&self) -> bool {
-        !matches!(self, Self::Unreadable { .. })
+        !matches!(self, Self::Unreadable { .. } | Self::Endless { .. })
     }
 }
 
@@ -222,7 +229,7 @@ impl Fault {
             Self::Empty => codes::EMPTY.code,
             Self::Syntax { .. } => codes::SYNTAX.code,
             Self::DuplicateKey { .. } => codes::DUPLICATE_KEY.code,
-            Self::OverLimit { .. } => codes::OVER_LIMIT.code,
+            Self::OverLimit { .. } | Self::Endless { .. } => codes::OVER_LIMIT.code,
             Self::UnknownKey { .. } => codes::UNKNOWN_KEY.code,
             Self::UnknownWord { .. } => codes::UNKNOWN_WORD.code,
             Self::MissingKey { .. } => codes::MISSING_KEY.code,
@@ -282,6 +289,7 @@ impl fmt::Display for Fault {
             Self::OverLimit { what, limit, unit, got } => {
                 write!(f, "{what}: expected at most {limit} {unit}, got {got}")
             }
+            Self::Endless { limit, unit } => write!(f, "the file: expected at most {limit} {unit}, got more"),
             Self::UnknownKey { key, place, .. } => write!(f, "unknown key `{key}` in {place}"),
             Self::UnknownWord { what, got, .. } => write!(f, "unknown {what} `{got}`"),
             Self::MissingKey { key, place, expected } => {

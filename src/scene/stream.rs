@@ -9,6 +9,7 @@ use super::limits::MAX_FILE_BYTES;
 use super::node::Node;
 use super::problem::{Fault, Problem};
 use super::source::Source;
+use super::visible::brief;
 use super::{Scene, answer_json, codes, read};
 use crate::collision::Answer;
 
@@ -120,5 +121,5 @@ fn error_json(problems: &[Problem], source: &Source) -> Value {
     if problems.len() > 1 {
         let _ = write!(message, " (and {} more)", problems.len() - 1);
     }
-    json!({ "code": first.fault.code(), "message": message })
+    json!({ "code": first.fault.code(), "message": brief(&message) })
 }

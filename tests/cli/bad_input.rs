@@ -1,7 +1,7 @@
 //! Every wrong scene gets its message: code, file, line and column, the line itself, what was expected, what
 //! is near.
 
-use crate::{CIRCLES, folder_with, run, tracefig};
+use crate::{CIRCLES, folder_with, run, run_on, tracefig};
 
 /// What `solve` says of a scene on standard error.
 fn complaint(name: &str, text: &str) -> String {
@@ -310,9 +310,12 @@ fn what_is_no_text_or_too_large_is_told() {
     );
     let got = complaint("s.toml", &format!("title = \"{}\"", "x".repeat(5_000_000)));
     assert!(
-        got.starts_with("error[over-limit]: the file: expected at most 4194304 bytes, got 4194305\n"),
+        got.starts_with("error[over-limit]: the file: expected at most 4194304 bytes, got 5000010\n"),
         "{got}"
     );
+    let piped = run_on(tracefig(folder.path()).args(["solve", "-"]), "#".repeat(5_000_000));
+    let told = "error[over-limit]: the file: expected at most 4194304 bytes, got more\n--> <stdin>\n";
+    assert_eq!(piped.err, told);
     let got = complaint("s.toml", &changed("Two circles", &"x".repeat(4001)));
     assert!(
         got.starts_with("error[over-limit]: `title`: expected at most 4000 characters, got 4001\n"),

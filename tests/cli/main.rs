@@ -5,6 +5,8 @@
 mod bad_input;
 mod check;
 mod inert;
+#[cfg(unix)]
+mod inputs_stay;
 mod jsonl;
 mod readme;
 mod render;

@@ -59,7 +59,7 @@ fn outer() -> Vec<Table> {
             other_meanings: &[
                 ("svg", "output/html.rs", "the element inside a page"),
                 ("png", "output/mod.rs", "the option `--png`"),
-                ("html", "cli/check.rs", "the page of findings, which is no figure"),
+                ("html", "cli/reports.rs", "the page of findings, which is no figure"),
                 ("html", "drift/report", "the page of findings, which is no figure"),
             ],
         },

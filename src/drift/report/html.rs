@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::{Finding, escape, tally};
 use crate::drift::TRIPTYCH_FORMAT;
+use crate::scene::visible;
 
 /// How the page looks; it follows the reader's light or dark system.
 const STYLE: &str = "body{font:16px/1.5 sans-serif;max-width:120rem;margin:2rem auto;padding:0 1rem;\
@@ -12,6 +13,10 @@ dl{display:grid;grid-template-columns:auto 1fr;gap:0 1rem}dt{font-weight:600}dd{
 figure{margin:1rem 0}img{display:block;width:100%}\
 figcaption{display:grid;grid-template-columns:repeat(3,1fr);text-align:center}\
 @media(prefers-color-scheme:dark){body{color:#e8eaed;background:#12161c}}";
+
+/// The beginning of the page, by which it is known again.
+const HEAD: &str =
+    "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>tracefig check</title>";
 
 /// A page of all findings: counts, then a section with its picture for each file that is not identical.
 ///
@@ -24,18 +29,18 @@ figcaption{display:grid;grid-template-columns:repeat(3,1fr);text-align:center}\
 pub fn html(findings: &[Finding]) -> String {
     let counts: Vec<_> = tally(findings).into_iter().filter(|&(_, n)| n > 0).collect();
     let mut out = format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>tracefig check</title>\
-         <style>{STYLE}</style></head>\n<body><h1>Are the figures what their scenes give today?</h1>\n<dl>\n"
+        "{HEAD}<style>{STYLE}</style></head>\n\
+         <body><h1>Are the figures what their scenes give today?</h1>\n<dl>\n"
     );
     for (state, count) in counts {
         let _ = writeln!(out, "<dt>{count} {state}</dt><dd>{}</dd>", meaning(state));
     }
     out.push_str("</dl>\n");
     for finding in findings.iter().filter(|f| f.is_bad()) {
-        let name = escape(&finding.file);
+        let name = escape(&visible(&finding.file));
         let _ = writeln!(out, "<section><h2><code>{name}</code>: {}</h2>\n<ul>", finding.state);
         for line in &finding.details {
-            let _ = writeln!(out, "<li>{}</li>", escape(line));
+            let _ = writeln!(out, "<li>{}</li>", escape(&visible(line)));
         }
         out.push_str("</ul>\n");
         if let Some((_, image)) = &finding.picture {
@@ -52,6 +57,17 @@ pub fn html(findings: &[Finding]) -> String {
     }
     out.push_str("</body></html>\n");
     out
+}
+
+/// Whether a file, given from its beginning, is such a page.
+///
+/// ```
+/// use tracefig::drift::report::{html, is_page};
+/// assert!(is_page(html(&[]).as_bytes()) && !is_page(b"<!doctype html>\n<title>mine</title>"));
+/// ```
+#[must_use]
+pub fn is_page(bytes: &[u8]) -> bool {
+    bytes.starts_with(HEAD.as_bytes())
 }
 
 /// What a state means, for a reader who meets it first here.

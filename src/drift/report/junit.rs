@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Finding, escape};
+use crate::scene::visible;
 
 /// One test case a file; what is not identical failed.
 ///
@@ -19,14 +20,14 @@ pub fn junit(findings: &[Finding]) -> String {
     // Writing to a text can't fail.
     let _ = writeln!(out, "<testsuite name=\"tracefig check\" tests=\"{count}\" failures=\"{failures}\">");
     for finding in findings {
-        let name = escape(&finding.file);
+        let name = escape(&visible(&finding.file));
         if finding.is_bad() {
             let _ = writeln!(
                 out,
                 "  <testcase classname=\"tracefig\" name=\"{name}\">\
                  <failure message=\"{}\">{}</failure></testcase>",
                 finding.state,
-                escape(&finding.details.join("\n"))
+                escape(&finding.details.iter().map(|d| visible(d)).collect::<Vec<_>>().join("\n"))
             );
         } else {
             let _ = writeln!(out, "  <testcase classname=\"tracefig\" name=\"{name}\"/>");

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::{Finding, tally};
+use crate::scene::visible;
 
 /// Counts, then a table of what is not identical.
 ///
@@ -25,8 +26,51 @@ pub fn markdown(findings: &[Finding]) -> String {
     }
     out.push_str("\n| file | state | what differs |\n|---|---|---|\n");
     for finding in bad {
-        let details = finding.details.join("<br>").replace('|', "\\|");
-        let _ = writeln!(out, "| `{}` | {} | {details} |", finding.file, finding.state);
+        let details: Vec<String> = finding.details.iter().map(|line| code(line)).collect();
+        let (file, state) = (code(&finding.file), finding.state);
+        let _ = writeln!(out, "| {file} | {state} | {} |", details.join("<br>"));
     }
     out
+}
+
+/// A text as code within a row of a table: nothing in it is Markdown or HTML, and a line break does not end
+/// the row. Code ends with as many backticks as it began, so more than are in the text keep it whole
+/// (*`CommonMark` 0.31*, section 6.1); tables take out the `\` before a `|` in code, too (*GitHub Flavored
+/// Markdown*, section 4.10).
+fn code(text: &str) -> String {
+    let text = visible(text).replace('|', "\\|");
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(longest + 1);
+    // A blank at both ends keeps a backtick, or a blank, at an end apart from the fence, and is taken away.
+    let pad = if text.starts_with(['`', ' ']) || text.ends_with(['`', ' ']) { " " } else { "" };
+    format!("{fence}{pad}{text}{pad}{fence}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_name_and_no_detail_leaves_its_cell() {
+        let bad = Finding {
+            file: "a`\n| `fine.svg` | identical |\n![p](https://e.example).svg".to_owned(),
+            state: "changed",
+            details: vec!["title: reads `x`` ![](https://e.example) <img src=x>`, was `|`".to_owned()],
+            picture: None,
+        };
+        let text = markdown(&[bad]);
+        assert_eq!(text.lines().count(), 5, "{text}");
+        let row = text.lines().last().unwrap();
+        let file = "``a`␊\\| `fine.svg` \\| identical \\|␊![p](https://e.example).svg``";
+        let detail = "``` title: reads `x`` ![](https://e.example) <img src=x>`, was `\\|` ```";
+        assert_eq!(row, format!("| {file} | changed | {detail} |"));
+    }
+
+    #[test]
+    fn code_has_more_backticks_around_it_than_in_it() {
+        let cases = [("a", "`a`"), ("", "``"), ("`", "`` ` ``"), (" a", "`  a `"), ("a``b", "```a``b```")];
+        for (text, expected) in cases {
+            assert_eq!(code(text), expected);
+        }
+    }
 }

@@ -5,7 +5,7 @@ mod json;
 mod junit;
 mod markdown;
 
-pub use html::html;
+pub use html::{html, is_page};
 pub use json::json;
 pub use junit::junit;
 pub use markdown::markdown;
@@ -114,6 +114,6 @@ mod tests {
         assert_eq!((value["identical"].as_u64(), value["changed"].as_u64()), (Some(1), Some(1)));
         assert_eq!(value["files"][1]["picture"], "out/b.png");
         let text = markdown(&findings());
-        assert!(text.contains("| `b.png` | changed | 1 pixel |") && !text.contains("a.svg"), "{text}");
+        assert!(text.contains("| `b.png` | changed | `1 pixel` |") && !text.contains("a.svg"), "{text}");
     }
 }

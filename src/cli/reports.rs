@@ -1,0 +1,165 @@
+//! Where a check writes: pictures of differences and a page of them, `JUnit` XML, a summary.
+//!
+//! Nothing of it may take the place of a scene or of an expected figure, so all places are known, and refused,
+//! before anything is compared.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use tracefig::drift::TRIPTYCH_FORMAT;
+use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
+
+use super::atomic_file::write_whole;
+use super::inputs::shown;
+use super::jobs::{Job, Target, Unplanned, folders_of};
+use super::outputs::{Kept, one_name, write_report};
+use super::regular::read_regular;
+use super::render::cant_write;
+
+/// Options of `check` that say where findings go.
+#[derive(Args)]
+pub(crate) struct Places {
+    /// Folder for the images expected · difference · actual of changed figures, and a page that shows all
+    #[arg(short, long, value_name = "DIR", default_value = "target/tracefig-check")]
+    output: PathBuf,
+    /// Write the findings as `JUnit` XML; `-` is standard output, a device or a pipe is written into
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Append the findings as Markdown, as to $`GITHUB_STEP_SUMMARY`; `-` is standard output
+    #[arg(long, value_name = "FILE")]
+    summary: Option<PathBuf>,
+}
+
+/// The page of all findings, in the folder of the pictures.
+const PAGE: &str = "index.html";
+
+/// Bytes of the page's beginning by which it is known as ours.
+const HEAD: usize = 4_096;
+
+/// The words of standard output as a place; the second is a link that leads to whatever that is.
+const STDOUT: [&str; 2] = ["-", "/dev/stdout"];
+
+/// Whether a report goes to standard output.
+fn is_stdout(place: Option<&PathBuf>) -> bool {
+    place.is_some_and(|path| STDOUT.iter().any(|word| path.as_os_str() == *word))
+}
+
+impl Places {
+    /// Whether a report goes to standard output, and nothing else may.
+    pub(crate) fn take_stdout(&self) -> bool {
+        is_stdout(self.junit.as_ref()) || is_stdout(self.summary.as_ref())
+    }
+
+    /// The folder of the pictures.
+    pub(crate) fn folder(&self) -> &Path {
+        &self.output
+    }
+
+    /// Where the picture of each figure goes; `kept` are the files that the run reads, and `json` is whether
+    /// the findings go to standard output as JSON.
+    ///
+    /// # Errors
+    /// When a report would take the place of a scene, of a figure or of another report.
+    pub(crate) fn planned(
+        &self,
+        jobs: &[Job],
+        mut kept: Kept,
+        json: bool,
+    ) -> Result<BTreeMap<PathBuf, PathBuf>, Unplanned> {
+        let usage = |message: String| Err(Unplanned::Usage(message));
+        let on_stdout = [json, is_stdout(self.junit.as_ref()), is_stdout(self.summary.as_ref())];
+        if on_stdout.into_iter().filter(|&is| is).count() > 1 {
+            return usage("standard output takes one of `--json`, `--junit -` and `--summary -`".to_owned());
+        }
+        if self.output.is_symlink() {
+            let folder = shown(&self.output);
+            return usage(format!("{folder} is a link: end it in `/` to write into the folder it leads to"));
+        }
+        let folder = one_name(&self.output);
+        if folders_of(jobs).into_iter().any(|of| one_name(&of.join(PAGE)) == folder.join(PAGE)) {
+            return usage(format!(
+                "the figures lie in {}: give another folder with `-o` for what differs",
+                shown(&self.output)
+            ));
+        }
+        for file in jobs.iter().flat_map(|job| &job.files) {
+            if let Target::File(path) = &file.target {
+                kept.keep(path, "a figure of this run");
+            }
+        }
+        for place in [&self.junit, &self.summary].into_iter().flatten() {
+            if let Some(what) = kept.what(place) {
+                return usage(format!("{} is {what}, and a report can't take its place", shown(place)));
+            }
+            kept.keep(place, "another report of this run");
+        }
+        Ok(pictures(jobs, &self.output))
+    }
+
+    /// Writes the page, `JUnit` XML and the summary, those that are wanted; what could not be written, each
+    /// in a line.
+    pub(crate) fn write(&self, findings: &[Finding], out: &mut impl Write) -> String {
+        let mut failed = String::new();
+        let mut tell = |path: &Path, written: io::Result<()>| {
+            failed.extend(written.err().map(|error| cant_write(path, &error)));
+        };
+        if findings.iter().any(Finding::is_bad) {
+            let page = self.output.join(PAGE);
+            match std::fs::create_dir_all(&self.output) {
+                Ok(()) => tell(&page, write_page(&page, &html(findings))),
+                Err(error) => tell(&self.output, Err(error)),
+            }
+        }
+        if let Some(path) = &self.junit {
+            let text = junit(findings);
+            let to_stdout = is_stdout(Some(path));
+            tell(
+                path,
+                if to_stdout { out.write_all(text.as_bytes()) } else { write_report(path, text.as_bytes()) },
+            );
+        }
+        if let Some(path) = &self.summary {
+            let text = markdown(findings);
+            let append =
+                || OpenOptions::new().create(true).append(true).open(path)?.write_all(text.as_bytes());
+            tell(path, if is_stdout(Some(path)) { out.write_all(text.as_bytes()) } else { append() });
+        }
+        failed
+    }
+}
+
+/// Writes the page of findings, unless somebody else's page is there.
+fn write_page(path: &Path, text: &str) -> io::Result<()> {
+    match read_regular(path, HEAD) {
+        Ok(bytes) if !is_page(&bytes) => {
+            Err(io::Error::new(io::ErrorKind::AlreadyExists, "there is a page that no check wrote"))
+        }
+        _ => write_whole(path, text.as_bytes()),
+    }
+}
+
+/// Where the picture of each figure goes: under the figure's own name where picture and figure have one
+/// format, else with the picture's extension after it; of figures of one name, under the name and a number.
+fn pictures(jobs: &[Job], folder: &Path) -> BTreeMap<PathBuf, PathBuf> {
+    let extension = TRIPTYCH_FORMAT.name;
+    let (mut taken, mut all) = (BTreeSet::new(), BTreeMap::new());
+    for file in jobs.iter().flat_map(|job| &job.files) {
+        let Target::File(path) = &file.target else { continue };
+        let is_image = path.extension().is_none_or(|e| e == extension);
+        let stem = if is_image { path.file_stem() } else { path.file_name() }.unwrap_or_default();
+        let name = (1..).find_map(|count| {
+            let mut name = stem.to_owned();
+            if count > 1 {
+                name.push(format!("-{count}"));
+            }
+            name.push(".");
+            name.push(extension);
+            taken.insert(name.clone()).then_some(name)
+        });
+        all.insert(path.clone(), folder.join(name.unwrap_or_default()));
+    }
+    all
+}
