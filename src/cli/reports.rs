@@ -1,7 +1,7 @@
 //! Where a check writes: pictures of differences and a page of them, `JUnit` XML, a summary.
 //!
-//! Nothing of it may take the place of a scene or of an expected figure, so all places are known, and refused,
-//! before anything is compared.
+//! Nothing of it may take the place of a scene or of an expected figure, so all places are known, and
+//! refused, before anything is compared.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::OpenOptions;
