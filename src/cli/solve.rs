@@ -4,9 +4,7 @@ use std::io::{self, Read, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use tracefig::scene::{
-    SceneFile, answer_json, answer_text, refuse_jsonl_line, refuse_long_jsonl_line, solve, solve_jsonl_line,
-};
+use tracefig::scene::{SceneFile, Solution, refuse_jsonl_line, refuse_long_jsonl_line, solve_jsonl_line};
 
 use super::console::Console;
 use super::inputs::inputs;
@@ -57,14 +55,14 @@ impl Solve {
 
 /// The answer to a scene as a line of JSON.
 fn json(name: &str, file: &SceneFile) -> serde_json::Value {
-    serde_json::json!({ "scene": name, "result": answer_json(file.scene.query.kind, &solve(&file.scene)) })
+    serde_json::json!({ "scene": name, "result": Solution::of(&file.scene).json() })
 }
 
 /// The answer to a scene for people.
 fn text(name: &str, file: &SceneFile) -> String {
     let query = &file.scene.query;
     let names = file.scene.names();
-    let answer = answer_text(query.kind, &solve(&file.scene), &names);
+    let answer = Solution::of(&file.scene).text(&names);
     format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.all(), query.algorithm.name)
 }
 

@@ -136,6 +136,18 @@ pub struct Impact {
     pub iterations: usize,
 }
 
+/// How near two bodies come that never touch, over t in [0, 1].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClosestApproach {
+    /// When they are closest, in [0, 1]; of moments that tie, one.
+    pub time: f64,
+    /// The pair at that time.
+    pub contact: Separation,
+    /// Encloses the least separation over [0, 1], world units: `lo` is proved of all moments, and what is
+    /// reached at `time` is at most `hi`.
+    pub bounds: Enclosure,
+}
+
 /// How far any point of a body, or of two relative to each other, can move over t in [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionBound {
@@ -177,6 +189,17 @@ impl Answer {
             Self::Impact(impact) => impact.parts(),
             Self::MotionBound(MotionBound { bound }) => vec![("bound", Part::Number(*bound))],
         }
+    }
+}
+
+impl ClosestApproach {
+    /// Its parts, as `solve` writes them.
+    pub(crate) fn parts(&self) -> Parts {
+        vec![
+            ("time", Part::Number(self.time)),
+            ("separation", Part::Number(self.contact.separation)),
+            ("separation_bounds", Part::Interval(self.bounds)),
+        ]
     }
 }
 

@@ -13,6 +13,7 @@
 //! certified/   distance/  how far apart a pair is at one moment
 //!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
 //!              impact/    when two bodies meet that turn: separating axes, contact after the last of them
+//!              approach/  how near two bodies came that do not meet
 //! feature.rs   an edge or a vertex of B ⊖ A, which both storeys speak of
 //! ```
 //!
@@ -21,6 +22,7 @@
 //! | read an algorithm of the article | `algorithm/`, its name; README has the list |
 //! | see why a sweep that misses does miss | `certified/sweep/`: `filter/` in doubles, else `balls.rs` |
 //! | see why a contact is one, and when | `certified/impact/contact.rs` |
+//! | see why a miss came no nearer | `certified/approach/` |
 //! | see why a bound holds | `certified/rounding/`, a table of all |
 //! | add an algorithm | a file in `algorithm/` and its row in [`ALGORITHMS`] |
 //! | add a kind of question | a file in `query/` and its row in [`QUERIES`]; an algorithm that answers it |
@@ -38,8 +40,10 @@ mod query;
 #[cfg(test)]
 mod tests;
 
-pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops};
-pub use answer::{Answer, Bounds, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
+pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops, closest_approach};
+pub use answer::{
+    Answer, Bounds, ClosestApproach, Impact, MotionBound, Outcome, Overlap, Reason, Separation,
+};
 pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;
 pub use certified::sweep::Sweep;

@@ -10,13 +10,14 @@ use super::shown::{Told, events};
 const MAX_LINES: usize = 12;
 
 /// What an event tells of, where its name does not say it well.
-const NOUNS: [(&str, &str); 12] = [
+const NOUNS: [(&str, &str); 13] = [
     ("advanced", "step"),
     ("axis-swept", "swept axis"),
     ("axis-tested", "axis"),
     ("candidate-improved", "best candidate"),
     ("circles-compared", "circles"),
     ("clamped", "clamped point"),
+    ("closest-approach-found", "closest approach"),
     ("difference-edge-found", "difference edge"),
     ("extents-compared", "extents"),
     ("motion-bounded", "motion bound"),

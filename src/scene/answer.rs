@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use serde_json::{Map, Value, json};
 
-use crate::collision::answer::Part;
+use crate::collision::answer::{Part, Parts};
 use crate::collision::{Answer, QueryKind};
 use crate::geometry::{Enclosure, Feature, Names, Side};
 
@@ -25,8 +25,17 @@ use super::node::number;
 pub fn answer_json(kind: QueryKind, answer: &Answer) -> Value {
     let mut out = Map::new();
     out.insert("kind".to_owned(), json!(kind.word()));
-    out.extend(answer.parts().into_iter().map(|(name, part)| (name.to_owned(), value(part))));
+    out.extend(fields(answer.parts()));
     Value::Object(out)
+}
+
+/// Parts of an answer as an object.
+pub(super) fn object(parts: Parts) -> Value {
+    Value::Object(fields(parts).collect())
+}
+
+fn fields(parts: Parts) -> impl Iterator<Item = (String, Value)> {
+    parts.into_iter().map(|(name, part)| (name.to_owned(), value(part)))
 }
 
 /// A part of an answer as JSON. −0 is written as 0: the sign of a zero says nothing about a scene.
@@ -62,7 +71,12 @@ fn feature(f: Feature) -> Value {
 /// ```
 #[must_use]
 pub fn answer_text(kind: QueryKind, answer: &Answer, names: &Names) -> String {
-    let Value::Object(fields) = answer_json(kind, answer) else { return String::new() };
+    lines(&answer_json(kind, answer), names)
+}
+
+/// The `result` of a query for people.
+pub(super) fn lines(result: &Value, names: &Names) -> String {
+    let Value::Object(fields) = result else { return String::new() };
     let mut lines = String::new();
     for (key, value) in fields.iter().filter(|(key, _)| *key != "kind") {
         // Writing to a text can't fail.
@@ -94,8 +108,9 @@ fn words(value: &Value, names: &Names) -> String {
             format!("({})", items.iter().map(|item| words(item, names)).collect::<Vec<_>>().join(", "))
         }
         Value::Object(entries) => {
-            let entry =
-                |(key, value): (&String, &Value)| format!("{} {}", whose(key, names), words(value, names));
+            let entry = |(key, value): (&String, &Value)| {
+                format!("{} {}", whose(key, names), part(key, value, names))
+            };
             entries.iter().map(entry).collect::<Vec<_>>().join(", ")
         }
     }
@@ -104,7 +119,7 @@ fn words(value: &Value, names: &Names) -> String {
 /// A key of an object for people: the body's name in the place of the letter that stands for it.
 fn whose(key: &str, names: &Names) -> String {
     let side = Side::BOTH.into_iter().find(|side| side.letter() == key);
-    side.map_or_else(|| key.to_owned(), |side| names.quoted(side))
+    side.map_or_else(|| key.replace('_', " "), |side| names.quoted(side))
 }
 
 #[cfg(test)]

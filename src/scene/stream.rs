@@ -10,7 +10,7 @@ use super::node::Node;
 use super::problem::{Fault, Problem};
 use super::source::Source;
 use super::visible::brief;
-use super::{Scene, answer_json, codes, read};
+use super::{Scene, Solution, codes, read};
 use crate::collision::Answer;
 
 /// The reply to a line of a stream.
@@ -57,7 +57,7 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
     });
     match answered {
         // A bug must not cost the rest of the stream its answers.
-        Ok(scene) => match catch_unwind(AssertUnwindSafe(|| answer_json(scene.query.kind, &solve(&scene)))) {
+        Ok(scene) => match catch_unwind(AssertUnwindSafe(|| Solution::of(&scene).json())) {
             Ok(result) => Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true },
             Err(_) => refuse(
                 &id,

@@ -261,6 +261,19 @@ pub enum Event {
         /// where only an exact direction will do.
         normal: DVec2,
     },
+    /// The moment was found at which bodies that never touch are closest, over t in [0, 1].
+    ClosestApproachFound {
+        /// When they are closest.
+        at: Moment,
+        /// Separation at that moment, world units.
+        separation: f64,
+        /// Encloses the least separation over [0, 1], world units.
+        bounds: Enclosure,
+        /// Unit normal from A to B at that moment.
+        normal: DVec2,
+        /// Witness points on A and B at that moment.
+        points: [DVec2; 2],
+    },
     /// The farthest a point of a body can move was bounded: L = θ r.
     MotionBounded {
         /// The body that was looked at.

@@ -63,6 +63,16 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/certified/impact",
         ],
     ),
+    (
+        "collision/certified/approach",
+        &[
+            "geometry",
+            "collision/answer",
+            "collision/feature",
+            "collision/certified/distance",
+            "collision/certified/impact",
+        ],
+    ),
     // The filters: each may use the base of its room and what lies below the room, none the room's searches.
     (
         "collision/certified/distance/filter",

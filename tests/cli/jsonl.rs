@@ -76,8 +76,9 @@ fn a_hit_a_miss_and_an_overlap_have_their_fields() {
     assert_eq!(hit["tolerance"], 0.0);
 
     let miss = result_of(&pair("time-of-impact", r#""position": [3, 0.25], "velocity": [3, 0]"#));
-    assert_eq!(keys(&miss), ["kind", "outcome", "tolerance", "iterations"]);
+    assert_eq!(keys(&miss), ["kind", "outcome", "tolerance", "iterations", "closest"]);
     assert_eq!((&miss["kind"], &miss["outcome"]), (&json!("time-of-impact"), &json!("miss")));
+    assert_eq!(keys(&miss["closest"]), ["time", "separation", "separation_bounds"]);
 
     let inside = result_of(&pair("time-of-impact", r#""position": [1, 0.25], "velocity": [3, 0]"#));
     assert_eq!(

@@ -18,11 +18,12 @@
 //! `fabs` nor a flipped test is the cure, but the closing velocity itself.
 
 use crate::collision::algorithm::minkowski;
+use crate::collision::algorithm::motion::{self, moment};
 use crate::collision::algorithm::view::PairView;
 use crate::collision::certified::impact::MovingPair;
 use crate::collision::{Impact, Outcome, Query, Reason, Separation};
 use crate::geometry::{Body, DVec2, Enclosure, perp};
-use crate::trace::{Event, Moment, Tracer};
+use crate::trace::{Event, Tracer};
 
 /// Which of the two algorithms steps: it decides what is added to v·n, and where the estimate is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -92,7 +93,7 @@ pub(crate) fn advance<T: Tracer>(
     let tolerance = query.tolerance.max(TOLERANCE_FLOOR * scale);
     let run = Advancement { query, a, b, flavor, v: a.velocity - b.velocity, arms, tolerance, scale };
     let (outcome, iterations) = run.run(name, tracer);
-    tracer.record(|| Event::Finished { outcome: outcome.word() });
+    motion::finish(query, &outcome, tracer);
     Impact { outcome, tolerance, iterations }
 }
 
@@ -178,15 +179,6 @@ fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
         body.velocity + perp(p - (body.position + body.velocity * t)) * body.spin.radians()
     };
     (at(a, near.points[0]) - at(b, near.points[1])).dot(*near.normal)
-}
-
-/// The moment of time `t`, as events tell it.
-pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
-    Moment {
-        time: t,
-        angle_a: a.angle.degrees() + a.spin.degrees() * t,
-        angle_b: b.angle.degrees() + b.spin.degrees() * t,
-    }
 }
 
 /// r |ω| of a body: the fastest that turning brings its boundary closer, in world units per unit of time.

@@ -14,9 +14,9 @@
 //! ```
 //!
 //! What several share stands beside them: `nearest_edge.rs` (which of two edges is better), `early_out.rs`
-//! (when a test for overlap may stop), `simplex.rs` (of GJK and EPA), `advancement.rs` (steps through time).
-//! No number of an answer is computed here, but those of `extremes`, `arc` and the early-outs, which round
-//! them outward themselves.
+//! (when a test for overlap may stop), `simplex.rs` (of GJK and EPA), `advancement.rs` (steps through time),
+//! `miss.rs` (how near a miss came). No number of an answer is computed here, but those of `extremes`, `arc`
+//! and the early-outs, which round them outward themselves.
 
 mod advancement;
 mod arc;
@@ -32,6 +32,7 @@ pub(super) mod extremes;
 mod gjk;
 mod merge;
 mod minkowski;
+mod motion;
 mod nearest_edge;
 mod outline;
 mod ray_cast;
@@ -40,6 +41,8 @@ mod separating_axes;
 mod simplex;
 mod swept_axis;
 pub(super) mod view;
+
+pub use motion::closest_approach;
 
 use crate::collision::{Answer, Query, QueryKind};
 use crate::geometry::Body;

@@ -16,7 +16,7 @@
 
 use crate::collision::algorithm::outline::{self, each_edge};
 use crate::collision::algorithm::view::PairView;
-use crate::collision::algorithm::{Algorithm, Stops, unturning_pair};
+use crate::collision::algorithm::{Algorithm, Stops, motion, unturning_pair};
 use crate::collision::certified::sweep::Sweep;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::collision::{Answer, Impact, Outcome, Query, QueryKind};
@@ -45,7 +45,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     if tracer.listens() {
         tell(query, &sweep, &outcome, tracer);
     }
-    tracer.record(|| Event::Finished { outcome: outcome.word() });
+    motion::finish(query, &outcome, tracer);
     impact(outcome)
 }
 

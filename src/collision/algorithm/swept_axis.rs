@@ -13,7 +13,7 @@
 //! Source: the separating axis as the root that is advanced is Catto's, "Continuous Collision", Game
 //! Developers Conference 2013.
 
-use crate::collision::algorithm::advancement::moment;
+use crate::collision::algorithm::motion::{self, moment};
 use crate::collision::algorithm::{Algorithm, Stops, convex_pair};
 use crate::collision::certified::impact::{AxisSpan, MovingPair};
 use crate::collision::{Answer, Query, QueryKind};
@@ -43,6 +43,6 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
         tracer.record(|| Event::AxisSwept { from, to, owner: axis.owner, normal: axis.n });
     };
     let impact = MovingPair::new(a, b).first_contact_told(query.tolerance, query.max_iterations, told);
-    tracer.record(|| Event::Finished { outcome: impact.outcome.word() });
+    motion::finish(query, &impact.outcome, tracer);
     Answer::Impact(impact)
 }

@@ -21,10 +21,11 @@
 //! # The rooms, and the doors to them
 //!
 //! [`distance`] proves the separation of a pair at one moment, [`sweep`] the first contact of bodies that do
-//! not turn, [`impact`] that of bodies that do. Algorithms come in by [`distance::certify`] and
-//! [`distance::Pair`], [`sweep::Sweep`], and [`impact::MovingPair`]; the modules behind them are this
-//! storey's own. Inside, `distance` uses neither of the others, `impact` a ray from `sweep`, and `sweep` the
-//! whole of `impact` where a ray is not enough.
+//! not turn, [`impact`] that of bodies that do, [`approach`] how near bodies come that never touch.
+//! Algorithms come in by [`distance::certify`] and [`distance::Pair`], [`sweep::Sweep`],
+//! [`impact::MovingPair`] and [`approach::closest_approach`]; the modules behind them are this storey's own.
+//! Inside, `distance` uses none of the others, `impact` a ray from `sweep`, `sweep` the whole of `impact`
+//! where a ray is not enough, and `approach` the distances and the axes that are followed through time.
 //!
 //! # The letters
 //!
@@ -40,6 +41,7 @@
 //! ε, M, S, Σ  as in rounding/
 //! ```
 
+pub(crate) mod approach;
 pub(crate) mod distance;
 pub(crate) mod impact;
 pub(crate) mod rounding;

@@ -89,6 +89,10 @@ pub fn sentence(event: &Event, names: &Names) -> String {
             advanced(*step, &moment(at, names), &apart, [*closing_speed, *bound], *next)
         }
         Event::AxisSwept { from, to, owner, normal } => swept([*from, *to], &names.quoted(*owner), *normal),
+        Event::ClosestApproachFound { at, separation, bounds, normal, .. } => {
+            let apart = format!("{} apart along {}", number(*separation), point(*normal));
+            closest_approach(names, &moment(at, names), &apart, [*separation, bounds.lo])
+        }
         Event::MotionBounded { body, radius, theta, arc, linear, vertices } => {
             motion(&names.quoted(*body), vertices, [*radius, *theta, *arc, *linear])
         }
@@ -286,6 +290,12 @@ fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {
         number(to),
         point(normal)
     )
+}
+
+fn closest_approach(names: &Names, when: &str, apart: &str, [separation, least]: [f64; 2]) -> String {
+    let (reached, proved) = (number(separation), number(least));
+    let than = if proved == reached { String::new() } else { format!(" than {proved}") };
+    format!("{} come closest at {when}: {apart}, and never less{than}.", names.all())
 }
 
 fn motion(body: &str, farthest: &[SupportVertex], [radius, theta, arc, linear]: [f64; 4]) -> String {

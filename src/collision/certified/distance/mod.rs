@@ -36,10 +36,13 @@ use crate::collision::feature::DifferenceFeature;
 /// Of directions that tie, the hinted one is taken.
 #[inline]
 pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
-    match filter::proved(pair) {
-        Some(proved) => witnesses::answer(pair, &proved),
-        None => settle(pair, hint),
-    }
+    witnesses::answer(pair, &proved(pair, hint))
+}
+
+/// [`certify`] in A's frame, with the feature of B ⊖ A that carries the separation.
+#[inline]
+pub(super) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
+    filter::proved(pair).unwrap_or_else(|| search::proved(pair, hint))
 }
 
 /// [`certify`] without the filter: as true, and slower.

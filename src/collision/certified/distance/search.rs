@@ -45,6 +45,7 @@ pub(crate) enum Contact {
 }
 
 /// The separation of a pair by balls; of directions that tie, the hinted one is taken.
+#[cold]
 pub(crate) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> Proved {
     let balls = BallPair::new(pair);
     let found =

@@ -30,7 +30,7 @@
 //! geometric mean).
 
 pub(super) mod axis;
-mod closest;
+pub(super) mod closest;
 mod contact;
 pub(super) mod filter;
 mod follow;

@@ -111,6 +111,17 @@ impl<'q> MovingPair<'q> {
         }
     }
 
+    /// The sum of all lengths of the pair, rounded up; scaled. At least its S.
+    pub(crate) fn size(&self) -> f64 {
+        self.rounding / MOVING_GAP_ERROR
+    }
+
+    /// This pair with `by`, scaled, added to the sum of its radii, as nearly as a double-double holds it.
+    pub(crate) fn grown(&self, by: f64) -> Self {
+        let rounding = (self.rounding + MOVING_GAP_ERROR * by) * (1.0 + MOVING_GAP_ERROR);
+        Self { radius: self.radius.add_f64(by), rounding, ..self.clone() }
+    }
+
     /// A core, in file units.
     #[inline]
     pub(crate) fn hull(&self, side: Side) -> &'q Hull {

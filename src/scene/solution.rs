@@ -1,0 +1,73 @@
+//! What `solve` says of a scene: the answer, and what follows from it that no algorithm works out unasked.
+
+use serde_json::Value;
+
+use super::Scene;
+use super::answer::{answer_json, lines, object};
+use crate::collision::{Answer, ClosestApproach, QueryKind, closest_approach};
+use crate::geometry::Names;
+
+/// The answer to a scene, and how near a miss came.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    /// What was asked.
+    pub kind: QueryKind,
+    /// The algorithm's answer.
+    pub answer: Answer,
+    /// How near the bodies came, where the answer is a miss.
+    pub closest: Option<ClosestApproach>,
+}
+
+impl Solution {
+    /// Answers a scene by its algorithm, in world units.
+    ///
+    /// ```
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 1\nvelocity = [8, 0]\n\
+    ///     [shapes.B]\nkind = 'circle'\nradius = 1\nposition = [2, 3]\n\
+    ///     [query]\nkind = 'linear-sweep'\nof = ['A', 'B']";
+    /// let solution = tracefig::scene::Solution::of(&tracefig::scene::open_text("s.toml", text)?.scene);
+    /// assert_eq!(solution.closest.unwrap().contact.separation, 1.0);
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let query = scene.query_of_bodies();
+        let answer = scene.query.algorithm.answer(&query);
+        let closest = closest_approach(&query, &answer);
+        Self { kind: query.kind, answer, closest }
+    }
+
+    /// The `result` of the format, as `solve --json` and `solve --jsonl` print it.
+    ///
+    /// ```
+    /// use tracefig::scene::{Solution, open_text};
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'motion-bound'\nof = ['A']";
+    /// let json = Solution::of(&open_text("s.toml", text)?.scene).json();
+    /// assert_eq!(json.to_string(), r#"{"kind":"motion-bound","bound":0.0}"#);
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let mut result = answer_json(self.kind, &self.answer);
+        if let (Value::Object(fields), Some(closest)) = (&mut result, &self.closest) {
+            fields.insert("closest".to_owned(), object(closest.parts()));
+        }
+        result
+    }
+
+    /// A line for each part of it, for people; the name of the part first. World units; bodies are called
+    /// `names`.
+    ///
+    /// ```
+    /// use tracefig::scene::{Solution, open_text};
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'motion-bound'\nof = ['A']";
+    /// let scene = open_text("s.toml", text)?.scene;
+    /// let text = Solution::of(&scene).text(&scene.names());
+    /// assert_eq!(text.split_whitespace().collect::<Vec<_>>(), ["bound", "0"]);
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn text(&self, names: &Names) -> String {
+        lines(&self.json(), names)
+    }
+}
