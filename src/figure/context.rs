@@ -1,4 +1,7 @@
 //! What a layer may know: the scene, the panel it stands in, and what the algorithms answer and tell.
+//!
+//! Places are those that the panel shows: in the panel of a moving body's frame, what is at another moment is
+//! where it is as seen from that body then (`moving_frame.rs`).
 
 use std::sync::Arc;
 
@@ -7,8 +10,14 @@ use crate::geometry::{Body, DVec2, Pose, Side};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
+use super::moving_frame::MovingFrame;
+use super::question::keeps_the_difference;
 use super::runs::{Run, Runs};
 use super::sketch::Outline;
+
+/// How many pieces a curved way is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px
+/// radius.
+const PIECES: u32 = 64;
 
 /// The moment that a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,23 +78,89 @@ impl Context<'_> {
         }
     }
 
-    /// Where a body is at `time` in [0, 1]: its origin in world units and its rotation.
+    /// The frame of the moving body in which the panel shows the world; `None` in other panels, and where the
+    /// body rests.
+    #[must_use]
+    pub(crate) fn moving_frame(&self) -> Option<MovingFrame<'_>> {
+        let Space::Body(index) = *self.space else { return None };
+        let (_, body) = self.scene.shapes.get(index)?;
+        MovingFrame::of(body, self.time)
+    }
+
+    /// The pose of the body in whose frame the panel shows the world, at the panel's moment; `None` in other
+    /// panels.
+    #[must_use]
+    pub(crate) fn frame(&self) -> Option<Pose> {
+        let Space::Body(index) = *self.space else { return None };
+        self.scene.shapes.get(index).map(|(_, body)| body.pose_at(self.time))
+    }
+
+    /// The symbol of a quantity of a body, as markup: `$v_A$`, or as a moving frame sees it `$v_{A/B}$`.
+    #[must_use]
+    pub(crate) fn symbol(&self, letter: &str, side: Side) -> String {
+        let own = side.letter();
+        let seen_from = self.moving_frame().and(match *self.space {
+            Space::Body(index) => self.scene.query.of.iter().position(|&of| of == index),
+            Space::World | Space::Configuration => None,
+        });
+        match seen_from {
+            Some(of) => format!("${letter}_{{{own}/{}}}$", if of == 0 { Side::A } else { Side::B }.letter()),
+            None => format!("${letter}_{own}$"),
+        }
+    }
+
+    /// A point of the world in the coordinates of the panel's space.
+    #[must_use]
+    pub(crate) fn in_space(&self, p: DVec2) -> DVec2 {
+        self.frame().map_or(p, |frame| frame.inverse_point(p))
+    }
+
+    /// Where a body is at `time` in [0, 1], as the panel shows it: its origin, in world units, and its
+    /// rotation.
     #[must_use]
     pub(crate) fn pose(&self, side: Side, time: f64) -> Option<Pose> {
-        self.body(side).map(|body| body.pose_at(time))
+        let body = self.body(side)?;
+        Some(self.moving_frame().map_or_else(|| body.pose_at(time), |frame| frame.pose(body, time)))
     }
 
     /// A body's outline at `time` in [0, 1], in world units.
     #[must_use]
     pub(crate) fn outline(&self, side: Side, time: f64) -> Option<Outline> {
-        self.body(side).map(|body| Outline::of_body(body, &body.pose_at(time)))
+        Some(Outline::of_body(self.body(side)?, &self.pose(side, time)?))
     }
 
     /// A vertex of a body at `time` in [0, 1], in world units; `index` is its number in the file's order.
     #[must_use]
     pub(crate) fn vertex(&self, side: Side, index: usize, time: f64) -> Option<DVec2> {
-        let body = self.body(side)?;
-        Some(body.pose_at(time).point(*body.shape.vertices.get(index)?))
+        Some(self.pose(side, time)?.point(*self.body(side)?.shape.vertices.get(index)?))
+    }
+
+    /// The closing velocity `v_A` − `v_B`: the way the origin goes, seen from B ⊖ A.
+    #[must_use]
+    pub(crate) fn closing_velocity(&self) -> DVec2 {
+        let velocity = |side| self.body(side).map_or(DVec2::ZERO, |body| body.velocity);
+        velocity(Side::A) - velocity(Side::B)
+    }
+
+    /// Whether a body of the query turns.
+    #[must_use]
+    pub(crate) fn turns(&self) -> bool {
+        self.sides().into_iter().any(|side| self.body(side).is_some_and(|body| !body.spin.is_zero()))
+    }
+
+    /// The time at which a panel of configuration space shows B ⊖ A: the panel's moment. A step of a sweep
+    /// without turning moves the estimate and not the difference: that is as it was at the start.
+    #[must_use]
+    pub(crate) fn difference_time(&self) -> f64 {
+        let still = self.step.is_some() && keeps_the_difference(self.scene.query.kind);
+        if still { 0.0 } else { self.time }
+    }
+
+    /// Where the origin of the panel's moment lies against the B ⊖ A that the panel shows: the estimate of a
+    /// sweep's step, else the origin itself.
+    #[must_use]
+    pub(crate) fn estimate(&self) -> DVec2 {
+        self.closing_velocity() * (self.time - self.difference_time())
     }
 
     /// The run of the scene's own question at the panel's moment.
@@ -101,24 +176,49 @@ impl Context<'_> {
         self.runs.separation(self.scene, time)
     }
 
+    /// The separation of the pair at `time` in [0, 1], its points and normal as the panel shows them; `None`
+    /// as for [`Context::separation_at`].
+    #[must_use]
+    pub(crate) fn separation_seen(&self, time: f64) -> Option<Separation> {
+        self.separation_at(time)?.separation().map(|found| self.seen(found, time))
+    }
+
+    /// What was found at `time`, its points and normal as the panel shows them.
+    fn seen(&self, found: &Separation, time: f64) -> Separation {
+        self.moving_frame().map_or(*found, |frame| frame.separation(found, time))
+    }
+
     /// A run that tells the edges of B ⊖ A at `time` in [0, 1]; `None` where no algorithm does.
     #[must_use]
     pub(crate) fn difference_at(&self, time: f64) -> Option<Arc<Run>> {
         self.runs.difference(self.scene, time)
     }
 
-    /// The first contact: the last time in [0, 1] proved free, and the pair then, in world units; at t = 0
-    /// for bodies that overlap from the start. `None` for any other answer.
+    /// The first contact: the last time in [0, 1] proved free, and the pair then, as the panel shows it; at
+    /// t = 0 for bodies that overlap from the start. `None` for any other answer.
     #[must_use]
     pub(crate) fn hit(&self) -> Option<(f64, Separation)> {
-        match &self.run().answer {
+        let (time, contact) = match &self.run().answer {
             Answer::Impact(impact) => match impact.outcome {
                 Outcome::Hit { time, contact } => Some((time.lo, contact)),
                 Outcome::Overlapping { contact } => Some((0.0, contact)),
                 Outcome::Miss | Outcome::Unresolved { .. } => None,
             },
             _ => None,
-        }
+        }?;
+        Some((time, self.seen(&contact, time)))
+    }
+
+    /// The way of the point of a body that is at `local` in its frame, from one time to another, as the panel
+    /// shows it: two points where it is straight.
+    #[must_use]
+    pub(crate) fn track(&self, side: Side, local: DVec2, [from, to]: [f64; 2]) -> Vec<DVec2> {
+        let turns = self.body(side).is_some_and(|body| !body.spin.is_zero()) && local != DVec2::ZERO;
+        let curved = turns || self.moving_frame().is_some_and(|frame| frame.turns());
+        let pieces = if curved { PIECES } else { 1 };
+        let time = |i: u32| from + (to - from) * (f64::from(i) / f64::from(pieces));
+        let at = |i: u32| self.pose(side, time(i)).map(|pose| pose.point(local));
+        (0..=pieces).filter_map(at).collect()
     }
 
     /// Whether the question is for the first contact, whatever the answer is.

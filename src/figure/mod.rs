@@ -13,6 +13,7 @@ mod fault;
 mod frame;
 pub mod layer;
 mod limits;
+mod moving_frame;
 mod page;
 mod panel;
 mod placement;

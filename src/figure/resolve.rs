@@ -15,7 +15,7 @@ use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
 use super::page::type_size;
 use super::panel::{LayerPlan, PanelPlan};
-use super::question::{is_of_a_moment, keeps_the_difference};
+use super::question::is_of_a_moment;
 use super::runs::Runs;
 use super::standing::standing;
 use super::text::set;
@@ -64,16 +64,13 @@ impl<'s> Resolver<'_, 's> {
         Some(PanelPlan { source, moment, layers, unwritten, title, frame })
     }
 
-    /// The panel's moment; `None`, with the reason told, where no answer can have it. A step of a sweep
-    /// without turning changes the estimate, not the difference: that is as it was.
+    /// The panel's moment; `None`, with the reason told, where no answer can have it.
     fn moment(&mut self, panel: &Panel) -> Option<Moment> {
         let (scene, runs) = (self.scene, self.runs);
         let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
         let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
         let context = Context { scene, space: &panel.space, time: own, step: None, runs };
-        let found = context.moment(&when.value).or_else(|| self.other_moment(&context, when));
-        let still = keeps_the_difference(scene.query.kind) && panel.space == Space::Configuration;
-        found.map(|m| if still && m.step.is_some() { Moment { time: 0.0, ..m } } else { m })
+        context.moment(&when.value).or_else(|| self.other_moment(&context, when))
     }
 
     /// The moment that a panel shows where this answer lacks the one that it names: of a miss the end of the

@@ -33,7 +33,7 @@ const ONCE: &[&str] = &[
     "[[panels]]\nlayers = ['shapes', 'separation']\n[labels]\nA = '$\\,$'\nB = '$\\text{}$'\n",
     "[[panels]]\nlayers = ['shapes', 'separation', { layer = 'note', lines = ['$\\frac{}{}$'] }]\n[labels]\nA = '\\t'\n",
     // Places that overflow, seen from a body that is turned.
-    "[[panels]]\nspace = 'body'\nframe = 'C'\nlayers = ['origin']\n",
+    "[[panels]]\nspace = 'body'\nframe = 'C'\nlayers = ['origin', 'shapes']\n",
 ];
 
 /// Lines of more dashes than can be counted, and one line more.

@@ -7,7 +7,6 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Ra
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
-use super::velocity::relative;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
@@ -53,13 +52,19 @@ struct Step {
     next: Option<DVec2>,
 }
 
-/// The panel's step; only of an algorithm whose estimate moves along the ray.
+/// The panel's step; only of bodies that do not turn, for else the tangent does not say where the next one
+/// starts.
 fn step(context: &Context) -> Option<Step> {
     let wanted = context.step?;
-    let v = relative(context);
+    let v = context.closing_velocity();
+    if context.turns() {
+        return None;
+    }
     context.run().find_told(|event| match *event {
-        Event::Advanced { step, estimate, closest, normal, next, .. } if step == wanted => {
-            Some(Step { estimate, closest, outward: -normal, next: next.map(|t| v * t) })
+        Event::Advanced { step, at, estimate, closest, normal, next, .. } if step == wanted => {
+            // B ⊖ A rests and the estimate moves, or the estimate rests in the origin and B ⊖ A moves.
+            let next = next.map(|t| if estimate == v * at.time { v * t } else { v * (t - at.time) });
+            Some(Step { estimate, closest, outward: -normal, next })
         }
         _ => None,
     })
@@ -68,7 +73,7 @@ fn step(context: &Context) -> Option<Step> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(s) = step(context) else { return };
     let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + TANGENT[1];
-    let along = tangent_direction(&s, relative(context));
+    let along = tangent_direction(&s, context.closing_velocity());
     let (behind, ahead) = (s.closest - along * TANGENT[0], s.closest + along * past);
     sketch.part("tangent").weight(Weight::Light).line(behind, ahead, Pen::construction(Role::Muted));
     sketch.part("distance").line(s.estimate, s.closest, Pen::vector(Role::Translation));

@@ -1,5 +1,5 @@
-//! The arc that the extreme point of a turning body travels: L = θ r, from p to p′; no point of the body goes
-//! farther.
+//! The arc that the extreme point of a turning body travels about its origin: L = θ r, from p to p′; no point
+//! of the body goes farther. It is drawn about where the origin is at the panel's moment.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -50,8 +50,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "p", about: "the extreme point" },
         LabelKey { key: "p'", about: "the extreme point after the turn" },
     ],
-    needs: "a query for the motion bound of a body that turns",
-    fed: |context, options| Fed::by_the_scene(turn(context, options).is_some()),
+    needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
+    fed: |context, options| {
+        Fed::by_the_frame(turn(context, options).is_some(), context, "the panel's frame moves")
+    },
     draw,
 };
 
@@ -59,7 +61,7 @@ pub(super) const LAYER: Layer = Layer {
 struct Turn {
     /// The body that turns.
     side: Side,
-    /// Its origin, in the world, about which it turns.
+    /// Its origin at the panel's moment, in the world, about which it turns.
     center: DVec2,
     /// The extreme point before the turn, in the world.
     p: DVec2,
@@ -84,7 +86,7 @@ impl Turn {
 fn turn(context: &Context, options: &Options) -> Option<Turn> {
     let wanted = options.of(&context.sides());
     let run = context.run();
-    if !matches!(run.answer, Answer::MotionBound(_)) {
+    if !matches!(run.answer, Answer::MotionBound(_)) || context.moving_frame().is_some() {
         return None;
     }
     run.find_told(|event| match event {
@@ -96,10 +98,11 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
                 .iter()
                 .find(|v| index.is_some_and(|i| u32::try_from(v.index).is_ok_and(|k| f64::from(k) == i)))
                 .or(vertices.first())?;
-            let center = context.pose(*body, 0.0)?.position;
-            let start = angle_of(chosen.point - center);
+            let arm = chosen.point - context.pose(*body, 0.0)?.position;
+            let center = context.pose(*body, context.time)?.position;
+            let start = angle_of(arm);
             let sweep = theta.copysign(context.body(*body)?.spin.degrees());
-            Some(Turn { side: *body, center, p: chosen.point, radius: *radius, start, sweep, arc: *arc })
+            Some(Turn { side: *body, center, p: center + arm, radius: *radius, start, sweep, arc: *arc })
         }
         _ => None,
     })

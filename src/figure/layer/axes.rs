@@ -8,7 +8,7 @@ use super::{Fed, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "axes",
-    about: "the coordinate axes through the origin",
+    about: "the coordinate axes of the panel's space, through its origin",
     shows: Shows::Anywhere,
     options: &[],
     labels: &[],
@@ -17,11 +17,15 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let at = |x, y| {
+        let p = DVec2::new(x, y);
+        context.frame().map_or(p, |frame| frame.point(p))
+    };
     let (lo, hi) = sketch.visible();
     let pen = Pen { role: options.role(Pen::axis().role), ..Pen::axis() };
     sketch.part("x-axis").weight(Weight::Background);
-    sketch.line(DVec2::new(lo.x, 0.0), DVec2::new(hi.x, 0.0), pen);
+    sketch.line(at(lo.x, 0.0), at(hi.x, 0.0), pen);
     sketch.part("y-axis").weight(Weight::Background);
-    sketch.line(DVec2::new(0.0, lo.y), DVec2::new(0.0, hi.y), pen);
+    sketch.line(at(0.0, lo.y), at(0.0, hi.y), pen);
 }

@@ -1,4 +1,5 @@
-//! From the origin to the nearest point of B ⊖ A: the separation as a vector, `p_B` − `p_A` = s n.
+//! From the origin to the nearest point of B ⊖ A: the separation as a vector, `p_B` − `p_A` = s n. At a step
+//! of a sweep, where the estimate moves and not the difference, from the estimate.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -11,7 +12,7 @@ use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
-    about: "from the origin to the nearest point of B ⊖ A",
+    about: "from the origin, or a sweep's estimate, to the nearest point of B ⊖ A",
     shows: Shows::Configuration,
     options: &[],
     labels: &[LabelKey { key: "d", about: "distance or depth" }],
@@ -20,8 +21,8 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// The nearest point of B ⊖ A: the last, so the best, candidate of the algorithm; for round bodies, whose
-/// radius candidates leave out, the answer's.
+/// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
+/// of the algorithm; for round bodies, whose radius candidates leave out, the answer's.
 fn nearest(context: &Context) -> Option<DVec2> {
     let run = context.separation_at(context.time)?;
     let answer = *run.separation()?;
@@ -40,7 +41,8 @@ fn nearest(context: &Context) -> Option<DVec2> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(foot) = nearest(context) else { return };
     let role = options.role(Role::Translation);
-    sketch.part("closest").double_arrow(DVec2::ZERO, foot, Pen::vector(role));
+    let from = context.estimate();
+    sketch.part("closest").double_arrow(from, from + foot, Pen::vector(role));
     let text = format!("$d = {}$", number(foot.length()));
-    sketch.label(Label::new("d", text, Anchor::middle(DVec2::ZERO, foot), role));
+    sketch.label(Label::new("d", text, Anchor::middle(from, from + foot), role));
 }

@@ -72,7 +72,10 @@ pub(super) const LAYER: Layer = Layer {
     fed: |context, options| match options.word("at", "") {
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
         When::HIT if context.hit().is_none() => Fed::by_a_hit(context),
-        _ => Fed::by_the_scene(difference(context, when(context, options).unwrap_or(context.time)).is_some()),
+        _ => {
+            let time = when(context, options).unwrap_or(context.difference_time());
+            Fed::by_the_scene(difference(context, time).is_some())
+        }
     },
     draw,
 };
@@ -97,7 +100,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         steps(sketch, context, options);
         return;
     }
-    let time = when(context, options).unwrap_or(context.time);
+    let time = when(context, options).unwrap_or(context.difference_time());
     let Some(found) = difference(context, time) else { return };
     area(sketch, options, &found);
     let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };

@@ -38,4 +38,13 @@ impl Fed {
     pub(super) fn by_a_hit(context: &Context) -> Self {
         Self::by_the_answer(context.hit().is_some(), context.asks_for_a_hit())
     }
+
+    /// Fed where it has something to draw; else, in the panel of a frame that moves, not there, for `why`.
+    pub(super) fn by_the_frame(found: bool, context: &Context, why: &'static str) -> Self {
+        match (found, context.moving_frame()) {
+            (true, _) => Self::Yes,
+            (false, Some(_)) => Self::NotHere(why),
+            (false, None) => Self::Never,
+        }
+    }
 }

@@ -6,6 +6,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::{DVec2, Side};
+use crate::scene::When;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
@@ -17,6 +18,12 @@ pub(super) const LAYER: Layer = Layer {
     about: "the unit normal from A to B",
     shows: Shows::World,
     options: &[
+        OptionSpec {
+            name: "at",
+            takes: Takes::When(&[When::START, When::HIT, When::END]),
+            default: "the panel's moment",
+            about: "when the bodies are asked for their normal",
+        },
         OptionSpec {
             name: "from",
             takes: Takes::Word(&["contact", "A", "B"]),
@@ -30,22 +37,26 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the normal from A to B" },
         LabelKey { key: "N", about: "the normal from B to A, with flip" },
     ],
-    needs: "a separation or a hit",
-    fed: |context, _| Fed::by_the_scene(contact(context).is_some()),
+    needs: "two convex bodies; for \"hit\" a question for the first contact",
+    fed: |context, options| match options.word("at", "") {
+        When::HIT if context.hit().is_none() => Fed::by_a_hit(context),
+        _ => Fed::by_the_scene(found(context, options).is_some()),
+    },
     draw,
 };
 
-/// The pair at the hit of a motion, else at the panel's moment.
-fn contact(context: &Context) -> Option<Separation> {
-    context
-        .hit()
-        .map(|(_, contact)| contact)
-        .or_else(|| context.separation_at(context.time)?.separation().copied())
+/// The moment that the scene wants, and the pair then.
+fn found(context: &Context, options: &Options) -> Option<(f64, Separation)> {
+    let time = match options.when("at") {
+        Some(when) => context.moment(&when)?.time,
+        None => context.time,
+    };
+    Some((time, context.separation_seen(time)?))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(answer) = contact(context) else { return };
-    let Some(from) = start(context, options, &answer) else { return };
+    let Some((time, answer)) = found(context, options) else { return };
+    let Some(from) = start(context, options, time, &answer) else { return };
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
     let tip = from + n * options.number("length").unwrap_or(LENGTH);
@@ -55,9 +66,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
 }
 
-/// Where the arrow starts, in the world.
-fn start(context: &Context, options: &Options, answer: &Separation) -> Option<DVec2> {
-    let origin = |side| context.pose(side, context.time).map(|pose| pose.position);
+/// Where the arrow starts at `time`, in the world.
+fn start(context: &Context, options: &Options, time: f64, answer: &Separation) -> Option<DVec2> {
+    let origin = |side| context.pose(side, time).map(|pose| pose.position);
     match options.word("from", "contact") {
         "A" => origin(Side::A),
         "B" => origin(Side::B),

@@ -10,7 +10,7 @@ use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",
-    about: "the origin: ring, dot, letter O",
+    about: "the origin of the panel's space: ring, dot, letter O",
     shows: Shows::Anywhere,
     options: &[],
     labels: &[LabelKey { key: "O", about: "the origin" }],
@@ -19,8 +19,9 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
-    sketch.part("origin").marker(DVec2::ZERO, Marker::Origin, role, MARKER);
-    sketch.label(Label::new("O", "$O$", Anchor::point(DVec2::ZERO), role).rank(Rank::Name));
+    let origin = context.frame().map_or(DVec2::ZERO, |frame| frame.position);
+    sketch.part("origin").marker(origin, Marker::Origin, role, MARKER);
+    sketch.label(Label::new("O", "$O$", Anchor::point(origin), role).rank(Rank::Name));
 }

@@ -97,7 +97,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .filter_map(|s| context.outline(s, context.time))
         .flat_map(|outline| outline.sampled())
         .collect();
-    let (down, far) = beside_bodies(sketch, &t, &points);
+    let (down, far) = beside_bodies(sketch, context, &t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let past = sketch.px(PAST);
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -142,16 +142,17 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) {
 
 /// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view
 /// only above.
-fn beside_bodies(sketch: &Sketch, t: &Tested, points: &[DVec2]) -> (DVec2, f64) {
+fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2]) -> (DVec2, f64) {
     let side = perp(t.n);
-    let down = if side.y > 0.0 || side.y == 0.0 && side.x < 0.0 { -side } else { side };
+    let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
+    let down = if onto.y > 0.0 || onto.y == 0.0 && onto.x < 0.0 { -side } else { side };
     let far = |down: DVec2| {
         points.iter().map(|p| p.dot(down)).fold(f64::NEG_INFINITY, f64::max) + sketch.px(OFFSET)
     };
     let (lo, hi) = sketch.visible();
     let hidden = |down: DVec2| {
         let out = |along: f64| {
-            let p = t.n * along + down * far(down);
+            let p = context.in_space(t.n * along + down * far(down));
             (lo - p).max(p - hi).max(DVec2::ZERO).length()
         };
         out(t.a.lo.min(t.b.lo)) + out(t.a.hi.max(t.b.hi))

@@ -131,7 +131,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let Some((centers, radii, answer)) = compared(context) else { return };
     let n = answer.normal;
     let side = perp(*n);
-    let down = if side.y > 0.0 { -side } else { side };
+    let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
+    let down = if onto.y > 0.0 { -side } else { side };
     let tracks = tracks(centers, radii, &answer);
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));

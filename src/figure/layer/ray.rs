@@ -1,17 +1,19 @@
-//! The ray from the origin along the relative velocity against B ⊖ A at t = 0: it enters when the bodies
-//! touch.
+//! The ray along the relative velocity against B ⊖ A: it enters when the bodies touch.
+//!
+//! It is the origin's way over t in [0, 1] as seen from B ⊖ A: in a panel of a later moment it starts behind
+//! the origin. Where a body turns, B ⊖ A changes on the way, and there is no such ray.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
 
-use super::velocity::{relative, until_hit};
+use super::velocity::label_of_hit;
 use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
-    about: "the ray from the origin along the relative velocity, and where it hits",
+    about: "the origin's way along the relative velocity, and where it hits",
     shows: Shows::Configuration,
     options: &[],
     labels: &[
@@ -20,20 +22,23 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
     fed: |context, _| {
-        let turns = |side| context.body(side).is_some_and(|body| !body.spin.is_zero());
-        let turning = context.sides().into_iter().any(turns);
-        Fed::by_the_scene(context.asks_for_a_hit() && !turning && relative(context) != DVec2::ZERO)
+        let still = context.closing_velocity() == DVec2::ZERO;
+        Fed::by_the_scene(context.asks_for_a_hit() && !context.turns() && !still)
     },
     draw,
 };
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let v = relative(context);
+    let v = context.closing_velocity();
     let role = options.role(Role::Ink);
-    sketch.part("ray").arrow(DVec2::ZERO, v, Pen::vector(role));
-    sketch.label(Label::new("v", "$v$", Anchor::tip(DVec2::ZERO, v), role));
+    let from = -v * context.difference_time();
+    let tip = from + v;
+    sketch.part("ray").arrow(from, tip, Pen::vector(role));
+    sketch.label(Label::new("v", "$v$", Anchor::tip(from, tip), role));
     if let Some((time, _)) = context.hit() {
-        until_hit(sketch, DVec2::ZERO, v, time);
-        sketch.part("hit").marker(v * time, Marker::Disc, Role::Now, LARGE_MARKER);
+        let hit = from + v * time;
+        sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
+        sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
+        sketch.part("hit").marker(hit, Marker::Disc, Role::Now, LARGE_MARKER);
     }
 }

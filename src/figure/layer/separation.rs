@@ -87,7 +87,7 @@ fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(run) = found(context, options) else { return };
-    let Some(&answer) = run.separation() else { return };
+    let Some(answer) = context.separation_seen(run.time) else { return };
     let role = options.role(Role::Translation);
     if options.flag("carrier", false) {
         carrier(sketch, context, &run, &answer);

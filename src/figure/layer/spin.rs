@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
-use crate::geometry::Side;
+use crate::geometry::{DVec2, Side};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
@@ -27,33 +27,44 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "omega_A", about: "angular velocity of the first body" },
         LabelKey { key: "omega_B", about: "angular velocity of the second body" },
     ],
-    needs: "a body that turns",
-    fed: |context, _| Fed::by_the_scene(!turning(context).is_empty()),
+    needs: "a body that turns, as the panel shows it",
+    fed: |context, _| {
+        Fed::by_the_frame(!turning(context).is_empty(), context, "seen from the panel's frame nothing turns")
+    },
     draw,
 };
 
-/// The bodies that turn.
+/// The bodies that turn, as the panel shows it.
 fn turning(context: &Context) -> Vec<Side> {
-    let turns = |side: &Side| context.body(*side).is_some_and(|body| !body.spin.is_zero());
-    context.sides().into_iter().filter(turns).collect()
+    context.sides().into_iter().filter(|side| seen(context, *side).is_some()).collect()
+}
+
+/// How a body moves and turns as the panel shows it: its velocity, and its spin in degrees per unit of time;
+/// `None` where it does not turn.
+fn seen(context: &Context, side: Side) -> Option<(DVec2, f64)> {
+    let body = context.body(side)?;
+    let own = (body.velocity, body.spin.degrees());
+    let (velocity, spin) = context.moving_frame().map_or(own, |f| (f.velocity(body), f.spin(body)));
+    (spin != 0.0).then_some((velocity, spin))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
     let radius = options.number("radius").unwrap_or(RADIUS);
     for side in options.of(&turning(context)) {
-        let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
+        let (Some((velocity, spin)), Some(pose)) = (seen(context, side), context.pose(side, context.time))
+        else {
             continue;
         };
-        let sweep = SWEEP.copysign(body.spin.degrees());
+        let sweep = SWEEP.copysign(spin);
         // The opening lies around the velocity, whose arrow starts here too.
-        let away = angle_of(-body.velocity);
-        let start = if body.velocity.length_squared() > 0.0 { away } else { PI } - 0.5 * sweep;
+        let away = angle_of(-velocity);
+        let start = if velocity.length_squared() > 0.0 { away } else { PI } - 0.5 * sweep;
         let center = pose.position;
         sketch.part(part("spin", side)).marker(center, Marker::Disc, role, SMALL_MARKER);
         sketch.part(part("spin", side)).arc_arrow(center, radius, start, sweep, Pen::vector(role).width(1.5));
-        let (key, text) =
-            if side == Side::A { ("omega_A", r"$\omega_A$") } else { ("omega_B", r"$\omega_B$") };
+        let key = if side == Side::A { "omega_A" } else { "omega_B" };
+        let text = context.symbol(r"\omega", side);
         sketch.label(Label::new(key, text, Anchor::Arc { center, radius, start, sweep }, role));
     }
 }

@@ -70,6 +70,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Now);
     if *context.space == Space::Configuration {
         if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
+            let joint = joint + context.estimate();
             sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
         }
         return;

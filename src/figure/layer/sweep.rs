@@ -22,14 +22,27 @@ pub(super) const LAYER: Layer = Layer {
         about: "which bodies",
     }],
     labels: &[],
-    needs: "a hit of convex bodies",
-    fed: |context, _| Fed::by_a_hit(context),
+    needs: "a question for the first contact, and a body that goes straight, as the panel shows it",
+    fed: |context, options| {
+        let straight = !swept(context, options).is_empty();
+        let why = "seen from the panel's frame nothing goes straight";
+        if straight { Fed::by_a_hit(context) } else { Fed::by_the_frame(false, context, why) }
+    },
     draw,
 };
 
+/// The bodies that go straight as the panel shows it, so that the tangents bound what they sweep.
+fn swept(context: &Context, options: &Options) -> Vec<Side> {
+    let turns = |side: Side| context.body(side).is_none_or(|body| !body.spin.is_zero());
+    let frame_turns = context.moving_frame().is_some_and(|frame| frame.turns());
+    let moves =
+        |&side: &Side| !frame_turns && !turns(side) && context.pose(side, 0.0) != context.pose(side, 1.0);
+    options.of(&context.sides()).into_iter().filter(moves).collect()
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, _)) = context.hit() else { return };
-    for side in options.of(&context.sides()) {
+    for side in swept(context, options) {
         let (before, after) = (core(context, side, context.time), core(context, side, time));
         if before == after {
             continue;

@@ -1,5 +1,5 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
-//! start.
+//! start. Each is marked where it is at the panel's moment.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -8,12 +8,9 @@ use crate::geometry::{DVec2, Side};
 
 use super::{Fed, LabelKey, Layer, Options, Shows, part};
 
-/// How many pieces a path is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px radius.
-const PIECES: u32 = 64;
-
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",
-    about: "paths of the two points that touch at the hit",
+    about: "paths of the two points that touch at the hit, from the start until then",
     shows: Shows::World,
     options: &[],
     labels: &[
@@ -31,26 +28,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         (Side::A, contact.points[0], "x1", "$x_1$", Marker::Disc),
         (Side::B, contact.points[1], "x2", "$x_2$", Marker::Square),
     ] {
-        let path = path(context, side, point, time);
+        let (Some(then), Some(now)) = (context.pose(side, time), context.pose(side, context.time)) else {
+            continue;
+        };
+        let local = then.inverse_point(point);
+        let path = context.track(side, local, [0.0, time]);
         let role = options.role(side.into());
         if path.first() != path.last() {
             let pen = Pen::ghost(role).width(1.75).dash(Dash::Dotted);
             sketch.part(part("track", side)).area(&Outline::polyline(&path), None, Some(pen));
         }
-        if let (Some(&start), Some(&next)) = (path.first(), path.get(1)) {
-            sketch.part(part("track", side)).marker(start, marker, role, LARGE_MARKER);
-            let anchor = Anchor::point_toward(start, start - next);
-            sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
-        }
+        let place = now.point(local);
+        sketch.part(part("track", side)).marker(place, marker, role, LARGE_MARKER);
+        let away = path.first().zip(path.get(1)).map_or(DVec2::ZERO, |(&start, &next)| start - next);
+        let anchor = Anchor::point_toward(place, away);
+        sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
-}
-
-/// Where the point of a body that is at `point` at the hit is from t = 0 until `time`, in the world.
-fn path(context: &Context, side: Side, point: DVec2, time: f64) -> Vec<DVec2> {
-    let Some(local) = context.pose(side, time).map(|pose| pose.inverse_point(point)) else {
-        return Vec::new();
-    };
-    let at =
-        |i: u32| context.pose(side, time * f64::from(i) / f64::from(PIECES)).map(|pose| pose.point(local));
-    (0..=PIECES).filter_map(at).collect()
 }

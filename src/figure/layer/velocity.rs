@@ -1,12 +1,12 @@
 //! A body's velocity in the world; in configuration space the relative velocity `v_A` − `v_B` from the
 //! origin.
 //!
-//! Over t in [0, 1] a body moves by its velocity, so that the arrow is its path; the part up to the hit wears
-//! the accent.
+//! In the panel of a moving body's frame it is the velocity as seen from there. Over t in [0, 1] a body moves
+//! by its velocity: its way from the panel's moment to the hit wears the accent.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
@@ -29,7 +29,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "accent",
             takes: Takes::Word(&[When::HIT]),
             default: "none",
-            about: "the part up to the hit in the accent, with its time",
+            about: "the way from the panel's moment to the hit in the accent, with its time",
         },
         OptionSpec {
             name: "cut",
@@ -48,57 +48,68 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "v_A", about: "velocity of the first body" },
         LabelKey { key: "v_B", about: "velocity of the second body" },
-        LabelKey { key: "t", about: "time of the hit" },
+        LabelKey { key: "t", about: "time of the hit; with Δ the time until it, after the start" },
     ],
-    needs: "a body that moves; for \"contact\" and \"hit\" a question for the first contact",
+    needs: "a body that moves, as the panel shows it; for \"contact\" and \"hit\" a question for the first \
+        contact",
     fed: |context, options| {
         let hit = options.word("from", "center") == "contact"
             || options.word("cut", "") == When::HIT
             || options.word("accent", "") == When::HIT;
         // A motion without a hit is drawn whole.
-        Fed::by_the_scene(!moving(context).is_empty() && (!hit || context.asks_for_a_hit()))
+        if hit && !context.asks_for_a_hit() {
+            return Fed::Never;
+        }
+        let why = "seen from the panel's frame nothing moves";
+        Fed::by_the_frame(!moving(context).is_empty(), context, why)
     },
     draw,
 };
 
-/// The bodies that move.
+/// The bodies that move, as the panel shows it.
 fn moving(context: &Context) -> Vec<Side> {
-    let moves = |side: &Side| context.body(*side).is_some_and(|body| body.velocity != DVec2::ZERO);
-    context.sides().into_iter().filter(moves).collect()
+    context.sides().into_iter().filter(|&side| seen(context, side) != DVec2::ZERO).collect()
+}
+
+/// The velocity of a body as the panel shows it.
+fn seen(context: &Context, side: Side) -> DVec2 {
+    let Some(body) = context.body(side) else { return DVec2::ZERO };
+    context.moving_frame().map_or(body.velocity, |frame| frame.velocity(body))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let scale = options.number("scale").unwrap_or(1.0);
+    let hit = context.hit().map(|(time, _)| time);
     if *context.space == Space::Configuration {
-        let v = relative(context) * options.number("scale").unwrap_or(1.0);
-        arrow(sketch, context, options, &Motion { key: "v", text: "$v$", from: DVec2::ZERO, v });
+        let v = context.closing_velocity();
+        let now = context.difference_time();
+        let way = hit.map(|time| vec![DVec2::ZERO, v * (time - now)]);
+        arrow(
+            sketch,
+            options,
+            &Motion { key: "v", text: "$v$".to_owned(), way, from: DVec2::ZERO, v, now, hit, scale },
+        );
         return;
     }
     for side in options.of(&moving(context)) {
-        let Some(body) = context.body(side) else { continue };
-        let from = start(context, options, side);
-        let v = body.velocity * options.number("scale").unwrap_or(1.0);
-        let (key, text) = if side == Side::A { ("v_A", "$v_A$") } else { ("v_B", "$v_B$") };
-        arrow(sketch, context, options, &Motion { key, text, from, v });
+        let (Some(pose), v) = (context.pose(side, context.time), seen(context, side)) else { continue };
+        let local = start(context, options, side);
+        let way = hit.map(|time| context.track(side, local, [context.time, time]));
+        let key = if side == Side::A { "v_A" } else { "v_B" };
+        let text = context.symbol("v", side);
+        let from = pose.point(local);
+        arrow(sketch, options, &Motion { key, text, way, from, v, now: context.time, hit, scale });
     }
 }
 
-/// The relative velocity `v_A` − `v_B`: the way the origin goes, seen from B ⊖ A.
-pub(super) fn relative(context: &Context) -> DVec2 {
-    let velocity = |side| context.body(side).map_or(DVec2::ZERO, |body| body.velocity);
-    velocity(Side::A) - velocity(Side::B)
-}
-
-/// Where the arrow of a body starts at the panel's moment, in the world: at its origin, or at the point that
-/// is to touch.
+/// Where the arrow of a body starts, in the body's frame: at its origin, or at the point that is to touch.
 fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
-    let now = context.pose(side, context.time);
     let touching = || {
         let (time, contact) = context.hit()?;
-        let local = context.pose(side, time)?.inverse_point(contact.points[usize::from(side == Side::B)]);
-        Some(now?.point(local))
+        Some(context.pose(side, time)?.inverse_point(contact.points[usize::from(side == Side::B)]))
     };
-    let center = now.map_or(DVec2::ZERO, |pose| pose.position);
-    if options.word("from", "center") == "contact" { touching().unwrap_or(center) } else { center }
+    let contact = options.word("from", "center") == "contact";
+    contact.then(touching).flatten().unwrap_or(DVec2::ZERO)
 }
 
 /// An arrow to draw, in the panel's space.
@@ -106,35 +117,82 @@ struct Motion {
     /// Key of its label.
     key: &'static str,
     /// Text of its label, markup.
-    text: &'static str,
+    text: String,
     /// Tail.
     from: DVec2,
-    /// From tail to tip.
+    /// The velocity.
     v: DVec2,
+    /// The way from the panel's moment to the hit, where there is one.
+    way: Option<Vec<DVec2>>,
+    /// The panel's moment.
+    now: f64,
+    /// The time of the hit, where there is one.
+    hit: Option<f64>,
+    /// Drawn length of a unit of velocity, world units.
+    scale: f64,
+}
+
+impl Motion {
+    /// The way to the hit as it is drawn, with the time of the hit; none where that is not ahead.
+    fn ahead(&self) -> Option<(Vec<DVec2>, f64)> {
+        let hit = self.hit.filter(|&hit| hit > self.now)?;
+        let way = self.way.as_ref()?;
+        Some((way.iter().map(|&p| self.from + (p - self.from) * self.scale).collect(), hit))
+    }
 }
 
 /// Draws an arrow; up to the hit in the accent, where the scene wants that.
-fn arrow(sketch: &mut Sketch, context: &Context, options: &Options, m: &Motion) {
-    let hit = context.hit().map(|(time, _)| time);
-    let role = options.role(Role::Ink);
-    let (from, tip) = (m.from, m.from + m.v);
-    if let (Some(time), When::HIT) = (hit, options.word("cut", "")) {
-        let tip = from + m.v * time;
-        sketch.part("velocity").arrow(from, tip, Pen::highlighted(options.role(Role::Now)));
-        sketch.label(Label::new(m.key, m.text, Anchor::middle(from, tip), options.role(Role::Now)));
+fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
+    let ahead = m.ahead();
+    // A motion without a hit is drawn whole; a hit that is no longer ahead leaves nothing to draw.
+    if options.word("cut", "") == When::HIT && m.hit.is_some() {
+        let Some((way, _)) = ahead else { return };
+        let role = options.role(Role::Now);
+        sketch.part("velocity");
+        let anchor = match way[..] {
+            [from, tip] => {
+                sketch.arrow(from, tip, Pen::highlighted(role));
+                Anchor::middle(from, tip)
+            }
+            _ => {
+                sketch.area(&Outline::polyline(&way), None, Some(Pen::highlighted(role)));
+                along(&way)
+            }
+        };
+        sketch.label(Label::new(m.key, m.text.clone(), anchor, role));
         return;
     }
+    let role = options.role(Role::Ink);
+    let (from, tip) = (m.from, m.from + m.v * m.scale);
     sketch.part("velocity").arrow(from, tip, Pen::vector(role));
-    sketch.label(Label::new(m.key, m.text, Anchor::tip(from, tip), role));
-    if let (Some(time), When::HIT) = (hit, options.word("accent", "")) {
-        until_hit(sketch, from, m.v, time);
+    sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
+    if let (Some((way, time)), When::HIT) = (ahead, options.word("accent", "")) {
+        let pen = Pen::highlighted(Role::Now);
+        sketch.part("until-hit");
+        match way[..] {
+            [from, end] => sketch.line(from, end, pen),
+            _ => sketch.area(&Outline::polyline(&way), None, Some(pen)),
+        };
+        let label =
+            if m.now > 0.0 { waiting(time - m.now, along(&way)) } else { label_of_hit(time, along(&way)) };
+        sketch.label(label);
     }
 }
 
-/// Draws the part of a path up to the hit, in the accent, with its time.
-pub(super) fn until_hit(sketch: &mut Sketch, from: DVec2, v: DVec2, time: f64) {
-    let end = from + v * time;
-    sketch.part("until-hit").line(from, end, Pen::highlighted(Role::Now));
-    let text = format!("$t = {}$", number(time));
-    sketch.label(Label::new("t", text, Anchor::middle(from, end), Role::Now).rank(Rank::Measure));
+/// The anchor of a label of a way: beside its middle.
+fn along(way: &[DVec2]) -> Anchor {
+    match way {
+        [from, to] => Anchor::middle(*from, *to),
+        _ => Anchor::point(way.get(way.len() / 2).copied().unwrap_or(DVec2::ZERO)),
+    }
+}
+
+/// The label of a way up to the hit, from the start: its time.
+pub(super) fn label_of_hit(time: f64, anchor: Anchor) -> Label {
+    Label::new("t", format!("$t = {}$", number(time)), anchor, Role::Now).rank(Rank::Measure)
+}
+
+/// The label of a way up to the hit, from a later moment: the time that it takes.
+fn waiting(time: f64, anchor: Anchor) -> Label {
+    Label::new("t", format!(r"$\Delta t = {}$", number(time)), anchor, Role::Now).rank(Rank::Measure)
 }

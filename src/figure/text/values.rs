@@ -53,10 +53,14 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "depth", of: depth },
     // Time of first contact, else the panel's moment.
     Value { name: "time", of: time },
-    // x of the unit normal from A to B.
+    // x of the unit normal from A to B at the panel's moment.
     Value { name: "n.x", of: |c| normal(c).map(|n| n.x).map(Quantity::exactly) },
-    // y of the unit normal from A to B.
+    // y of the unit normal from A to B at the panel's moment.
     Value { name: "n.y", of: |c| normal(c).map(|n| n.y).map(Quantity::exactly) },
+    // x of the unit normal from A to B at the first contact.
+    Value { name: "hit.n.x", of: |c| hit_normal(c).map(|n| n.x).map(Quantity::exactly) },
+    // y of the unit normal from A to B at the first contact.
+    Value { name: "hit.n.y", of: |c| hit_normal(c).map(|n| n.y).map(Quantity::exactly) },
     // Time of the article's first step, or the motion bound.
     Value { name: "bound", of: bound },
     // Distance queries made.
@@ -165,10 +169,19 @@ fn time(context: &Context) -> Option<Quantity> {
     }
 }
 
-/// The unit normal from A to B of the scene's own answer.
+/// The unit normal from A to B at the panel's moment.
 fn normal(context: &Context) -> Option<DVec2> {
-    let run = context.run();
+    let run = context.separation_at(context.time)?;
     Some(*run.separation()?.normal)
+}
+
+/// The unit normal from A to B at the first contact.
+fn hit_normal(context: &Context) -> Option<DVec2> {
+    let run = context.run();
+    match run.answer {
+        Answer::Impact(_) => Some(*run.separation()?.normal),
+        _ => None,
+    }
 }
 
 /// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion

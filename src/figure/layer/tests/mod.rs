@@ -1,5 +1,8 @@
 //! What a figure shows, for the tests of its layers: the texts of its labels and the lengths of its lines.
 
+mod moments;
+mod steps;
+
 use std::collections::BTreeMap;
 
 use crate::drawing::{Contour, Group, Item, Path, Segment};

@@ -1,0 +1,91 @@
+//! What is drawn of an algorithm's steps, and of a whole motion, lies where the next step and the end have
+//! it.
+
+use crate::drawing::{Contour, Path, Point};
+use crate::figure::{Figure, draw, plan};
+use crate::geometry::DVec2;
+use crate::scene::open_text;
+use crate::trace::Event;
+
+use super::{labels, paths};
+
+/// How far apart a thing may be drawn, page pixels.
+const NEAR: f64 = 1e-6;
+
+/// A box that goes towards a disc.
+const BODIES: &str = r#"
+    shapes.A = { kind = "box", half_extents = [0.8, 0.5], velocity = [3, 1], angle_deg = 10 }
+    shapes.B = { kind = "circle", radius = 0.75, position = [4, 0.5], velocity = [-1, 0.5] }
+"#;
+
+/// The middle of the first circle or path of a part.
+fn middle(figure: &Figure, part: &str) -> Point {
+    let path: &Path = paths(&figure.drawing.items, part)[0];
+    match &path.contour {
+        Contour::Circle { center, .. } => *center,
+        Contour::Segments(_) => {
+            let bounds = path.contour.bounds().unwrap();
+            Point::new(0.5 * (bounds.x0 + bounds.x1), 0.5 * (bounds.y0 + bounds.y1))
+        }
+    }
+}
+
+#[test]
+fn the_new_estimate_of_a_step_is_the_estimate_of_the_next_one() {
+    for (kind, algorithm) in
+        [("linear-sweep", "ray-clipping"), ("time-of-impact", "conservative-advancement")]
+    {
+        let figure = |step: usize| {
+            let text = format!(
+                "{BODIES}\nquery = {{ kind = '{kind}', of = ['A', 'B'], algorithm = '{algorithm}' }}
+                panels = [{{ space = 'configuration', step = {step}, view = [-2, -3, 6, 4],
+                    layers = ['difference', 'advancement',
+                        {{ layer = 'note', lines = ['{{=step.time}}', '{{=separation}}'] }}] }}]"
+            );
+            let scene = open_text("steps", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let told = |e: &Event| match *e {
+                Event::Advanced { at, separation, next, .. } => Some((at.time, separation, next)),
+                _ => None,
+            };
+            let told = plan.own_run().events().filter_map(told).nth(step - 1).unwrap();
+            (draw(&plan, plan.theme, "steps"), told)
+        };
+        let ((one, (time, separation, next)), (two, (later, ..))) = (figure(1), figure(2));
+        assert_eq!(next, Some(later));
+        let v = DVec2::new(4.0, 0.5) * one.panels[0].frame.scale;
+        // A sweep's difference rests and its estimate moves; else the estimate rests in the origin.
+        let gone = if kind == "linear-sweep" { 0.0 } else { later - time };
+        let [from, to] = [middle(&one, "next"), middle(&two, "estimate")];
+        let off = DVec2::new(from.x - v.x * gone - to.x, from.y + v.y * gone - to.y);
+        assert!(off.length() < NEAR, "{algorithm}: {off}");
+        let [sought, given] = [separation, labels(&one)["note"].1];
+        assert!((sought - given).abs() < 0.005, "{algorithm}: {given} is not {sought}");
+    }
+}
+
+#[test]
+fn an_arc_begins_and_ends_at_the_vertex_of_the_body_then() {
+    let figure = |time: f64| {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[2, 1], [-0.5, 0.5], [0, -1]], angle_deg = 20,
+                velocity = [1, -2], angular_velocity_deg = 100 }}
+            query = {{ kind = 'motion-bound', of = ['A'] }}
+            panels = [{{ time = {time}, view = [-4, -4, 4, 4], layers = ['arc', 'shapes'] }}]"
+        );
+        let scene = open_text("arc", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let vertex = scene.shapes[0].1.pose_at(time).point(DVec2::new(2.0, 1.0));
+        let figure = draw(&plan, plan.theme, "arc");
+        let vertex = figure.panels[0].frame.page(vertex);
+        let ends: Vec<Point> = paths(&figure.drawing.items, "extreme-point")
+            .into_iter()
+            .filter_map(|p| if let Contour::Circle { center, .. } = p.contour { Some(center) } else { None })
+            .collect();
+        (ends, vertex)
+    };
+    for (time, end) in [(0.0, 0), (1.0, 1)] {
+        let (ends, vertex) = figure(time);
+        assert!((ends[end] - vertex).length() < NEAR, "{time}: {ends:?} {vertex:?}");
+    }
+}
