@@ -1,6 +1,7 @@
 //! Every answer against the exact one: cases of `tracefig-reference` from a seed, checked in 320 bits.
 //!
-//! `TRACEFIG_CASES_SEPARATION` and `TRACEFIG_CASES_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the
+//! `TRACEFIG_CASES_SEPARATION`, `TRACEFIG_CASES_IMPACT`, `TRACEFIG_CASES_LOGGED` and
+//! `TRACEFIG_CASES_LOGGED_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the
 //! cases. A failure prints the scene, which `tracefig solve` reads as it stands.
 
 #![expect(
@@ -100,7 +101,9 @@ fn asking(scene: &Json, kind: &str, algorithm: &str) -> Option<String> {
 #[test]
 fn every_algorithm_keeps_within_its_bounds() {
     let mut tally = Tally::default();
-    for (family, count) in [(Family::Separation, 300), (Family::Impact, 42)] {
+    let families =
+        [(Family::Separation, 300), (Family::Impact, 42), (Family::Logged, 60), (Family::LoggedImpact, 20)];
+    for (family, count) in families {
         for i in 0..count {
             let scene = family.case(setting("TRACEFIG_SEED", 1), i);
             let kind = scene.get("query").and_then(|query| query.text_at("kind")).expect("a kind");
@@ -192,4 +195,14 @@ fn a_flipped_sign_a_wrong_tie_and_a_feature_off_by_one_would_be_caught() {
         result.set("features", features);
     });
     assert!(caught * 100 > features * 95, "features: {caught} of {features}");
+}
+
+#[test]
+fn pairs_of_an_engines_log_are_exact_within_their_bounds() {
+    assert_right(Family::Logged, setting("TRACEFIG_CASES_LOGGED", 1_000));
+}
+
+#[test]
+fn contacts_of_an_engines_log_are_the_first() {
+    assert_right(Family::LoggedImpact, setting("TRACEFIG_CASES_LOGGED_IMPACT", 150));
 }

@@ -225,7 +225,8 @@ impl Placed {
 pub fn convex_core(vertices: &[[f64; 2]]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..vertices.len()).collect();
     order.sort_by(|i, j| {
-        let (p, q) = (vertices[*i], vertices[*j]);
+        // −0 is 0 here.
+        let (p, q) = (vertices[*i].map(|x| x + 0.0), vertices[*j].map(|x| x + 0.0));
         p[0].total_cmp(&q[0]).then(p[1].total_cmp(&q[1])).then(i.cmp(j))
     });
     order.dedup_by(|i, j| vertices[*i] == vertices[*j]);

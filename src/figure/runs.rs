@@ -142,7 +142,7 @@ impl Runs {
         let events = done.iter().map(|(_, run)| run.trace.events.len() + run.trace.left_out).sum();
         let pairs = done.len() * pairs(&scene.query_of_bodies());
         within("the steps of the figure's algorithms", "events", events, MOST_EVENTS, at)
-            .and_then(|()| within("the moments of the figure", "pairs of corners", pairs, MAX_RUNS, at))
+            .and_then(|()| within("the moments of the figure", "pairs of vertices", pairs, MAX_RUNS, at))
             .err()
     }
 

@@ -22,13 +22,16 @@ pub struct Body {
     pub spin: Angle,
 }
 
+/// How far the squares of a cosine and a sine may be off 1 by rounding alone: 4 ε, twice what [`Turn`] leaves.
+const ROTATION: f64 = 4.0 * f64::EPSILON;
+
 /// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures;
 /// the certified queries work from the body itself.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
     /// World position of the body's origin.
     pub position: DVec2,
-    /// From the body's frame to the world's.
+    /// From the body's frame to the world's; with a shape's matrix, not of length 1 exactly.
     pub rotation: Rotation<f64>,
 }
 
@@ -77,13 +80,17 @@ impl Pose {
     /// ```
     #[must_use]
     pub fn inverse_point(&self, world: DVec2) -> DVec2 {
-        self.rotation.undo(world - self.position)
+        let local = self.rotation.undo(world - self.position);
+        // A matrix that is no rotation makes vectors longer, on the way back as well.
+        let Rotation { cos, sin } = self.rotation;
+        let squared = cos * cos + sin * sin;
+        if (squared - 1.0).abs() <= ROTATION { local } else { local / squared }
     }
 }
 
 impl Body {
-    /// Where the body is at time `t`, in the world. The angle is reduced exactly, so that any number of turns
-    /// is good to an ulp.
+    /// Where the body is at time `t`, in the world: what leads a vertex as written there, by the shape's
+    /// matrix first. The angle is reduced exactly, so that any number of turns is good to an ulp.
     ///
     /// ```
     /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
@@ -97,11 +104,13 @@ impl Body {
     /// ```
     #[must_use]
     pub fn pose_at(&self, t: f64) -> Pose {
-        let rotation = Turn::at(self.angle, self.spin, t).rotation();
+        let turn = Turn::at(self.angle, self.spin, t).rotation();
+        let matrix = self.shape.matrix;
+        let rotation = if self.shape.is_as_written() { turn } else { matrix.then(turn) };
         Pose { position: self.position + self.velocity * t, rotation }
     }
 
-    /// The angle at time `t`, in degrees, rounded.
+    /// The angle at time `t`, in degrees, rounded; with that of the shape's matrix.
     ///
     /// ```
     /// use tracefig::geometry::{Body, DVec2, Angle, Shape, shape::FieldValue};
@@ -114,6 +123,8 @@ impl Body {
     /// ```
     #[must_use]
     pub fn angle_at(&self, t: f64) -> f64 {
-        self.angle.degrees() + self.spin.degrees() * t
+        let angle = self.angle.degrees() + self.spin.degrees() * t;
+        let Rotation { cos, sin } = self.shape.matrix;
+        if self.shape.is_as_written() { angle } else { angle + libm::atan2(sin, cos).to_degrees() }
     }
 }

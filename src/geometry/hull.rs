@@ -1,6 +1,10 @@
 //! A strictly convex core, prepared for queries: vertices counter-clockwise, its edges' directions and
 //! normals.
 //!
+//! Where a matrix multiplies the core, its vertices are no doubles any more: doubles stand for them, within half
+//! an ulp, and beside them balls with all that is known. Edges and normals are made of the multiplied edges,
+//! not of the rounded vertices, and are as good as those of any core.
+//!
 //! A point has one vertex and no edge; a segment two vertices and two edges, there and back, which lets every
 //! algorithm that walks round a polygon walk round a segment too.
 
@@ -8,19 +12,23 @@ use glam::DVec2;
 
 use crate::geometry::Ball;
 use crate::geometry::Dd;
+use crate::geometry::Rotation;
 use crate::geometry::UnitVector;
 use crate::geometry::taming_power;
 
 /// The vertices of a convex core in counter-clockwise order, and what follows from them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hull {
-    /// Vertices in the body's frame, exactly as written.
+    /// Vertices in the body's frame: exactly as written, or, where a matrix multiplies them, each coordinate
+    /// within half an ulp.
     pub vertices: Vec<DVec2>,
-    /// Edge i runs from vertex i to vertex i + 1: their difference, each component within ε/2 of itself.
+    /// Edge i runs from vertex i to vertex i + 1: their difference, each component within ε/2 of itself; of a
+    /// multiplied core, each within ε/2 of the edge's length.
     pub edges: Vec<DVec2>,
     /// Outward unit normals of the edges; each component within ε/2.
     pub normals: Vec<UnitVector>,
-    /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component.
+    /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component; of
+    /// a multiplied core, within 16 ε².
     pub tails: Vec<DVec2>,
     /// Normal · vertex, the edge's distance from the body's origin: within 2ε of the reach.
     pub offsets: Vec<f64>,
@@ -30,6 +38,19 @@ pub struct Hull {
     angles: Vec<f64>,
     /// The edge whose normal has the least diamond angle.
     first: usize,
+    /// What the doubles of a multiplied core stand for; None where they are exact.
+    exact: Option<Box<Multiplied>>,
+    /// Bound on what the double-doubles of `exact` are off, as a vector: 0 where the doubles are exact.
+    pub(crate) error: f64,
+}
+
+/// The vertices and edges of a core that a matrix multiplies.
+#[derive(Clone, Debug, PartialEq)]
+struct Multiplied {
+    /// The vertices.
+    vertices: Vec<[Ball; 2]>,
+    /// The edges; a component is exactly 0, or not 0 at all.
+    edges: Vec<[Ball; 2]>,
 }
 
 /// Up to this many vertices it is quicker to look at all than to search.
@@ -53,6 +74,13 @@ fn diamond(v: DVec2) -> f64 {
 /// by 17u² more: 26u².
 pub(crate) const NORMAL_ERROR: f64 = 7.0 * f64::EPSILON * f64::EPSILON;
 
+/// Bound on the error of each component of a double-double normal of a multiplied core: 16 ε².
+///
+/// Of an edge, which is exact as written, each component loses 8u² in each of two products and 3u² in their
+/// sum: 15u² of its length, or 20u² as a vector, which its length loses as well. That is 35u² more than
+/// [`NORMAL_ERROR`]: 61u² = 15.3 ε². Rounded up to a power of two.
+pub(crate) const MULTIPLIED_NORMAL_ERROR: f64 = 16.0 * f64::EPSILON * f64::EPSILON;
+
 impl Hull {
     /// Prepares vertices that are strictly convex and counter-clockwise.
     #[must_use]
@@ -61,8 +89,44 @@ impl Hull {
         let following = |i: usize| vertices[(i + 1) % n];
         let count = if n < 2 { 0 } else { n };
         let edges: Vec<DVec2> = (0..count).map(|i| following(i) - vertices[i]).collect();
-        let (normals, tails): (Vec<UnitVector>, Vec<DVec2>) =
-            (0..count).map(|i| outward(vertices[i], following(i))).unzip();
+        let normals: Vec<_> = (0..count).map(|i| outward(vertices[i], following(i))).collect();
+        Self::of_parts(vertices, edges, normals)
+    }
+
+    /// Prepares such vertices after a multiplication by a matrix that is nearly a rotation.
+    #[must_use]
+    pub(crate) fn multiplied(written: &[DVec2], matrix: Rotation<f64>) -> Self {
+        let n = written.len();
+        let largest = written.iter().fold(0.0, |most: f64, v| most.max(v.x.abs()).max(v.y.abs()));
+        let unit = taming_power(largest);
+        let matrix = Rotation { cos: Ball::new(matrix.cos), sin: Ball::new(matrix.sin) };
+        let written: Vec<DVec2> = written.iter().map(|v| *v * unit).collect();
+        let count = if n < 2 { 0 } else { n };
+        let tame_edges: Vec<[Ball; 2]> = (0..count)
+            .map(|i| {
+                let (from, to) = (written[i], written[(i + 1) % n]);
+                let along = [Ball::difference(to.x, from.x), Ball::difference(to.y, from.y)];
+                never_nearly_zero(matrix.apply(along))
+            })
+            .collect();
+        let back = |v: &[Ball; 2]| v.map(|x| x.times_power_of_two(1.0 / unit));
+        let vertices: Vec<[Ball; 2]> =
+            written.iter().map(|v| back(&matrix.apply([Ball::new(v.x), Ball::new(v.y)]))).collect();
+        let edges: Vec<[Ball; 2]> = tame_edges.iter().map(back).collect();
+        let normals: Vec<_> = tame_edges.iter().map(|[x, y]| square_to(x.value, y.value)).collect();
+        let high = |v: &[Ball; 2]| DVec2::new(v[0].value.hi, v[1].value.hi);
+        let error = vertices.iter().fold(0.0, |most: f64, v| most.max(v[0].radius + v[1].radius));
+        let doubles =
+            Self::of_parts(vertices.iter().map(high).collect(), edges.iter().map(high).collect(), normals);
+        // The doubles may be nearer to the origin than what they stand for.
+        let reach = doubles.reach * (1.0 + f64::EPSILON);
+        Self { exact: Some(Box::new(Multiplied { vertices, edges })), error, reach, ..doubles }
+    }
+
+    /// A core of its vertices, edges and normals.
+    fn of_parts(vertices: Vec<DVec2>, edges: Vec<DVec2>, normals: Vec<(UnitVector, DVec2)>) -> Self {
+        let (n, count) = (vertices.len(), edges.len());
+        let (normals, tails): (Vec<UnitVector>, Vec<DVec2>) = normals.into_iter().unzip();
         let offsets = normals.iter().zip(&vertices).map(|(normal, vertex)| normal.dot(*vertex)).collect();
         let reach = vertices.iter().fold(0.0, |reach: f64, &q| reach.max(length(q)));
         let angle = |i: &usize| diamond(*normals[*i]);
@@ -70,7 +134,41 @@ impl Hull {
         let mut angles: Vec<f64> = (0..count).map(|i| angle(&((first + i) % n))).collect();
         // Nearly parallel edges may come out of order by rounding.
         angles.sort_by(f64::total_cmp);
-        Self { vertices, edges, normals, tails, offsets, reach, angles, first }
+        Self { vertices, edges, normals, tails, offsets, reach, angles, first, exact: None, error: 0.0 }
+    }
+
+    /// Whether a matrix multiplies the core, so that its doubles are rounded.
+    #[inline]
+    pub(crate) fn is_multiplied(&self) -> bool {
+        self.exact.is_some()
+    }
+
+    /// What the double of a vertex leaves out, within [`Self::error`].
+    #[inline]
+    pub(crate) fn vertex_tail(&self, i: usize) -> DVec2 {
+        self.exact.as_ref().map_or(DVec2::ZERO, |exact| {
+            let [x, y] = exact.vertices[i];
+            DVec2::new(x.value.lo, y.value.lo)
+        })
+    }
+
+    /// Vertex `i`, all that is known of it.
+    #[inline]
+    pub(crate) fn vertex_in_balls(&self, i: usize) -> [Ball; 2] {
+        let vertex = self.vertices[i];
+        self.exact
+            .as_ref()
+            .map_or_else(|| [Ball::new(vertex.x), Ball::new(vertex.y)], |exact| exact.vertices[i])
+    }
+
+    /// Edge `i`, all that is known of it.
+    #[inline]
+    pub(crate) fn edge_in_balls(&self, i: usize) -> [Ball; 2] {
+        if let Some(exact) = &self.exact {
+            return exact.edges[i];
+        }
+        let (from, to) = (self.vertices[i], self.vertices[self.next(i)]);
+        [Ball::difference(to.x, from.x), Ball::difference(to.y, from.y)]
     }
 
     /// Vertex after `i`, counter-clockwise.
@@ -141,7 +239,8 @@ impl Hull {
     #[must_use]
     pub(crate) fn normal_in_balls(&self, i: usize) -> [Ball; 2] {
         let (hi, lo) = (self.normals[i], self.tails[i]);
-        let radius = if hi.x == 0.0 || hi.y == 0.0 { 0.0 } else { NORMAL_ERROR };
+        let error = if self.is_multiplied() { MULTIPLIED_NORMAL_ERROR } else { NORMAL_ERROR };
+        let radius = if hi.x == 0.0 || hi.y == 0.0 { 0.0 } else { error };
         [Ball::within(Dd { hi: hi.x, lo: lo.x }, radius), Ball::within(Dd { hi: hi.y, lo: lo.y }, radius)]
     }
 }
@@ -160,17 +259,30 @@ fn length(v: DVec2) -> f64 {
 fn outward(from: DVec2, to: DVec2) -> (UnitVector, DVec2) {
     let rough = to - from;
     let factor = taming_power(rough.x.abs().max(rough.y.abs()));
-    if rough.x == 0.0 {
-        return (UnitVector::normalized(DVec2::new(rough.y.signum(), 0.0)), DVec2::ZERO);
+    let along = |from: f64, to: f64| Dd::difference(to, from).scale_by_power_of_two(factor);
+    // Where the rounded difference is 0, so is the exact one.
+    square_to(along(from.x, to.x), along(from.y, to.y))
+}
+
+/// The unit normal to the right of a vector of about 1: its doubles and their tails.
+fn square_to(x: Dd, y: Dd) -> (UnitVector, DVec2) {
+    if x.hi == 0.0 {
+        return (UnitVector::normalized(DVec2::new(y.hi.signum(), 0.0)), DVec2::ZERO);
     }
-    if rough.y == 0.0 {
-        return (UnitVector::normalized(DVec2::new(0.0, -rough.x.signum())), DVec2::ZERO);
+    if y.hi == 0.0 {
+        return (UnitVector::normalized(DVec2::new(0.0, -x.hi.signum())), DVec2::ZERO);
     }
-    let x = Dd::difference(to.x, from.x).scale_by_power_of_two(factor);
-    let y = Dd::difference(to.y, from.y).scale_by_power_of_two(factor);
     let length = (x * x + y * y).sqrt();
     let (nx, ny) = (y.div(length), -x.div(length));
     (UnitVector::normalized(DVec2::new(nx.hi, ny.hi)), DVec2::new(nx.lo, ny.lo))
+}
+
+/// A vector of which a component that is 0 is exactly 0: one that may be 0 becomes a number within its radius.
+fn never_nearly_zero(v: [Ball; 2]) -> [Ball; 2] {
+    v.map(|x| {
+        let vague = x.value.hi == 0.0 && x.radius > 0.0;
+        if vague { Ball::within(Dd::new(0.5 * x.radius), 1.5 * x.radius) } else { x }
+    })
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::geometry::shape::{FieldType, FieldValue, KINDS, Kind};
-use crate::geometry::{Angle, Body, DVec2, Shape};
+use crate::geometry::{Angle, Body, DVec2, Rotation, Shape};
 
 use super::Spanned;
 use super::checked::{Checked, as_list, as_text, check};
@@ -39,6 +39,9 @@ pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Rea
 /// The keys of an angle at t = 0, in degrees and in radians.
 const ANGLES: [&str; 2] = ["angle_deg", "angle_rad"];
 
+/// The key of cosine and sine at t = 0, instead of an angle.
+const MATRIX: &str = "rotation";
+
 /// The keys of an angular velocity, in degrees and in radians.
 const SPINS: [&str; 2] = ["angular_velocity_deg", "angular_velocity_rad"];
 
@@ -51,25 +54,48 @@ fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
     };
     let table = check(node, &name.value, &with_article(kind.name), &shape_rows(kind), p)?;
     if !kind.turns {
-        for key in ANGLES.into_iter().chain(SPINS) {
-            if let Some(angle) = table.number(key).filter(|angle| angle.value != 0.0) {
-                p.add(Fault::FixedAngle { kind: kind.name, key, got: number(angle.value) }, &angle.span);
-            }
-        }
+        unturned(kind, &table, p);
     }
+    only_one(&table, &[ANGLES[0], ANGLES[1], MATRIX], p);
+    only_one(&table, &SPINS, p);
     let shape = shape(kind, &table, p)?;
+    let shape = multiplied(shape, &table, p)?;
     Some(Body {
         shape,
         position: table.pair("position").unwrap_or(DVec2::ZERO),
-        angle: angle(&table, ANGLES, p),
+        angle: angle(&table, ANGLES),
         velocity: table.pair("velocity").unwrap_or(DVec2::ZERO),
-        spin: angle(&table, SPINS, p),
+        spin: angle(&table, SPINS),
     })
 }
 
-/// The angle that is written in degrees or in radians; both at once are a problem.
-fn angle(table: &Checked<'_>, keys: [&'static str; 2], p: &mut Problems) -> Angle {
-    only_one(table, &keys, p);
+/// Notes what turns a kind of shape that does not turn.
+fn unturned(kind: &Kind, table: &Checked<'_>, p: &mut Problems) {
+    for key in ANGLES.into_iter().chain(SPINS) {
+        if let Some(angle) = table.number(key).filter(|angle| angle.value != 0.0) {
+            let got = number(angle.value);
+            p.add(Fault::FixedAngle { kind: kind.name, key, expected: "0", got }, &angle.span);
+        }
+    }
+    if let (Some(matrix), Some(node)) = (table.pair(MATRIX), table.get(MATRIX))
+        && matrix != DVec2::X
+    {
+        let got = format!("[{}, {}]", number(matrix.x), number(matrix.y));
+        let fault = Fault::FixedAngle { kind: kind.name, key: MATRIX, expected: "[1, 0]", got };
+        p.add(fault, &node.span);
+    }
+}
+
+/// The shape with the matrix that the file gives.
+fn multiplied(shape: Shape, table: &Checked<'_>, p: &mut Problems) -> Option<Shape> {
+    let (Some(DVec2 { x: cos, y: sin }), Some(node)) = (table.pair(MATRIX), table.get(MATRIX)) else {
+        return Some(shape);
+    };
+    shape.multiplied(Rotation { cos, sin }).map_err(|error| p.add(Fault::Shape(error), &node.span)).ok()
+}
+
+/// The angle that is written in degrees or in radians.
+fn angle(table: &Checked<'_>, keys: [&'static str; 2]) -> Angle {
     let [degrees, radians] = keys.map(|key| table.number(key));
     radians.map_or_else(
         || degrees.map_or(Angle::ZERO, |degrees| Angle::Degrees(degrees.value)),
@@ -126,6 +152,7 @@ fn shape(kind: &Kind, table: &Checked<'_>, p: &mut Problems) -> Option<Shape> {
             FieldType::Number => table.number(f.name).map(|n| FieldValue::Number(n.value)),
             FieldType::Point => table.pair(f.name).map(FieldValue::Point),
             FieldType::Points => table.points(f.name).map(FieldValue::Points),
+            FieldType::Switch => table.switch(f.name).map(FieldValue::Switch),
         })
         .collect();
     match (kind.build)(&values) {

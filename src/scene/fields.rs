@@ -122,6 +122,11 @@ pub(super) static BODY: TableRows = TableRows {
         may("position", Holds::Pair, "world position of the body's origin at t = 0; default [0, 0]"),
         may("angle_deg", ANY_NUMBER, "angle at t = 0, degrees counter-clockwise; default 0"),
         may("angle_rad", ANY_NUMBER, "the same in radians, instead of `angle_deg`"),
+        may(
+            "rotation",
+            Holds::Pair,
+            "[c, s] instead of an angle: the matrix ((c, −s), (s, c)) for all core points, as written",
+        ),
         may("velocity", Holds::Pair, "world units per unit of time; default [0, 0]"),
         may(
             "angular_velocity_deg",
@@ -218,6 +223,7 @@ pub fn shape_rows(kind: &Kind) -> Vec<Field> {
             FieldType::Number => ANY_NUMBER,
             FieldType::Point => Holds::Pair,
             FieldType::Points => Holds::Points,
+            FieldType::Switch => Holds::Switch,
         },
         required: f.required,
         about: f.about,

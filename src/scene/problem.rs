@@ -134,8 +134,10 @@ pub enum Fault {
     FixedAngle {
         /// The kind of shape.
         kind: &'static str,
-        /// `angle_deg` or `angular_velocity_deg`.
+        /// The key of the angle, the spin or the matrix.
         key: &'static str,
+        /// What it would have to be.
+        expected: &'static str,
         /// The angle as written.
         got: String,
     },
@@ -306,8 +308,8 @@ impl fmt::Display for Fault {
             Self::TurningBody { body } => {
                 write!(f, "a `linear-sweep` is of shapes that do not turn, but `{body}` does")
             }
-            Self::FixedAngle { kind, key, got } => {
-                write!(f, "`{key}`: an `{kind}` does not turn: expected 0, got {got}")
+            Self::FixedAngle { kind, key, expected, got } => {
+                write!(f, "`{key}`: an `{kind}` does not turn: expected {expected}, got {got}")
             }
             Self::UnsuitedAlgorithm { algorithm, reason, .. } => {
                 write!(f, "the algorithm `{algorithm}` does not take this query: {reason}")

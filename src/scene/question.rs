@@ -56,7 +56,7 @@ fn max_iterations(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problem
     let most = MAX_STEPS_OF_VERTICES / vertices.max(1);
     let Some(given) = table.count("max_iterations") else { return DEFAULT_ITERATIONS.min(most) };
     if given.value > most {
-        let expected = format!("at most {most} for shapes of {vertices} corners");
+        let expected = format!("at most {most} for shapes of {vertices} vertices");
         let (key, got) = ("max_iterations".to_owned(), given.value.to_string());
         p.add(Fault::OutOfRange { key, expected, got }, &given.span);
     }

@@ -160,6 +160,7 @@ fn shape(r: &mut Random, question: &Question, name: &str) -> String {
             FieldType::Point => point(r).replace('-', ""),
             FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", point(r), point(r)),
             FieldType::Points => vertices(r),
+            FieldType::Switch => ["true", "false"][r.below(2)].to_owned(),
         };
         writeln!(text, "{} = {value}", field.name).unwrap();
     }

@@ -187,7 +187,7 @@ fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
 /// radius never counts.
 fn arm(body: &Body) -> f64 {
     let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
-    far * body.spin.radians().abs()
+    far * body.shape.stretch() * body.spin.radians().abs()
 }
 
 /// S of a pair: the size that its rounding is measured by, in world units.
@@ -197,7 +197,7 @@ fn arm(body: &Body) -> f64 {
 fn scale_of(a: &Body, b: &Body) -> f64 {
     let largest = |v: DVec2| v.x.abs().max(v.y.abs());
     let extent = |body: &Body| {
-        let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v)));
+        let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v))) * body.shape.stretch();
         far.max(body.shape.radius).max(far * body.spin.radians().abs())
     };
     let shares =

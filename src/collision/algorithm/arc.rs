@@ -55,10 +55,10 @@ fn shapes(_: &Query) -> Result<(), &'static str> {
 /// Answers a query for a motion bound.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     tracer.record(|| {
-        let angle_b = query.b.map_or(0.0, |b| b.angle.degrees());
+        let angle_b = query.b.map_or(0.0, |b| b.angle_at(0.0));
         Event::Started {
             algorithm: ALGORITHM.name,
-            at: Moment { time: 0.0, angle_a: query.a.angle.degrees(), angle_b },
+            at: Moment { time: 0.0, angle_a: query.a.angle_at(0.0), angle_b },
         }
     });
     let relative = query.a.velocity - query.b.map_or(DVec2::ZERO, |b| b.velocity);
@@ -83,7 +83,8 @@ fn is_at_rest(query: &Query, relative: DVec2) -> bool {
 /// θ r of one body in world units, told with the `linear` path that the bound adds to it.
 #[inline]
 fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
-    let far = |v: &DVec2| length(*v);
+    let stretch = body.shape.stretch();
+    let far = |v: &DVec2| length(*v) * stretch;
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
     let radius = reach + body.shape.radius;
     // Angle first: a tiny angle in radians would lose its digits to underflow.

@@ -150,10 +150,9 @@ pub(crate) fn tell(pair: &PairView, answer: &Separation, tracer: &mut impl Trace
 fn ends(pair: &PairView, side: Side, feature: Feature) -> Vec<SupportVertex> {
     let body = pair.body(side);
     let pose = body.pose_at(pair.at.time);
-    let count = body.shape.vertices.len().max(1);
     let indices = match feature {
         Feature::Vertex(i) => [Some(i), None],
-        Feature::Edge(i) => [Some(i), Some((i + 1) % count)],
+        Feature::Edge(i) => body.shape.edge_ends(i).unwrap_or([i, i]).map(Some),
     };
     let told = |i: usize| Some(SupportVertex { index: i, point: pose.point(*body.shape.vertices.get(i)?) });
     indices.into_iter().flatten().filter_map(told).collect()

@@ -109,18 +109,21 @@ impl Placing {
     pub(crate) fn new(body: &Body, t: f64) -> Self {
         let moved = body.position.abs() + (body.velocity * t).abs();
         // An outline has no core to give its reach.
-        let reach = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));
+        let written = body.shape.vertices.iter().fold(0.0, |reach: f64, v| reach.max(v.x.abs() + v.y.abs()));
+        let reach = written * body.shape.stretch();
         let size = moved.max_element() + reach + body.shape.radius;
+        // With a matrix, cosine and sine are sums of two products themselves.
+        let roundings = if body.shape.is_as_written() { 1.0 } else { 2.0 };
         let unit = if size < TAME.start { taming_power(size) } else { 1.0 };
         let position = |at: f64, speed: f64| Ball::new(at * unit) + Ball::product(speed * unit, t);
         Self {
             pose: body.pose_at(t),
-            error: (moved.max_element() + reach) * EXTREME_ERROR + f64::MIN_POSITIVE,
+            error: (moved.max_element() + reach) * EXTREME_ERROR * roundings + f64::MIN_POSITIVE,
             position: [
                 position(body.position.x, body.velocity.x),
                 position(body.position.y, body.velocity.y),
             ],
-            rotation: Turn::at(body.angle, body.spin, t).rotation_in_balls(),
+            rotation: rotation(body, t),
             radius: body.shape.radius * unit,
             unit,
         }
@@ -145,6 +148,17 @@ impl Placing {
         let radius = Ball::new(self.radius);
         (if direction < 2 { radius - place } else { radius + place }).enclosure_scaled(1.0 / self.unit).hi
     }
+}
+
+/// From a vertex as written to the world's axes at time `t`: the shape's matrix, and then the turn.
+fn rotation(body: &Body, t: f64) -> Rotation<Ball> {
+    let turn = Turn::at(body.angle, body.spin, t).rotation_in_balls();
+    if body.shape.is_as_written() {
+        return turn;
+    }
+    let Rotation { cos, sin } = body.shape.matrix;
+    let [cos, sin] = turn.apply([Ball::new(cos), Ball::new(sin)]);
+    Rotation { cos, sin }
 }
 
 /// Not above x + y, and equal to it where that is a double.

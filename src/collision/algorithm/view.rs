@@ -14,7 +14,7 @@ use std::cmp::Ordering;
 
 use crate::collision::certified::rounding::{DOT_ERROR, GAP_ERROR, TAME};
 use crate::collision::{Pair, Query};
-use crate::geometry::{Ball, Body, DVec2, Feature, Hull, Pose, Side, Turn};
+use crate::geometry::{Body, DVec2, Feature, Hull, Pose, Side, Turn};
 use crate::trace::{Event, Moment, SupportVertex, Tracer};
 
 /// Two bodies at one moment, seen from A's frame.
@@ -186,11 +186,7 @@ impl<'s> PairView<'s> {
     /// The sign of the same cross product in double-doubles; `Equal` where even they can't tell, which they
     /// always can where the bodies are parallel.
     fn fine_sign_of_cross(&self, side: Side, k: usize, l: usize) -> Ordering {
-        let edge = |side: Side, k: usize| {
-            let hull = self.hull(side);
-            let (p, q) = (vertex(hull, k), vertex(hull, self.next(side, k)));
-            [Ball::difference(q.x, p.x), Ball::difference(q.y, p.y)]
-        };
+        let edge = |side: Side, k: usize| self.hull(side).edge_in_balls(k);
         // In A's frame, A's edge mirrored: the sign of −eₐ × R e_b.
         let (a, b) = if side == Side::A { (k, l) } else { (l, k) };
         let ([ax, ay], [bx, by]) = (edge(Side::A, a), edge(Side::B, b));

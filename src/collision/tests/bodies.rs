@@ -11,12 +11,13 @@ pub(crate) const TILT: f64 = 36.869_897_645_844_02;
 /// A counter-clockwise, strictly convex polygon (or a segment, or a point) with a radius.
 pub(crate) fn polygon(vertices: &[[f64; 2]], radius: f64) -> Body {
     body(Shape {
-        kind: if vertices.len() == 1 { "circle" } else { "polygon" },
-        vertices: vertices.iter().copied().map(DVec2::from).collect(),
         radius,
-        half_extents: None,
         core: (0..vertices.len()).collect(),
         hull: Hull::new(vertices.iter().copied().map(DVec2::from).collect()),
+        ..Shape::bare(
+            if vertices.len() == 1 { "circle" } else { "polygon" },
+            vertices.iter().copied().map(DVec2::from).collect(),
+        )
     })
 }
 

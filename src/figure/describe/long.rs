@@ -33,7 +33,7 @@ fn body_in_words(name: &str, body: &Body) -> String {
     let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
     let mut text = format!("{name} is {}", kind.map_or(shape.kind, |kind| kind.in_words));
     if kind.is_some_and(|kind| kind.fields.iter().any(|field| field.name == "vertices")) {
-        let _ = write!(text, " of {} corners", shape.vertices.len());
+        let _ = write!(text, " of {} vertices", shape.vertices.len());
     }
     if let Some(h) = body.shape.half_extents {
         let _ = write!(text, " of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
@@ -42,8 +42,8 @@ fn body_in_words(name: &str, body: &Body) -> String {
         let _ = write!(text, " of radius {}", value(body.shape.radius));
     }
     let _ = write!(text, " at {}", point(middle(body)));
-    if body.angle.degrees() != 0.0 {
-        let _ = write!(text, ", turned by {}°", value(body.angle.degrees()));
+    if body.angle_at(0.0) != 0.0 {
+        let _ = write!(text, ", turned by {}°", value(body.angle_at(0.0)));
     }
     if body.velocity != DVec2::ZERO {
         let _ = write!(text, ", moving by {}", point(body.velocity));
@@ -57,7 +57,7 @@ fn body_in_words(name: &str, body: &Body) -> String {
 
 /// The mean of a body's vertices at t = 0, which says where it is better than an origin outside it.
 fn middle(body: &Body) -> DVec2 {
-    #[expect(clippy::cast_precision_loss, reason = "a count of corners is far below 2^53")]
+    #[expect(clippy::cast_precision_loss, reason = "a count of vertices is far below 2^53")]
     let count = body.shape.vertices.len().max(1) as f64;
     body.pose_at(0.0).point(body.shape.vertices.iter().copied().sum::<DVec2>() / count)
 }

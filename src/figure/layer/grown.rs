@@ -21,7 +21,7 @@ pub(super) const LAYER: Layer = Layer {
         name: "copies",
         takes: Takes::Flag,
         default: "true",
-        about: "dotted copies of B on A's corners",
+        about: "dotted copies of B on A's vertices",
     }],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },

@@ -133,8 +133,8 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
 fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) {
     let (side, Feature::Edge(index)) = t.source else { return };
     let Some(body) = context.body(side) else { return };
-    let next = (index + 1) % body.shape.vertices.len().max(1);
-    let ends = [index, next].map(|i| context.vertex(side, i, context.time));
+    let Some(ends) = body.shape.edge_ends(index) else { return };
+    let ends = ends.map(|i| context.vertex(side, i, context.time));
     let [Some(p), Some(q)] = ends else { return };
     let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
     sketch.part("edge").line(p + out, q + out, Pen::highlighted(side.into()));

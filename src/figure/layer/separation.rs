@@ -130,12 +130,9 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
         else {
             continue;
         };
-        let vertices = &body.shape.vertices;
-        let (Some(&p), Some(&q)) = (vertices.get(i), vertices.get((i + 1) % vertices.len().max(1))) else {
-            continue;
-        };
+        let Some(ends) = body.shape.edge_ends(i) else { continue };
         let outward = if side == Side::A { answer.normal } else { -answer.normal };
-        let [p, q] = [p, q].map(|v| pose.point(v) + outward * body.shape.radius);
+        let [p, q] = ends.map(|k| pose.point(body.shape.vertices[k]) + outward * body.shape.radius);
         let reach = (q - p).normalize_or_zero() * CARRIER;
         sketch.part("carrier").weight(Weight::Light).line(
             p - reach,

@@ -34,6 +34,9 @@ const SCALE_900: f64 = f64::from_bits((1023 + 900) << 52);
 /// 2⁻⁹⁰⁰: what an underflowed product is widened by.
 const FLOOR: f64 = PRODUCT_FLOOR;
 
+/// 2⁻¹⁰⁷³: at least what a double loses, rounded twice among the denormals.
+const DENORMAL: f64 = 2.0 * f64::MIN_POSITIVE * f64::EPSILON;
+
 /// Rounds a radius up past the roundings of its own formula.
 #[inline]
 fn up(radius: f64) -> f64 {
@@ -92,6 +95,17 @@ impl Ball {
         let value = self.value.scale(y);
         let radius = self.radius * y.abs() + Dd::ROUNDING * value.hi.abs();
         Self { value, radius: up(radius) + underflow(value.hi, self.value.hi, y) }
+    }
+
+    /// x · `factor` for a power of two; widened where it is so small that bits may be lost.
+    #[inline]
+    #[must_use]
+    pub(crate) fn times_power_of_two(self, factor: f64) -> Self {
+        let value = self.value.scale_by_power_of_two(factor);
+        let lost = |y: f64, x: f64| factor < 1.0 && x != 0.0 && y.abs() < f64::MIN_POSITIVE;
+        let vague = lost(value.hi, self.value.hi) || lost(value.lo, self.value.lo);
+        let radius = if self.radius == 0.0 { 0.0 } else { (self.radius * factor).next_up() };
+        Self { value, radius: if vague { radius + DENORMAL } else { radius } }
     }
 
     /// x / y. Infinite radius where y may be 0.

@@ -35,14 +35,7 @@ fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
     }
     if points[0] == points[1] {
         let hull = Hull::new(vec![points[0]]);
-        return Ok(Shape {
-            kind: "capsule",
-            vertices: points,
-            radius,
-            half_extents: None,
-            core: vec![0],
-            hull,
-        });
+        return Ok(Shape { radius, core: vec![0], hull, ..Shape::bare("capsule", points) });
     }
     Ok(Shape::convex("capsule", points, radius))
 }

@@ -8,6 +8,16 @@ use glam::DVec2;
 use super::Shape;
 use crate::geometry::Feature;
 
+/// Which vertices the numbered edges of a shape run between.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edges {
+    /// Edge i runs from vertex i to vertex i + 1 of the file.
+    OfFile,
+    /// Edge i runs from vertex i to the hull's next vertex, counter-clockwise; clockwise where the file has
+    /// them in that order.
+    OfHull,
+}
+
 impl Shape {
     /// The feature in the file's numbering for vertex `k` of the core.
     #[inline]
@@ -16,7 +26,7 @@ impl Shape {
         Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
     }
 
-    /// The file's edge that holds `point` (body frame), which lies on edge `k` of the core.
+    /// The file's edge that holds `point` (body frame, multiplied by the matrix), which lies on edge `k` of the core.
     ///
     /// Where collinear vertices were dropped, the edge is made of several edges of the file: the one whose
     /// ends have the point between them is taken, the first in the file's order on a tie.
@@ -33,7 +43,39 @@ impl Shape {
         let next = |k: usize, count: usize| if k + 1 == count { 0 } else { k + 1 };
         let k = if k < vertices { k } else { k % vertices };
         let (from, to) = (self.core[k], self.core[next(k, vertices)]);
+        if self.edges == Edges::OfHull {
+            return Feature::Edge(if self.hull_runs_clockwise() { to } else { from });
+        }
         if next(from, count) == to { Feature::Edge(from) } else { self.edge_between(from, to, point) }
+    }
+
+    /// The numbers of the vertices at both ends of an edge that is numbered as in answers; None where there is
+    /// no such edge.
+    ///
+    /// ```
+    /// use tracefig::geometry::{DVec2, Shape};
+    /// let triangle = Shape::polygon(vec![DVec2::ZERO, DVec2::X, DVec2::Y])?;
+    /// assert_eq!((triangle.edge_ends(2), triangle.edge_ends(3)), (Some([2, 0]), None));
+    /// # Ok::<(), tracefig::geometry::shape::ShapeError>(())
+    /// ```
+    #[must_use]
+    pub fn edge_ends(&self, i: usize) -> Option<[usize; 2]> {
+        if self.edges == Edges::OfHull {
+            let count = self.core.len();
+            let k = self.core.iter().position(|&vertex| vertex == i)?;
+            let next = if self.hull_runs_clockwise() { k + count - 1 } else { k + 1 };
+            return Some([i, self.core[next % count]]);
+        }
+        let count = self.vertices.len();
+        let edges = if count > 2 { count } else { count.saturating_sub(1) };
+        (i < edges).then(|| [i, (i + 1) % count])
+    }
+
+    /// Whether the file has the hull's vertices in clockwise order, from any one of them on.
+    fn hull_runs_clockwise(&self) -> bool {
+        let count = self.core.len();
+        let rises = (0..count).filter(|&k| self.core[k] < self.core[(k + 1) % count]).count();
+        count > 2 && rises == 1
     }
 
     /// Core edge k in the file's numbering where the file runs clockwise, or has more vertices between the
@@ -58,7 +100,7 @@ impl Shape {
         let mut i = from;
         while i != to {
             let next = (i + 1) % count;
-            let (p, q) = (self.vertices[i], self.vertices[next]);
+            let (p, q) = (self.multiplied_vertex(i), self.multiplied_vertex(next));
             // How far the point is outside the edge's bounding box; 0 inside.
             let outside = (p.min(q) - point).max(point - p.max(q)).max(DVec2::ZERO);
             let miss = outside.x.max(outside.y);

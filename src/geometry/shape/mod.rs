@@ -8,15 +8,19 @@ mod capsule;
 mod circle;
 mod convex;
 mod feature;
+mod matrix;
 mod oriented_box;
 mod outline;
 mod polygon;
 
 use glam::DVec2;
 
+pub use feature::Edges;
+
 #[cfg(test)]
 use super::Feature;
 use super::Hull;
+use super::Rotation;
 
 /// A shape in its body's frame.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,8 +37,14 @@ pub struct Shape {
     /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear
     /// vertices dropped. Empty for an `outline`, which is not convex.
     pub core: Vec<usize>,
-    /// The core, prepared for queries: `hull.vertices[k]` = `vertices[core[k]]`.
+    /// The core, multiplied by `matrix` and prepared for queries: `hull.vertices[k]` is that of
+    /// `vertices[core[k]]`.
     pub hull: Hull,
+    /// Which vertices the edges run between.
+    pub edges: Edges,
+    /// The matrix that multiplies core points before anything else is done with them: none, or a rotation by
+    /// its cosine and sine as an engine has them, which need not be of length 1 exactly.
+    pub matrix: Rotation<f64>,
 }
 
 /// What a field of a shape holds.
@@ -46,6 +56,8 @@ pub enum FieldType {
     Point,
     /// A list of pairs.
     Points,
+    /// True or false.
+    Switch,
 }
 
 /// A value read for a field.
@@ -57,6 +69,8 @@ pub enum FieldValue {
     Point(DVec2),
     /// A list of pairs.
     Points(Vec<DVec2>),
+    /// True or false.
+    Switch(bool),
 }
 
 /// A field of a shape in a scene file.
@@ -93,7 +107,7 @@ pub struct Kind {
     pub about: &'static str,
     /// What it is to a reader who does not see it, with its article: "a circle".
     pub in_words: &'static str,
-    /// The fields besides `position`, `angle_deg`, `velocity`, `angular_velocity_deg`.
+    /// The fields besides those of every body: where it is, how it is turned and how it moves.
     pub fields: &'static [Field],
     /// Values in the order of `fields` (None where left out) to a shape.
     pub build: fn(&[Option<FieldValue>]) -> Result<Shape, ShapeError>,
@@ -113,11 +127,12 @@ pub static SHAPE_ERRORS: &[(&str, &str)] = &[
     ("too-large", "a number is beyond ±1e300, where sums overflow"),
     ("negative-radius", "a radius is below 0"),
     ("negative-extent", "a half-extent is below 0"),
-    ("degenerate", "a box without width or height, or corners that all lie on one line"),
+    ("degenerate", "a box without width or height, or vertices that all lie on one line"),
     ("wrong-count", "a capsule has other than two points"),
-    ("too-few-corners", "a polygon has fewer than three distinct corners"),
-    ("not-convex", "a polygon turns back on itself or has a corner that points inward"),
+    ("too-few-corners", "a polygon has fewer than three distinct vertices"),
+    ("not-convex", "a polygon turns back on itself or has a vertex that points inward"),
     ("not-simple", "an outline crosses or touches itself"),
+    ("not-a-rotation", "a cosine and a sine whose squares do not add up to 1, to 1e-3"),
 ];
 
 /// Numbers beyond this are refused as `too-large`.
@@ -156,7 +171,21 @@ impl Shape {
     fn convex(kind: &'static str, vertices: Vec<DVec2>, radius: f64) -> Self {
         let core = (0..vertices.len()).collect();
         let hull = Hull::new(vertices.clone());
-        Self { kind, vertices, radius, half_extents: None, core, hull }
+        Self { radius, core, hull, ..Self::bare(kind, vertices) }
+    }
+
+    /// A shape of sharp vertices without a core.
+    pub(crate) fn bare(kind: &'static str, vertices: Vec<DVec2>) -> Self {
+        Self {
+            kind,
+            vertices,
+            radius: 0.0,
+            half_extents: None,
+            core: Vec::new(),
+            hull: Hull::default(),
+            edges: Edges::OfFile,
+            matrix: Rotation::NONE,
+        }
     }
 }
 
@@ -204,6 +233,7 @@ fn unusable(field: &'static str, value: Option<&FieldValue>, expected: &str) -> 
         Some(FieldValue::Number(_)) => wrong_type(field, expected, "a number"),
         Some(FieldValue::Point(_)) => wrong_type(field, expected, "a pair of numbers"),
         Some(FieldValue::Points(_)) => wrong_type(field, expected, "a list of pairs"),
+        Some(FieldValue::Switch(_)) => wrong_type(field, expected, "true or false"),
     }
 }
 
@@ -237,6 +267,15 @@ fn radius_value(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
 /// A radius that may be left out: then 0.
 fn optional_radius(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
     if found.is_none() { Ok(0.0) } else { radius_value(found) }
+}
+
+/// A switch that may be left out: then it is off.
+fn switch_value(field: &'static str, found: Option<&FieldValue>) -> Result<bool, ShapeError> {
+    match found {
+        None => Ok(false),
+        Some(FieldValue::Switch(on)) => Ok(*on),
+        other => Err(unusable(field, other, "true or false")),
+    }
 }
 
 /// A list of finite points.

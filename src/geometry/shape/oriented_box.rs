@@ -1,4 +1,4 @@
-//! A box that may be turned, with sharp or rounded corners.
+//! A box that may be turned, with sharp or rounded vertices.
 
 use super::{
     Field, FieldType, FieldValue, Kind, Shape, ShapeError, box_of, half_extents_value, optional_radius, value,
@@ -7,7 +7,7 @@ use super::{
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
     name: "box",
-    about: "a box that may be turned; corners are numbered counter-clockwise from (−, −)",
+    about: "a box that may be turned; vertices are numbered counter-clockwise from (−, −)",
     in_words: "a box",
     fields: &[
         Field {

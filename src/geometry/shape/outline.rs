@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::convex::{orientation, tamer};
-use super::{Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, points_value, value};
+use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, points_value, value};
 
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
@@ -14,7 +14,7 @@ pub(super) const KIND: Kind = Kind {
         name: "vertices",
         holds: FieldType::Points,
         required: true,
-        about: "three corners or more",
+        about: "three vertices or more",
     }],
     build,
     turns: true,
@@ -24,7 +24,7 @@ pub(super) const KIND: Kind = Kind {
 fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
     let vertices = points_value("vertices", value(values, 0))?;
     if vertices.len() < 3 {
-        let message = format!("expected three corners or more, got {}", vertices.len());
+        let message = format!("expected three vertices or more, got {}", vertices.len());
         return Err(ShapeError::new("too-few-corners", "vertices", message));
     }
     let scale = tamer(&vertices);
@@ -33,14 +33,7 @@ fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
         let message = format!("expected edges that do not meet, got edge {edge} across another");
         return Err(ShapeError::at("not-simple", "vertices", edge, message));
     }
-    Ok(Shape {
-        kind: "outline",
-        vertices,
-        radius: 0.0,
-        half_extents: None,
-        core: Vec::new(),
-        hull: Hull::default(),
-    })
+    Ok(Shape::bare("outline", vertices))
 }
 
 /// The first edge that meets another one elsewhere than at their common vertex.

@@ -2,23 +2,30 @@
 
 use glam::DVec2;
 
-use super::convex::convex_core;
+use super::convex::{convex_core, hull_core};
 use super::{
-    Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, optional_radius, points_value, value,
+    Edges, Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, optional_radius, points_value,
+    switch_value, value,
 };
 
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
     name: "polygon",
-    about: "a convex polygon, either winding; duplicate and collinear corners may be there",
+    about: "a convex polygon, either winding; duplicate and collinear vertices may be there",
     in_words: "a convex polygon",
     fields: &[
-        Field { name: "vertices", holds: FieldType::Points, required: true, about: "three corners or more" },
+        Field { name: "vertices", holds: FieldType::Points, required: true, about: "three vertices or more" },
         Field {
             name: "radius",
             holds: FieldType::Number,
             required: false,
             about: "radius of the disc that sweeps the core, world units; 0",
+        },
+        Field {
+            name: "hull",
+            holds: FieldType::Switch,
+            required: false,
+            about: "true: the convex hull of the vertices, which need not be convex nor in order; false",
         },
     ],
     build,
@@ -26,10 +33,10 @@ pub(super) const KIND: Kind = Kind {
 };
 
 impl Shape {
-    /// A convex polygon with these corners, in either winding, in its body's frame and world units.
+    /// A convex polygon with these vertices, in either winding, in its body's frame and world units.
     ///
     /// # Errors
-    /// A [`ShapeError`] as of a scene file: fewer than three corners, not convex, not finite.
+    /// A [`ShapeError`] as of a scene file: fewer than three vertices, not convex, not finite.
     ///
     /// ```
     /// use tracefig::geometry::{DVec2, Shape};
@@ -39,7 +46,7 @@ impl Shape {
     /// # Ok::<(), tracefig::geometry::shape::ShapeError>(())
     /// ```
     pub fn polygon(vertices: Vec<DVec2>) -> Result<Self, ShapeError> {
-        build(&[Some(FieldValue::Points(vertices)), None])
+        build(&[Some(FieldValue::Points(vertices)), None, None])
     }
 }
 
@@ -47,7 +54,11 @@ impl Shape {
 fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
     let vertices = points_value("vertices", value(values, 0))?;
     let radius = optional_radius(value(values, 1))?;
-    let core = convex_core(&vertices)?;
+    let (core, edges) = if switch_value("hull", value(values, 2))? {
+        (hull_core(&vertices)?, Edges::OfHull)
+    } else {
+        (convex_core(&vertices)?, Edges::OfFile)
+    };
     let hull = Hull::new(core.iter().map(|&i| vertices[i]).collect());
-    Ok(Shape { kind: "polygon", vertices, radius, half_extents: None, core, hull })
+    Ok(Shape { radius, core, hull, edges, ..Shape::bare("polygon", vertices) })
 }

@@ -6,7 +6,7 @@
 
 use crate::collision::certified::distance::pair::{Pair, scaled};
 use crate::collision::feature::DifferenceEdge;
-use crate::geometry::{Ball, DVec2, Dd, Rotation, Side};
+use crate::geometry::{Ball, DVec2, Rotation, Side};
 
 /// A vector of balls.
 pub(crate) type Vec2 = [Ball; 2];
@@ -34,6 +34,12 @@ pub(crate) struct MeasuredEdge {
     pub(crate) normal: Vec2,
     /// Gap of the cores along it.
     pub(crate) gap: Ball,
+}
+
+/// x · scale for a power of two, as [`scaled`].
+pub(crate) fn rescaled(x: Ball, scale: f64) -> Ball {
+    let value = scaled(x.value, scale);
+    if x.radius == 0.0 { value } else { value.widen((x.radius * scale).next_up()) }
 }
 
 /// x · y.
@@ -70,8 +76,7 @@ impl<'p, 's> BallPair<'p, 's> {
 
     /// A vertex of a core, in A's frame.
     pub(crate) fn vertex(&self, side: Side, k: usize) -> Vec2 {
-        let q = self.pair.hull(side).vertices[k];
-        let local = [scaled(Dd::new(q.x), self.pair.scale), scaled(Dd::new(q.y), self.pair.scale)];
+        let local = self.pair.hull(side).vertex_in_balls(k).map(|x| rescaled(x, self.pair.scale));
         match side {
             Side::A => local,
             Side::B => {
@@ -83,12 +88,7 @@ impl<'p, 's> BallPair<'p, 's> {
 
     /// Edge k of a core as a vector, in A's frame.
     pub(crate) fn edge(&self, side: Side, k: usize) -> Vec2 {
-        let hull = self.pair.hull(side);
-        let (from, to) = (hull.vertices[k], hull.vertices[hull.next(k)]);
-        let along = [
-            scaled(Dd::difference(to.x, from.x), self.pair.scale),
-            scaled(Dd::difference(to.y, from.y), self.pair.scale),
-        ];
+        let along = self.pair.hull(side).edge_in_balls(k).map(|x| rescaled(x, self.pair.scale));
         match side {
             Side::A => along,
             Side::B => self.rotation.apply(along),

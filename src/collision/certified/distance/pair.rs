@@ -1,6 +1,6 @@
 //! Two bodies at one moment, seen from A's frame: what every certified query starts from.
 //!
-//! A's vertices are then the file's own doubles; only B's are turned, by the exact difference of the angles,
+//! A's vertices are then the file's own doubles (or, where a matrix multiplies the core, what comes of it); only B's are turned, by the exact difference of the angles,
 //! and moved, by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and
 //! nothing is lost when the pair is far from the world's origin:
 //!
@@ -42,6 +42,8 @@ pub struct Pair<'s> {
     pub(crate) scale: f64,
     /// Whether the scene needs no scaling.
     tame: bool,
+    /// Whether a matrix multiplies either core, so that the doubles of its vertices have tails.
+    multiplied: bool,
     /// Angle of A's frame in the world.
     pub(crate) frame: Turn,
     /// Angle of B in A's frame.
@@ -113,6 +115,7 @@ impl<'s> Pair<'s> {
             b,
             time: t,
             tame,
+            multiplied: a.shape.hull.is_multiplied() || b.shape.hull.is_multiplied(),
             scale,
             frame,
             turn,
@@ -192,6 +195,12 @@ impl<'s> Pair<'s> {
         self.tame
     }
 
+    /// Whether a matrix multiplies either core.
+    #[inline]
+    pub(crate) fn is_multiplied(&self) -> bool {
+        self.multiplied
+    }
+
     /// 1 / scale, exactly: a product with it is a quotient by a power of two.
     #[inline]
     pub(crate) fn unscale(&self) -> f64 {
@@ -231,7 +240,8 @@ impl<'s> Pair<'s> {
         (self.frame_error, self.turn_error) = (frame_error, turn_error);
         self.placing_error = 2.0 * (frame_error * distance + turn_error * self.magnitude)
             + PLACING_ERROR * self.magnitude
-            + (self.apart[0].radius + self.apart[1].radius);
+            + (self.apart[0].radius + self.apart[1].radius)
+            + (self.a.shape.hull.error + self.b.shape.hull.error) * self.scale;
         self
     }
 
@@ -348,7 +358,8 @@ fn sizes(
     // Of a vector, each component is off by at most the error of cosine or sine times its 1-norm.
     let placing_error = 2.0 * (frame_error * distance + turn_error * reaches)
         + PLACING_ERROR * magnitude
-        + (apart[0].radius + apart[1].radius);
+        + (apart[0].radius + apart[1].radius)
+        + (a.shape.hull.error + b.shape.hull.error) * scale;
     (magnitude, placing_error)
 }
 

@@ -112,9 +112,19 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     let (s, g) = two_sum_each(p, r);
     let (t, h) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
     let (u, k) = two_sum_each(s, t);
-    let low = ((e + f) + (q * cos.lo + across * sin.lo)) + ((g + h) + (k + DVec2::new(x.lo, y.lo)));
+    let mut low = ((e + f) + (q * cos.lo + across * sin.lo)) + ((g + h) + (k + DVec2::new(x.lo, y.lo)));
+    if pair.is_multiplied() {
+        let (v, q) = tails(pair, [i, j]);
+        low += (q * cos.hi + perp(q) * sin.hi) - v;
+    }
     let (hi, lo) = two_sum_each(u, low);
     Long { hi, lo }
+}
+
+/// What the doubles of vertices i of A and j of B leave out, each in its body's frame.
+#[cold]
+fn tails(pair: &Pair, [i, j]: [usize; 2]) -> (DVec2, DVec2) {
+    (pair.hull(Side::A).vertex_tail(i), pair.hull(Side::B).vertex_tail(j))
 }
 
 /// `w_j − v_i` in B's frame, and the 1-norm of what was turned.
@@ -123,14 +133,16 @@ fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
     let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
     let (s, g) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
-    let (from, low) = two_sum_each(s, g + DVec2::new(x.lo, y.lo));
+    let (tail_v, tail_q) =
+        if pair.is_multiplied() { tails(pair, [i, j]) } else { (DVec2::ZERO, DVec2::ZERO) };
+    let (from, low) = two_sum_each(s, g + (DVec2::new(x.lo, y.lo) - tail_v));
     let (across, across_low) = (-perp(from), -perp(low));
     let (p, e) = two_product_each(from, DVec2::splat(cos.hi));
     let (r, f) = two_product_each(across, DVec2::splat(sin.hi));
     let (s, g) = two_sum_each(p, r);
     let (u, k) = two_sum_each(s, q);
     let lower = (low * cos.hi + from * cos.lo) + (across_low * sin.hi + across * sin.lo);
-    let (hi, lo) = two_sum_each(u, ((e + f) + lower) + (g + k));
+    let (hi, lo) = two_sum_each(u, ((e + f) + (lower + tail_q)) + (g + k));
     (Long { hi, lo }, from.x.abs() + from.y.abs())
 }
 

@@ -13,6 +13,7 @@
 //! The last one needs no interior, and so settles points, segments and parallel segments, whose separation is
 //! never negative. All arithmetic is in balls, so that each fact holds for the exact reals.
 
+use crate::collision::certified::distance::balls::rescaled;
 use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::closest::{closest_features, separation_at};
 use crate::collision::certified::impact::moving_pair::{MovingPair, RelativePose};
@@ -69,9 +70,9 @@ impl<'p, 'q> Before<'p, 'q> {
     fn discs(&self, i: usize, j: usize, hi: f64) -> bool {
         let pair = self.pair;
         let pose = pair.relative_pose_in_balls(Side::A, hi);
-        let x = pose.point(ball(pair.vertex(Side::B, j)));
-        let q = pair.vertex(Side::A, i);
-        let (dx, dy) = (x[0] - Ball::new(q.x), x[1] - Ball::new(q.y));
+        let x = pose.point(pair.vertex_in_balls(Side::B, j));
+        let q = pair.vertex_in_balls(Side::A, i);
+        let (dx, dy) = (x[0] - q[0], x[1] - q[1]);
         let radius = Ball::exact(pair.radius);
         is_at_most_zero(dx * dx + dy * dy - radius * radius)
     }
@@ -83,14 +84,14 @@ impl<'p, 'q> Before<'p, 'q> {
         let line = EdgeLine::of(pair, owner, edge);
         let poses = [pair.relative_pose_in_balls(owner, self.lo), pair.relative_pose_in_balls(owner, hi)];
         let travel = pair.speed(owner) * (hi - self.lo) * (1.0 + 4.0 * f64::EPSILON) + f64::MIN_POSITIVE;
-        let x = ball(pair.vertex(other, vertex));
+        let x = pair.vertex_in_balls(other, vertex);
         if line.is_crossed(&poses, x, travel) {
             return true;
         }
         [pair.hull(other).previous(vertex), pair.hull(other).next(vertex)]
             .into_iter()
             .filter(|&k| k != vertex)
-            .filter_map(|k| line.middle_of_span(&poses[1], x, ball(pair.vertex(other, k))))
+            .filter_map(|k| line.middle_of_span(&poses[1], x, pair.vertex_in_balls(other, k)))
             .any(|middle| line.is_crossed(&poses, middle, travel))
     }
 }
@@ -159,10 +160,9 @@ struct EdgeLine {
 
 impl EdgeLine {
     fn of(pair: &MovingPair, owner: Side, edge: usize) -> Self {
-        let (p, q) = (pair.vertex(owner, edge), pair.vertex(owner, pair.hull(owner).next(edge)));
-        let along = [Ball::difference(q.x, p.x), Ball::difference(q.y, p.y)];
+        let along = pair.hull(owner).edge_in_balls(edge).map(|x| rescaled(x, pair.unit));
         let length = (along[0] * along[0] + along[1] * along[1]).sqrt();
-        Self { from: ball(p), along, length, radius: Ball::exact(pair.radius) }
+        Self { from: pair.vertex_in_balls(owner, edge), along, length, radius: Ball::exact(pair.radius) }
     }
 
     /// Projection on the edge and offset outward from its moved line, both times the edge's length.
@@ -196,11 +196,6 @@ impl EdgeLine {
         let mix = |k: usize| x[k] + (y[k] - x[k]).scale(part);
         (part > 0.0 && part < 1.0).then(|| [mix(0), mix(1)])
     }
-}
-
-/// A point in balls.
-fn ball(p: DVec2) -> [Ball; 2] {
-    [Ball::new(p.x), Ball::new(p.y)]
 }
 
 /// Whether x ≤ 0 is certain.

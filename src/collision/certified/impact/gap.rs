@@ -149,7 +149,7 @@ impl Look<'_, '_> {
         if let Some(balls) = &self.balls
             && taylor.value < BALLS_BELOW * self.pair.rounding
         {
-            taylor.value = taylor.value.max(balls.lower(q));
+            taylor.value = taylor.value.max(balls.lower(&self.pair.vertex_in_balls(self.other, k)));
             self.gap.work += WORK_OF_BALLS;
         }
         let gap = &mut self.gap;
@@ -186,16 +186,20 @@ impl BallGap {
     }
 
     /// Lower bound of the gap at vertex q.
-    fn lower(&self, q: DVec2) -> f64 {
-        (self.rest + self.down[0].scale(q.x) + self.down[1].scale(q.y)).enclosure().lo
+    fn lower(&self, q: &[Ball; 2]) -> f64 {
+        (self.rest + self.down[0] * q[0] + self.down[1] * q[1]).enclosure().lo
     }
 }
 
 /// h in balls: the greatest of the owner's vertices that doubles can't tell apart.
 fn support_in_balls(pair: &MovingPair, axis: &Axis) -> Ball {
     let n = axis.n;
-    let candidates = pair.vertices(axis.owner).filter(|&q| n.dot(q) >= axis.support - pair.rounding);
-    let heights = candidates.map(|q| Ball::product(n.x, q.x) + Ball::product(n.y, q.y));
+    let all = pair.vertices(axis.owner).enumerate();
+    let candidates = all.filter(|(_, q)| n.dot(*q) >= axis.support - pair.rounding);
+    let heights = candidates.map(|(k, _)| {
+        let [x, y] = pair.vertex_in_balls(axis.owner, k);
+        x.scale(n.x) + y.scale(n.y)
+    });
     // |max(x, y) − max(x', y')| ≤ max(|x − x'|, |y − y'|)
     let greatest = heights.reduce(|x, y| {
         let greater = if (x.value - y.value).hi >= 0.0 { x.value } else { y.value };

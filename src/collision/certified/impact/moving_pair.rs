@@ -11,6 +11,7 @@
 //! angles as exact sums, so that parallel bodies are seen exactly parallel, and nothing is lost far from the
 //! world's origin. Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
+use crate::collision::certified::distance::balls::rescaled;
 use crate::collision::certified::rounding::{MOVING_GAP_ERROR, TAME};
 use crate::geometry::number::cos_sin;
 use crate::geometry::{Angle, Ball, Body, DVec2, Dd, Hull, Rotation, Side, Turn, perp};
@@ -132,6 +133,14 @@ impl<'q> MovingPair<'q> {
     #[inline]
     pub(crate) fn vertex(&self, side: Side, k: usize) -> DVec2 {
         self.hull(side).vertices.get(k).map_or(DVec2::ZERO, |&v| v * self.unit)
+    }
+
+    /// Vertex k of a core in its body's frame, all that is known of it.
+    pub(crate) fn vertex_in_balls(&self, side: Side, k: usize) -> [Ball; 2] {
+        if self.hull(side).vertices.is_empty() {
+            return [Ball::ZERO; 2];
+        }
+        self.hull(side).vertex_in_balls(k).map(|x| rescaled(x, self.unit))
     }
 
     /// Every vertex of a core in its body's frame, in order.

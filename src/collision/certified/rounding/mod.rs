@@ -19,7 +19,7 @@
 //! | [`GAP_ERROR`]        | 16 ε   | M, S                 | a gap along an edge's normal at one moment  |
 //! | [`DOT_ERROR`]        | 8 ε    | \|x\|₁ \|y\|₁        | a dot or cross product, one vector turned   |
 //! | [`LEVEL_ERROR`]      | 12 ε   | \|edge\|₁            | whether an edge is level to a unit normal   |
-//! | [`OFFSET_ERROR`]     | 12 ε   | \|v\|₁ (M + ρ)       | how far a vertex is off a ray's line        |
+//! | [`OFFSET_ERROR`]     | 13 ε   | \|v\|₁ (M + ρ)       | how far a vertex is off a ray's line        |
 //! | [`PLACING_ERROR`]    | 32 ε²  | M                    | a vertex of B ⊖ A in double-doubles         |
 //! | [`LAST_ERROR`]       | 64 ε²  | M + ρ                | the distance of such a vertex, less ρ       |
 //! | [`REST_ERROR`]       | 128 ε² | M + ρ, \|q\| \|v\|₁  | what is left of a gap that a ray closes     |
@@ -64,8 +64,9 @@ pub(crate) const LOSSY: f64 = f64::from_bits((1023 - 960) << 52);
 /// q     a support that rounding missed, 3.5 ε of the edges passed           7 ε reach_B
 /// ```
 ///
-/// The edges passed are level but for rounding, and so no longer than two reaches together. The largest sum
-/// is that of `reach_B`, below 11.2 ε; for an edge of B, c is turned as well, 1.7 ε |c| more. Rounded up to a
+/// The edges passed are level but for rounding, and so no longer than two reaches together. Where a matrix
+/// multiplies the cores, their vertices are rounded by 0.7 ε of each reach. The largest sum
+/// is that of `reach_B`, below 12 ε; for an edge of B, c is turned as well, 1.7 ε |c| more. Rounded up to a
 /// power of two. An algorithm chooses supports by signs that are certain and misses none.
 pub(crate) const GAP_ERROR: f64 = 16.0 * E;
 
@@ -98,14 +99,15 @@ pub(crate) const LEVEL_ERROR: f64 = 12.0 * E;
 /// N     ¼ ε a component, turned, and times ρ                                2.5 ε ρ
 /// ```
 ///
-/// The largest sum is that of `reach_B`, 12 ε.
-pub(crate) const OFFSET_ERROR: f64 = 12.0 * E;
+/// and where a matrix multiplies the cores, their vertices are rounded by 0.7 ε more. The largest sum is that
+/// of `reach_B`, 13 ε.
+pub(crate) const OFFSET_ERROR: f64 = 13.0 * E;
 
 /// Error of a vertex of B ⊖ A in double-doubles besides that of cosine and sine, as a vector, times M.
 /// Lengths.
 ///
-/// Two products of vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each.
-/// Rounded up.
+/// Two products of vectors (each component 6 ε² of its 1-norm, √2 for the vector) and three sums of ε² each,
+/// two more where a matrix multiplies the cores and their vertices have tails. Rounded up.
 pub(crate) const PLACING_ERROR: f64 = 32.0 * E * E;
 
 /// Error of the last dot product and the last sum of a distance in double-doubles, times M + ρ. Lengths.
@@ -127,8 +129,8 @@ pub(crate) const REST_ERROR: f64 = 128.0 * E * E;
 /// Cosine and sine are within 3 ε ([`crate::geometry::number::cos_sin`]), so that a turn is within 4.3 ε as
 /// an operator, and a difference of two turns within 10 ε. D loses 2 ε of |D₀| + |V| on its way to doubles; a
 /// turned vector 1.5 ε more, a dot product with n 1.5 ε more; h is that of an edge whose normal is rounded,
-/// 3.5 ε of the reach; the three sums 1.5 ε of Σ. That is below 11 of |D₀|₁ + |V|₁ and below 15 of each
-/// reach.
+/// 3.5 ε of the reach; the three sums 1.5 ε of Σ. That is below 11 of |D₀|₁ + |V|₁ and below 16 of each
+/// reach, of which a vertex that a matrix multiplies takes 0.7.
 pub(crate) const MOVING_GAP_ERROR: f64 = 12.0 * E;
 
 /// How much lower the lowest vertex may be than the one that doubles take for it, times `reach_A` +

@@ -219,6 +219,12 @@ fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let (Rotation { cos, sin }, c) = (pair.b_rotation, pair.center_tailed);
     let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
     let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
+    let mut tail = DVec2::ZERO;
+    if pair.is_multiplied() {
+        let q = pair.hull(Side::B).vertex_tail(j);
+        tail = DVec2::new(cos.hi * q.x - sin.hi * q.y, sin.hi * q.x + cos.hi * q.y)
+            - pair.hull(Side::A).vertex_tail(i);
+    }
     let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
         let (s, g) = two_sum(p, r);
         let (s, h) = two_sum(s, c.hi);
@@ -226,8 +232,8 @@ fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
         Dd { hi, lo: ((e + f) + (g + h)) + ((k + c.lo) + low) }
     };
     [
-        sum(cx, (-sy.0, -sy.1), c[0], v.x, cos.lo * q.x - sin.lo * q.y),
-        sum(sx, cy, c[1], v.y, sin.lo * q.x + cos.lo * q.y),
+        sum(cx, (-sy.0, -sy.1), c[0], v.x, (cos.lo * q.x - sin.lo * q.y) + tail.x),
+        sum(sx, cy, c[1], v.y, (sin.lo * q.x + cos.lo * q.y) + tail.y),
     ]
 }
 
