@@ -22,7 +22,8 @@ pub struct Body {
     pub spin: Angle,
 }
 
-/// How far the squares of a cosine and a sine may be off 1 by rounding alone: 4 ε, twice what [`Turn`] leaves.
+/// How far the squares of a cosine and a sine may be off 1 by rounding alone: 4 ε, twice what [`Turn`]
+/// leaves.
 const ROTATION: f64 = 4.0 * f64::EPSILON;
 
 /// A rotation and a translation: body frame to world frame. In plain doubles, for drawing and for figures;

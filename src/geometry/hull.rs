@@ -1,9 +1,9 @@
 //! A strictly convex core, prepared for queries: vertices counter-clockwise, its edges' directions and
 //! normals.
 //!
-//! Where a matrix multiplies the core, its vertices are no doubles any more: doubles stand for them, within half
-//! an ulp, and beside them balls with all that is known. Edges and normals are made of the multiplied edges,
-//! not of the rounded vertices, and are as good as those of any core.
+//! Where a matrix multiplies the core, its vertices are no doubles any more: doubles stand for them, within
+//! half an ulp, and beside them balls with all that is known. Edges and normals are made of the multiplied
+//! edges, not of the rounded vertices, and are as good as those of any core.
 //!
 //! A point has one vertex and no edge; a segment two vertices and two edges, there and back, which lets every
 //! algorithm that walks round a polygon walk round a segment too.
@@ -27,8 +27,8 @@ pub struct Hull {
     pub edges: Vec<DVec2>,
     /// Outward unit normals of the edges; each component within ε/2.
     pub normals: Vec<UnitVector>,
-    /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component; of
-    /// a multiplied core, within 16 ε².
+    /// What `normals` leave out, so that both together are within 7 ε² of the exact normal, each component;
+    /// of a multiplied core, within 16 ε².
     pub tails: Vec<DVec2>,
     /// Normal · vertex, the edge's distance from the body's origin: within 2ε of the reach.
     pub offsets: Vec<f64>,
@@ -277,7 +277,8 @@ fn square_to(x: Dd, y: Dd) -> (UnitVector, DVec2) {
     (UnitVector::normalized(DVec2::new(nx.hi, ny.hi)), DVec2::new(nx.lo, ny.lo))
 }
 
-/// A vector of which a component that is 0 is exactly 0: one that may be 0 becomes a number within its radius.
+/// A vector of which a component that is 0 is exactly 0: one that may be 0 becomes a number within its
+/// radius.
 fn never_nearly_zero(v: [Ball; 2]) -> [Ball; 2] {
     v.map(|x| {
         let vague = x.value.hi == 0.0 && x.radius > 0.0;

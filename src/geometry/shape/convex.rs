@@ -59,8 +59,8 @@ pub(super) fn convex_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> 
     Ok(core)
 }
 
-/// Indices of the vertices of the convex hull, counter-clockwise, starting from the first of them in the file;
-/// of equal vertices the first, none on an edge.
+/// Indices of the vertices of the convex hull, counter-clockwise, starting from the first of them in the
+/// file; of equal vertices the first, none on an edge.
 pub(super) fn hull_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> {
     let scale = tamer(vertices);
     let mut order: Vec<usize> = (0..vertices.len()).collect();

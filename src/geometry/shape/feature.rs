@@ -26,7 +26,8 @@ impl Shape {
         Feature::Vertex(self.core.get(k).copied().unwrap_or(0))
     }
 
-    /// The file's edge that holds `point` (body frame, multiplied by the matrix), which lies on edge `k` of the core.
+    /// The file's edge that holds `point` (body frame, multiplied by the matrix), which lies on edge `k` of
+    /// the core.
     ///
     /// Where collinear vertices were dropped, the edge is made of several edges of the file: the one whose
     /// ends have the point between them is taken, the first in the file's order on a tie.
@@ -49,8 +50,8 @@ impl Shape {
         if next(from, count) == to { Feature::Edge(from) } else { self.edge_between(from, to, point) }
     }
 
-    /// The numbers of the vertices at both ends of an edge that is numbered as in answers; None where there is
-    /// no such edge.
+    /// The numbers of the vertices at both ends of an edge that is numbered as in answers; None where there
+    /// is no such edge.
     ///
     /// ```
     /// use tracefig::geometry::{DVec2, Shape};

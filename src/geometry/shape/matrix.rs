@@ -36,8 +36,8 @@ impl Shape {
         let off = (cos * cos + sin * sin) - 1.0;
         if off.is_nan() || off.abs() > MOST_OFF {
             let message = format!(
-                "expected a cosine and a sine whose squares add up to 1, got {cos} and {sin}, which are off by \
-                 {off:.3e}, more than {MOST_OFF:e}"
+                "expected a cosine and a sine whose squares add up to 1, got {cos} and {sin}, which are off \
+                 by {off:.3e}, more than {MOST_OFF:e}"
             );
             return Err(ShapeError::new("not-a-rotation", "rotation", message));
         }

@@ -375,16 +375,6 @@ mod tests {
     }
 
     #[test]
-    fn an_outline_may_be_concave_but_not_cross_itself() {
-        let outline = |points: &[(f64, f64)]| {
-            let points = points.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
-            Shape::of_kind("outline", &[("vertices", FieldValue::Points(points))])
-        };
-        assert!(outline(&[(0., 0.), (2., 0.), (1., 0.5), (1., 2.)]).is_ok());
-        assert_eq!(outline(&[(0., 0.), (1., 1.), (1., 0.), (0., 1.)]).unwrap_err().code, "not-simple");
-    }
-
-    #[test]
     fn every_kind_has_a_word_of_its_own_and_wants_a_field() {
         for (i, kind) in KINDS.iter().enumerate() {
             assert!(KINDS[..i].iter().all(|other| other.name != kind.name), "{} twice", kind.name);

@@ -76,3 +76,18 @@ fn meet((p, q): (DVec2, DVec2), (r, s): (DVec2, DVec2)) -> bool {
         || (c == 0.0 && within(p, r, s))
         || (d == 0.0 && within(q, r, s))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_outline_may_be_concave_but_not_cross_itself() {
+        let outline = |points: &[(f64, f64)]| {
+            let points = points.iter().map(|&(x, y)| DVec2::new(x, y)).collect();
+            Shape::of_kind("outline", &[("vertices", FieldValue::Points(points))])
+        };
+        assert!(outline(&[(0., 0.), (2., 0.), (1., 0.5), (1., 2.)]).is_ok());
+        assert_eq!(outline(&[(0., 0.), (1., 1.), (1., 0.), (0., 1.)]).unwrap_err().code, "not-simple");
+    }
+}

@@ -1,8 +1,9 @@
 //! Two bodies at one moment, seen from A's frame: what every certified query starts from.
 //!
-//! A's vertices are then the file's own doubles (or, where a matrix multiplies the core, what comes of it); only B's are turned, by the exact difference of the angles,
-//! and moved, by the exact difference of the positions. Boxes at the same angle stay exactly aligned, and
-//! nothing is lost when the pair is far from the world's origin:
+//! A's vertices are then the file's own doubles (or, where a matrix multiplies the core, what comes of it);
+//! only B's are turned, by the exact difference of the angles, and moved, by the exact difference of the
+//! positions. Boxes at the same angle stay exactly aligned, and nothing is lost when the pair is far from the
+//! world's origin:
 //!
 //! ```text
 //! `w_j` = c + R(β − α) `q_j`        c = R(−α) (`p_B − p_A`)        `v_i` = the file's vertex i of A
