@@ -87,8 +87,7 @@ fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let far = |v: &DVec2| length(*v) * stretch;
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
     let radius = reach + body.shape.radius;
-    // Angle first: a tiny angle in radians would lose its digits to underflow.
-    let arc = (body.spin.degrees().abs() * radius).to_radians();
+    let arc = body.spin.arc(radius);
     tracer.record(|| {
         let theta = body.spin.radians().abs();
         let pose = body.pose_at(0.0);

@@ -48,11 +48,7 @@ fn found(query: &Query, b: &Body, outcome: &Outcome) -> Option<ClosestApproach> 
 
 /// The moment of time `t`, as events tell it.
 pub(crate) fn moment(a: &Body, b: &Body, t: f64) -> Moment {
-    Moment {
-        time: t,
-        angle_a: a.angle.degrees() + a.spin.degrees() * t,
-        angle_b: b.angle.degrees() + b.spin.degrees() * t,
-    }
+    Moment { time: t, angle_a: a.angle_at(t), angle_b: b.angle_at(t) }
 }
 
 /// Ends an algorithm about a motion: tells how near a miss came, where somebody listens, and the outcome.

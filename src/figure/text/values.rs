@@ -203,7 +203,7 @@ fn first_step(context: &Context) -> Option<f64> {
     let (a, b) = (context.body(Side::A)?, context.body(Side::B)?);
     let turning = |body: &Body| {
         let farthest = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
-        farthest * body.spin.radians().abs()
+        body.spin.arc(farthest * body.shape.stretch())
     };
     let approach = (a.velocity - b.velocity).dot(*contact.normal) + turning(a) + turning(b);
     (approach > 0.0 && contact.separation > 0.0).then(|| contact.separation / approach)
