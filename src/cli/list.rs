@@ -6,6 +6,7 @@ use std::io::{self, Write as _};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
+use tracefig::figure::default_picture::{PICTURES, Picture};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
@@ -41,6 +42,12 @@ static TOPICS: &[Topic] = &[
         group: "",
         title: "Keys of labels, and the layers that write them",
         rows: labels,
+    },
+    Topic {
+        name: "pictures",
+        group: "",
+        title: "Pictures of answers, where a scene has no panels; the first that fits is drawn",
+        rows: pictures,
     },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
@@ -186,6 +193,14 @@ fn labels() -> Vec<(String, String)> {
         (label.key.to_owned(), format!("{} (`{}`)", label.about, layer.name))
     };
     LAYERS.iter().flat_map(|layer| layer.labels.iter().map(move |label| row(layer, label))).collect()
+}
+
+fn pictures() -> Vec<(String, String)> {
+    let row = |picture: &Picture| {
+        let panels = picture.panels.trim().lines().map(|line| (String::new(), line.to_owned()));
+        std::iter::once((picture.name.to_owned(), picture.about.to_owned())).chain(panels).collect::<Vec<_>>()
+    };
+    PICTURES.iter().flat_map(row).collect()
 }
 
 fn themes() -> Vec<(String, String)> {

@@ -252,6 +252,6 @@ impl Context<'_> {
 }
 
 /// Plain text as markup: a dollar sign is written `\$`.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     text.replace('$', "\\$")
 }

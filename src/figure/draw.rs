@@ -158,7 +158,8 @@ fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labell
 
 /// The long alternative text; with the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
-    let long = describe::long(plan.scene, run);
+    let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
+    let long = describe::long(plan.scene, run, &panels);
     match &plan.caption_words {
         Some(words) if plan.caption.is_empty() => format!("{long} {words}"),
         _ => long,

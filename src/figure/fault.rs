@@ -18,8 +18,6 @@ pub(crate) type Problem = scene::Problem<Fault>;
 pub enum Fault {
     /// A word, key, value or amount that the reader of scenes would refuse with the same words.
     Scene(scene::Fault),
-    /// The scene asks for no panel.
-    NoPanels,
     /// A panel shows a step that the algorithm did not take.
     NoSuchStep {
         /// The step that the panel shows, from 1.
@@ -127,7 +125,6 @@ impl Explain for Fault {
     fn code(&self) -> &'static str {
         match self {
             Self::Scene(fault) => fault.code(),
-            Self::NoPanels => codes::NO_PANELS.code,
             Self::NoSuchStep { .. } | Self::NoHit => codes::NO_SUCH_MOMENT.code,
             Self::OtherMoment { .. }
             | Self::OtherStep { .. }
@@ -154,8 +151,7 @@ impl Explain for Fault {
                     "pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or give the panel a wider `view`"
                 ))
             }
-            Self::NoPanels
-            | Self::NoSuchStep { .. }
+            Self::NoSuchStep { .. }
             | Self::NoHit
             | Self::OtherMoment { .. }
             | Self::OtherStep { .. }
@@ -171,7 +167,6 @@ impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scene(fault) => fault.fmt(f),
-            Self::NoPanels => f.write_str("a figure needs at least one panel: expected `[[panels]]`"),
             Self::NoSuchStep { step, took } => {
                 write!(f, "expected a step of the algorithm, got {step}: it took {took}")
             }
@@ -207,7 +202,6 @@ mod tests {
     /// Everything but what scenes and labels say of themselves, with its message and its help.
     fn all() -> Vec<(Fault, &'static str, &'static str)> {
         vec![
-            (Fault::NoPanels, "a figure needs at least one panel: expected `[[panels]]`", ""),
             (
                 Fault::NoSuchStep { step: 9, took: 3 },
                 "expected a step of the algorithm, got 9: it took 3",

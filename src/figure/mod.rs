@@ -6,6 +6,7 @@
 
 mod budget;
 mod context;
+pub mod default_picture;
 mod describe;
 mod difference;
 mod draw;

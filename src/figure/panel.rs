@@ -1,6 +1,7 @@
 //! A panel and its layers, resolved: what [`plan`](super::plan::plan) makes and [`draw`](super::draw::draw)
 //! draws.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::scene::{Panel, Scene};
@@ -17,12 +18,12 @@ use super::theme::Theme;
 /// A panel of a scene, resolved.
 #[derive(Debug)]
 pub(crate) struct PanelPlan<'s> {
-    /// The panel as the scene wrote it.
-    pub(crate) source: &'s Panel,
+    /// The panel as the scene wrote it, or as a default picture has it.
+    pub(crate) source: Cow<'s, Panel>,
     /// When it shows the bodies.
     pub(crate) moment: Moment,
     /// The layers, in drawing order.
-    pub(crate) layers: Vec<LayerPlan<'s>>,
+    pub(crate) layers: Vec<LayerPlan>,
     /// The labels of layers that this answer has nothing for: a scene may speak of them.
     pub(crate) unwritten: Vec<&'static LabelKey>,
     /// The title, set in type.
@@ -32,16 +33,16 @@ pub(crate) struct PanelPlan<'s> {
 }
 
 /// A layer of a panel with its options, checked.
-pub(crate) struct LayerPlan<'s> {
+pub(crate) struct LayerPlan {
     /// The row in the table of layers.
     pub(crate) layer: &'static Layer,
     /// What the scene gave, each value fit for its option.
     pub(crate) options: Options,
     /// Where its name stands in the scene: what a warning about its labels points at.
-    pub(crate) span: &'s Range<usize>,
+    pub(crate) span: Range<usize>,
 }
 
-impl std::fmt::Debug for LayerPlan<'_> {
+impl std::fmt::Debug for LayerPlan {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("LayerPlan").field("layer", &self.layer.name).field("options", &self.options).finish()
     }
@@ -76,6 +77,6 @@ impl PanelPlan<'_> {
 
     /// Where the layer that asked for a label stands in the scene.
     pub(crate) fn span_of(&self, request: &Request) -> &Range<usize> {
-        self.layers.get(request.layer).map_or(&self.source.span, |planned| planned.span)
+        self.layers.get(request.layer).map_or(&self.source.span, |planned| &planned.span)
     }
 }

@@ -9,13 +9,16 @@ use crate::scene::{self, Scene};
 use crate::typeset::Line;
 
 use super::budget::Budget;
+use super::default_picture;
+use super::describe::sentence;
 use super::fault::{Fault, Problem};
+use super::layer::LAYERS;
 use super::page::Page;
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{caption, caption_words, check_texts};
+use super::text::{caption, caption_of_words, caption_words, check_texts};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -87,18 +90,23 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
     let runs = Runs::default();
     let mut problems = Vec::new();
     let theme = theme_of(scene, &mut problems);
-    if scene.panels.is_empty() {
-        problems.push(Problem::new(Fault::NoPanels, scene.query.span.clone()));
-    }
+    let sheets = default_picture::sheets(scene, &runs, &mut problems);
+    let count = sheets.len();
     let mut resolver = Resolver { scene, runs: &runs, problems, notes: Vec::new() };
-    let mut panels: Vec<PanelPlan> = scene.panels.iter().filter_map(|panel| resolver.panel(panel)).collect();
+    let mut panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
     let first = panels.first().map(|panel| panel.context(scene, &runs));
-    let caption = first.as_ref().map_or_else(Vec::new, |first| caption(first, &mut problems, &mut warnings));
+    let mut caption =
+        first.as_ref().map_or_else(Vec::new, |first| caption(first, &mut problems, &mut warnings));
+    let own = scene.panels.is_empty() && scene.caption.is_none();
+    let own = own.then(|| sentence(scene, &runs.own(scene, scene.query.time)));
+    if let Some(words) = &own {
+        caption = caption_of_words(scene, words);
+    }
     let titled = panels.iter().any(|p| p.title.is_some());
-    let page = Page::new(scene.canvas.width, scene.canvas.height, scene.panels.len(), titled, caption.len());
-    if panels.len() == scene.panels.len() {
+    let page = Page::new(scene.canvas.width, scene.canvas.height, count, titled, caption.len());
+    if panels.len() == count {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
@@ -108,7 +116,8 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if problems.is_empty() {
-        let caption_words = panels.first().and_then(|panel| caption_words(&panel.context(scene, &runs)));
+        let given = panels.first().and_then(|panel| caption_words(&panel.context(scene, &runs)));
+        let caption_words = given.or(own.filter(|_| !caption.is_empty()));
         return Ok(Plan { scene, theme, runs, panels, caption, caption_words, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
@@ -147,8 +156,12 @@ fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
 
 /// Tells of keys of `[labels]` that no layer of the scene writes.
 fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
+    let written = panels.iter().flat_map(PanelPlan::labels);
+    // A picture of ours is another one for another answer.
+    let ours = scene.panels.is_empty() || scene.panels.iter().any(|panel| panel.layers.is_none());
+    let possible = LAYERS.iter().filter(|_| ours).flat_map(|layer| layer.labels);
     let mut known: Vec<String> = Vec::new();
-    for key in panels.iter().flat_map(PanelPlan::labels) {
+    for key in written.chain(possible) {
         if !known.iter().any(|k| k == key.key) {
             known.push(key.key.to_owned());
         }
@@ -247,9 +260,14 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_without_panels_and_a_theme_that_does_not_exist_are_both_told() {
-        let found = problems("canvas.theme = \"drak\"");
+    fn a_theme_that_does_not_exist_is_told_and_so_are_layers_for_which_no_picture_is_there() {
+        let found = problems("canvas.theme = \"drak\"\npanels = [{ space = \"configuration\" }]");
         let codes: Vec<_> = found.iter().map(|(p, _)| p.fault.code()).collect();
-        assert_eq!(codes, ["no-panels", "unknown-word"]);
+        assert_eq!(codes, ["unknown-word"]);
+        let text = BODIES.replace("separation", "bounds").replace("[\"A\", \"B\"]", "[\"A\"]")
+            + "panels = [{ space = \"configuration\" }]";
+        let scene = read(&Source::new("test", &text)).unwrap();
+        let found = super::plan(&scene).map(|_| ()).unwrap_err();
+        assert_eq!(found[0].fault.code(), "missing-key");
     }
 }

@@ -3,6 +3,8 @@
 //! What no answer to the scene's question could have is a problem of the scene. What this answer lacks, as
 //! the hit where it is a miss, is a note: a scene may be a template that every line of a log is put through.
 
+use std::borrow::Cow;
+
 use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
@@ -10,6 +12,7 @@ use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, When};
 use crate::typeset::{Style, typeset};
 
 use super::context::{Context, Moment};
+use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
@@ -33,24 +36,28 @@ pub(super) struct Resolver<'r, 's> {
 }
 
 /// A layer that can stand in its panel.
-enum Resolved<'s> {
+enum Resolved {
     /// It has something to draw.
-    Drawn(LayerPlan<'s>),
+    Drawn(LayerPlan),
     /// The answer has nothing for it.
     Unfed(&'static Layer),
 }
 
 impl<'s> Resolver<'_, 's> {
     /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
-    pub(super) fn panel(&mut self, source: &'s Panel) -> Option<PanelPlan<'s>> {
-        let moment = self.moment(source)?;
+    pub(super) fn panel(&mut self, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
+        let Sheet { panel: source, ours } = sheet;
+        let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
         let context = Context { scene, space: &source.space, time: moment.time, step: moment.step, runs };
-        let (mut layers, mut unwritten) = (Vec::new(), Vec::new());
-        for spec in &source.layers {
-            match self.layer(&context, spec) {
+        let (mut layers, mut unwritten, mut silent) = (Vec::new(), Vec::new(), Vec::new());
+        for (i, spec) in source.layers.iter().flatten().enumerate() {
+            match self.layer(&context, spec, ours) {
                 Some(Resolved::Drawn(layer)) => layers.push(layer),
-                Some(Resolved::Unfed(layer)) => unwritten.extend(layer.labels),
+                Some(Resolved::Unfed(layer)) => {
+                    unwritten.extend(layer.labels);
+                    silent.push(i);
+                }
                 None => {}
             }
         }
@@ -61,7 +68,7 @@ impl<'s> Resolver<'_, 's> {
             })
         });
         let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
-        Some(PanelPlan { source, moment, layers, unwritten, title, frame })
+        Some(PanelPlan { source: without(source, &silent), moment, layers, unwritten, title, frame })
     }
 
     /// The panel's moment; `None`, with the reason told, where no answer can have it.
@@ -104,7 +111,7 @@ impl<'s> Resolver<'_, 's> {
     }
 
     /// A layer with its options; `None`, with the reasons told, where it can't be drawn in this panel.
-    fn layer(&mut self, context: &Context, spec: &'s LayerSpec) -> Option<Resolved<'s>> {
+    fn layer(&mut self, context: &Context, spec: &LayerSpec, ours: bool) -> Option<Resolved> {
         let span = &spec.name.span;
         let Some(layer) = layer::find(&spec.name.value) else {
             let known = layer::LAYERS.iter().map(|l| l.name.to_owned()).collect();
@@ -125,7 +132,11 @@ impl<'s> Resolver<'_, 's> {
             return None;
         }
         let why = match (layer.fed)(context, &options) {
-            Fed::Yes => return Some(Resolved::Drawn(LayerPlan { layer, options, span })),
+            // A default picture shows what there is.
+            Fed::NotByThisAnswer | Fed::NotHere(_) | Fed::Never if ours => {
+                return Some(Resolved::Unfed(layer));
+            }
+            Fed::Yes => return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() })),
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {
@@ -137,6 +148,17 @@ impl<'s> Resolver<'_, 's> {
         self.notes.push(Problem::new(Fault::NothingToDraw { layer: layer.name, why }, span.clone()));
         Some(Resolved::Unfed(layer))
     }
+}
+
+/// A panel without some of its layers, so that the description speaks of what is there.
+fn without<'s>(mut panel: Cow<'s, Panel>, silent: &[usize]) -> Cow<'s, Panel> {
+    if !silent.is_empty()
+        && let Some(layers) = &mut panel.to_mut().layers
+    {
+        let mut index = 0..;
+        layers.retain(|_| index.next().is_none_or(|i| !silent.contains(&i)));
+    }
+    panel
 }
 
 /// The space that a layer shows, as "the world", where it is not the panel's.

@@ -44,7 +44,6 @@ codes! {
         "an algorithm that does not answer this query of these shapes";
     UNSUITED_SHAPE = "unsuited-shape",
         "a shape that the query cannot be asked of, as an outline in a separation";
-    NO_PANELS = "no-panels", "a scene without panels is to be drawn";
     NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that no answer to the query has";
     UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";
     UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";

@@ -105,7 +105,11 @@ pub(super) static ROOT: TableRows = TableRows {
         may("caption", Holds::Text, "caption below the figure"),
         must("shapes", Holds::Tables("shapes"), "the shapes by name: one or two"),
         must("query", Holds::Table, "the question"),
-        may("panels", Holds::List("panels"), "what is drawn, from left to right"),
+        may(
+            "panels",
+            Holds::List("panels"),
+            "what is drawn, from left to right; default: what suits the answer",
+        ),
         may("labels", Holds::Tables("labels"), "texts and places of labels, by label key"),
         may("canvas", Holds::Table, "the page"),
         may("id", Holds::Anything, "copied to the answer of `solve --jsonl`"),
@@ -173,7 +177,7 @@ pub(super) static PANEL: TableRows = TableRows {
             Holds::Count { min: 1, max: MAX_ITERATIONS },
             "its moment as the algorithm's step, from 1",
         ),
-        must("layers", Holds::Layers, "what is drawn, in this order"),
+        may("layers", Holds::Layers, "what is drawn, in this order; default: what suits the answer"),
         may(
             "view",
             Holds::Rectangle,

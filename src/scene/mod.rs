@@ -33,6 +33,7 @@ pub(crate) use labels::COMPASS;
 pub use message::{Ink, Severity, message};
 pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
+pub(crate) use panels::of_text as panels_of_text;
 pub use problem::{Explain, Fault, Problem};
 pub use read::read;
 pub use schema::schema;
@@ -64,7 +65,7 @@ pub struct Scene {
     pub shapes: Vec<(Spanned<String>, Body)>,
     /// The question that the scene asks.
     pub query: SceneQuery,
-    /// Panels in file order; may be empty.
+    /// Panels in file order; none where the figure shows what suits the answer.
     pub panels: Vec<Panel>,
     /// Overrides of labels by key, in file order.
     pub labels: Vec<(Spanned<String>, LabelOverride)>,
@@ -163,8 +164,8 @@ pub struct Panel {
     pub space: Space,
     /// The moment that it shows; `None` is the query's own.
     pub when: Option<Spanned<When>>,
-    /// The layers in drawing order.
-    pub layers: Vec<LayerSpec>,
+    /// The layers in drawing order; `None` shows those that suit the answer.
+    pub layers: Option<Vec<LayerSpec>>,
     /// A rectangle of its space that must be visible, x0, y0, x1, y1 in world units; `None` fits what is
     /// drawn.
     pub view: Option<Spanned<[f64; 4]>>,

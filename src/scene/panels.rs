@@ -1,11 +1,14 @@
 //! `[[panels]]`: spaces, moments and layers. Layers and their options stay words with their place; the
 //! figure's table of layers judges them.
 
+use std::ops::Range;
+
 use super::checked::{Checked, as_list, as_number, as_text, check, short_enough, too_many};
-use super::fields::PANEL;
+use super::fields::{PANEL, ROOT};
 use super::limits::{MAX_ALL_LAYERS, MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
+use super::source::Source;
 use super::{LayerSpec, Panel, Space, Spanned, Value, When};
 
 /// Reads all panels; those that are wrong are told and left out.
@@ -25,6 +28,30 @@ pub(super) fn read(top: &Checked<'_>, names: &[Spanned<String>], p: &mut Problem
     items.iter().filter_map(|item| panel(item, names, p)).collect()
 }
 
+/// Reads panels from a text of the house, as a scene would write them; their place is `at`. None where the
+/// text is not one.
+pub(crate) fn of_text(text: &str, at: &Range<usize>) -> Vec<Panel> {
+    let source = Source::new("", text);
+    let mut problems = Problems::default();
+    let read =
+        |root: Node| Some(read(&check(&root, "", "", ROOT.fields, &mut problems)?, &[], &mut problems));
+    let mut panels = source.tree().ok().and_then(read).unwrap_or_default();
+    for panel in &mut panels {
+        panel.span = at.clone();
+        let spans = panel
+            .title
+            .as_mut()
+            .map(|t| &mut t.span)
+            .into_iter()
+            .chain(panel.when.as_mut().map(|w| &mut w.span));
+        spans.for_each(|span| *span = at.clone());
+        for layer in panel.layers.iter_mut().flatten() {
+            layer.name.span = at.clone();
+        }
+    }
+    panels
+}
+
 fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Panel> {
     let table = check(node, "panels", PANEL.place, PANEL.fields, p)?;
     let space = space(&table, names, p);
@@ -39,7 +66,7 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
             span,
         );
     }
-    let layers = table.get("layers").map_or(Vec::new(), |node| layers(node, p));
+    let layers = table.get("layers").map(|node| layers(node, p));
     Some(Panel { title: table.text("title"), space: space?, when, layers, view, span: table.span.clone() })
 }
 

@@ -180,6 +180,7 @@ pub(crate) const ROOMS: &[Row] = &[
         "figure/describe",
         &["geometry", "trace", "collision", "scene", "figure/question", "figure/runs", "figure/text"],
     ),
+    ("figure/default_picture", &["trace", "collision", "scene", "figure/fault", "figure/runs"]),
     (
         "figure/panel",
         &[

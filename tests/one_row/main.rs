@@ -242,7 +242,9 @@ fn a_planted_name_is_found_wherever_it_stands_in_code_and_nowhere_else() {
 #[test]
 fn a_file_of_a_layer_an_algorithm_or_a_question_bears_the_name_of_its_row() {
     let house = house();
-    for table in tables().iter().filter(|table| ["layer", "algorithm", "question"].contains(&table.what)) {
+    for table in
+        tables().iter().filter(|table| ["layer", "picture", "algorithm", "question"].contains(&table.what))
+    {
         for name in &table.names {
             let own = own_place(table, name, &house).unwrap();
             let expected = Path::new(table.folder).join(name.replace('-', "_")).with_extension("rs");

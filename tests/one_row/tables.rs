@@ -44,7 +44,7 @@ fn names(all: &mut dyn Iterator<Item = &'static str>) -> Vec<String> {
 
 /// Every table of the house.
 pub(crate) fn tables() -> Vec<Table> {
-    [outer(), layers(), algorithms()].into_iter().flatten().collect()
+    [outer(), layers(), pictures(), algorithms()].into_iter().flatten().collect()
 }
 
 /// What a user adds from outside: formats, kinds, themes, commands.
@@ -129,6 +129,18 @@ fn layers() -> Vec<Table> {
             ("shapes", "scene", "a table of a scene"),
             ("velocity", "scene", "a key of a shape"),
         ],
+    }]
+}
+
+/// Pictures of answers, where a scene has no panels.
+fn pictures() -> Vec<Table> {
+    vec![Table {
+        what: "picture",
+        folder: "figure/default_picture",
+        row: Some("PICTURE"),
+        names: names(&mut tracefig::figure::default_picture::PICTURES.iter().map(|p| p.name)),
+        finds: is_name,
+        other_meanings: &[],
     }]
 }
 

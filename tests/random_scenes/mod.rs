@@ -99,8 +99,8 @@ pub(crate) fn scene_text(seed: u64) -> String {
 pub(crate) fn fed(mut scene: Scene) -> Option<Scene> {
     let Err(problems) = plan(&scene).map(|_| ()) else { return Some(scene) };
     for panel in &mut scene.panels {
-        panel.layers.retain(|l| problems.iter().all(|p| p.span != l.name.span));
+        panel.layers.iter_mut().for_each(|l| l.retain(|l| problems.iter().all(|p| p.span != l.name.span)));
     }
-    let shown = scene.panels.iter().any(|p| !p.layers.is_empty());
+    let shown = scene.panels.iter().any(|p| p.layers.iter().flatten().next().is_some());
     (shown && plan(&scene).is_ok()).then_some(scene)
 }

@@ -14,7 +14,7 @@ use super::number::{point, value};
 use super::result::sentence;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
-pub(crate) fn long(scene: &Scene, run: &Run) -> String {
+pub(crate) fn long(scene: &Scene, run: &Run, panels: &[&Panel]) -> String {
     let mut text = String::new();
     for &index in &scene.query.of {
         if let Some((name, body)) = scene.shapes.get(index) {
@@ -23,7 +23,7 @@ pub(crate) fn long(scene: &Scene, run: &Run) -> String {
     }
     let _ = write!(text, "{} ", sentence(scene, run));
     text.push_str(&steps(scene, run));
-    text.push_str(&panels(scene));
+    text.push_str(&shown(scene, panels));
     text.trim_end().to_owned()
 }
 
@@ -82,13 +82,13 @@ fn steps(scene: &Scene, run: &Run) -> String {
 }
 
 /// What each panel shows: its space, its moment, its layers by name.
-fn panels(scene: &Scene) -> String {
+fn shown(scene: &Scene, panels: &[&Panel]) -> String {
     let mut text = String::new();
-    let many = scene.panels.len() > 1;
-    for (i, panel) in scene.panels.iter().enumerate() {
+    let many = panels.len() > 1;
+    for (i, panel) in panels.iter().enumerate() {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
         let which = if many { format!("Panel {}{title}", i + 1) } else { format!("The picture{title}") };
-        let layers: Vec<&str> = panel.layers.iter().map(|l| l.name.value.as_str()).collect();
+        let layers: Vec<&str> = panel.layers.iter().flatten().map(|l| l.name.value.as_str()).collect();
         let _ = write!(text, "{which} shows {}{}: {}. ", space(scene, panel), when(panel), layers.join(", "));
     }
     text

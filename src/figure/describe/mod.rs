@@ -11,4 +11,5 @@ mod result;
 mod short;
 
 pub(crate) use long::long;
+pub(crate) use result::sentence;
 pub(crate) use short::short;

@@ -71,7 +71,7 @@ fn impact_in_words(a: &str, b: &str, impact: &Impact) -> String {
 }
 
 /// The result of `run` as a sentence of its own: with a capital, but a name stays as the scene writes it.
-pub(super) fn sentence(scene: &Scene, run: &Run) -> String {
+pub(crate) fn sentence(scene: &Scene, run: &Run) -> String {
     let text = result(scene, run);
     if text.starts_with(&format!("{} ", scene.names().of(Side::A))) {
         return text;

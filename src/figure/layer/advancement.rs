@@ -12,6 +12,10 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 /// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
 const NORMAL: f64 = 0.5;
 
+/// The longest that the normal is drawn, page pixels, and the shortest: bodies may be micrometres or
+/// kilometres large. The tangent is stretched as much.
+const READABLE: [f64; 2] = [14.0, 40.0];
+
 /// How far the tangent reaches behind the closest point and past the ray, world units.
 const TANGENT: [f64; 2] = [1.6, 0.9];
 
@@ -72,12 +76,15 @@ fn step(context: &Context) -> Option<Step> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(s) = step(context) else { return };
-    let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + TANGENT[1];
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    let normal = NORMAL.max(least).min(most);
+    let tangent = TANGENT.map(|reach| reach * (normal / NORMAL));
+    let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + tangent[1];
     let along = tangent_direction(&s, context.closing_velocity());
-    let (behind, ahead) = (s.closest - along * TANGENT[0], s.closest + along * past);
+    let (behind, ahead) = (s.closest - along * tangent[0], s.closest + along * past);
     sketch.part("tangent").weight(Weight::Light).line(behind, ahead, Pen::construction(Role::Muted));
     sketch.part("distance").line(s.estimate, s.closest, Pen::vector(Role::Translation));
-    let tip = s.closest + s.outward * NORMAL;
+    let tip = s.closest + s.outward * normal;
     sketch.part("normal").arrow(s.closest, tip, Pen::vector(Role::B));
     sketch.part("closest").marker(s.closest, Marker::Square, Role::B, MARKER);
     sketch.part("estimate").marker(s.estimate, Marker::Disc, Role::Ink, LARGE_MARKER);

@@ -7,15 +7,21 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
+use crate::scene::When;
 
 use super::velocity::label_of_hit;
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
     about: "the origin's way along the relative velocity, and where it hits",
     shows: Shows::Configuration,
-    options: &[],
+    options: &[OptionSpec {
+        name: "cut",
+        takes: Takes::Word(&[When::HIT]),
+        default: "none",
+        about: "ends soon after the hit",
+    }],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "t", about: "time of the hit" },
@@ -28,14 +34,20 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// How much farther than the hit a ray reaches that is cut there.
+const PAST: f64 = 1.5;
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let v = context.closing_velocity();
     let role = options.role(Role::Ink);
+    let hit = context.hit().map(|(time, _)| time);
+    let cut =
+        hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time));
     let from = -v * context.difference_time();
-    let tip = from + v;
+    let tip = from + v * cut;
     sketch.part("ray").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new("v", "$v$", Anchor::tip(from, tip), role));
-    if let Some((time, _)) = context.hit() {
+    if let Some(time) = hit {
         let hit = from + v * time;
         sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));

@@ -12,6 +12,10 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 /// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
 
+/// The least and the largest radius of such an arrow, page pixels: bodies may be micrometres or kilometres
+/// large. At half the least one the arrow's head fills it, at twice the largest it is taken for a body.
+const READABLE: [f64; 2] = [14.0, 40.0];
+
 /// How far the arrow runs, radians: open enough to be no circle, and to let the velocity out.
 const SWEEP: f64 = 0.6 * TAU;
 
@@ -21,7 +25,12 @@ pub(super) const LAYER: Layer = Layer {
     shows: Shows::World,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "those that turn", about: "which bodies" },
-        OptionSpec { name: "radius", takes: Takes::Number, default: "0.6", about: "world units" },
+        OptionSpec {
+            name: "radius",
+            takes: Takes::Number,
+            default: "0.6",
+            about: "world units, by default as large as is readable",
+        },
     ],
     labels: &[
         LabelKey { key: "omega_A", about: "angular velocity of the first body" },
@@ -50,7 +59,10 @@ fn seen(context: &Context, side: Side) -> Option<(DVec2, f64)> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
-    let radius = options.number("radius").unwrap_or(RADIUS);
+    let radius = options.number("radius").unwrap_or_else(|| {
+        let [least, most] = READABLE.map(|px| sketch.px(px));
+        RADIUS.max(least).min(most)
+    });
     for side in options.of(&turning(context)) {
         let (Some((velocity, spin)), Some(pose)) = (seen(context, side), context.pose(side, context.time))
         else {

@@ -11,7 +11,7 @@ mod plain;
 mod values;
 mod wording;
 
-pub(crate) use caption::{caption, caption_words, set};
+pub(crate) use caption::{caption, caption_of_words, caption_words, set};
 pub(crate) use number::{in_words, number, rounded};
 pub(crate) use plain::plain;
 pub(crate) use wording::{Wording, check_texts};

@@ -1,0 +1,21 @@
+//! Bodies apart, and the last simplex of GJK, whose closest point to the origin is the distance.
+
+use crate::trace::Event;
+
+use super::Picture;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "gjk-distance",
+    about: "GJK on bodies apart",
+    fits: |case| case.count(|e| matches!(e, Event::SimplexUpdated { .. })) > 0,
+    panels: r#"
+[[panels]]
+title = "World"
+layers = ["shapes", { layer = "separation", points = true }]
+
+[[panels]]
+title = "Configuration space, last step"
+space = "configuration"
+layers = ["axes", "difference", "simplex", "origin"]
+"#,
+};

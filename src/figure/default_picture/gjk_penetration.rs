@@ -1,0 +1,25 @@
+//! Bodies that overlap, and the last simplex or polytope in B ⊖ A around the origin.
+
+use crate::trace::Event;
+
+use super::Picture;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "gjk-penetration",
+    about: "GJK and EPA on bodies that overlap",
+    fits: |case| case.overlaps() && case.count(|e| matches!(e, Event::SimplexUpdated { .. })) > 0,
+    panels: r#"
+[[panels]]
+title = "World"
+layers = [
+  "shapes",
+  { layer = "ghosts", of = "B", at = "separated", fill = false, labels = false },
+  { layer = "separation", points = true },
+]
+
+[[panels]]
+title = "Configuration space, last step"
+space = "configuration"
+layers = ["axes", "difference", "simplex", "origin"]
+"#,
+};

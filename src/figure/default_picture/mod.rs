@@ -1,0 +1,195 @@
+//! What is drawn where a scene does not say: for every kind of answer one picture, written as a scene would
+//! write it.
+//!
+//! A picture is one file of this folder and one row in [`PICTURES`]: the panels, in the language of scenes,
+//! and the answers that they suit, by how these turned out and by what the algorithm told. The first row that
+//! fits is taken, so the particular ones come first. A layer of a picture that an answer has nothing for is
+//! left out. In its panels `A` and `B` stand for the query's bodies, whatever their names.
+
+mod axis_test;
+mod bounded_motion;
+mod bounded_turn;
+mod bounding_box;
+mod box_extents;
+mod circle_lengths;
+mod circle_penetration;
+mod clamped_circle;
+mod early_hit;
+mod gjk_distance;
+mod gjk_penetration;
+mod overlap_at_start;
+mod pair_apart;
+mod pair_overlapping;
+mod sweep_hit;
+mod sweep_miss;
+mod sweep_steps;
+mod turning_hit;
+mod turning_miss;
+mod turning_steps;
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use crate::collision::{Answer, Outcome};
+use crate::scene::{self, LayerSpec, Panel, Scene, Space, Value, panels_of_text};
+use crate::trace::Event;
+
+use super::fault::Problem;
+use super::runs::{Run, Runs};
+
+/// A row of the table of pictures.
+pub struct Picture {
+    /// The word for it, and the name of its file.
+    pub name: &'static str,
+    /// The answers that it is for, in one line.
+    pub about: &'static str,
+    /// Whether it suits a case.
+    pub(crate) fits: fn(&Case) -> bool,
+    /// Its panels, as a scene writes them; `A` and `B` are the query's bodies.
+    pub panels: &'static str,
+}
+
+/// Every picture; the first that fits is taken.
+///
+/// ```
+/// use tracefig::{figure::default_picture::PICTURES, scene::{Source, read}};
+/// let bodies = "shapes.A = { kind = 'circle', radius = 1 }\nquery = { kind = 'bounds', of = ['A'] }";
+/// let first = &PICTURES[0];
+/// let scene = read(&Source::new("s.toml", &format!("{bodies}\n{}", first.panels))).unwrap();
+/// assert_eq!((first.name, scene.panels.len()), ("bounding-box", 1));
+/// ```
+pub static PICTURES: &[Picture] = &[
+    bounding_box::PICTURE,
+    bounded_turn::PICTURE,
+    bounded_motion::PICTURE,
+    overlap_at_start::PICTURE,
+    turning_steps::PICTURE,
+    turning_hit::PICTURE,
+    turning_miss::PICTURE,
+    early_hit::PICTURE,
+    sweep_steps::PICTURE,
+    sweep_hit::PICTURE,
+    sweep_miss::PICTURE,
+    circle_penetration::PICTURE,
+    circle_lengths::PICTURE,
+    box_extents::PICTURE,
+    clamped_circle::PICTURE,
+    axis_test::PICTURE,
+    gjk_penetration::PICTURE,
+    gjk_distance::PICTURE,
+    pair_overlapping::PICTURE,
+    pair_apart::PICTURE,
+];
+
+/// A scene and its answer, which a picture suits or does not.
+pub(crate) struct Case<'c> {
+    /// The scene.
+    scene: &'c Scene,
+    /// The answer, and what the algorithm told.
+    run: &'c Run,
+}
+
+impl Case<'_> {
+    /// How a question for the first contact turned out; `None` for other questions.
+    fn outcome(&self) -> Option<&Outcome> {
+        if let Answer::Impact(impact) = &self.run.answer { Some(&impact.outcome) } else { None }
+    }
+
+    /// Whether the bodies touch on their way.
+    fn hits(&self) -> bool {
+        matches!(self.outcome(), Some(Outcome::Hit { .. }))
+    }
+
+    /// Whether the bodies are proved to overlap at the moment of the question.
+    fn overlaps(&self) -> bool {
+        match &self.run.answer {
+            Answer::Separation(found) => found.bounds.hi < 0.0,
+            Answer::Overlap(found) => found.overlap == Some(true),
+            _ => false,
+        }
+    }
+
+    /// Whether a body of the question turns.
+    fn turns(&self) -> bool {
+        let bodies = self.scene.query.of.iter().filter_map(|&i| self.scene.shapes.get(i));
+        bodies.into_iter().any(|(_, body)| body.spin.0 != 0.0)
+    }
+
+    /// How many events of a kind the algorithm told.
+    fn count(&self, is_so: fn(&Event) -> bool) -> usize {
+        self.run.events().filter(|event| is_so(event)).count()
+    }
+
+    /// How many steps an advancement took.
+    fn steps(&self) -> usize {
+        self.count(|event| matches!(event, Event::Advanced { .. }))
+    }
+}
+
+/// A panel to be drawn, and whether its layers are those of a picture of this table.
+pub(crate) struct Sheet<'s> {
+    /// The panel.
+    pub(crate) panel: Cow<'s, Panel>,
+    /// Whether the layers are ours: one that the answer has nothing for is then left out in silence.
+    pub(crate) ours: bool,
+}
+
+/// The panels of a scene, those that it leaves out filled in; in `problems`, a panel whose layers are not
+/// given and for which no picture has any.
+pub(crate) fn sheets<'s>(scene: &'s Scene, runs: &Runs, problems: &mut Vec<Problem>) -> Vec<Sheet<'s>> {
+    let whole = scene.panels.iter().all(|panel| panel.layers.is_some());
+    if whole && !scene.panels.is_empty() {
+        let given = |panel| Sheet { panel: Cow::Borrowed(panel), ours: false };
+        return scene.panels.iter().map(given).collect();
+    }
+    let run = runs.own(scene, scene.query.time);
+    let case = Case { scene, run: &run };
+    let suiting = PICTURES.iter().filter(|picture| (picture.fits)(&case));
+    if scene.panels.is_empty() {
+        let panels = suiting.take(1).flat_map(|picture| panels(picture, scene, &scene.query.span));
+        return panels.map(|panel| Sheet { panel: Cow::Owned(panel), ours: true }).collect();
+    }
+    let rows: Vec<&Picture> = suiting.collect();
+    scene.panels.iter().map(|panel| filled(panel, scene, &rows, problems)).collect()
+}
+
+/// A panel of the scene with the layers of the first picture that has some for its space.
+fn filled<'s>(panel: &'s Panel, scene: &Scene, rows: &[&Picture], problems: &mut Vec<Problem>) -> Sheet<'s> {
+    if panel.layers.is_some() {
+        return Sheet { panel: Cow::Borrowed(panel), ours: false };
+    }
+    let configuration = |space: &Space| *space == Space::Configuration;
+    let same = |other: &Panel| configuration(&other.space) == configuration(&panel.space);
+    let layers = rows.iter().find_map(|row| panels(row, scene, &panel.span).into_iter().find(same)?.layers);
+    if layers.is_none() {
+        let fault = scene::Fault::MissingKey {
+            key: "layers".to_owned(),
+            place: "a panel of a space that no picture of this answer shows".to_owned(),
+            expected: "a list of layers".to_owned(),
+        };
+        problems.push(Problem::new(fault.into(), panel.span.clone()));
+    }
+    Sheet { panel: Cow::Owned(Panel { layers, ..panel.clone() }), ours: true }
+}
+
+/// The panels of a picture for the bodies of a scene; what goes wrong with them is told at `at`.
+fn panels(picture: &Picture, scene: &Scene, at: &Range<usize>) -> Vec<Panel> {
+    let mut panels = panels_of_text(picture.panels, at);
+    for layer in panels.iter_mut().filter_map(|panel| panel.layers.as_mut()).flatten() {
+        name_bodies(layer, scene);
+    }
+    panels
+}
+
+/// Puts the name of a body of the query in the place of `A` or `B` in a layer's option `of`.
+fn name_bodies(layer: &mut LayerSpec, scene: &Scene) {
+    for (_, value) in layer.options.iter_mut().filter(|(key, _)| key.value == "of") {
+        let side = usize::from(value.value == Value::Text("B".to_owned()));
+        if let Some((name, _)) = scene.query.of.get(side).and_then(|&i| scene.shapes.get(i)) {
+            value.value = Value::Text(name.value.clone());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
