@@ -67,7 +67,7 @@ fn with_powers(words: &str) -> String {
     for piece in pieces {
         let end = piece.find(|c: char| c != '−' && !c.is_ascii_digit()).unwrap_or(piece.len());
         let (exponent, rest) = piece.split_at(end);
-        text.push_str(&format!("$10^{{{}}}${rest}", exponent.replace('−', "-")));
+        text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]);
     }
     text
 }
