@@ -45,7 +45,10 @@ pub(crate) struct LayerPlan {
 impl std::fmt::Debug for LayerPlan {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Self { layer, options, span: _ } = self;
-        f.debug_struct("LayerPlan").field("layer", &layer.name).field("options", options).finish_non_exhaustive()
+        f.debug_struct("LayerPlan")
+            .field("layer", &layer.name)
+            .field("options", options)
+            .finish_non_exhaustive()
     }
 }
 

@@ -21,6 +21,6 @@ layers = ["shapes", { layer = "ghosts", at = "hit" }, "sweep", { layer = "veloci
 title = "Configuration space"
 space = "configuration"
 time = "start"
-layers = ["axes", "difference", { layer = "ray", cut = "hit" }, "origin"]
+layers = ["difference", { layer = "ray", cut = "hit" }, "origin"]
 "#,
 };

@@ -112,7 +112,7 @@ impl Case<'_> {
     /// Whether a body of the question turns.
     fn turns(&self) -> bool {
         let bodies = self.scene.query.of.iter().filter_map(|&i| self.scene.shapes.get(i));
-        bodies.into_iter().any(|(_, body)| body.spin.0 != 0.0)
+        bodies.into_iter().any(|(_, body)| !body.spin.is_zero())
     }
 
     /// How many events of a kind the algorithm told.

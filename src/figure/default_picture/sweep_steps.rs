@@ -14,7 +14,7 @@ layers = [
   "shapes",
   { layer = "ghosts", at = "hit" },
   "sweep",
-  { layer = "velocity", accent = "hit" },
+  "velocity",
   "contact",
 ]
 
