@@ -199,7 +199,7 @@ fn the_merge_tells_a_closed_convex_chain() {
 }
 
 #[test]
-fn every_algorithm_tells_the_whole_difference_and_the_candidate_that_won() {
+fn every_algorithm_but_gjk_tells_the_whole_difference_and_each_the_candidate_that_won() {
     for (seed, a, b) in pairs(600) {
         let merged = edges("merge", &a, &b).len();
         let points = a.shape.core.len() == 1 && b.shape.core.len() == 1;
@@ -210,10 +210,12 @@ fn every_algorithm_tells_the_whole_difference_and_the_candidate_that_won() {
             else {
                 panic!("{}", algorithm.name)
             };
+            // GJK walks over B ⊖ A without building it.
+            let builds = algorithm.name != "gjk";
             let told = trace.events.iter().filter_map(edge).count();
-            assert_eq!(told, merged, "seed {seed}, {}", algorithm.name);
+            assert_eq!(told, if builds { merged } else { 0 }, "seed {seed}, {}", algorithm.name);
             let round = trace.events.iter().any(|e| matches!(e, Event::DifferenceRounded { .. }));
-            assert_eq!(round, is_round, "seed {seed}, {}", algorithm.name);
+            assert_eq!(round, builds && is_round, "seed {seed}, {}", algorithm.name);
             let best = trace.events.iter().rev().find_map(|e| match e {
                 Event::CandidateImproved { distance, foot, .. } => Some((*distance, *foot)),
                 _ => None,
