@@ -8,6 +8,7 @@
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 use crate::drawing::{Contour, Point, Segment};
+use crate::typeset::{Outline, OutlineSegment};
 
 /// Distance in page pixels under which an arc starts where the piece before it ends.
 ///
@@ -42,6 +43,20 @@ pub(super) fn pieces(contour: &Contour, mut each: impl FnMut(Segment)) {
                 current = Some(at(center, radius, start + sweep));
             }
         }
+    }
+}
+
+/// Gives `each` all pieces of a glyph's outline in order, its points as `place` maps them.
+pub(super) fn glyph(outline: &Outline, place: impl Fn(Point) -> Point, mut each: impl FnMut(Segment)) {
+    let at = |p: [f32; 2]| place(Point::new(f64::from(p[0]), f64::from(p[1])));
+    for segment in &outline.segments {
+        each(match *segment {
+            OutlineSegment::Move(p) => Segment::Move(at(p)),
+            OutlineSegment::Line(p) => Segment::Line(at(p)),
+            OutlineSegment::Quad(c, p) => Segment::Quad(at(c), at(p)),
+            OutlineSegment::Cubic(c, d, p) => Segment::Cubic(at(c), at(d), at(p)),
+            OutlineSegment::Close => Segment::Close,
+        });
     }
 }
 

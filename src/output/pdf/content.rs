@@ -14,7 +14,7 @@ use super::{POINTS, SETTINGS};
 use crate::drawing::{
     Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text,
 };
-use crate::typeset::{Glyph, OutlineSegment, Rule, UNITS_PER_EM};
+use crate::typeset::{Glyph, Rule, UNITS_PER_EM};
 
 /// What a page draws, and what that refers to by name.
 pub(super) struct Content {
@@ -303,18 +303,8 @@ fn glyph_form(glyph: Glyph) -> Form {
 
 /// Appends the outline of a glyph, its points mapped.
 fn outline(operators: &mut Operators, glyph: Glyph, map: impl Fn(Point) -> Point) {
-    let point = |p: [f32; 2]| map(Point::new(f64::from(p[0]), f64::from(p[1])));
     let mut at = Point::default();
-    for segment in &glyph.outline().segments {
-        let segment = match *segment {
-            OutlineSegment::Move(p) => Segment::Move(point(p)),
-            OutlineSegment::Line(p) => Segment::Line(point(p)),
-            OutlineSegment::Quad(c, p) => Segment::Quad(point(c), point(p)),
-            OutlineSegment::Cubic(c, d, p) => Segment::Cubic(point(c), point(d), point(p)),
-            OutlineSegment::Close => Segment::Close,
-        };
-        at = segment_to(operators, at, segment);
-    }
+    curves::glyph(glyph.outline(), map, |segment| at = segment_to(operators, at, segment));
 }
 
 /// Appends a segment that begins at a point, and gives where it ends.

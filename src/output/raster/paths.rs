@@ -6,7 +6,7 @@ use tiny_skia::{LineCap, LineJoin, Path, PathBuilder, StrokeDash};
 
 use super::super::curves;
 use crate::drawing::{Cap, Contour, Point, Rect, Segment, Stroke};
-use crate::typeset::{Outline, OutlineSegment};
+use crate::typeset::Outline;
 
 /// How finely tiny-skia follows a curve when it makes the sides of a line along it: at 1, within a quarter of
 /// a pixel. At 4, rings with radii of 6 to 140 pixels come no nearer to exact ones.
@@ -19,9 +19,7 @@ const LENGTHS: f32 = 4.0;
 /// The contour at `scale` image pixels for a page pixel; none where it has no length.
 pub(super) fn contour(contour: &Contour, scale: f64) -> Option<Path> {
     let mut builder = PathBuilder::new();
-    curves::pieces(contour, |segment| {
-        piece(&mut builder, &segment, |p| Point::new(p.x * scale, p.y * scale));
-    });
+    curves::pieces(contour, |segment| piece(&mut builder, &segment, scale));
     builder.finish()
 }
 
@@ -33,32 +31,21 @@ pub(super) fn lines(lines: &[(Point, Point)], scale: f64) -> Option<Path> {
 
 /// Adds the contours of a glyph whose origin is at `origin` and whose units have `unit` image pixels.
 pub(super) fn push_glyph(builder: &mut PathBuilder, outline: &Outline, origin: Point, unit: f64) {
-    let point = |p: [f32; 2]| Point::new(f64::from(p[0]), f64::from(p[1]));
-    for segment in &outline.segments {
-        let segment = match *segment {
-            OutlineSegment::Move(p) => Segment::Move(point(p)),
-            OutlineSegment::Line(p) => Segment::Line(point(p)),
-            OutlineSegment::Quad(c, p) => Segment::Quad(point(c), point(p)),
-            OutlineSegment::Cubic(c, d, p) => Segment::Cubic(point(c), point(d), point(p)),
-            OutlineSegment::Close => Segment::Close,
-        };
-        piece(builder, &segment, |p| Point::new(origin.x + p.x * unit, origin.y + p.y * unit));
-    }
+    let place = |p: Point| Point::new(origin.x + p.x * unit, origin.y + p.y * unit);
+    curves::glyph(outline, place, |segment| piece(builder, &segment, 1.0));
 }
 
 /// Adds a rectangle that is given in image pixels.
 pub(super) fn push_rectangle(builder: &mut PathBuilder, rect: Rect) {
     let Rect { x0, y0, x1, y1 } = rect;
     let corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)].map(|(x, y)| Point::new(x, y));
-    curves::pieces(&Contour::polygon(&corners), |segment| piece(builder, &segment, |p| p));
+    curves::pieces(&Contour::polygon(&corners), |segment| piece(builder, &segment, 1.0));
 }
 
-fn piece(builder: &mut PathBuilder, segment: &Segment, map: impl Fn(Point) -> Point) {
+/// Adds a piece, its points times `scale`.
+fn piece(builder: &mut PathBuilder, segment: &Segment, scale: f64) {
     #[expect(clippy::cast_possible_truncation, reason = "the places of a mask are single precision")]
-    let at = |p: Point| {
-        let p = map(p);
-        (p.x as f32, p.y as f32)
-    };
+    let at = |p: Point| ((p.x * scale) as f32, (p.y * scale) as f32);
     match *segment {
         Segment::Move(p) => {
             let (x, y) = at(p);
