@@ -60,6 +60,38 @@ fn leaning(source: &str) -> Vec<Found> {
     found
 }
 
+/// Docs whose first paragraph is a formula or a name alone: who does not know its letters learns nothing.
+fn wordless(source: &str) -> Vec<Found> {
+    let mut found = Vec::new();
+    let mut paragraph: Option<(usize, String)> = None;
+    let mut ended = false;
+    for (line, at) in source.lines().chain([""]).zip(1..) {
+        let line = line.trim_start();
+        match ["///", "//!"].iter().find_map(|mark| line.strip_prefix(mark)) {
+            Some(text) if paragraph.is_none() => paragraph = Some((at, text.to_owned())),
+            Some(text) => {
+                ended |= text.trim().is_empty();
+                if let Some((_, first)) = paragraph.as_mut().filter(|_| !ended) {
+                    *first += text;
+                }
+            }
+            None => {
+                if let Some((at, first)) = paragraph.take().filter(|(_, first)| !has_word(first)) {
+                    found.push((at, format!("a doc without a word:{first}")));
+                }
+                ended = false;
+            }
+        }
+    }
+    found
+}
+
+/// Whether a text has a word of three letters outside of code.
+fn has_word(text: &str) -> bool {
+    let prose = text.split('`').step_by(2);
+    prose.flat_map(|text| text.split(|c: char| !c.is_alphabetic())).any(|word| word.chars().count() > 2)
+}
+
 /// Reads the items of a file for docs that are missing.
 struct Docs {
     found: Vec<Found>,
@@ -266,6 +298,11 @@ fn every_doc_stands_alone_in_the_index() {
 }
 
 #[test]
+fn every_doc_says_something_in_words() {
+    hold(wordless, Files::All);
+}
+
+#[test]
 fn public_functions_have_an_example_and_variants_and_fields_a_doc() {
     hold(missing_docs, Files::Built);
 }
@@ -290,6 +327,13 @@ fn a_planted_leaning_doc_is_found() {
     assert_eq!(lines(leaning, source), [1, 5]);
     let second = "/// A gap.\n/// That of this edge.\nstruct A;\n// As ever.\n//! See below.\n";
     assert_eq!(lines(leaning, second), [5]);
+}
+
+#[test]
+fn a_planted_doc_without_a_word_is_found() {
+    let source = "/// |x|.\nfn a() {}\n/// `[labels]`: texts by key.\n\n/// K: at\n/// least f\nfn b() {}\n";
+    assert_eq!(lines(wordless, source), [1]);
+    assert_eq!(lines(wordless, "/// `hi`\n///\n/// With words.\nx: f64,\n"), [1]);
 }
 
 #[test]

@@ -77,9 +77,9 @@ pub(crate) type Reads<T> = fn(&[u8]) -> Option<T>;
 /// What a file says of itself, as the drawing had it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Stamped {
-    /// [`Drawing::metadata`].
+    /// All that the drawing says of itself: [`Drawing::metadata`].
     Metadata(String),
-    /// [`Drawing::hash`], where the format has no place for more.
+    /// The hash alone, [`Drawing::hash`], where the format has no place for more.
     Hash(String),
 }
 

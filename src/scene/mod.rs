@@ -185,7 +185,7 @@ pub struct LayerSpec {
 /// A value of an option.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// `true` or `false`.
+    /// A flag: `true` or `false`.
     Bool(bool),
     /// Any finite number.
     Number(f64),

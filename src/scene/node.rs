@@ -16,7 +16,7 @@ pub(crate) struct Node {
 /// A value as a file can say it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NodeValue {
-    /// `true` or `false`.
+    /// A flag: `true` or `false`.
     Bool(bool),
     /// A number, infinite or NaN too; whoever reads it refuses those.
     Number(f64),

@@ -9,7 +9,7 @@ use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
 /// What values an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Takes {
-    /// `true` or `false`.
+    /// A flag: `true` or `false`.
     Flag,
     /// Any finite number.
     Number,

@@ -29,7 +29,7 @@ pub(crate) struct Ball {
 /// Below this a product may lose its low half to underflow (2⁻⁹⁶⁹ rounded up to 2⁻⁹⁰⁰): its ball widens by
 /// [`FLOOR`]. The callers scale scenes to about 1, so that this is far below any rounding that is seen.
 const PRODUCT_FLOOR: f64 = 1.0 / SCALE_900;
-/// 2⁹⁰⁰.
+/// The power 2⁹⁰⁰.
 const SCALE_900: f64 = f64::from_bits((1023 + 900) << 52);
 /// 2⁻⁹⁰⁰: what an underflowed product is widened by.
 const FLOOR: f64 = PRODUCT_FLOOR;
@@ -44,9 +44,9 @@ fn up(radius: f64) -> f64 {
 }
 
 impl Ball {
-    /// 0.
+    /// The number 0, exactly.
     pub(crate) const ZERO: Self = Self { value: Dd::ZERO, radius: 0.0 };
-    /// 1.
+    /// The number 1, exactly.
     pub(crate) const ONE: Self = Self { value: Dd::ONE, radius: 0.0 };
 
     /// A double, exactly.
@@ -108,7 +108,7 @@ impl Ball {
         Self { value, radius: if vague { radius + DENORMAL } else { radius } }
     }
 
-    /// x / y. Infinite radius where y may be 0.
+    /// The quotient x / y; its radius is infinite where y may be 0.
     #[inline]
     #[must_use]
     pub(crate) fn over(self, y: Self) -> Self {

@@ -21,7 +21,7 @@ const MANY_DEGREES: f64 = 1e12;
 /// 1.5 · 2⁵²: adding and subtracting it rounds to the nearest whole number.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
-/// π/180.
+/// Radians in a degree: π/180.
 const RADIANS: f64 = std::f64::consts::PI / 180.0;
 
 /// Cosine and sine of `angle` + `spin` t, each within 3 ε.

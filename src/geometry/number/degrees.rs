@@ -67,7 +67,7 @@ impl Turn {
     /// No turn.
     pub(crate) const NONE: Self = Self { quarters: 0, whole: 0, rest: Dd::ZERO, error: 0.0 };
 
-    /// `angle` + `spin` · `t`.
+    /// The turn at time t: `angle` + `spin` · `t`.
     #[must_use]
     pub(crate) fn at(angle: Angle, spin: Angle, t: f64) -> Self {
         let still = t == 0.0 || spin.is_zero();
@@ -231,7 +231,7 @@ impl Turn {
 /// call where the processor is not known to have the instruction.)
 #[inline]
 fn nearest_integer(x: f64) -> f64 {
-    /// 1.5 · 2⁵².
+    /// Adding and subtracting it, 1.5 · 2⁵², rounds to the nearest whole number.
     const SHIFT: f64 = 6_755_399_441_055_744.0;
     (x + SHIFT) - SHIFT
 }

@@ -81,9 +81,9 @@ pub(crate) fn taming_power(x: f64) -> f64 {
 }
 
 impl Dd {
-    /// 0.
+    /// The number 0.
     pub(crate) const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
-    /// 1.
+    /// The number 1.
     pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// Bound on the relative error of every operation here: 5 ε² = 20u². See the head of this file.
     pub(crate) const ROUNDING: f64 = 5.0 * f64::EPSILON * f64::EPSILON;
@@ -150,7 +150,7 @@ impl Dd {
         Self { hi, lo }
     }
 
-    /// x / y.
+    /// The quotient x / y.
     #[inline]
     #[must_use]
     pub(crate) fn div(self, y: Self) -> Self {

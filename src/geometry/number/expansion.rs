@@ -83,7 +83,7 @@ pub(crate) fn exact_product(x: f64, y: f64) -> (f64, f64, f64) {
     const HUGE: f64 = 1e270;
     /// Below this the low half may underflow.
     const TINY: f64 = 1e-270;
-    /// 2¹⁰⁰.
+    /// The power of two that comes off: 2¹⁰⁰.
     const STEP: f64 = f64::from_bits((1023 + 100) << 52);
     if x.abs() > HUGE {
         let (p, e) = two_product(x / STEP, y);

@@ -16,7 +16,7 @@ fn exact(x: Dd) -> Real {
     Real::from(x.hi) + Real::from(x.lo)
 }
 
-/// |x|.
+/// The magnitude |x|.
 fn size(x: Ball) -> Ball {
     if x.value.hi < 0.0 { -x } else { x }
 }

@@ -18,13 +18,13 @@ use crate::geometry::fast_two_sum;
 use crate::geometry::two_product;
 use crate::geometry::two_sum;
 
-/// −1/6.
+/// The constant −1/6.
 const SIXTH: Dd = Dd { hi: -1.0 / 6.0, lo: -9.251_858_538_542_97e-18 };
-/// 1/120.
+/// The constant 1/120.
 const HUNDRED_TWENTIETH: Dd = Dd { hi: 1.0 / 120.0, lo: 1.156_482_317_317_871_4e-19 };
-/// 1/720.
+/// The constant 1/720.
 const SEVEN_HUNDRED_TWENTIETH: Dd = Dd { hi: 1.0 / 720.0, lo: -5.300_543_954_373_577e-20 };
-/// 1/24.
+/// The constant 1/24.
 const TWENTY_FOURTH: Dd = Dd { hi: 1.0 / 24.0, lo: 2.312_964_634_635_742_7e-18 };
 
 /// sin x and cos x − 1 for |x| ≤ 0.0088, each within ε²/20.

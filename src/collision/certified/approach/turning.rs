@@ -238,7 +238,7 @@ fn axes(pair: &MovingPair, near: DifferenceFeature, t: f64) -> [Option<Axis>; 3]
     [through, other, Axis::ahead(pair, near, t)]
 }
 
-/// 2⁻ᵏ.
+/// The power of two 2⁻ᵏ.
 const fn power(k: u64) -> f64 {
     f64::from_bits((1023 - k) << 52)
 }

@@ -1,4 +1,4 @@
-//! Second stage: the same quantities as balls of double-doubles, each with a proven radius.
+//! A pair in balls: vertices, edges, normals and gaps as double-doubles, each with a proven radius.
 //!
 //! Everything is in A's frame, scaled as in [`crate::collision::certified::distance::pair`]. A sign that a
 //! ball does not tell is a sign that 106 bits do not tell; the callers then keep both possibilities and
@@ -42,22 +42,22 @@ pub(crate) fn rescaled(x: Ball, scale: f64) -> Ball {
     if x.radius == 0.0 { value } else { value.widen((x.radius * scale).next_up()) }
 }
 
-/// x · y.
+/// Dot product.
 pub(crate) fn dot(x: &Vec2, y: &Vec2) -> Ball {
     x[0] * y[0] + x[1] * y[1]
 }
 
-/// x₁ y₂ − x₂ y₁.
+/// Cross product, x₁ y₂ − x₂ y₁: positive where y is to the left of x.
 pub(crate) fn cross(x: &Vec2, y: &Vec2) -> Ball {
     x[0] * y[1] - x[1] * y[0]
 }
 
-/// −x.
+/// The opposite vector.
 pub(crate) fn reversed(x: &Vec2) -> Vec2 {
     [-x[0], -x[1]]
 }
 
-/// x − y.
+/// Difference of two vectors.
 pub(crate) fn minus(x: &Vec2, y: &Vec2) -> Vec2 {
     [x[0] - y[0], x[1] - y[1]]
 }

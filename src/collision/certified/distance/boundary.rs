@@ -30,15 +30,15 @@ impl Closest {
 
 /// An edge of B ⊖ A at a vertex of it.
 struct Step {
-    /// The edge.
+    /// Which edge of B ⊖ A.
     facing: DifferenceEdge,
-    /// Away from the vertex.
+    /// The edge as a vector, away from the vertex.
     along: Vec2,
     /// The vertex at the other end: [i, j].
     end: [usize; 2],
 }
 
-/// Which winding round B ⊖ A.
+/// Which way round B ⊖ A.
 #[derive(Clone, Copy)]
 enum Winding {
     /// Along the edges as they run: the next edge starts where this one ends.
@@ -117,9 +117,9 @@ fn step(pair: &Pair, balls: &BallPair, [i, j]: [usize; 2], winding: Winding) -> 
                 (Winding::CounterClockwise, Some(1)) => false,
                 (Winding::CounterClockwise, Some(-1)) | (Winding::Clockwise, Some(1)) => true,
                 (Winding::Clockwise, Some(-1)) => false,
-                // Parallel the same winding: one line, A's part last. Opposite: one of them is a segment,
-                // which the other's boundary already follows; both: the vertex is inside one line, A's part
-                // ahead of it.
+                // Parallel and the same way: one line, A's part last. Parallel and opposite: one core is a
+                // segment, and the other's boundary already follows it; where both are, the vertex is inside
+                // one line, A's part ahead of it.
                 (Winding::CounterClockwise, _) => dot(&x, &y).is_negative() && b.edges.len() == 2,
                 (Winding::Clockwise, _) => {
                     !dot(&x, &y).is_negative() || (b.edges.len() == 2 && a.edges.len() > 2)

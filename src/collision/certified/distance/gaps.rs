@@ -1,4 +1,4 @@
-//! First stage: the gap between the bodies along the normal of every edge, in doubles with a proven bound.
+//! The gap between the bodies along the normal of every edge, in doubles with a proven bound.
 //!
 //! Each edge of A or B gives an edge of B ⊖ A: that edge and the vertex of the other body that is nearest
 //! along its normal. The signed distance of the origin from that edge's line is the gap between the cores
@@ -15,7 +15,7 @@ use crate::geometry::{DVec2, Hull, Rotation, Side};
 /// The edge of B ⊖ A with the widest gap.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Widest {
-    /// The edge.
+    /// Which edge of B ⊖ A.
     pub(crate) facing: DifferenceEdge,
     /// Its gap, within [`Pair::gap_error`].
     pub(crate) gap: f64,

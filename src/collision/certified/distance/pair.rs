@@ -6,7 +6,7 @@
 //! world's origin:
 //!
 //! ```text
-//! `w_j` = c + R(β − α) `q_j`        c = R(−α) (`p_B − p_A`)        `v_i` = the file's vertex i of A
+//! w_j = c + R(β − α) q_j        c = R(−α) (p_B − p_A)        v_i = the file's vertex i of A
 //! ```
 //!
 //! A core that is one point at its body's origin looks the same however it turns; its angle is then taken to
@@ -55,9 +55,9 @@ pub struct Pair<'s> {
     pub(crate) frame_rotation: Rotation<Dd>,
     /// From B's frame to A's, with the tails of cosine and sine.
     pub(crate) b_rotation: Rotation<Dd>,
-    /// c, with its tail.
+    /// B's origin in A's frame, c, with its tail; scaled.
     pub(crate) center_tailed: [Dd; 2],
-    /// c in doubles.
+    /// B's origin in A's frame, rounded to doubles; scaled.
     pub(crate) center: DVec2,
     /// Bound on the error of `center_tailed` and of a vertex turned by `b_rotation`, as vectors, together.
     pub(crate) placing_error: f64,

@@ -27,7 +27,7 @@ use crate::geometry::{Ball, Side, UnitVector};
 /// What was found, in A's frame and scaled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Found {
-    /// What carries it.
+    /// The nearest feature of B ⊖ A.
     pub(crate) contact: Contact,
     /// Signed distance of the cores.
     pub(crate) core: Ball,
@@ -38,9 +38,9 @@ pub(crate) struct Found {
 /// The feature of B ⊖ A that carries a separation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Contact {
-    /// An edge.
+    /// An edge, with the gap along its normal.
     Edge(MeasuredEdge),
-    /// A vertex: [i, j], and `w_j − v_i`.
+    /// The vertex [i, j], and its place `w_j − v_i`.
     Vertex([usize; 2], Vec2),
 }
 

@@ -3,7 +3,7 @@
 //! With n the unit normal from A to B, s the separation, and c the points on the cores:
 //!
 //! ```text
-//! p_A = c_A + r_A n        p_B = c_B − r_B n        `p_B − p_A` = s n
+//! p_A = c_A + r_A n        p_B = c_B − r_B n        p_B − p_A = s n
 //! ```
 //!
 //! A vertex is placed by its own body's pose, so that it is as near to the exact one as doubles come. The
@@ -28,7 +28,7 @@ pub(crate) enum Carrier {
 /// A separation that is proved, in A's frame and scaled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Proved {
-    /// What carries it.
+    /// The nearest feature of B ⊖ A.
     pub(crate) carrier: Carrier,
     /// Unit vector from A to B; None where points coincide.
     pub(crate) normal: Option<UnitVector>,

@@ -30,7 +30,7 @@ pub(crate) struct Axis {
 /// touches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AxisSpan {
-    /// The axis.
+    /// The axis, fixed in its owner's frame.
     pub(crate) axis: Axis,
     /// Start of the span.
     pub(crate) from: f64,

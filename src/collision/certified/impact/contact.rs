@@ -24,14 +24,14 @@ use crate::geometry::{Ball, DVec2, Side, perp};
 pub(crate) struct Before<'p, 'q> {
     /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
-    /// The moment.
+    /// The moment, at which they are proved to be apart.
     lo: f64,
     /// The closest features at `lo`: where there is no interior, they may be others at `hi`, behind them.
     near: DifferenceFeature,
 }
 
 impl<'p, 'q> Before<'p, 'q> {
-    /// The pair at `lo`.
+    /// The pair at `lo`, where it is apart and these are its closest features.
     pub(crate) fn new(pair: &'p MovingPair<'q>, lo: f64, near: DifferenceFeature) -> Self {
         Self { pair, lo, near }
     }

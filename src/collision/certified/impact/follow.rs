@@ -11,9 +11,9 @@ use crate::collision::certified::impact::moving_pair::MovingPair;
 /// the gap shortly before.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Followed {
-    /// The axis.
+    /// The axis, fixed in its owner's frame.
     pub(crate) axis: Axis,
-    /// Apart from that moment to this one.
+    /// The bodies are apart from that moment to this one.
     pub(crate) until: f64,
     /// Where the gap was evaluated last.
     pub(crate) at: f64,

@@ -96,7 +96,7 @@ impl Axis {
 struct Look<'p, 'q> {
     /// The two bodies in motion.
     pair: &'p MovingPair<'q>,
-    /// O.
+    /// The body whose vertices are looked at: O.
     other: Side,
     /// n in O's frame, along which its lowest vertex is closest.
     down: DVec2,
@@ -109,7 +109,7 @@ struct Look<'p, 'q> {
 }
 
 impl Look<'_, '_> {
-    /// n·x of a vertex.
+    /// How high a vertex of O is along the axis: n·x.
     fn height(&self, k: usize) -> f64 {
         self.down.dot(self.pair.vertex(self.other, k))
     }
@@ -166,9 +166,9 @@ impl Look<'_, '_> {
 
 /// The parts of a gap in balls that do not depend on the vertex.
 struct BallGap {
-    /// n in O's frame.
+    /// The axis in O's frame.
     down: [Ball; 2],
-    /// `n_w·D − h − ρ`.
+    /// The gap but for n·x: `n_w·D − h − ρ`.
     rest: Ball,
 }
 
@@ -210,17 +210,17 @@ fn support_in_balls(pair: &MovingPair, axis: &Axis) -> Ball {
 
 /// What all vertices share in the derivatives at a moment.
 struct Common {
-    /// `n_w·D − h − ρ`.
+    /// The gap but for n·x: `n_w·D − h − ρ`.
     value: f64,
-    /// `ω_R perp(n_w)·D + n_w·V`, less its rounding.
+    /// The rate of the gap but for O's turning, less its rounding: `ω_R perp(n_w)·D + n_w·V`.
     slope: f64,
-    /// `−ω_R² n_w·D + 2 ω_R perp(n_w)·V`, less its rounding.
+    /// The second derivative but for O's turning, less its rounding: `−ω_R² n_w·D + 2 ω_R perp(n_w)·V`.
     curvature: f64,
-    /// `|ω_R|³ |D| + 3 ω_R² |V|`, over the rest of the motion.
+    /// Bound on the third but for O's turning, over the rest of the motion: `|ω_R|³ |D| + 3 ω_R² |V|`.
     third: f64,
-    /// Δω.
+    /// How fast O turns in R's frame: Δω.
     spin: f64,
-    /// |Δω|³ times the reach.
+    /// Bound on what O's turning adds to the third derivative: |Δω|³ times O's reach.
     third_of_turning: f64,
     /// Rounding of the parts that turning contributes to f' and f''.
     turning_rounding: [f64; 2],

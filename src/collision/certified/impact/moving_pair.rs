@@ -22,7 +22,7 @@ use crate::geometry::{Angle, Ball, Body, DVec2, Dd, Hull, Rotation, Side, Turn, 
 /// Lengths in it are multiplied by a power of two where products would overflow or underflow.
 #[derive(Clone, Debug)]
 pub struct MovingPair<'q> {
-    /// A and B.
+    /// The two bodies: A, then B.
     pub(crate) bodies: [&'q Body; 2],
     /// Power of two by which all lengths here are multiplied.
     pub(crate) unit: f64,
@@ -51,9 +51,9 @@ pub struct MovingPair<'q> {
 /// Where the other body is in the owner's frame at a moment.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct RelativePose<N> {
-    /// D in R's frame.
+    /// From the owner's origin to the other body's, in the owner's frame: D.
     pub(crate) offset: [N; 2],
-    /// From O's frame to R's, by `θ_O` − `θ_R`.
+    /// From the other body's frame to the owner's, by `θ_O` − `θ_R`.
     pub(crate) rotation: Rotation<N>,
 }
 

@@ -49,7 +49,7 @@ const BISECTIONS: usize = 60;
 
 /// How a search ends.
 pub(crate) enum Ended {
-    /// With an outcome.
+    /// Contact, its absence or a limit: an outcome.
     Decided(Outcome),
     /// At a graze: free until a moment near which neither an axis nor contact can be proved.
     Grazing {
@@ -85,7 +85,7 @@ pub(crate) struct Search<'p, 'q, F> {
     queries: usize,
     /// Vertices looked at along axes.
     work: usize,
-    /// Takes what is proved.
+    /// Called with every axis that is proved.
     report: F,
 }
 

@@ -18,13 +18,13 @@ use crate::collision::certified::rounding::ROOT_ERROR;
 /// over the whole motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Taylor {
-    /// f, positive; world units.
+    /// The quantity f, positive; world units.
     pub(crate) value: f64,
-    /// f', world units per unit of time.
+    /// Its first derivative, world units per unit of time.
     pub(crate) slope: f64,
-    /// f''.
+    /// Its second derivative.
     pub(crate) curvature: f64,
-    /// M ≥ |f'''|.
+    /// Bound M on the magnitude of its third derivative.
     pub(crate) third: f64,
 }
 

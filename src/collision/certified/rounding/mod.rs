@@ -91,7 +91,7 @@ pub(crate) const LEVEL_ERROR: f64 = 12.0 * E;
 ///
 /// ```text
 /// u     v in doubles, half an ulp                                           0.5 ε of all
-/// c     as for [`GAP_ERROR`]                                                0.7 ε |c|
+/// c     as for GAP_ERROR                                                  0.7 ε |c|
 /// Rᵀu   as there                                                            1.7 ε reach_B
 /// dots  two products and a sum each                                         ε of all
 /// sums  of the four                                                         1.5 ε of all

@@ -84,7 +84,7 @@ impl TimeQuotient {
 }
 
 impl Ray<'_, '_> {
-    /// v in doubles.
+    /// The direction of the ray: v, rounded to doubles.
     fn direction(&self) -> DVec2 {
         DVec2::new(self.v[0].value.hi, self.v[1].value.hi)
     }
@@ -247,7 +247,7 @@ pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
     last.map(|(facing, _)| facing)
 }
 
-/// x · y.
+/// A vector times a number.
 fn scaled(x: &Vec2, y: Ball) -> Vec2 {
     [x[0] * y, x[1] * y]
 }

@@ -6,11 +6,11 @@ use crate::geometry::{DVec2, Dd};
 /// The closing velocity v = `v_A` − `v_B` in A's frame, to twice the precision of a double.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Heading {
-    /// v, in world units per unit of time.
+    /// The velocity v, in world units per unit of time.
     pub(crate) v: [Dd; 2],
-    /// |v|₁.
+    /// Its 1-norm, |v|₁.
     pub(crate) speed: f64,
-    /// Bound on the error of v, as a vector.
+    /// Bound on its error, as a vector.
     pub(crate) error: f64,
 }
 
@@ -24,7 +24,7 @@ impl Heading {
         pair.is_tame().then_some(Self { v, speed, error })
     }
 
-    /// v in doubles.
+    /// The direction of the ray: v, rounded to doubles.
     #[inline]
     pub(crate) fn direction(&self) -> DVec2 {
         DVec2::new(self.v[0].hi, self.v[1].hi)

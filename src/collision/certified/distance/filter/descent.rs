@@ -28,11 +28,11 @@ pub(crate) enum Guess {
 /// A vertex of B ⊖ A: its place, and the vertices i of A and j of B that make it.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Vertex {
-    /// `w_j − v_i` in doubles.
+    /// Its place `w_j − v_i`, in doubles.
     pub(crate) p: DVec2,
-    /// A's vertex.
+    /// A's vertex, counted along its core.
     pub(crate) i: usize,
-    /// B's vertex.
+    /// B's vertex, counted along its core.
     pub(crate) j: usize,
 }
 
@@ -45,7 +45,7 @@ pub(crate) struct SupportPair<'p> {
     pub(crate) a: &'p Hull,
     /// B's core.
     pub(crate) b: &'p Hull,
-    /// B's origin.
+    /// B's origin in A's frame.
     pub(crate) center: DVec2,
     /// From B's frame to A's.
     pub(crate) rotation: Rotation<f64>,

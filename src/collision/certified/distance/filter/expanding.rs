@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn parallel_sides_are_left_to_the_full_search() {
+    fn parallel_edges_are_left_to_the_full_search() {
         let (a, b) = (oval(64, 1.0, DVec2::ZERO, 10.0), oval(64, 1.0, DVec2::new(0.3, 0.1), 190.0));
         let pair = Pair::at(&a, &b, 0.0);
         let descent::Guess::Overlapping(triangle) = descent::guess(&pair) else { panic!("they overlap") };

@@ -134,7 +134,7 @@ impl Lanes {
 /// The widest gap and the next of the edges of one core.
 #[derive(Clone, Copy)]
 struct BestGaps {
-    /// The widest gap.
+    /// The widest gap of all edges.
     gap: f64,
     /// The edge that has it.
     edge: usize,

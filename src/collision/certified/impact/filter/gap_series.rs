@@ -30,45 +30,45 @@ use crate::geometry::{DVec2, Hull, Rotation, Side, perp};
 /// Both bodies at a moment: world axes, doubles.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Instant {
-    /// The moment.
+    /// The moment, in [0, 1].
     pub(crate) t: f64,
     /// From the frames of A and B to the world.
     pub(crate) rotations: [Rotation<f64>; 2],
-    /// `c_B` − `c_A`.
+    /// From A's origin to B's: `c_B` − `c_A`.
     pub(crate) apart: DVec2,
 }
 
 /// The gap of an axis at a moment, with what its derivatives are made of. Lengths are in scaled units.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct TurnedGap {
-    /// The moment.
+    /// The moment, in [0, 1].
     pub(crate) t: f64,
     /// The gap f of the lowest vertex, within [`rounding`].
     pub(crate) value: f64,
     /// The lowest vertex, counted along O's core.
     pub(crate) lowest: usize,
-    /// `n_w·D`.
+    /// How far O's origin is from R's along the axis: `n_w·D`.
     offset: f64,
-    /// `perp(n_w)·D`.
+    /// How far across it: `perp(n_w)·D`.
     aside: f64,
-    /// `n_w·V`.
+    /// How fast O's origin moves along the axis, seen from R's: `n_w·V`.
     speed: f64,
-    /// `perp(n_w)·V`.
+    /// How fast across it: `perp(n_w)·V`.
     aside_speed: f64,
-    /// u.
+    /// How far the lowest vertex is from O's origin along the axis: u.
     along: f64,
-    /// w.
+    /// How far across it: w.
     across: f64,
-    /// |D|₁.
+    /// Bound on the distance of the origins: |D|₁.
     far: f64,
 }
 
 /// An axis that separates the bodies at a moment, with its gap there.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OpenAxis {
-    /// The axis.
+    /// The axis, fixed in its owner's frame.
     pub(crate) axis: Axis,
-    /// Its gap.
+    /// Its gap at that moment.
     pub(crate) gap: TurnedGap,
 }
 

@@ -34,7 +34,7 @@ pub(super) fn share_of(computed: Real, truth: Real, bound: f64) -> f64 {
 pub(super) struct Truth {
     /// Vertices of both cores.
     pub(super) cores: [Vec<Point>; 2],
-    /// `v_A` − `v_B`.
+    /// The closing velocity: `v_A` − `v_B`.
     pub(super) closing: Point,
     /// From the world to A's frame and from B's frame to A's.
     pub(super) frame: placement::Rotation,

@@ -28,7 +28,7 @@ use crate::geometry::{DVec2, Hull, Rotation, Side};
 pub(crate) enum Crossed {
     /// Nothing: all of B ⊖ A is off the line, by this much times |v|.
     Passed(f64),
-    /// An edge.
+    /// An edge of B ⊖ A, grown by ρ.
     Edge(CrossedEdge),
     /// The disc at the vertex [i, j] of B ⊖ A.
     Vertex([usize; 2]),
@@ -37,7 +37,7 @@ pub(crate) enum Crossed {
 /// An edge of B ⊖ A that a line seems to cross.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct CrossedEdge {
-    /// The edge.
+    /// Which edge of B ⊖ A.
     pub(crate) edge: DifferenceEdge,
     /// The smaller of F at its start and −F at its end.
     pub(crate) inside: f64,
@@ -50,7 +50,7 @@ const FEW: usize = 8;
 
 /// The edges of one body that face the ray, in the order in which F falls, and which of them are left.
 struct Chain<'h> {
-    /// The body.
+    /// The body whose edges they are.
     side: Side,
     /// Its core.
     hull: &'h Hull,

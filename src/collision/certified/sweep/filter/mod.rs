@@ -68,17 +68,17 @@ pub(crate) struct Line<'p, 's> {
 pub(crate) struct Rest {
     /// The edge's unit normal, from A to B in A's frame.
     normal: UnitVector,
-    /// q ≈ g / k.
+    /// The time at which the gap ends, in doubles: q ≈ g / k.
     pub(crate) q: f64,
-    /// k, the closing speed along the normal.
+    /// The closing speed along the normal, k.
     closing: f64,
-    /// Lower bound of k.
+    /// Lower bound of the closing speed.
     least: f64,
-    /// Bound on the error of k.
+    /// Bound on the error of the closing speed.
     closing_error: f64,
-    /// g − q k.
+    /// What is left of the gap at q: g − q k.
     pub(crate) left: f64,
-    /// Bound on the error of that.
+    /// Bound on the error of what is left.
     error: f64,
 }
 
