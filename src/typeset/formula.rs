@@ -10,6 +10,7 @@ use std::sync::{Mutex, PoisonError};
 use latex_rust::{BoxContent, Error, FontError, MathBox, MathStyle, ParseError};
 
 use super::face::{Loaded, UNITS_PER_EM, ems};
+use super::inner_words::{self, Taken};
 use super::line::{Face, Glyph, PlacedGlyph, Rule, TypesetError};
 use super::vec_accent::Vector;
 use super::words::missing;
@@ -53,19 +54,18 @@ pub(super) fn set(latex: &str, offset: usize, size: f64) -> Result<Formula, Type
 fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetError> {
     let fail = |at: usize, message: String| TypesetError { offset: offset + at, message };
     if latex.len() > LONGEST {
-        return Err(fail(
-            LONGEST,
-            format!("a formula of {} bytes; the longest allowed has {LONGEST}", latex.len()),
-        ));
+        let message = format!("a formula of {} bytes; the longest allowed has {LONGEST}", latex.len());
+        return Err(fail(latex.floor_char_boundary(LONGEST), message));
     }
+    let taken = inner_words::take(latex, offset)?;
     let font = Loaded::of(Face::Math)
         .and_then(Loaded::math)
         .ok_or_else(|| fail(0, "the face for formulas can't be read".to_owned()))?;
-    let laid_out = latex_rust::parse(latex)
+    let laid_out = latex_rust::parse(&taken.latex)
         .map_err(Error::from)
         .and_then(|node| latex_rust::layout(&node, font, MathStyle::Text));
-    let tree = laid_out.map_err(|error| explain(&error, latex, offset))?;
-    let mut writer = Writer { size, formula: Formula::default() };
+    let tree = laid_out.map_err(|error| explain(&error, &taken, offset))?;
+    let mut writer = Writer { size, taken: &taken, formula: Formula::default() };
     let grown = writer.put(&tree, 0.0, 0.0, size).map_err(|what| fail(0, what))?;
     // A slanted letter leans over its advance width; a word that follows must not touch it.
     let advance = ems(&tree.width) * size + grown;
@@ -81,14 +81,16 @@ fn right(placed: &PlacedGlyph) -> f64 {
 }
 
 /// Walks the boxes of a layout and writes down their glyphs and rules.
-struct Writer {
+struct Writer<'t> {
     /// Page pixels of an em of the base.
     size: f64,
+    /// The words of the formula.
+    taken: &'t Taken,
     /// All that was met so far.
     formula: Formula,
 }
 
-impl Writer {
+impl Writer<'_> {
     /// Puts a box whose parent's baseline passes (`x`, `y`), with `em` page pixels an em of its dimensions.
     /// Comes back with the page pixels that it grew by, as a script was enlarged.
     fn put(&mut self, piece: &MathBox, x: f64, y: f64, em: f64) -> Result<f64, String> {
@@ -101,6 +103,11 @@ impl Writer {
     fn content(&mut self, piece: &MathBox, x: f64, y: f64, em: f64) -> Result<f64, String> {
         match &piece.content {
             BoxContent::Empty | BoxContent::Kern(_) => {}
+            BoxContent::Glyph { ch, scale, .. } if self.taken.at(*ch).is_some() => {
+                let em = ems(scale) * em;
+                let words = self.taken.at(*ch).into_iter().flat_map(|words| &words.glyphs);
+                self.formula.glyphs.extend(words.map(|g| PlacedGlyph { x: x + g.x * em, y, size: em, ..*g }));
+            }
             BoxContent::Glyph { glyph_id, scale, .. } => {
                 let glyph = Glyph { face: Face::Math, id: *glyph_id };
                 self.formula.glyphs.push(PlacedGlyph { glyph, x, y, size: ems(scale) * em });
@@ -198,15 +205,16 @@ fn largest_scale(piece: &MathBox) -> Option<f64> {
 
 /// Words and place of an error. The engine does not say where; what it rejects begins where the longest
 /// prefix ends that it accepts, or at the command or character that it names.
-fn explain(error: &Error, latex: &str, offset: usize) -> TypesetError {
+fn explain(error: &Error, taken: &Taken, offset: usize) -> TypesetError {
+    let latex = &taken.latex;
     if let Error::Font(FontError::MissingGlyph { ch }) = error {
-        return missing(offset + latex.find(*ch).unwrap_or(0), *ch);
+        return missing(offset + taken.origin(latex.find(*ch).unwrap_or(0)), *ch);
     }
     let named = match error {
         Error::Parse(ParseError::Unknown(name) | ParseError::Unsupported(name)) => latex.find(name.as_str()),
         _ => None,
     };
-    let at = named.unwrap_or_else(|| accepted_prefix(latex));
+    let at = taken.origin(named.unwrap_or_else(|| accepted_prefix(latex)));
     TypesetError { offset: offset + at, message: format!("malformed formula: {error}") }
 }
 

@@ -1,6 +1,7 @@
 //! Words and `$…$` formulas to runs of glyphs with their extents.
 //!
-//! Markup is plain text in which `$…$` holds LaTeX maths and `\$` is a dollar sign. [`typeset`] sets it on
+//! Markup is plain text in which `$…$` holds LaTeX maths and `\$` is a dollar sign; `\text{…}` in a formula
+//! is words again. [`typeset`] sets it on
 //! one [`Line`], [`wrap`] breaks it into lines. A line is placed with its baseline's left end at the origin
 //! of its own frame, x right, y down, in page pixels; whoever draws it adds the place.
 //!
@@ -8,11 +9,15 @@
 
 mod face;
 mod formula;
+mod inner_words;
 mod line;
 mod markup;
 mod paragraph;
 mod vec_accent;
 mod words;
+
+pub(crate) use inner_words::{escaped, group, unescaped};
+pub(crate) use markup::{Piece, characters, ends_in_formula, pieces};
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
 pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight};

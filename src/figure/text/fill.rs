@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::figure::context::Context;
 use crate::figure::fault::Problem;
 use crate::scene::Fault;
+use crate::typeset::ends_in_formula;
 
 use super::number::{in_math, in_words, rounded};
 use super::values::{VALUES, another_answer_has};
@@ -35,7 +36,7 @@ pub(crate) fn fill(
         let [in_text, in_formula] = LACKING;
         let Some(quantity) = quantity else {
             if another_answer_has(name, context) {
-                out.push_str(if inside_formula(&out) { in_formula } else { in_text });
+                out.push_str(if ends_in_formula(&out) { in_formula } else { in_text });
                 lacking.push(name.to_owned());
                 continue;
             }
@@ -43,7 +44,7 @@ pub(crate) fn fill(
             return Err(Problem::new(fault.into(), at.clone()));
         };
         let number = rounded(quantity.lo, quantity.hi);
-        out.push_str(&if inside_formula(&out) { in_math(&number) } else { in_words(&number) });
+        out.push_str(&if ends_in_formula(&out) { in_math(&number) } else { in_words(&number) });
     }
     out.push_str(rest);
     Ok((out, lacking))
@@ -52,27 +53,4 @@ pub(crate) fn fill(
 /// The names of the values that this query has, in the order of the table.
 fn known(context: &Context) -> Vec<String> {
     VALUES.iter().filter(|v| (v.of)(context).is_some()).map(|v| v.name.to_owned()).collect()
-}
-
-/// Whether the end of `text` stands between two `$`.
-fn inside_formula(text: &str) -> bool {
-    let mut inside = false;
-    let mut escaped = false;
-    for c in text.chars() {
-        inside ^= c == '$' && !escaped;
-        escaped = c == '\\' && !escaped;
-    }
-    inside
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_escaped_dollar_opens_no_formula() {
-        assert!(inside_formula("costs $x = "));
-        assert!(!inside_formula(r"costs 5 \$ and "));
-        assert!(!inside_formula("$x$ and "));
-    }
 }

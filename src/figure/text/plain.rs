@@ -1,5 +1,7 @@
 //! Markup as plain text: formulas as they would be written in running text.
 
+use crate::typeset::{Piece, characters, group, pieces, unescaped};
+
 /// LaTeX commands and what they are in plain text.
 const COMMANDS: [(&str, &str); 40] = [
     ("ominus", "⊖"),
@@ -44,31 +46,17 @@ const COMMANDS: [(&str, &str); 40] = [
     ("degree", "°"),
 ];
 
-/// Markup without its dollars, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`.
+/// Markup without its dollars, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`. What is no markup,
+/// as a formula without an end, is read as it stands.
 #[must_use]
 pub(crate) fn plain(markup: &str) -> String {
-    let mut out = String::with_capacity(markup.len());
-    let mut formula = String::new();
-    let mut inside = false;
-    let mut letters = markup.chars().peekable();
-    while let Some(c) = letters.next() {
-        match c {
-            '\\' if letters.peek() == Some(&'$') => {
-                letters.next();
-                if inside { formula.push('$') } else { out.push('$') }
-            }
-            '$' => {
-                if inside {
-                    out.push_str(squeezed(&read(&formula)).trim());
-                    formula.clear();
-                }
-                inside = !inside;
-            }
-            c if inside => formula.push(c),
-            c => out.push(c),
-        }
-    }
-    out
+    let words = |text| characters(0, text).map(|(_, c)| c).collect::<String>();
+    let Ok(pieces) = pieces(markup) else { return words(markup) };
+    let read = pieces.into_iter().map(|piece| match piece {
+        Piece::Words(_, text) => words(text),
+        Piece::Formula(_, latex) => squeezed(&read(latex)).trim().to_owned(),
+    });
+    read.collect()
 }
 
 /// A formula in plain text.
@@ -107,20 +95,25 @@ fn command<'t>(text: &'t str, out: &mut String) -> &'t str {
             None => rest,
         },
         "frac" | "tfrac" | "dfrac" => {
-            let (over, rest) = group(rest);
-            let (under, rest) = group(rest);
+            let (over, rest) = argument(rest);
+            let (under, rest) = argument(rest);
             out.push_str(&bracketed(&read(over)));
             out.push('/');
             out.push_str(&bracketed(&read(under)));
             rest
         }
         "sqrt" => {
-            let (under, rest) = group(rest);
+            let (under, rest) = argument(rest);
             out.push('√');
             out.push_str(&bracketed(&read(under)));
             rest
         }
-        "phantom" => group(rest).1,
+        "phantom" => argument(rest).1,
+        "text" | "mbox" => {
+            let (words, rest) = argument(rest);
+            out.extend(unescaped(words).map(|(_, c)| c));
+            rest
+        }
         "left" | "right" | "quad" | "qquad" | "displaystyle" => rest,
         name => {
             out.push_str(COMMANDS.iter().find(|(known, _)| *known == name).map_or("", |(_, plain)| plain));
@@ -129,20 +122,11 @@ fn command<'t>(text: &'t str, out: &mut String) -> &'t str {
     }
 }
 
-/// The content of the `{…}` at the start, and what follows it.
-fn group(text: &str) -> (&str, &str) {
+/// What a command is applied to: the content of the `{…}` that follows, or the sign; and what comes after.
+fn argument(text: &str) -> (&str, &str) {
     let text = text.trim_start();
-    let mut depth = 0_usize;
-    for (i, c) in text.char_indices() {
-        match c {
-            '{' => depth += 1,
-            '}' if depth == 1 => return (&text[1..i], &text[i + 1..]),
-            '}' => depth = depth.saturating_sub(1),
-            c if depth == 0 => return text.split_at(c.len_utf8()),
-            _ => {}
-        }
-    }
-    (text, "")
+    let sign = || text.split_at(text.chars().next().map_or(0, char::len_utf8));
+    group(text).unwrap_or_else(sign)
 }
 
 /// A term in brackets, unless it is one word.
@@ -171,6 +155,8 @@ mod tests {
         );
         assert_eq!(plain(r"$1.09 \times 10^{-9}$"), "1.09 × 10^−9");
         assert_eq!(plain(r"$x_{\min}$"), "x_min");
+        assert_eq!(plain(r"$v_{\text{left\-crate\_1}} \ne 0$"), "v_left-crate_1 ≠ 0");
+        assert_eq!(plain("costs $5"), "costs $5");
     }
 
     #[test]
