@@ -11,6 +11,7 @@ use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
 use super::moving_frame::MovingFrame;
+use super::name::Name;
 use super::question::keeps_the_difference;
 use super::runs::{Run, Runs};
 use super::sketch::Outline;
@@ -61,21 +62,33 @@ impl Context<'_> {
         self.shape(side).map(|(_, body)| body)
     }
 
-    /// A body's name as markup: a formula if it is one letter (`$A$`), else words.
+    /// A body's name, to be set in type.
     #[must_use]
-    pub(crate) fn name(&self, side: Side) -> String {
-        self.primed(side, 0)
+    pub(crate) fn named(&self, side: Side) -> Name<'_> {
+        Name(self.shape(side).map_or("", |(name, _)| name.value.as_str()))
     }
 
-    /// A body's name with primes: `$A'$` for the body elsewhere, or at another time.
+    /// A body's name as markup.
     #[must_use]
-    pub(crate) fn primed(&self, side: Side, primes: usize) -> String {
-        let name = self.shape(side).map_or("", |(name, _)| name.value.as_str());
-        if name.chars().count() == 1 && name.chars().all(char::is_alphabetic) {
-            format!("${name}{}$", "'".repeat(primes))
-        } else {
-            format!("{}{}", escaped(name), "′".repeat(primes))
+    pub(crate) fn name(&self, side: Side) -> String {
+        self.named(side).primed(0)
+    }
+
+    /// A quantity of a body in LaTeX: numbered where the bodies have letters for names, as the article's r₁ and
+    /// r₂ of A and B; else with the body's name.
+    #[must_use]
+    pub(crate) fn numbered(&self, letter: &str, side: Side) -> String {
+        match side {
+            _ if !self.has_letters() => self.named(side).below(letter),
+            Side::A => format!("{letter}_1"),
+            Side::B => format!("{letter}_2"),
         }
+    }
+
+    /// Whether both bodies have letters for names, as the article's.
+    #[must_use]
+    pub(crate) fn has_letters(&self) -> bool {
+        self.sides().into_iter().all(|side| self.named(side).is_symbol())
     }
 
     /// The frame of the moving body in which the panel shows the world; `None` in other panels, and where the
@@ -98,14 +111,14 @@ impl Context<'_> {
     /// The symbol of a quantity of a body, as markup: `$v_A$`, or as a moving frame sees it `$v_{A/B}$`.
     #[must_use]
     pub(crate) fn symbol(&self, letter: &str, side: Side) -> String {
-        let own = side.letter();
-        let seen_from = self.moving_frame().and(match *self.space {
-            Space::Body(index) => self.scene.query.of.iter().position(|&of| of == index),
+        let own = self.named(side);
+        let frame = self.moving_frame().and(match *self.space {
+            Space::Body(index) => self.scene.shapes.get(index),
             Space::World | Space::Configuration => None,
         });
-        match seen_from {
-            Some(of) => format!("${letter}_{{{own}/{}}}$", if of == 0 { Side::A } else { Side::B }.letter()),
-            None => format!("${letter}_{own}$"),
+        match frame {
+            Some((name, _)) => format!("${letter}_{{{}/{}}}$", own.term(), Name(&name.value).term()),
+            None => format!("${}$", own.below(letter)),
         }
     }
 
@@ -249,9 +262,4 @@ impl Context<'_> {
         let time = |e: &Event| if let Event::Advanced { at, .. } = e { Some(at.time) } else { None };
         self.run().told(time).collect()
     }
-}
-
-/// Plain text as markup: a dollar sign is written `\$`.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('$', "\\$")
 }

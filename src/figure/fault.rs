@@ -69,6 +69,13 @@ pub enum Fault {
         /// How the answer turned out.
         why: &'static str,
     },
+    /// The name of a shape in letters that the embedded faces lack.
+    BadName {
+        /// The name in the scene.
+        name: String,
+        /// Which letter, in the typesetter's words.
+        reason: String,
+    },
     /// A text that can't be typeset.
     BadMarkup {
         /// The text, its values filled in.
@@ -132,7 +139,7 @@ impl Explain for Fault {
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
-            Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
+            Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
             Self::CaptionDropped { .. } => codes::CAPTION_DROPPED.code,
             Self::LabelClash(_) => codes::LABEL_CLASH.code,
         }
@@ -144,6 +151,10 @@ impl Explain for Fault {
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
             Self::CaptionDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
+            ),
+            Self::BadName { .. } => Some(
+                "the embedded fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text"
+                    .to_owned(),
             ),
             Self::LabelClash(fault) => {
                 let key = fault.label().0;
@@ -185,6 +196,7 @@ impl fmt::Display for Fault {
                 write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
+            Self::BadName { name, reason } => write!(f, "the name `{name}` can't be typeset: {reason}"),
             Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
             Self::CaptionDropped { lines, room } => {
                 write!(f, "the caption takes {lines} lines and the page has room for {room}: it is left out")
@@ -237,6 +249,11 @@ mod tests {
                 Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
                 "a dash stands for `{=time}`: the answer is a miss",
                 "",
+            ),
+            (
+                Fault::BadName { name: "木".to_owned(), reason: "no glyph".to_owned() },
+                "the name `木` can't be typeset: no glyph",
+                "the embedded fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text",
             ),
             (
                 Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },

@@ -15,6 +15,7 @@ mod frame;
 pub mod layer;
 mod limits;
 mod moving_frame;
+mod name;
 mod page;
 mod panel;
 mod placement;

@@ -119,6 +119,7 @@ pub(crate) const ROOMS: &[Row] = &[
     // From the ground floor up: what others stand on comes first.
     ("figure/limits", &["scene"]),
     ("figure/question", &["collision"]),
+    ("figure/name", &["typeset"]),
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/theme", &["drawing"]),
@@ -135,6 +136,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision",
             "scene",
             "figure/moving_frame",
+            "figure/name",
             "figure/question",
             "figure/runs",
             "figure/sketch",
@@ -154,6 +156,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/budget",
             "figure/context",
             "figure/fault",
+            "figure/name",
             "figure/page",
             "figure/placement",
             "figure/question",

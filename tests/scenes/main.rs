@@ -7,5 +7,6 @@ mod corpus;
 mod fuzz_bodies;
 mod label_faults;
 mod label_rule;
+mod names;
 mod no_panic;
 mod templates;

@@ -8,7 +8,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
 use crate::figure::text::number;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::half_extents::beside;
@@ -109,7 +109,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let bottom = (c[0].y - h[0].y).min(c[1].y - h[1].y);
         axis(
             sketch,
-            options,
+            (context, options),
             extents,
             &Place { edge: bottom, step: -sketch.px(BELOW), axis: 'x' },
             [c[0].y, c[1].y],
@@ -120,7 +120,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let right = (c[0].x + h[0].x).max(c[1].x + h[1].x);
         axis(
             sketch,
-            options,
+            (context, options),
             extents,
             &Place { edge: right, step: sketch.px(BESIDE), axis: 'y' },
             [c[0].x, c[1].x],
@@ -129,8 +129,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 }
 
 /// Draws the tracks of one axis; `across` are the centres' other coordinates.
-fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, across: [f64; 2]) {
-    let bars = bars(options, e);
+fn axis(
+    sketch: &mut Sketch,
+    (context, options): (&Context, &Options),
+    e: Extents,
+    place: &Place,
+    across: [f64; 2],
+) {
+    let bars = bars(context, options, e);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
@@ -159,7 +165,7 @@ fn axis(sketch: &mut Sketch, options: &Options, e: Extents, place: &Place, acros
 }
 
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
-fn bars(options: &Options, e: Extents) -> Vec<Bar> {
+fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let role = options.role(Role::Now);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let [a, b] = e.centers;
@@ -173,12 +179,9 @@ fn bars(options: &Options, e: Extents) -> Vec<Bar> {
         ["h.A.y", "D.y", "h.B.y", "centers.y"]
     };
     let half = Pen::highlighted(role);
-    let symbols = [
-        format!("h_{{A,{name}}}"),
-        format!("D_{name}"),
-        format!("h_{{B,{name}}}"),
-        format!("|c_B - c_A|_{name}"),
-    ];
+    let [h, k] = Side::BOTH.map(|side| format!("h_{{{},{name}}}", context.named(side).term()));
+    let [c, d] = Side::BOTH.map(|side| context.named(side).below("c"));
+    let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let tracks = [own(0), own(1), own(2), own(2) + 1];

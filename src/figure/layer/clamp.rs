@@ -87,7 +87,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let marker = if c.side == Side::A { Marker::Disc } else { Marker::Square };
         let role = Role::from(c.side);
         sketch.part("Bc").marker(c.closest, marker, role, LARGE_MARKER);
-        sketch.label(Label::new("B_c", "$B_c$", Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
+        // The circle's centre, clamped.
+        let text = format!("${}_c$", context.named(c.side.other()).term());
+        sketch.label(Label::new("B_c", text, Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
     }
 }
 

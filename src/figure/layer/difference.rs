@@ -167,8 +167,12 @@ fn diamonds(sketch: &mut Sketch, found: &Difference) {
 
 /// Names the difference inside it.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
-    let bare = |side| context.name(side).trim_matches('$').to_owned();
-    let text = format!(r"${} \ominus {}$", bare(Side::B), bare(Side::A));
+    let text = if context.has_letters() {
+        let [a, b] = Side::BOTH.map(|side| context.named(side).term());
+        format!(r"${b} \ominus {a}$")
+    } else {
+        format!(r"{} $\ominus$ {}", context.name(Side::B), context.name(Side::A))
+    };
     let anchor = Anchor::inside(&found.outline());
     let role = options.role(Role::Difference);
     // A part of its own, as the name must not lie on the vertices.

@@ -108,7 +108,7 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, o
     let key = if side == Side::A { "A'" } else { "B'" };
     let anchor = Anchor::inside(outline);
     sketch.label(
-        Label::new(key, context.primed(side, 1), anchor, options.role(side.into()))
+        Label::new(key, context.named(side).primed(1), anchor, options.role(side.into()))
             .rank(Rank::Name)
             .size(Size::Name),
     );

@@ -66,7 +66,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
-    sketch.label(Label::new("b", "$b$", Anchor::point(b), Role::B).rank(Rank::Point));
+    let name = context.named(Side::B);
+    let text = if name.is_symbol() { format!("${}$", name.term().to_lowercase()) } else { name.primed(0) };
+    sketch.label(Label::new("b", text, Anchor::point(b), Role::B).rank(Rank::Point));
 }
 
 /// The vertices of A's core, in the world.

@@ -33,6 +33,6 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
     let Some(lines) = options.words("lines") else { return };
     let corner = Corner::of_word(options.word("at", "top-left")).unwrap_or(Corner::TopLeft);
-    let label = Label::new("note", "", Anchor::Corner(corner), options.role(Role::Ink)).lines(lines);
+    let label = Label::new("note", "", Anchor::Corner(corner), options.role(Role::Ink)).given(lines);
     sketch.label(label.rank(Rank::Note).size(Size::Note));
 }

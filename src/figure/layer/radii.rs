@@ -88,11 +88,12 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
         let rim = center + direction(context, options) * body.shape.radius;
         let role = options.role(side.into());
         let number = number(body.shape.radius);
-        let (key, text) = match (sides.len(), side) {
-            (1, _) => ("r", format!("$r = {number}$")),
-            (_, Side::A) => ("r1", format!("$r_1 = {number}$")),
-            (_, Side::B) => ("r2", format!("$r_2 = {number}$")),
+        let (key, symbol) = match (sides.len(), side) {
+            (1, _) => ("r", "r".to_owned()),
+            (_, Side::A) => ("r1", context.numbered("r", side)),
+            (_, Side::B) => ("r2", context.numbered("r", side)),
         };
+        let text = format!("${symbol} = {number}$");
         sketch.part(part("radius", side)).line(center, rim, Pen::dimension(role).width(1.5));
         sketch.label(Label::new(key, text, Anchor::middle(center, rim), role));
     }
@@ -133,7 +134,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let side = perp(*n);
     let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
     let down = if onto.y > 0.0 { -side } else { side };
-    let tracks = tracks(centers, radii, &answer);
+    let tracks = tracks(context, centers, radii, &answer);
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
@@ -154,28 +155,30 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
 }
 
 /// ‖A − B‖, r₁ and r₂, each where it lies on the line of the centres.
-fn tracks(centers: [DVec2; 2], radii: [f64; 2], answer: &Separation) -> [Length; 3] {
+fn tracks(context: &Context, centers: [DVec2; 2], radii: [f64; 2], answer: &Separation) -> [Length; 3] {
     let n = answer.normal;
     let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };
     let apart = centers[0].distance(centers[1]);
+    let [a, b] = Side::BOTH.map(|side| context.named(side).term());
+    let [r, q] = Side::BOTH.map(|side| context.numbered("r", side));
     [
         bar(
             "centers",
-            format!(r"$\|A - B\| = {}$", number(apart)),
+            format!(r"$\|{a} - {b}\| = {}$", number(apart)),
             centers,
             Role::Ink,
             Pen::dimension(Role::Ink).width(1.5),
         ),
         bar(
             "r1",
-            format!("$r_1 = {}$", number(radii[0])),
+            format!("${r} = {}$", number(radii[0])),
             [centers[0], centers[0] + n * radii[0]],
             Role::A,
             Pen::highlighted(Role::A),
         ),
         bar(
             "r2",
-            format!("$r_2 = {}$", number(radii[1])),
+            format!("${q} = {}$", number(radii[1])),
             [centers[1] - n * radii[1], centers[1]],
             Role::B,
             Pen::highlighted(Role::B),

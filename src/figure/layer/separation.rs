@@ -110,8 +110,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (key, text) = words(&run, &answer);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
-    let given = options.words("text").map(<[String]>::to_vec);
-    sketch.label(Label::new(key, "", anchor, role).lines(&given.unwrap_or_else(|| vec![text])));
+    let label = Label::new(key, text, anchor, role);
+    sketch.label(match options.words("text") {
+        Some(lines) => label.given(lines),
+        None => label,
+    });
 }
 
 /// Marks the closest points, if the scene wants them: under arrow heads, which meet in them, and over lines.

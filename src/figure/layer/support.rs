@@ -87,12 +87,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         [p, q] => 0.5 * (p.point + q.point),
         _ => vertices.first().map_or(DVec2::ZERO, |v| v.point),
     };
-    let keys = if side == Side::A {
-        [("a_1", "$a_1$"), ("a_2", "$a_2$")]
-    } else {
-        [("b_1", "$b_1$"), ("b_2", "$b_2$")]
-    };
-    for (vertex, (key, text)) in vertices.iter().zip(keys) {
+    let keys = if side == Side::A { ["a_1", "a_2"] } else { ["b_1", "b_2"] };
+    for ((vertex, key), number) in vertices.iter().zip(keys).zip(1..) {
+        let text = format!("${}$", context.named(side).point(number));
         sketch.part("support").marker(vertex.point, Marker::HollowSquare, role, LARGE_MARKER);
         let anchor = Anchor::point_toward(vertex.point, vertex.point - middle);
         sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));

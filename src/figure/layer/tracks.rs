@@ -24,10 +24,9 @@ pub(super) const LAYER: Layer = Layer {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, contact)) = context.hit() else { return };
-    for (side, point, key, text, marker) in [
-        (Side::A, contact.points[0], "x1", "$x_1$", Marker::Disc),
-        (Side::B, contact.points[1], "x2", "$x_2$", Marker::Square),
-    ] {
+    for (side, point, key, marker) in
+        [(Side::A, contact.points[0], "x1", Marker::Disc), (Side::B, contact.points[1], "x2", Marker::Square)]
+    {
         let (Some(then), Some(now)) = (context.pose(side, time), context.pose(side, context.time)) else {
             continue;
         };
@@ -42,6 +41,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("track", side)).marker(place, marker, role, LARGE_MARKER);
         let away = path.first().zip(path.get(1)).map_or(DVec2::ZERO, |(&start, &next)| start - next);
         let anchor = Anchor::point_toward(place, away);
+        let text = format!("${}$", context.numbered("x", side));
         sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
 }

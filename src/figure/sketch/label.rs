@@ -210,8 +210,10 @@ impl Size {
 pub(crate) struct Label {
     /// The key in a scene's `[labels]`.
     pub(crate) key: &'static str,
-    /// The lines where a scene gives no others: markup, `{=…}` for values.
+    /// The lines where `[labels]` gives no others, as markup.
     pub(crate) lines: Vec<String>,
+    /// Whether a scene wrote these lines: only then `{=…}` stands for a value, as a name may hold it too.
+    pub(crate) is_given: bool,
     /// What it belongs to, in the panel's space.
     pub(crate) anchor: Anchor,
     /// The colour of its letters.
@@ -227,13 +229,14 @@ impl Label {
     /// one.
     #[must_use]
     pub(crate) fn new(key: &'static str, text: impl Into<String>, anchor: Anchor, role: Role) -> Self {
-        Self { key, lines: vec![text.into()], anchor, role, rank: Rank::Measure, size: Size::Point }
+        let lines = vec![text.into()];
+        Self { key, lines, is_given: false, anchor, role, rank: Rank::Measure, size: Size::Point }
     }
 
-    /// The label with other lines.
+    /// The label with lines that a scene wrote.
     #[must_use]
-    pub(crate) fn lines(self, lines: &[String]) -> Self {
-        Self { lines: lines.to_vec(), ..self }
+    pub(crate) fn given(self, lines: &[String]) -> Self {
+        Self { lines: lines.to_vec(), is_given: true, ..self }
     }
 
     /// The label with another rank.

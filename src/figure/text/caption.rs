@@ -2,8 +2,9 @@
 //!
 //! A text that can't be set is told with its place before anything is drawn.
 
-use crate::figure::context::{Context, escaped};
+use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
+use crate::figure::name::as_markup;
 use crate::figure::page::{CAPTION_SIZE, Page, type_size};
 use crate::scene::{Scene, Spanned};
 use crate::typeset::{Line, Style, TypesetError, wrap};
@@ -54,7 +55,7 @@ pub(crate) fn caption(
 /// The lines of a caption in `words` of ours; none where the page has no room for it, or the font a letter.
 pub(crate) fn caption_of_words(scene: &Scene, words: &str) -> Vec<Line> {
     let (style, measure, most) = room(scene);
-    wrap(&with_powers(&escaped(words)), style, measure)
+    wrap(&with_powers(&as_markup(words)), style, measure)
         .ok()
         .filter(|lines| lines.len() <= most)
         .unwrap_or_default()

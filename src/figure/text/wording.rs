@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::figure::budget::Budget;
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
+use crate::figure::name::Name;
 use crate::figure::placement::Sought;
 use crate::figure::sketch::Request;
 use crate::figure::standing::standing;
@@ -48,7 +49,11 @@ impl Wording<'_> {
             return Ok(None);
         }
         let style = Style::regular((self.type_size)(label.size.px()));
+        let is_given = own.is_some() || label.is_given;
         let mut set = |line: &String| {
+            if !is_given {
+                return typeset(line, style).map(Arc::new).map_err(|e| self.unsettable(e, line, &place));
+            }
             let (filled, values) = fill(line, self.context, &place)?;
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
             typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
@@ -63,6 +68,25 @@ impl Wording<'_> {
             pin: given.and_then(|(_, o)| o.at.as_ref()).map(|at| at.value),
             span: given.map_or_else(|| origin.clone(), |(key, _)| key.span.clone()),
         }))
+    }
+}
+
+impl Wording<'_> {
+    /// Why a text of a layer's own can't be set: a name has letters that the faces lack, as the text is
+    /// sound without names.
+    fn unsettable(&self, error: TypesetError, markup: &str, place: &Range<usize>) -> Problem {
+        let scene = self.context.scene;
+        let mut names = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).map(|(name, _)| name);
+        let refused = names.find_map(|name| {
+            typeset(&Name(&name.value).primed(0), Style::regular(1.0)).err().map(|error| (name, error))
+        });
+        match refused {
+            Some((name, error)) => {
+                let fault = Fault::BadName { name: name.value.clone(), reason: error.message };
+                Problem::new(fault, name.span.clone())
+            }
+            None => bad_markup(error, markup.to_owned(), place),
+        }
     }
 }
 

@@ -1,0 +1,120 @@
+//! How a body's name is set: as a letter of mathematics, or as words.
+//!
+//! A name is text and never the source of a formula. One letter, as in the article, is a symbol: *A*, *A*′,
+//! *θ*. Everything else is upright words, spelled as the scene spells it, in scripts too: v with the script
+//! bullet.
+
+use crate::typeset::escaped;
+
+/// A body's name, to be set in type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Name<'n>(pub(crate) &'n str);
+
+impl Name<'_> {
+    /// Whether the name is a symbol: one Latin or Greek letter, primes after it allowed. Any other letter the
+    /// formula's face has only upright, or not at all.
+    #[must_use]
+    pub(crate) fn is_symbol(self) -> bool {
+        let mut letters = self.0.chars();
+        let first = letters.next();
+        let is_greek = |c| ('α'..='ω').contains(&c) || ('Α'..='Ω').contains(&c);
+        first.is_some_and(|c| c.is_ascii_alphabetic() || is_greek(c)) && letters.all(is_prime)
+    }
+
+    /// The name as markup, with more primes after it: for the body elsewhere, or at another time.
+    #[must_use]
+    pub(crate) fn primed(self, primes: usize) -> String {
+        if self.is_symbol() {
+            format!("${}{}$", self.term(), "'".repeat(primes))
+        } else {
+            format!("{}{}", as_markup(self.0), "′".repeat(primes))
+        }
+    }
+
+    /// The name as a term within a formula, in LaTeX.
+    #[must_use]
+    pub(crate) fn term(self) -> String {
+        if self.is_symbol() {
+            return self.0.replace(is_prime, "'");
+        }
+        let words: Vec<&str> = self.0.split_ascii_whitespace().collect();
+        format!(r"\text{{{}}}", escaped(&words.join(" ")))
+    }
+
+    /// The name as the script of a letter, in LaTeX: `v_A`, `v_{\text{bullet}}`.
+    #[must_use]
+    pub(crate) fn below(self, letter: &str) -> String {
+        if self.0.len() == 1 && self.is_symbol() {
+            format!("{letter}_{}", self.0)
+        } else {
+            format!("{letter}_{{{}}}", self.term())
+        }
+    }
+
+    /// A numbered point of the body, in LaTeX: the small letter of a symbol, `a_1` for A; for words the
+    /// letter p with both below, `p_{\text{bullet},1}`.
+    #[must_use]
+    pub(crate) fn point(self, number: usize) -> String {
+        if self.is_symbol() {
+            format!("{}_{number}", self.term().to_lowercase())
+        } else {
+            format!("p_{{{},{number}}}", self.term())
+        }
+    }
+}
+
+/// Plain text as markup: a dollar sign is written `\$`.
+#[must_use]
+pub(crate) fn as_markup(text: &str) -> String {
+    text.replace('$', r"\$")
+}
+
+/// Whether a letter is a prime, as a keyboard or as print has it.
+fn is_prime(c: char) -> bool {
+    matches!(c, '\'' | '′')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::typeset::{Style, typeset};
+
+    #[test]
+    fn one_letter_is_a_symbol_and_everything_else_is_words() {
+        for name in ["A", "b", "Γ", "θ", "A'", "B′", "x''"] {
+            assert!(Name(name).is_symbol(), "{name}");
+        }
+        for name in ["", "'", "A1", "AB", "é", "Ж", "ό", "1", "_", "a_b", "木", "A b"] {
+            assert!(!Name(name).is_symbol(), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_symbol_is_set_in_the_formula_and_words_as_they_are_spelled() {
+        assert_eq!(Name("A").primed(1), "$A'$");
+        assert_eq!(Name("A′").primed(1), "$A''$");
+        assert_eq!(Name("crate_1").primed(1), "crate_1′");
+        assert_eq!(Name("$5").primed(0), r"\$5");
+        assert_eq!(Name("A").below("v"), "v_A");
+        assert_eq!(Name("bullet").below("v"), r"v_{\text{bullet}}");
+        assert_eq!(Name("B").point(2), "b_2");
+        assert_eq!(Name("100%").point(1), r"p_{\text{100\%},1}");
+    }
+
+    #[test]
+    fn every_form_of_every_name_that_the_faces_have_can_be_set() {
+        let names =
+            ["A", "θ''", "crate_1", "a b", "A&B", "{x}", "}", r"\", r"a\$b", r"\frac", "^2", "~#", "é'"];
+        for name in names.map(Name) {
+            let forms = [
+                name.primed(0),
+                name.primed(2),
+                format!("${}$", name.below("v")),
+                format!("${}$", name.point(1)),
+            ];
+            for markup in forms {
+                assert!(typeset(&markup, Style::regular(16.0)).is_ok(), "{markup}");
+            }
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Names are text: whatever a shape is called, every layer that writes names sets them as they are, and the
+//! words of the figure hold them letter for letter.
+
+#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+
+use roxmltree::Document;
+use serde_json::{Map, Value, json};
+use tracefig::figure::layer::{LAYERS, Shows};
+use tracefig::figure::{draw, plan};
+use tracefig::output::{Options, Writer, format};
+use tracefig::scene::{Explain, Scene, Source, open_text, read};
+
+/// Names that a formula, markup, XML or a value of a text would trip over, and ordinary ones.
+const SETTABLE: [&str; 50] = [
+    "crate_1",
+    "the crate",
+    "100%",
+    "a_b_c",
+    "A&B",
+    "{x}",
+    "$5",
+    r"back\slash",
+    "tile_2",
+    "{=time}",
+    "{=",
+    "$x$",
+    r"\$",
+    r"a\$b\",
+    r"\\",
+    "^2",
+    "x^2",
+    "#1",
+    "~",
+    "A'",
+    "B′′",
+    "θ",
+    "Γ",
+    "é",
+    "Ж",
+    "ёлка",
+    "Łódź",
+    "Player′",
+    "<b>",
+    "\"quoted\"",
+    "'",
+    "}",
+    "{",
+    "`code`",
+    "--",
+    "−3°",
+    "v_{A}",
+    r"\text{x}",
+    r"\frac{1}{2}",
+    "]]>",
+    "&amp;",
+    "C++",
+    "B ⊖ A",
+    "x/y",
+    "ground plane, static",
+    "a  b",
+    " x ",
+    "the left crate with the longest of names",
+    "[labels]",
+    "A",
+];
+
+/// Names with a letter that the embedded fonts lack, and that letter.
+const REFUSED: [(&str, char); 6] = [
+    ("木箱", '木'),
+    ("🎾", '🎾'),
+    ("שלום", 'ש'),
+    ("bell\u{7}", '\u{7}'),
+    ("a\u{202e}b", '\u{202e}'),
+    ("x\u{338}y", '\u{338}'),
+];
+
+/// Bodies and a question, for each way of drawing that writes names.
+fn questions() -> [Value; 6] {
+    let circle = json!({"kind": "circle", "radius": 1, "velocity": [4, 1]});
+    let turning =
+        json!({"kind": "box", "half_extents": [1, 0.5], "position": [4, 1], "angular_velocity_deg": 90});
+    let [near, far] =
+        [[1.5, 0.5], [4.0, 1.5]].map(|at| json!({"kind": "aabb", "half_extents": [1, 1], "position": at}));
+    let ball = json!({"kind": "circle", "radius": 1});
+    let moon = json!({"kind": "circle", "radius": 1, "position": [1.5, 0]});
+    let asked = |a: &Value, b: &Value, query: Value| json!({"a": a, "b": b, "query": query});
+    [
+        asked(&circle, &turning, json!({"kind": "time-of-impact", "algorithm": "conservative-advancement"})),
+        asked(&circle, &far, json!({"kind": "linear-sweep"})),
+        asked(&near, &far, json!({"kind": "separation", "algorithm": "extents"})),
+        asked(&ball, &far, json!({"kind": "separation", "algorithm": "clamp"})),
+        asked(&ball, &moon, json!({"kind": "separation", "algorithm": "circles"})),
+        asked(&near, &turning, json!({"kind": "separation", "algorithm": "minkowski"})),
+    ]
+}
+
+/// A scene of a question with two names, and every layer in a panel of each space.
+fn text(question: &Value, names: [&str; 2]) -> String {
+    let mut shapes = Map::new();
+    shapes.insert(names[0].to_owned(), question["a"].clone());
+    shapes.insert(names[1].to_owned(), question["b"].clone());
+    let mut query = question["query"].clone();
+    query["of"] = json!(names);
+    let layers = |space: Shows| {
+        let fits = |shows: Shows| shows == Shows::Anywhere || shows == space;
+        let named = LAYERS.iter().filter(|l| fits(l.shows) && l.name != "note").map(|l| json!(l.name));
+        let mut layers: Vec<Value> = named.collect();
+        layers.push(match space {
+            Shows::Configuration => json!({"layer": "difference", "sources": true}),
+            _ => json!({"layer": "radii", "as": "lengths"}),
+        });
+        layers
+    };
+    let panels = json!([
+        {"space": "world", "layers": layers(Shows::World)},
+        {"space": "configuration", "layers": layers(Shows::Configuration)},
+    ]);
+    json!({"shapes": shapes, "query": query, "panels": panels}).to_string()
+}
+
+/// The layers of each panel that a scene does not refuse.
+fn kept(text: &str) -> Vec<Vec<bool>> {
+    let scene = read(&Source::new("letters.json", text)).unwrap();
+    let problems = plan(&scene).err().unwrap_or_default();
+    let is_kept = |span: &std::ops::Range<usize>| problems.iter().all(|p| p.span != *span);
+    scene.panels.iter().map(|p| p.layers.iter().flatten().map(|l| is_kept(&l.name.span)).collect()).collect()
+}
+
+/// The scene of a text with the layers of `kept` alone.
+fn scene(text: &str, kept: &[Vec<bool>]) -> Scene {
+    let mut scene = open_text("names.json", text).unwrap_or_else(|e| panic!("{text}: {e:?}")).scene;
+    for (panel, kept) in scene.panels.iter_mut().zip(kept) {
+        let mut kept = kept.iter();
+        panel.layers.as_mut().unwrap().retain(|_| *kept.next().unwrap());
+    }
+    scene
+}
+
+#[test]
+fn every_name_is_set_as_it_is_and_read_in_the_words_of_the_figure() {
+    let Some(Writer::One(write)) = format("svg").map(|f| f.write) else { panic!("no SVG") };
+    for (q, question) in questions().iter().enumerate() {
+        let kept = kept(&text(question, ["A", "B"]));
+        assert!(kept.iter().flatten().filter(|k| **k).count() > 8, "{question}");
+        for (i, name) in SETTABLE.iter().enumerate() {
+            let other = SETTABLE[(i + 1) % SETTABLE.len()];
+            let text = text(question, [name, other]);
+            let mut scene = scene(&text, &kept);
+            // All texts are set in planning; places for them are sought in every seventh figure.
+            plan(&scene).map(|_| ()).unwrap_or_else(|problems| panic!("{text}\n{problems:#?}"));
+            if i % questions().len() != q {
+                continue;
+            }
+            if i % 7 != 0 {
+                scene.panels.truncate(1);
+                scene.panels[0].layers.as_mut().unwrap().truncate(1);
+            }
+            let plan = plan(&scene).unwrap();
+            let drawing = draw(&plan, plan.theme, "names").drawing;
+            let svg = String::from_utf8(write(&drawing, &Options::default()).unwrap()).unwrap();
+            let svg = Document::parse(&svg).unwrap_or_else(|e| panic!("{name}: {e}"));
+            for element in ["title", "desc"] {
+                let words =
+                    svg.descendants().find(|n| n.has_tag_name(element)).and_then(|n| n.text()).unwrap();
+                assert!(words.contains(name) && words.contains(other), "{element} of {name}: {words}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_letter_that_no_font_has_is_named_at_the_name_of_the_shape() {
+    for question in questions() {
+        let kept = kept(&text(&question, ["A", "B"]));
+        for (name, letter) in REFUSED {
+            for names in [[name, "B"], ["A", name]] {
+                let text = text(&question, names);
+                let scene = scene(&text, &kept);
+                let problems = plan(&scene).map(|_| ()).unwrap_err();
+                for problem in &problems {
+                    assert_eq!(problem.fault.code(), "bad-markup", "{problem:?}");
+                    let message = problem.fault.to_string();
+                    assert!(message.contains(name) && message.contains(&format!("{letter:?}")), "{message}");
+                    assert_eq!(text[problem.span.clone()], json!(name).to_string());
+                }
+                assert_eq!(problems.len(), 1, "{problems:?}");
+            }
+        }
+    }
+}
