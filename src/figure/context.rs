@@ -74,8 +74,8 @@ impl Context<'_> {
         self.named(side).primed(0)
     }
 
-    /// A quantity of a body in LaTeX: numbered where the bodies have letters for names, as the article's r₁ and
-    /// r₂ of A and B; else with the body's name.
+    /// A quantity of a body in LaTeX: numbered where the bodies have letters for names, as the article's r₁
+    /// and r₂ of A and B; else with the body's name.
     #[must_use]
     pub(crate) fn numbered(&self, letter: &str, side: Side) -> String {
         match side {

@@ -153,7 +153,7 @@ impl Explain for Fault {
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
             ),
             Self::BadName { .. } => Some(
-                "the embedded fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text"
+                "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text"
                     .to_owned(),
             ),
             Self::LabelClash(fault) => {
@@ -253,7 +253,7 @@ mod tests {
             (
                 Fault::BadName { name: "木".to_owned(), reason: "no glyph".to_owned() },
                 "the name `木` can't be typeset: no glyph",
-                "the embedded fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text",
+                "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text",
             ),
             (
                 Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },
