@@ -1,11 +1,12 @@
 //! Labels place themselves well on scenes that nobody has seen: random bodies, every query, every layer.
 //!
 //! A fault is an overlap with a label, a marker, an arrowhead or a foreign stroke, a dropped label, a label
-//! over its panel's edge, or a leader line over 40 px.
+//! over its panel's edge, a leader line over 40 px or under a label, or a label that stands as near to another
+//! thing that it could name as to its own, or nearer, without a leader line.
 //!
 //! `TRACEFIG_SCENES=10000 cargo test --test scenes label_faults -- --nocapture` runs as many scenes as one
-//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves their pictures there, to
-//! be looked at.
+//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves pictures there, to be looked
+//! at: of every figure with a fault, and of the first twenty.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 #![expect(clippy::cast_precision_loss, reason = "counts of scenes and vertices")]
@@ -53,7 +54,9 @@ fn labels_on_random_scenes_have_next_to_no_faults() {
         let Some(scene) = fed(scene) else { continue };
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "random");
-        leave_picture(seed, &figure.drawing);
+        if seed < 20 || !figure.faults().is_empty() {
+            leave_picture(seed, &figure.drawing);
+        }
         figures += 1.0;
         labels += figure.panels.iter().map(|p| p.placed.len()).sum::<usize>();
         for fault in figure.faults() {

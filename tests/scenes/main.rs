@@ -3,6 +3,7 @@
 
 mod broken_scenes;
 mod corpus;
+mod extreme_sizes;
 #[path = "../fuzz_bodies/mod.rs"]
 mod fuzz_bodies;
 mod label_faults;

@@ -1,5 +1,5 @@
 //! The unit normal n from A to B along which B moves apart; turned round it is the N of the article's
-//! circles.
+//! circles. It is one unit long; where that is far less or more than the bodies it says that it is not.
 
 use crate::collision::Separation;
 use crate::drawing::Role;
@@ -12,6 +12,8 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
+/// Drawn length where its own is no length to be seen beside the bodies, page pixels.
+const FITTED: f64 = 40.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "normal",
@@ -31,7 +33,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "starts at the closest point of A, or at the origin of a body",
         },
         OptionSpec { name: "flip", takes: Takes::Flag, default: "false", about: "from B to A instead" },
-        OptionSpec { name: "length", takes: Takes::Number, default: "1", about: "drawn length, world units" },
+        OptionSpec {
+            name: "length",
+            takes: Takes::Number,
+            default: "1, or 40 px",
+            about: "drawn length, world units",
+        },
     ],
     labels: &[
         LabelKey { key: "n", about: "the normal from A to B" },
@@ -59,10 +66,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(from) = start(context, options, time, &answer) else { return };
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
-    let tip = from + n * options.number("length").unwrap_or(LENGTH);
+    let given = options.number("length");
+    let to_scale = given.is_some() || sketch.is_legible(LENGTH);
+    let tip = from + n * given.unwrap_or(if to_scale { LENGTH } else { sketch.px(FITTED) });
     let role = options.role(Role::Ink);
     sketch.part("normal").arrow(from, tip, Pen::vector(role));
-    let (key, text) = if flip { ("N", "$N$") } else { ("n", "$n$") };
+    let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
+    let text = if to_scale { letter.to_owned() } else { format!("{letter} (not to scale)") };
     sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
 }
 

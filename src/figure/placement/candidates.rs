@@ -3,13 +3,13 @@
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
-use crate::figure::sketch::{Anchor, Best, Corner, on_circle};
+use crate::figure::sketch::{Anchor, Best, Corner, MARKER, on_circle};
 use crate::scene::LabelPlace;
 
 use super::leader::{LONGEST, leader};
 use super::pole::pole;
 use super::rect::{DIRECTIONS, about, bounds, reach};
-use super::things::Things;
+use super::things::{Thing, Things};
 use super::weights::{Places, Weights};
 use super::{Candidate, Sought, inside};
 
@@ -24,13 +24,30 @@ const ALONG_ARC: [f64; 5] = [0.5, 0.35, 0.65, 0.22, 0.78];
 /// side.
 const LEVEL: f64 = 1e-9;
 
-/// The candidate places of a label, at least one.
+/// The candidate places of a label, at least one; of a long name, in each of the ways to break it.
 pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Places) -> Vec<Candidate> {
-    let size = sought.size();
+    let size = sought.size(0);
     if let Some(pin) = sought.pin {
         return pinned(pin, &sought.anchor, size, frame, things, w);
     }
-    let found = match &sought.anchor {
+    let mut all = Vec::new();
+    for folds in 0..=sought.folds.len() {
+        let more = w.folded * small(folds);
+        let found = offered(&sought.anchor, sought.size(folds), things, frame, w);
+        let found = found.into_iter().map(|c| Candidate { folds, reluctance: c.reluctance + more, ..c });
+        all.extend(led(found, things, w));
+    }
+    if all.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { all }
+}
+
+/// A small count as a number.
+fn small(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::INFINITY, f64::from)
+}
+
+/// The places for a label of a size, by what it belongs to.
+fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w: &Places) -> Vec<Candidate> {
+    match anchor {
         Anchor::Point { at, clear, toward } => {
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
             around(frame.page(*at), *clear, toward, size, w)
@@ -44,18 +61,20 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
             });
             sides(&points, size, w.other_side, w)
         }
-        Anchor::Inside { .. } => inside::places(things, size, w),
+        Anchor::Inside { .. } => match things.own.as_ref().and_then(Thing::speck) {
+            // Drawn as a marker.
+            Some(at) => around(at, MARKER, None, size, w),
+            None => inside::places(things, size, w),
+        },
         Anchor::Corner(corner) => corners(*corner, size, &frame.panel, w),
-    };
-    let found = led(found, things, w);
-    if found.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { found }
+    }
 }
 
 /// The places that are on a page, those far from what their label belongs to with a leader line, those that
 /// mislead a second time with one.
-fn led(found: Vec<Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
+fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
     let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
-    let mut all = Vec::with_capacity(2 * found.len());
+    let mut all = Vec::new();
     for candidate in found.into_iter().filter(on_page) {
         let line = || leader(things, &candidate.rect, w).filter(|line| line.length() <= LONGEST);
         if is_far(things, &candidate.rect, w) {
@@ -133,7 +152,7 @@ fn pinned(
     match pin {
         LabelPlace::Offset(dx, dy) => {
             let rect = about(at + Offset::new(dx, dy), size);
-            let place = Candidate { rect, reluctance: 0.0, leader: None };
+            let place = Candidate::new(rect, 0.0);
             let line = is_far(things, &rect, w) || things.misleads(&place);
             vec![Candidate { leader: if line { leader(things, &rect, w) } else { None }, ..place }]
         }
@@ -142,7 +161,7 @@ fn pinned(
             near_rings(w)
                 .map(|(gap, reluctance)| {
                     let rect = toward(at, clear + gap, direction, size);
-                    Candidate { rect, reluctance, leader: None }
+                    Candidate::new(rect, reluctance)
                 })
                 .to_vec()
         }
@@ -172,7 +191,7 @@ fn around(at: Point, clear: f64, preferred: Option<Offset>, size: (f64, f64), w:
                 let d = Offset::new(dx, dy).unit().unwrap_or_default();
                 w.astray * (1.0 - u.dot(d)) + w.around_asked * usual
             });
-            all.push(Candidate { rect, reluctance: own + more, leader: None });
+            all.push(Candidate::new(rect, own + more));
         }
     }
     all
@@ -188,7 +207,7 @@ fn sides(points: &[(Point, Offset)], size: (f64, f64), other: f64, w: &Places) -
         for (&(p, n), off_middle) in points.iter().zip(off_middle) {
             for (normal, side) in [(n, 0.0), (-n, other)] {
                 let rect = about(p + normal * (gap + reach(normal, size)), size);
-                all.push(Candidate { rect, reluctance: off_middle + side + more, leader: None });
+                all.push(Candidate::new(rect, off_middle + side + more));
             }
         }
     }
@@ -213,7 +232,7 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
     }
     let ahead = |(gap, reluctance)| {
         let rect = about(to + u * (gap + reach(u, size)), size);
-        Candidate { rect, reluctance, leader: None }
+        Candidate::new(rect, reluctance)
     };
     let mut all = near_rings(w).map(ahead).to_vec();
     let near_tip = to + u * -w.before_tip;
@@ -240,7 +259,7 @@ fn beside(from: Point, to: Point, offset: f64, size: (f64, f64), w: &Places) -> 
 fn beyond(a: Point, b: Point, u: Offset, size: (f64, f64), w: &Places) -> Vec<Candidate> {
     let place = |(end, direction): (Point, Offset)| {
         let rect = about(end + direction * (w.beyond_gaps * w.gap + reach(u, size)), size);
-        Candidate { rect, reluctance: w.beyond_end, leader: None }
+        Candidate::new(rect, w.beyond_end)
     };
     [(b, u), (a, -u)].map(place).to_vec()
 }
@@ -262,7 +281,7 @@ pub(super) fn nudged(place: &Candidate, things: &Things, w: &Weights) -> Vec<Can
             let line = || leader(things, &rect, &w.places).filter(|line| line.length() <= LONGEST);
             let leader = if far { line() } else { None };
             if leader.is_some() == far {
-                all.push(Candidate { rect, reluctance, leader });
+                all.push(Candidate { rect, reluctance, leader, folds: place.folds });
             }
         }
     }
@@ -286,7 +305,7 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
             let center =
                 panel.center() + Offset::new(x.clamp(-room.0, room.0), sy * (room.1 - down).max(0.0));
             let reluctance = w.note_moved * (down + f64::abs(across));
-            all.push(Candidate { rect: about(center, size), reluctance, leader: None });
+            all.push(Candidate::new(about(center, size), reluctance));
         }
     }
     all
@@ -295,7 +314,7 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
 #[cfg(test)]
 mod tests {
     use super::super::rect::distance_to;
-    use super::super::things::{Kind, Thing};
+    use super::super::things::Kind;
     use super::super::weights::TUNED;
     use super::*;
     use crate::geometry::DVec2;
@@ -333,8 +352,7 @@ mod tests {
         let things = Things::among(&all, Some(square(40.0)), &panel, W);
         // Above the middle of both.
         let rect = about(Point::new(60.0, -12.0), (60.0, 12.0));
-        let [plain, clear] = &led(vec![Candidate { rect, reluctance: 0.0, leader: None }], &things, W)[..]
-        else {
+        let [plain, clear] = &led(vec![Candidate::new(rect, 0.0)], &things, W)[..] else {
             panic!("two places")
         };
         let line = clear.leader.unwrap();
@@ -364,7 +382,7 @@ mod tests {
     #[test]
     fn a_label_in_trouble_is_offered_a_square_of_places_about_its_own() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
-        let place = Candidate { rect: about(Point::default(), (30.0, 12.0)), reluctance: 1.0, leader: None };
+        let place = Candidate::new(about(Point::default(), (30.0, 12.0)), 1.0);
         let all = nudged(&place, &Things::among(&[], None, &panel, W), &TUNED);
         assert_eq!(all.len(), 13 * 13);
         assert!(all.contains(&place), "its own place is among them, at no further reluctance");

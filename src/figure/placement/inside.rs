@@ -32,7 +32,7 @@ pub(super) fn places(things: &Things, size: (f64, f64), w: &Places) -> Vec<Candi
             let off_pole = w.off_pole * (1.0 - room / best).clamp(0.0, MOST_OFF_POLE);
             let off_middle = w.off_middle * (center - bounds.center()).length() / reach;
             let reluctance = off_pole + off_middle + shared(&rect, &avoid, w);
-            inside.push(Candidate { rect, reluctance, leader: None });
+            inside.push(Candidate::new(rect, reluctance));
         }
     }
     inside.sort_by(|a, b| a.reluctance.total_cmp(&b.reluctance));
@@ -75,7 +75,7 @@ fn outside(things: &Things, avoid: &[&[Point]], size: (f64, f64), w: &Places) ->
     let Some(bounds) = bounds(own.points().iter().copied()) else { return Vec::new() };
     let place = |rect: Rect, rank: f64| {
         let reluctance = w.outside + w.outside_next * rank + shared(&rect, avoid, w);
-        Candidate { rect, reluctance, leader: None }
+        Candidate::new(rect, reluctance)
     };
     let mut all = Vec::with_capacity(OUTSIDE.len() + w.beside_area);
     for (rank, direction) in (0_u8..).map(f64::from).zip(OUTSIDE) {

@@ -49,6 +49,8 @@ pub(crate) struct Sought {
     pub(crate) key: &'static str,
     /// Its lines, set, from the top.
     pub(crate) lines: Vec<Arc<Line>>,
+    /// Other ways to break it into lines, from the fewest.
+    pub(crate) folds: Vec<Vec<Arc<Line>>>,
     /// What it belongs to, in the panel's space.
     pub(crate) anchor: Anchor,
     /// Its colour.
@@ -67,10 +69,16 @@ pub(crate) struct Sought {
 const LEADING: f64 = 6.0;
 
 impl Sought {
-    /// Width and height in page pixels.
-    fn size(&self) -> (f64, f64) {
-        let width = self.lines.iter().map(|l| l.width).fold(0.0, f64::max);
-        let height: f64 = self.lines.iter().map(|l| l.height() + LEADING).sum();
+    /// Its lines, folded so many times.
+    fn folded(&self, folds: usize) -> &[Arc<Line>] {
+        folds.checked_sub(1).and_then(|i| self.folds.get(i)).unwrap_or(&self.lines)
+    }
+
+    /// Width and height in page pixels, folded so many times.
+    fn size(&self, folds: usize) -> (f64, f64) {
+        let lines = self.folded(folds);
+        let width = lines.iter().map(|l| l.width).fold(0.0, f64::max);
+        let height: f64 = lines.iter().map(|l| l.height() + LEADING).sum();
         (width, (height - LEADING).max(0.0))
     }
 }
@@ -84,6 +92,15 @@ struct Candidate {
     reluctance: f64,
     /// The line that leads from what it belongs to, where it stands far off or near something else.
     leader: Option<Leader>,
+    /// Which of the ways to break the label into lines it takes: 0 for its own.
+    folds: usize,
+}
+
+impl Candidate {
+    /// A place for a label on its own lines and without a leader line.
+    fn new(rect: Rect, reluctance: f64) -> Self {
+        Self { rect, reluctance, leader: None, folds: 0 }
+    }
 }
 
 /// A label at its place.

@@ -304,7 +304,7 @@ fn placed(seeker: &Seeker, candidate: &Candidate, frame: &Frame) -> Placed {
     };
     let mut y = bounds.y0;
     let mut lines = Vec::with_capacity(sought.lines.len());
-    for line in &sought.lines {
+    for line in sought.folded(candidate.folds) {
         let x = bounds.x0 + align * (bounds.width() - line.width);
         lines.push((Point::new(x, y + line.ascent), Arc::clone(line)));
         y += line.height() + LEADING;

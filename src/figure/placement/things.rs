@@ -15,7 +15,7 @@
 
 use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
-use crate::figure::sketch::{Anchor, Best, Cover, Obstacle, Request};
+use crate::figure::sketch::{Anchor, Best, Cover, MARKER, Obstacle, Request, SPECK};
 
 use super::Candidate;
 use super::pole::{contains, grid};
@@ -247,6 +247,12 @@ impl Thing {
         self.kind == Kind::Area
     }
 
+    /// Where it is, if it is so small that it is drawn as a point.
+    pub(super) fn speck(&self) -> Option<Point> {
+        let small = self.bounds.width() < SPECK && self.bounds.height() < SPECK;
+        self.points.first().copied().filter(|_| small)
+    }
+
     /// The points of its line on the page, or its one point.
     pub(super) fn points(&self) -> &[Point] {
         &self.points
@@ -266,7 +272,7 @@ impl Thing {
 
     /// The radius that its marker covers, page pixels.
     pub(super) fn clear(&self) -> f64 {
-        self.clear
+        if self.speck().is_some() && self.is_area() { MARKER } else { self.clear }
     }
 
     /// Some of its points, evenly along the list.

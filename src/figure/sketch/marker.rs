@@ -1,9 +1,9 @@
 //! Markers: points that have a meaning, told apart by shape as well as by colour.
 
-use crate::drawing::{Contour, Item, Offset, Path, Point, Role};
+use crate::drawing::{Contour, Item, Offset, Path, Point, Rect, Role};
 use crate::geometry::DVec2;
 
-use super::{Cover, Marker, Pen, Sketch};
+use super::{Cover, Dash, MARKER, Marker, Outline, Pen, Sketch, Wash};
 
 /// Line width of hollow markers, page pixels.
 const HOLLOW: f64 = 1.75;
@@ -13,6 +13,9 @@ const SQUARE: f64 = 0.89;
 const DIAMOND: f64 = 1.2;
 /// Radius of the ring about the origin and about a new estimate, in radii of the dot.
 const RING: f64 = 1.75;
+/// A closed outline that reaches less than this in any direction has no form to be seen, page pixels: half
+/// the width of its line.
+pub(crate) const SPECK: f64 = 1.0;
 
 impl Sketch<'_> {
     /// Draws a marker of `radius` page pixels, less on a small page, at a point of the panel's space.
@@ -33,6 +36,32 @@ impl Sketch<'_> {
                 self.solid(disc(radius), role)
             }
         }
+    }
+
+    /// Where an outline is that closes about next to nothing.
+    pub(super) fn speck(&self, outline: &Outline, points: &[DVec2]) -> Option<DVec2> {
+        let page = points.iter().map(|&p| self.frame.page(p));
+        let bounds = page.map(|p| Rect::new(p, p)).reduce(Rect::union)?;
+        let small = outline.closed && bounds.width() < SPECK && bounds.height() < SPECK;
+        points.first().copied().filter(|_| small)
+    }
+
+    /// Draws an area that is a point as a marker, a dotted one as a ring.
+    pub(super) fn as_point(&mut self, at: DVec2, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
+        let Some(role) = pen.map(|p| p.role).or(wash.map(|w| w.role)) else { return self };
+        match pen.filter(|p| p.dash != Dash::Solid) {
+            Some(pen) => self.ring(at, pen),
+            None => self.marker(at, Marker::of(role), role, MARKER),
+        }
+    }
+
+    /// Draws a ring of a usual marker's size about a point of the panel's space.
+    fn ring(&mut self, at: DVec2, pen: Pen) -> &mut Self {
+        self.reach(&[at]);
+        let (center, radius) = (self.frame.page(at), MARKER * self.unit);
+        self.keep_off(Cover::Marker { at: center, radius });
+        self.push_stroked(Contour::Circle { center, radius }, pen);
+        self
     }
 
     /// Draws a filled marker.
@@ -58,6 +87,16 @@ impl Sketch<'_> {
 }
 
 impl Marker {
+    /// The shape of points of a body or of a difference.
+    #[must_use]
+    fn of(role: Role) -> Self {
+        match role {
+            Role::B => Self::Square,
+            Role::Difference => Self::Diamond,
+            _ => Self::Disc,
+        }
+    }
+
     /// How far a marker of `radius` page pixels reaches from its point at most, page pixels.
     #[must_use]
     pub(crate) fn reach(self, radius: f64) -> f64 {

@@ -19,9 +19,15 @@ use crate::figure::theme::Theme;
 use crate::geometry::{DVec2, Side};
 
 pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
+pub(crate) use marker::SPECK;
 pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
 pub(crate) use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash};
 
+/// The least length of a mark that can be read, page pixels: below, an arrow's head takes half of it.
+const SEEN: f64 = 14.0;
+/// The share of a panel's shorter edge that a mark may take at most: what is larger dwarfs what it is drawn
+/// at.
+const SHARE: f64 = 1.0 / 3.0;
 /// How much labels mind what is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Weight {
@@ -240,15 +246,28 @@ impl<'f> Sketch<'f> {
         length * self.frame.scale
     }
 
-    /// Draws an area and its line, each where it is given; `outline` is in the panel's space.
+    /// Whether a mark that is `length` long in the panel's space can be seen, and lets the rest be seen:
+    /// [`SEEN`] page pixels at least, and at most [`SHARE`] of the panel's shorter edge.
+    #[must_use]
+    pub(crate) fn is_legible(&self, length: f64) -> bool {
+        let panel = self.frame.panel;
+        let most = SHARE * panel.width().min(panel.height());
+        (SEEN..=most.max(SEEN)).contains(&self.on_page(length))
+    }
+
+    /// Draws an area and its line, each where it is given; `outline` is in the panel's space. What is too
+    /// small to have a form is drawn as a marker of the role's shape.
     pub(crate) fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
+        let points = outline.sampled();
+        if let Some(at) = self.speck(outline, &points) {
+            return self.as_point(at, wash, pen);
+        }
         let path = Path {
             contour: outline.on_page(&self.frame),
             fill: wash.map(|w| self.wash(w)),
             pattern: wash.and_then(|w| self.pattern(w)),
             stroke: pen.map(|p| self.stroke_of(p)),
         };
-        let points = outline.sampled();
         self.count(&points, wash, pen);
         self.reach(&points);
         if let Some(pen) = pen {

@@ -6,6 +6,7 @@
 
 mod caption;
 mod fill;
+mod fold;
 mod number;
 mod plain;
 mod values;

@@ -8,12 +8,13 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::name::Name;
 use crate::figure::placement::Sought;
-use crate::figure::sketch::Request;
+use crate::figure::sketch::{Rank, Request};
 use crate::figure::standing::standing;
 use crate::scene::{self, LabelOverride, Scene, Spanned};
 use crate::typeset::{Style, TypesetError, typeset};
 
 use super::fill::fill;
+use super::fold::folds;
 
 /// Sets the labels of one panel.
 pub(crate) struct Wording<'w> {
@@ -58,9 +59,15 @@ impl Wording<'_> {
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
             typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
         };
+        let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
+        let folds = match &lines[..] {
+            [line] if label.rank == Rank::Name => folds(line, style),
+            _ => Vec::new(),
+        };
         Ok(Some(Sought {
             key: label.key,
-            lines: lines.iter().map(&mut set).collect::<Result<_, _>>()?,
+            lines,
+            folds,
             anchor: label.anchor.clone(),
             role: label.role,
             rank: label.rank,

@@ -30,6 +30,8 @@ super::numbers! {
         /// Room between either end of a leader line and what it joins, page pixels.
         /// Twice and half: nothing that the survey sees, which looks at labels and not at leader lines.
         leader_room: f64 = 2.0;
+        /// Reluctance of a name to be broken once more.
+        folded: f64 = 1.5;
         /// Reluctance to have a leader line where a label stands near its thing, but as near to another one.
         lead: f64 = 5.0;
         /// How far a leader line reaches into an area, page pixels.
