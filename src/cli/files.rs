@@ -131,6 +131,12 @@ impl Files {
     /// What is to be drawn.
     pub(crate) fn jobs(&self, folder: Option<&Path>) -> Result<Vec<Job>, Unplanned> {
         let inputs = inputs(&self.scenes).map_err(Unplanned::Wrong)?;
+        let (formats, themes) = self.wanted()?;
+        jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
+    }
+
+    /// The formats and the names of the themes, each once; the error is of two themes with one name.
+    pub(crate) fn wanted(&self) -> Result<(Vec<&'static Format>, Vec<String>), Unplanned> {
         let mut formats: Vec<&'static Format> = self.format.iter().filter_map(|name| format(name)).collect();
         dedup(&mut formats, |f| f.name);
         for (i, theme) in self.theme.iter().enumerate() {
@@ -142,7 +148,7 @@ impl Files {
         }
         let mut themes: Vec<String> = self.theme.iter().map(|t| t.name.clone()).collect();
         dedup(&mut themes, Clone::clone);
-        jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
+        Ok((formats, themes))
     }
 
     /// The files of themes.
@@ -276,7 +282,7 @@ fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut 
 fn figure_id(job: &Job, planned: &Planned) -> String {
     let stem = match (&planned.target, &job.input) {
         (Target::File(path), _) | (Target::Stdout, Input::File(path)) => path.file_stem(),
-        (Target::Stdout, Input::Stdin) => None,
+        (Target::Stdout, Input::Stdin | Input::Line { .. }) => None,
     };
     let name = stem.map_or("stdin".into(), |s| s.to_string_lossy());
     let mut rest = u128::from_str_radix(&fingerprint(&name, "id"), 16).unwrap_or(0);

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tracefig::scene::{Refused, SceneFile, open, open_reader, visible};
+use tracefig::scene::{Refused, SceneFile, open, open_jsonl_line, open_reader, visible};
 
 /// The folder whose scenes are meant when none is named.
 const DEFAULT_FOLDER: &str = "figures";
@@ -15,6 +15,15 @@ pub(crate) enum Input {
     Stdin,
     /// From a file of this name.
     File(PathBuf),
+    /// From a line of a stream of scenes.
+    Line {
+        /// Number of the line, from 1.
+        number: usize,
+        /// The line.
+        text: String,
+        /// Stem of the names of its files.
+        stem: String,
+    },
 }
 
 impl Input {
@@ -23,6 +32,7 @@ impl Input {
         match self {
             Self::Stdin => "<stdin>".to_owned(),
             Self::File(path) => path.display().to_string(),
+            Self::Line { number, .. } => format!("<stdin>:{number}"),
         }
     }
 
@@ -36,6 +46,7 @@ impl Input {
         match self {
             Self::Stdin => open_reader("<stdin>", io::stdin().lock()),
             Self::File(path) => open(path),
+            Self::Line { number, text, .. } => open_jsonl_line(text, *number),
         }
     }
 }

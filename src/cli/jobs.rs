@@ -59,13 +59,7 @@ pub(crate) enum Unplanned {
 
 /// The files of all scenes, or why they can't all be written; nothing has been written then.
 pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, Unplanned> {
-    let jobs: Vec<Job> = inputs
-        .into_iter()
-        .map(|input| {
-            let files = files(&input, wanted);
-            Job { input, files }
-        })
-        .collect();
+    let jobs: Vec<Job> = inputs.into_iter().map(|input| job(input, wanted)).collect();
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
     if to_stdout > 1 {
         let message =
@@ -75,6 +69,12 @@ pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, 
     twins(&jobs)?;
     inputs_stay(&jobs)?;
     Ok(jobs)
+}
+
+/// A scene and its files, whatever other scenes there are.
+pub(crate) fn job(input: Input, wanted: &Wanted<'_>) -> Job {
+    let files = files(&input, wanted);
+    Job { input, files }
 }
 
 /// The files of one scene.
@@ -101,6 +101,7 @@ fn target(input: &Input, folder: Option<&Path>, theme: Option<&str>, extension: 
         // Beside standard input is standard output.
         Input::Stdin if folder.is_none() => return Target::Stdout,
         Input::Stdin => (Path::new("."), "stdin".into()),
+        Input::Line { stem, .. } => (Path::new(""), stem.into()),
         Input::File(path) => {
             (path.parent().unwrap_or(Path::new("")), path.file_stem().unwrap_or_default().to_owned())
         }

@@ -23,6 +23,7 @@ mod render;
 mod report;
 mod reports;
 mod solve;
+mod stream;
 mod timings;
 mod trace;
 

@@ -10,8 +10,9 @@ use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::inputs::shown;
-use super::jobs::{Job, Target, folders_of};
+use super::jobs::{Job, Target, Wanted, folders_of};
 use super::parallel::in_order;
+use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
 use super::{Runs, Status};
 
@@ -24,6 +25,10 @@ pub(crate) struct Render {
     /// Folder for the files, made if it is not there; `-` is standard output; default: beside each scene
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
+    /// Read a scene (as JSON) a line from standard input, as `solve` does; each becomes files named by its
+    /// `id`, or `line-N` without one
+    #[arg(long, conflicts_with_all = ["scenes", "skip_unchanged", "partition"])]
+    jsonl: bool,
     /// Leave scenes alone whose files say that this version drew them from the same scene and options
     #[arg(long)]
     skip_unchanged: bool,
@@ -65,14 +70,14 @@ impl Partition {
 
 impl Runs for Render {
     fn run(self, console: &mut Console) -> io::Result<Status> {
+        if self.jsonl {
+            return self.stream(console);
+        }
         let jobs = match self.files.jobs(self.output.as_deref()) {
             Ok(jobs) => jobs,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        if let Some(folder) = self.output.as_deref().filter(|f| f.as_os_str() != "-")
-            && let Err(error) = std::fs::create_dir_all(folder)
-        {
-            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
+        if !self.makes_folder(console) {
             return Ok(Status::Wrong);
         }
         // Twins are looked for among all scenes, whichever share is drawn.
@@ -93,17 +98,13 @@ impl Runs for Render {
             }
         };
         in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
-            let written = written.unwrap_or_else(|| Written::bug(job));
+            let written = written.unwrap_or_else(|| Written::bug(&job.input.shown()));
             if written.failed {
                 status = Status::Wrong;
             }
             timings.add(&written.timings);
             bar.suspend(|| -> io::Result<()> {
-                if !written.messages.is_empty() {
-                    console.out.flush()?;
-                    Console::message(&written.messages);
-                }
-                console.out.write_all(&written.results)?;
+                written.tell(console)?;
                 // While the bar is away, lest the two write over each other.
                 if alone { Ok(()) } else { console.out.flush() }
             })?;
@@ -111,6 +112,70 @@ impl Runs for Render {
             Ok(())
         })?;
         bar.finish_and_clear();
+        if self.timings {
+            Console::message(&timings.to_string());
+        }
+        Ok(status)
+    }
+}
+
+impl Render {
+    /// Makes the folder for the files, if one is named; whether it is there.
+    fn makes_folder(&self, console: &Console) -> bool {
+        let Some(folder) = self.output.as_deref().filter(|f| f.as_os_str() != "-") else { return true };
+        let made = std::fs::create_dir_all(folder);
+        if let Err(error) = &made {
+            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
+        }
+        made.is_ok()
+    }
+
+    /// Draws a stream of scenes.
+    fn stream(&self, console: &mut Console) -> io::Result<Status> {
+        let (formats, themes) = match self.files.wanted() {
+            Ok(wanted) => wanted,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
+        };
+        let folder = self.output.as_deref();
+        if folder.is_some_and(|folder| folder.as_os_str() == "-") {
+            console.error("standard output takes one file, and a stream becomes many");
+            return Ok(Status::Usage);
+        }
+        if !self.makes_folder(console) {
+            return Ok(Status::Wrong);
+        }
+        clear_leftovers(folder.unwrap_or(Path::new(".")));
+        let wanted = Wanted { folder, themes: &themes, formats: &formats };
+        let ink = console.ink();
+        let (mut status, mut timings) = (Status::Done, Timings::start());
+        let mut stream = LinesToDraw::new(io::stdin().lock(), ink);
+        loop {
+            let batch = match stream.next_batch(&wanted, self.files.threads()) {
+                Ok(batch) if batch.is_empty() => break,
+                Ok(batch) => batch,
+                Err(error) => {
+                    console.out.flush()?;
+                    console.error(&format!("can't read standard input: {error}"));
+                    status = Status::Wrong;
+                    break;
+                }
+            };
+            let work = |line: &Drawable| match line {
+                Drawable::Job(job) => write_files(job, self.files.draw(job, ink)),
+                Drawable::Refused(messages) => {
+                    Written { messages: messages.clone(), failed: true, ..Written::nothing() }
+                }
+            };
+            in_order(&batch, self.files.threads(), work, |line, written| -> io::Result<()> {
+                let written = written.unwrap_or_else(|| Written::bug(&line.shown()));
+                if written.failed {
+                    status = Status::Wrong;
+                }
+                timings.add(&written.timings);
+                written.tell(console)
+            })?;
+            console.out.flush()?;
+        }
         if self.timings {
             Console::message(&timings.to_string());
         }
@@ -136,10 +201,19 @@ impl Written {
         Self { results: Vec::new(), messages: String::new(), failed: false, timings: Timings::start() }
     }
 
-    /// A job whose drawing panicked.
-    fn bug(job: &Job) -> Self {
-        let messages = format!("error: {} was not drawn because of a bug of tracefig\n", job.input.shown());
+    /// A scene of this name whose drawing panicked.
+    fn bug(name: &str) -> Self {
+        let messages = format!("error: {name} was not drawn because of a bug of tracefig\n");
         Self { messages, failed: true, ..Self::nothing() }
+    }
+
+    /// Says what became of it, messages first.
+    fn tell(&self, console: &mut Console) -> io::Result<()> {
+        if !self.messages.is_empty() {
+            console.out.flush()?;
+            Console::message(&self.messages);
+        }
+        console.out.write_all(&self.results)
     }
 }
 

@@ -39,7 +39,10 @@ pub use read::read;
 pub use schema::schema;
 pub use solution::Solution;
 pub use source::{Place, Source, Syntax};
-pub use stream::{Reply, refuse_jsonl_line, refuse_long_jsonl_line, solve, solve_jsonl_line};
+pub use stream::{
+    Reply, jsonl_name, open_jsonl_line, refuse_jsonl_line, refuse_long_jsonl_line, refused_bytes,
+    refused_length, solve, solve_jsonl_line,
+};
 pub use visible::visible;
 
 use crate::collision::{Algorithm, Query, QueryKind};

@@ -6,11 +6,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use serde_json::{Value, json};
 
 use super::limits::MAX_FILE_BYTES;
-use super::node::Node;
+use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problem};
 use super::source::Source;
 use super::visible::brief;
-use super::{Scene, Solution, codes, read};
+use super::{Refused, Scene, SceneFile, Solution, codes, read};
 use crate::collision::Answer;
 
 /// The reply to a line of a stream.
@@ -67,6 +67,73 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
         },
         Err(problems) => refuse(&id, line, &error_json(&problems, &source)),
     }
+}
+
+/// Reads a line of a JSONL stream as a file is read; `line` counts from 1.
+///
+/// # Errors
+/// All problems of the line, which messages quote with its number.
+///
+/// ```
+/// use tracefig::scene::{Ink, open_jsonl_line};
+/// let refused = open_jsonl_line(r#"{"shapes": {}}"#, 3).unwrap_err();
+/// assert!(refused.render(Ink::Plain).contains(" --> <stdin>:3:1"));
+/// ```
+pub fn open_jsonl_line(text: &str, line: usize) -> Result<SceneFile, Box<Refused>> {
+    let source = Source::json_line("<stdin>", text, line);
+    let read = held(&source).and_then(|()| source.tree()).and_then(|root| read::from_tree(&root));
+    match read {
+        Ok(scene) => Ok(SceneFile { source, scene }),
+        Err(problems) => Err(Box::new(Refused { source, problems })),
+    }
+}
+
+/// The `id` of a line of a JSONL stream as a name: a text as it is, a number as it is written; `None` for
+/// any other, and where the line is no JSON.
+///
+/// ```
+/// use tracefig::scene::jsonl_name;
+/// assert_eq!(jsonl_name(r#"{"id": "pair \u0031"}"#).as_deref(), Some("pair \u{31}"));
+/// assert_eq!(jsonl_name(r#"{"id": 1.50}"#).as_deref(), Some("1.50"));
+/// assert_eq!(jsonl_name(r#"{"id": [1]}"#), None);
+/// ```
+#[must_use]
+pub fn jsonl_name(text: &str) -> Option<String> {
+    let source = Source::json_line("", text, 1);
+    let root = held(&source).and_then(|()| source.tree()).ok()?;
+    let id = root.get("id")?;
+    match &id.value {
+        NodeValue::Text(name) => Some(name.clone()),
+        NodeValue::Number(_) => source.text.get(id.span.clone()).map(str::to_owned),
+        _ => None,
+    }
+}
+
+/// The message's matter of a line that is not UTF-8, to be told as that of a file; `line` counts from 1.
+///
+/// ```
+/// use tracefig::scene::{Ink, refused_bytes};
+/// assert!(refused_bytes(3).render(Ink::Plain).starts_with("error[not-utf8]"));
+/// ```
+#[must_use]
+pub fn refused_bytes(line: usize) -> Refused {
+    refused(Fault::NotUtf8, line)
+}
+
+/// The message's matter of a line of more bytes than a scene may have, to be told as that of a file; `line`
+/// counts from 1.
+///
+/// ```
+/// use tracefig::scene::{Ink, refused_length};
+/// assert!(refused_length(3, 5_000_000).render(Ink::Plain).starts_with("error[over-limit]"));
+/// ```
+#[must_use]
+pub fn refused_length(line: usize, bytes: usize) -> Refused {
+    refused(too_long(bytes), line)
+}
+
+fn refused(fault: Fault, line: usize) -> Refused {
+    Refused { source: Source::json_line("<stdin>", "", line), problems: vec![Problem::new(fault, 0..0)] }
 }
 
 /// The reply to a line that is not UTF-8; `line` counts from 1.

@@ -10,6 +10,7 @@ mod inputs_stay;
 mod jsonl;
 mod readme;
 mod render;
+mod render_jsonl;
 mod report;
 mod streams;
 #[cfg(unix)]

@@ -1,0 +1,154 @@
+//! A stream of scenes, a line each, as jobs of `render`: batches of lines, each with the name of its files.
+//!
+//! A batch is what has arrived, up to a few lines for each thread, so that whoever writes a line and waits
+//! sees its figure, and a stream of any length takes the memory of a batch and some bytes for each name.
+
+use std::collections::BTreeMap;
+use std::io::{self, Read};
+use std::num::NonZeroUsize;
+
+use tracefig::drift::fingerprint;
+use tracefig::scene::limits::MAX_FILE_BYTES;
+use tracefig::scene::{Ink, jsonl_name, refused_bytes, refused_length};
+
+use super::inputs::Input;
+use super::jobs::{Job, Wanted, job};
+use super::lines::{Line, Lines};
+
+/// Lines of a batch for each thread: enough that none waits long for the slowest of them.
+const LINES_A_THREAD: usize = 8;
+
+/// Longest stem of a file's name, in bytes: file systems take 255, with the theme and what a half-written
+/// file is called.
+const LONGEST: usize = 150;
+
+/// Names that Windows keeps for devices, whatever follows the first dot.
+const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
+
+/// A line of the stream.
+pub(crate) enum Drawable {
+    /// A text that may be a scene, and its files.
+    Job(Job),
+    /// A line that is none, or whose files have another line's name: the message.
+    Refused(String),
+}
+
+impl Drawable {
+    /// How messages call it.
+    pub(crate) fn shown(&self) -> String {
+        match self {
+            Self::Job(job) => job.input.shown(),
+            Self::Refused(_) => "a line".to_owned(),
+        }
+    }
+}
+
+/// Reads a stream of scenes batch by batch.
+pub(crate) struct LinesToDraw<R> {
+    /// The lines that were not read yet.
+    lines: Lines<R>,
+    /// How messages are written.
+    ink: Ink,
+    /// The names so far, as fingerprints, with the numbers of their lines.
+    names: BTreeMap<String, usize>,
+}
+
+impl<R: Read> LinesToDraw<R> {
+    /// A stream of which nothing was read yet.
+    pub(crate) fn new(input: R, ink: Ink) -> Self {
+        Self { lines: Lines::new(input), ink, names: BTreeMap::new() }
+    }
+
+    /// The next lines; none at the end of the stream.
+    ///
+    /// # Errors
+    /// Where the stream can't be read.
+    pub(crate) fn next_batch(
+        &mut self,
+        wanted: &Wanted<'_>,
+        threads: NonZeroUsize,
+    ) -> io::Result<Vec<Drawable>> {
+        let (mut batch, mut bytes) = (Vec::new(), 0);
+        let most = threads.get().saturating_mul(LINES_A_THREAD);
+        while batch.len() < most && bytes < MAX_FILE_BYTES && (batch.is_empty() || self.lines.has_next()) {
+            let ink = self.ink;
+            let (number, text) = match self.lines.next()? {
+                None => break,
+                Some((number, Line::Text(text))) => (number, text.to_owned()),
+                Some((number, Line::NotUtf8)) => {
+                    batch.push(Drawable::Refused(refused_bytes(number).render(ink)));
+                    continue;
+                }
+                Some((number, Line::TooLong(length))) => {
+                    batch.push(Drawable::Refused(refused_length(number, length).render(ink)));
+                    continue;
+                }
+            };
+            bytes += text.len();
+            batch.push(self.line(number, text, wanted));
+        }
+        Ok(batch)
+    }
+
+    /// A line with the name of its files, unless an earlier one has it.
+    fn line(&mut self, number: usize, text: String, wanted: &Wanted<'_>) -> Drawable {
+        let stem = jsonl_name(&text).map_or_else(String::new, |id| safe(&id));
+        let stem = if stem.is_empty() { format!("line-{number}") } else { stem };
+        // Some file systems take capitals for small letters.
+        let first = *self.names.entry(fingerprint(&stem.to_lowercase(), "name")).or_insert(number);
+        if first == number {
+            return Drawable::Job(job(Input::Line { number, text, stem }, wanted));
+        }
+        Drawable::Refused(format!(
+            "error: <stdin>:{number} and <stdin>:{first} would both become {stem}; the first one stays\n"
+        ))
+    }
+}
+
+/// An id as the stem of a file's name: what is special to a shell, a path or a file system becomes `-`.
+fn safe(id: &str) -> String {
+    let kept = |c: char| c.is_alphanumeric() || "._-+=@,".contains(c);
+    let mut stem = String::new();
+    for c in id.trim().chars() {
+        let c = if kept(c) { c } else { '-' };
+        if stem.len() + c.len_utf8() > LONGEST {
+            break;
+        }
+        stem.push(c);
+    }
+    // A dot in front hides a file, one at the end is lost on Windows; a dash in front is an option.
+    let stem = stem.trim_start_matches(['.', '-']).trim_end_matches('.');
+    let device = stem.split('.').next().unwrap_or_default().to_lowercase();
+    let port = |name: &str| {
+        device.strip_prefix(name).is_some_and(|n| n.len() == 1 && n.chars().all(|c| c.is_ascii_digit()))
+    };
+    if DEVICES.contains(&device.as_str()) || port("com") || port("lpt") {
+        return format!("{stem}-");
+    }
+    stem.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_id_becomes_a_name_that_leads_nowhere_else() {
+        for (id, stem) in [
+            ("pair 7", "pair-7"),
+            ("-12.5", "12.5"),
+            ("../../etc/passwd", "etc-passwd"),
+            ("a/b\\c:d", "a-b-c-d"),
+            ("Körper_1", "Körper_1"),
+            ("..", ""),
+            ("", ""),
+            ("nul", "nul-"),
+            ("COM1.x", "COM1.x-"),
+            ("computer", "computer"),
+            ("a\u{0}\n\u{202e}b", "a---b"),
+        ] {
+            assert_eq!(safe(id), stem, "{id:?}");
+        }
+        assert_eq!(safe(&"é".repeat(200)).len(), LONGEST);
+    }
+}
