@@ -6,7 +6,7 @@
 use std::sync::Arc;
 
 use crate::collision::{Answer, Outcome, Separation};
-use crate::geometry::{Body, DVec2, Pose, Side};
+use crate::geometry::{Body, DVec2, Enclosure, Pose, Side};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
@@ -27,6 +27,19 @@ pub(crate) struct Moment {
     pub(crate) time: f64,
     /// The algorithm's step, from 1, in a panel that shows one.
     pub(crate) step: Option<usize>,
+}
+
+/// How near the bodies of a miss came.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Approach {
+    /// When they are closest, in [0, 1].
+    pub(crate) time: f64,
+    /// How far apart they are then, world units.
+    pub(crate) separation: f64,
+    /// Encloses the least separation over [0, 1], world units.
+    pub(crate) bounds: Enclosure,
+    /// The closest points of A and B then.
+    pub(crate) points: [DVec2; 2],
 }
 
 /// What a layer may know of the figure, at its panel's moment.
@@ -222,6 +235,24 @@ impl Context<'_> {
         Some((time, self.seen(&contact, time)))
     }
 
+    /// How near a miss came, its points as the panel shows them; `None` for any other answer.
+    #[must_use]
+    pub(crate) fn closest(&self) -> Option<Approach> {
+        let run = self.run();
+        let mut approach = run.find_told(|event| match *event {
+            Event::ClosestApproachFound { at, separation, bounds, points, .. } => {
+                Some(Approach { time: at.time, separation, bounds, points })
+            }
+            _ => None,
+        })?;
+        if self.moving_frame().is_some() {
+            let there = self.body(Side::A)?.pose_at(approach.time);
+            let here = self.pose(Side::A, approach.time)?;
+            approach.points = approach.points.map(|p| here.point(there.inverse_point(p)));
+        }
+        Some(approach)
+    }
+
     /// The way of the point of a body that is at `local` in its frame, from one time to another, as the panel
     /// shows it: two points where it is straight.
     #[must_use]
@@ -240,7 +271,7 @@ impl Context<'_> {
         matches!(self.run().answer, Answer::Impact(_))
     }
 
-    /// The moment that a scene names; `None` where there is no hit, or no such step.
+    /// The moment that a scene names; `None` where there is no hit, no miss, or no such step.
     #[must_use]
     pub(crate) fn moment(&self, when: &When) -> Option<Moment> {
         let at = |time| Some(Moment { time, step: None });
@@ -249,6 +280,7 @@ impl Context<'_> {
             When::Start => at(0.0),
             When::End => at(1.0),
             When::Hit => at(self.hit()?.0),
+            When::Closest => at(self.closest()?.time),
             When::Step(k) => {
                 let time = self.steps().get(k.checked_sub(1)?).copied()?;
                 Some(Moment { time, step: Some(*k) })

@@ -25,12 +25,15 @@ pub enum Fault {
         /// How many steps the algorithm took.
         took: usize,
     },
-    /// A panel shows the moment of the hit, and the question is not for one.
+    /// A panel shows the moment of the hit, or of a miss, and the question is not for one.
     NoHit,
-    /// A note: a panel is of the hit and the answer is none, so that it shows another moment.
+    /// A note: a panel is of the hit, or of a miss, and the answer is another, so that it shows another
+    /// moment.
     OtherMoment {
-        /// The moment that it shows, as "the end of the motion".
+        /// The moment that it shows, as "the closest approach".
         shown: &'static str,
+        /// The moment that the scene names, as "the hit".
+        asked: &'static str,
         /// How the answer turned out, as "the answer is a miss".
         why: &'static str,
     },
@@ -182,10 +185,10 @@ impl fmt::Display for Fault {
                 write!(f, "expected a step of the algorithm, got {step}: it took {took}")
             }
             Self::NoHit => {
-                f.write_str("the panel shows the moment of the hit, but the question is not for one")
+                f.write_str("the panel shows the moment of a hit or a miss, but the question is not for one")
             }
-            Self::OtherMoment { shown, why } => {
-                write!(f, "the panel shows {shown} in place of the hit: {why}")
+            Self::OtherMoment { shown, asked, why } => {
+                write!(f, "the panel shows {shown} in place of {asked}: {why}")
             }
             Self::OtherStep { asked, last } => {
                 write!(f, "the panel shows step {last} in place of step {asked}: the algorithm took {last}")
@@ -219,10 +222,18 @@ mod tests {
                 "expected a step of the algorithm, got 9: it took 3",
                 "",
             ),
-            (Fault::NoHit, "the panel shows the moment of the hit, but the question is not for one", ""),
             (
-                Fault::OtherMoment { shown: "the end of the motion", why: "the answer is a miss" },
-                "the panel shows the end of the motion in place of the hit: the answer is a miss",
+                Fault::NoHit,
+                "the panel shows the moment of a hit or a miss, but the question is not for one",
+                "",
+            ),
+            (
+                Fault::OtherMoment {
+                    shown: "the closest approach",
+                    asked: "the hit",
+                    why: "the answer is a miss",
+                },
+                "the panel shows the closest approach in place of the hit: the answer is a miss",
                 "",
             ),
             (

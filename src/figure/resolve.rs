@@ -80,8 +80,9 @@ impl<'s> Resolver<'_, 's> {
         context.moment(&when.value).or_else(|| self.other_moment(&context, when))
     }
 
-    /// The moment that a panel shows where this answer lacks the one that it names: of a miss the end of the
-    /// motion, of an undecided one the last moment that is proved free, of a step after the last one that.
+    /// The moment that a panel shows where this answer lacks the one that it names: of a miss its closest
+    /// approach, of a hit that, of an undecided one the last moment that is proved free, of a step after the
+    /// last one that.
     fn other_moment(&mut self, context: &Context, when: &Spanned<When>) -> Option<Moment> {
         let steps = context.steps();
         let answer = &context.run().answer;
@@ -90,12 +91,15 @@ impl<'s> Resolver<'_, 's> {
                 let step = steps.len();
                 (Fault::OtherStep { asked, last: step }, Moment { time, step: Some(step) })
             }
-            (When::Hit, Answer::Impact(impact), _) => {
+            (When::Hit | When::Closest, Answer::Impact(impact), _) => {
                 let (shown, time) = match impact.outcome {
                     Outcome::Unresolved { free_until, .. } => ("the last moment proved free", free_until),
-                    _ => ("the end of the motion", 1.0),
+                    Outcome::Miss => ("the closest approach", context.closest()?.time),
+                    Outcome::Hit { time, .. } => ("the first contact", time.lo),
+                    Outcome::Overlapping { .. } => ("the start", 0.0),
                 };
-                (Fault::OtherMoment { shown, why: standing(answer) }, Moment { time, step: None })
+                let asked = if when.value == When::Hit { "the hit" } else { "the closest approach" };
+                (Fault::OtherMoment { shown, asked, why: standing(answer) }, Moment { time, step: None })
             }
             (&When::Step(step), ..) => {
                 self.problems.push(Problem::new(Fault::NoSuchStep { step, took: 0 }, when.span.clone()));

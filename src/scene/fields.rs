@@ -45,7 +45,7 @@ pub enum Holds {
     Points,
     /// Names of shapes of the scene.
     Names,
-    /// A number in [0, 1], or "start", "hit", "end".
+    /// A number in [0, 1], or "start", "hit", "closest", "end".
     Moment,
     /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
     LabelPlace,
@@ -274,7 +274,7 @@ impl Holds {
             Self::Rectangle => "four numbers [x0, y0, x1, y1]".to_owned(),
             Self::Points => "a list of points [[x, y], …]".to_owned(),
             Self::Names => "a list of names of shapes".to_owned(),
-            Self::Moment => "a number in [0, 1], \"start\", \"hit\" or \"end\"".to_owned(),
+            Self::Moment => "a number in [0, 1], \"start\", \"hit\", \"closest\" or \"end\"".to_owned(),
             Self::LabelPlace => {
                 "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()
             }

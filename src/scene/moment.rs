@@ -9,6 +9,8 @@ pub enum When {
     Start,
     /// The first contact, where the answer has one.
     Hit,
+    /// The closest approach, where the answer is a miss.
+    Closest,
     /// The end of the motion, t = 1.
     End,
     /// A step of the algorithm, counted from 1.
@@ -20,12 +22,18 @@ impl When {
     pub(crate) const START: &'static str = "start";
     /// The word of [`When::Hit`].
     pub(crate) const HIT: &'static str = "hit";
+    /// The word of [`When::Closest`].
+    pub(crate) const CLOSEST: &'static str = "closest";
     /// The word of [`When::End`].
     pub(crate) const END: &'static str = "end";
 
     /// The moments that have a word, in the order in which messages list them.
-    pub(crate) const WORDS: [(&'static str, Self); 3] =
-        [(Self::START, Self::Start), (Self::HIT, Self::Hit), (Self::END, Self::End)];
+    pub(crate) const WORDS: [(&'static str, Self); 4] = [
+        (Self::START, Self::Start),
+        (Self::HIT, Self::Hit),
+        (Self::CLOSEST, Self::Closest),
+        (Self::END, Self::End),
+    ];
 
     /// The moment of a word; `None` for any other word.
     pub(crate) fn of_word(word: &str) -> Option<Self> {

@@ -124,7 +124,7 @@ fn layers() -> Vec<Table> {
             ("contact", "figure/layer/velocity.rs", "a word of an option"),
             ("radii", "figure/text/values.rs", "a value"),
             ("separation", "figure/text/values.rs", "a value"),
-            ("closest", "scene/solution.rs", "a part of an answer"),
+            ("closest", "scene", "a part of an answer, a word for a moment"),
             ("frame", "scene", "a key of a panel"),
             ("shapes", "scene", "a table of a scene"),
             ("velocity", "scene", "a key of a shape"),

@@ -114,9 +114,9 @@ fn panel_of_the_hit(place: &str) -> (Vec<String>, f64) {
 }
 
 #[test]
-fn a_panel_of_the_hit_shows_the_end_of_a_miss_and_says_so() {
+fn a_panel_of_the_hit_shows_how_near_a_miss_came_and_says_so() {
     let (notes, time) = panel_of_the_hit("[9, 0.25]");
-    assert_eq!(notes, ["the panel shows the end of the motion in place of the hit: the answer is a miss"]);
+    assert_eq!(notes, ["the panel shows the closest approach in place of the hit: the answer is a miss"]);
     assert!((time - 1.0).abs() < 0.15, "{time}");
     let (notes, time) = panel_of_the_hit("[2.5, 0.25]");
     assert_eq!(notes, Vec::<String>::new());

@@ -4,6 +4,7 @@ use crate::collision::{Answer, Impact, Outcome, Reason};
 use crate::figure::runs::Run;
 use crate::geometry::Side;
 use crate::scene::Scene;
+use crate::trace::Event;
 
 use super::number::{number, point, value};
 
@@ -37,7 +38,7 @@ pub(super) fn result(scene: &Scene, run: &Run) -> String {
                 format!("{a} and {b} touch.")
             }
         }
-        Answer::Impact(impact) => impact_in_words(a, b, impact),
+        Answer::Impact(impact) => impact_in_words([a, b], impact, run),
         Answer::MotionBound(found) => {
             let pair = if b.is_empty() { a.to_owned() } else { format!("{a} and {b}") };
             format!("no point of {pair} travels farther than {}.", value(found.bound))
@@ -46,14 +47,14 @@ pub(super) fn result(scene: &Scene, run: &Run) -> String {
 }
 
 /// The result of a query for the first contact of the bodies named `a` and `b`.
-fn impact_in_words(a: &str, b: &str, impact: &Impact) -> String {
+fn impact_in_words([a, b]: [&str; 2], impact: &Impact, run: &Run) -> String {
     match &impact.outcome {
         Outcome::Hit { time, contact } => format!(
             "{a} first touches {b} at t = {}, at {}.",
             number(time.lo, time.hi),
             point((contact.points[0] + contact.points[1]) / 2.0)
         ),
-        Outcome::Miss => format!("{a} and {b} do not touch."),
+        Outcome::Miss => format!("{a} and {b} do not touch{}.", closest_in_words(run)),
         Outcome::Overlapping { .. } => format!("{a} and {b} touch or overlap from the start."),
         Outcome::Unresolved { reason, free_until } => {
             let why = match reason {
@@ -68,6 +69,17 @@ fn impact_in_words(a: &str, b: &str, impact: &Impact) -> String {
             )
         }
     }
+}
+
+/// How near a miss came, as "; they come closest at t = 0.5, 2 apart"; empty where that was not told.
+fn closest_in_words(run: &Run) -> String {
+    let told = run.events().find_map(|event| match event {
+        Event::ClosestApproachFound { at, bounds, .. } => Some((at.time, bounds)),
+        _ => None,
+    });
+    told.map_or_else(String::new, |(time, bounds)| {
+        format!("; they come closest at t = {}, {} apart", value(time), number(bounds.lo, bounds.hi))
+    })
 }
 
 /// The result of `run` as a sentence of its own: with a capital, but a name stays as the scene writes it.

@@ -44,7 +44,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::START, When::HIT, When::END, STEPS]),
+            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::END, STEPS]),
             default: "the panel's moment",
             about: "when, or at every step of the algorithm",
         },
@@ -71,7 +71,9 @@ pub(super) const LAYER: Layer = Layer {
     needs: "two convex bodies; for \"steps\" an advancement",
     fed: |context, options| match options.word("at", "") {
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
-        When::HIT if context.hit().is_none() => Fed::by_a_hit(context),
+        When::HIT | When::CLOSEST if when(context, options).is_none() => {
+            Fed::by_the_answer(false, context.asks_for_a_hit())
+        }
         _ => {
             let time = when(context, options).unwrap_or(context.difference_time());
             Fed::by_the_scene(difference(context, time).is_some())

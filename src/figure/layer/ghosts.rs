@@ -34,7 +34,7 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::HIT, SEPARATED, When::START, When::END, STEPS]),
+            takes: Takes::When(&[When::HIT, When::CLOSEST, SEPARATED, When::START, When::END, STEPS]),
             default: "\"hit\"",
             about: "when, or \"separated\" by the minimum translation, or at every step of the algorithm",
         },
@@ -44,8 +44,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "A'", about: "the first body then" },
         LabelKey { key: "B'", about: "the second body then" },
     ],
-    needs: "an answer with that moment: a hit for \"hit\", a separation for \"separated\", \
-        steps for \"steps\"",
+    needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
+        a separation for \"separated\", steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => Fed::by_the_scene(separation(context).is_some()),
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
@@ -96,7 +96,13 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
 }
 
 /// Draws one ghost and names it.
-fn ghost(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
+pub(super) fn ghost(
+    sketch: &mut Sketch,
+    context: &Context,
+    options: &Options,
+    side: Side,
+    outline: &Outline,
+) {
     let role = options.role(side.into());
     let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));

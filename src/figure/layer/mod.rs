@@ -5,6 +5,7 @@
 //! its labels: it says what they belong to.
 
 mod advancement;
+mod approach;
 mod arc;
 mod axes;
 mod axis_gaps;
@@ -94,6 +95,7 @@ pub static LAYERS: &[Layer] = &[
     separation::LAYER,
     normal::LAYER,
     contact::LAYER,
+    approach::LAYER,
     bounds::LAYER,
     half_extents::LAYER,
     clamp::LAYER,

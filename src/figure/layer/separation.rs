@@ -28,7 +28,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::START, When::HIT, When::END]),
+            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::END]),
             default: "the panel's moment",
             about: "when the bodies are asked for their separation",
         },
@@ -70,7 +70,9 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "two bodies",
     fed: |context, options| match options.when("at") {
-        Some(When::Hit) if context.hit().is_none() => Fed::by_a_hit(context),
+        Some(When::Hit | When::Closest) => {
+            Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
+        }
         _ => Fed::by_the_scene(found(context, options).is_some()),
     },
     draw,

@@ -53,6 +53,10 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "depth", of: depth },
     // Time of first contact, else the panel's moment.
     Value { name: "time", of: time },
+    // When the bodies of a miss are closest.
+    Value { name: "closest.time", of: |c| Some(Quantity::exactly(c.closest()?.time)) },
+    // The least separation of a miss, world units.
+    Value { name: "closest.separation", of: least_separation },
     // x of the unit normal from A to B at the panel's moment.
     Value { name: "n.x", of: |c| normal(c).map(|n| n.x).map(Quantity::exactly) },
     // y of the unit normal from A to B at the panel's moment.
@@ -132,6 +136,8 @@ type Asks = fn(&Context) -> bool;
 static OF_THE_OUTCOME: &[(&str, Asks)] = &[
     ("depth", |context| separation(context).is_some()),
     ("time", |context| context.asks_for_a_hit()),
+    ("closest.time", |context| context.asks_for_a_hit()),
+    ("closest.separation", |context| context.asks_for_a_hit()),
     ("n.x", |context| context.asks_for_a_hit()),
     ("n.y", |context| context.asks_for_a_hit()),
     ("bound", |context| context.asks_for_a_hit()),
@@ -167,6 +173,12 @@ fn time(context: &Context) -> Option<Quantity> {
         Answer::MotionBound(_) => None,
         _ => Some(Quantity::exactly(context.time)),
     }
+}
+
+/// The bounds of the least separation of a miss.
+fn least_separation(context: &Context) -> Option<Quantity> {
+    let bounds = context.closest()?.bounds;
+    Some(Quantity { lo: bounds.lo, hi: bounds.hi })
 }
 
 /// The unit normal from A to B at the panel's moment.

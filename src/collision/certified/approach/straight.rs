@@ -6,7 +6,7 @@
 //!
 //! ```text
 //! v·n ≤ 0 at t = 0        they part from the start: closest at t = 0, along the normal n there
-//! v·n ≥ 0 at t = 1        they close in to the end: closest at t = 1, along the normal there
+//! v·n > 0 at t = 1        they close in to the end: closest at t = 1, along the normal there
 //! else                    they pass: closest along n square to v, at the vertex p of B ⊖ A lowest along n,
 //!                         t = v·p / |v|²
 //! ```
@@ -29,18 +29,18 @@ pub(crate) fn closest(a: &Body, b: &Body) -> (f64, Separation, f64) {
         return start.answer(f64::NEG_INFINITY);
     }
     let end = Standing::at(a, b, 1.0);
-    if !end.closing().is_negative() {
+    if end.closing().is_positive() {
         return end.answer(start.least());
     }
     let pass = Passing::of(&start);
-    let nearest = pass.time.map(|t| Standing::at(a, b, t));
     let least = pass.least.max(start.least()).max(end.least());
     let upper = |standing: &Standing| standing.proved.bounds.hi;
-    let closest = [Some(&start), nearest.as_ref(), Some(&end)]
-        .into_iter()
-        .flatten()
-        .min_by(|x, y| upper(x).total_cmp(&upper(y)));
-    closest.unwrap_or(&start).answer(least)
+    let nearer_end = if upper(&end) < upper(&start) { &end } else { &start };
+    match pass.time.map(|t| Standing::at(a, b, t)) {
+        // At an end of the motion they may be as close, but for rounding.
+        Some(nearest) if upper(&nearest) <= upper(nearer_end) + start.rounding() => nearest.answer(least),
+        _ => nearer_end.answer(least),
+    }
 }
 
 /// The bodies at a moment, with their separation.
@@ -74,6 +74,11 @@ impl<'s> Standing<'s> {
         // A power of two, and its quotient is one.
         let unscale = self.pair.unscale();
         Ball::within(value.scale_by_power_of_two(unscale), radius * unscale)
+    }
+
+    /// Differences of separations that rounding makes, world units.
+    fn rounding(&self) -> f64 {
+        self.pair.gap_error() * self.pair.unscale()
     }
 
     /// The gap along this moment's normal at the other end of the motion, or here: a lower bound of the

@@ -71,6 +71,7 @@ fn the_closest_moment_may_be_the_start_the_end_or_the_first_of_many() {
         ("at rest", from(3.0, 0.5, [0.0, 0.0]), 0.0, 1.0),
         ("along a face", from(2.5, 0.5, [0.0, 0.25]), 0.0, 0.5),
         ("over it from afar", from(-6.0, 3.0, [16.0, 0.0]), 0.25, 1.0),
+        ("over it to the end", from(-6.0, 3.0, [8.0, 0.0]), 0.5, 1.0),
         ("past a vertex", from(4.0, 2.0, [-2.0, 2.0]), 0.5, 2f64.sqrt()),
     ];
     for (name, other, time, separation) in cases {

@@ -116,8 +116,9 @@ const OF_THE_START: &[(&str, &str)] = &[
 /// Layers that show the hit too: where it is past, no later motion has it.
 const OF_THE_HIT: &[&str] = &["ghosts", "contact", "sweep", "ray", "velocity", "tracks"];
 
-/// Layers that a moment does not change: a constant of the scene, or what its author wrote.
-const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note"];
+/// Layers that a moment does not change: a constant of the scene, what its author wrote, or what is of
+/// another moment.
+const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach"];
 
 /// A path or a label of a panel: the layer, the part and the places; or the key, the text and nothing.
 type Thing = (String, String, Vec<Point>);
