@@ -21,6 +21,9 @@ mod panel;
 mod placement;
 mod plan;
 mod question;
+#[cfg(test)]
+#[path = "../../tests/random_scenes/mod.rs"]
+mod random_scenes;
 mod resolve;
 mod runs;
 mod sketch;
@@ -28,6 +31,11 @@ mod standing;
 mod text;
 pub mod theme;
 mod view;
+
+#[cfg(test)]
+use crate::scene::Scene;
+#[cfg(test)]
+use layer::{LAYERS, Shows};
 
 pub use draw::{Figure, draw};
 pub use fault::Fault;

@@ -63,8 +63,6 @@ struct Turn {
     side: Side,
     /// Its origin at the panel's moment, in the world, about which it turns.
     center: DVec2,
-    /// The extreme point before the turn, in the world.
-    p: DVec2,
     /// Distance of the extreme point from there, world units.
     radius: f64,
     /// The extreme point's direction before, radians counter-clockwise from +x.
@@ -76,6 +74,11 @@ struct Turn {
 }
 
 impl Turn {
+    /// The extreme point before the turn, in the world: out by the radius from its vertex.
+    fn before(&self) -> DVec2 {
+        on_circle(self.center, self.radius, self.start)
+    }
+
     /// The extreme point after the turn, in the world.
     fn after(&self) -> DVec2 {
         on_circle(self.center, self.radius, self.start + self.sweep)
@@ -102,7 +105,7 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
             let center = context.pose(*body, context.time)?.position;
             let start = angle_of(arm);
             let sweep = theta.copysign(context.body(*body)?.spin.degrees());
-            Some(Turn { side: *body, center, p: center + arm, radius: *radius, start, sweep, arc: *arc })
+            Some(Turn { side: *body, center, radius: *radius, start, sweep, arc: *arc })
         }
         _ => None,
     })
@@ -116,7 +119,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let slice = Outline::sector(t.center, t.radius, t.start, t.sweep);
         sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
     }
-    for end in [t.p, after] {
+    for end in [t.before(), after] {
         sketch.part("radii").weight(Weight::Light).line(
             t.center,
             end,
@@ -130,7 +133,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let accent = Pen::highlighted(options.role(Role::Now));
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
-    sketch.part("extreme-point").marker(t.p, marker, role, MARKER);
+    sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
     sketch.part("extreme-point").marker(after, marker, role, MARKER);
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
     points(sketch, &t, after);
@@ -139,7 +142,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// Names the extreme point before and after.
 fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
-    for (key, text, point) in [("p", "$p$", t.p), ("p'", "$p'$", after)] {
+    for (key, text, point) in [("p", "$p$", t.before()), ("p'", "$p'$", after)] {
         let anchor = Anchor::point_toward(point, point - t.center);
         sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
@@ -157,7 +160,7 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
     if sector {
         let r = format!("$r = {}$", number(t.radius));
         // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
-        let (from, to) = if t.sweep > 0.0 { (t.p, t.center) } else { (t.center, t.p) };
+        let (from, to) = if t.sweep > 0.0 { (t.before(), t.center) } else { (t.center, t.before()) };
         sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
         let outside = t.radius + sketch.px(CLEAR);
         let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };

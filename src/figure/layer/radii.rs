@@ -84,8 +84,11 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
         let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
             continue;
         };
-        let center = pose.point(body.shape.vertices.first().copied().unwrap_or(DVec2::ZERO));
-        let rim = center + direction(context, options) * body.shape.radius;
+        // Out of the vertex that is farthest that way, where the rim of a round body is a circle's.
+        let out = direction(context, options);
+        let vertices = body.shape.vertices.iter().map(|&v| pose.point(v));
+        let Some(center) = vertices.max_by(|p, q| p.dot(out).total_cmp(&q.dot(out))) else { continue };
+        let rim = center + out * body.shape.radius;
         let role = options.role(side.into());
         let number = number(body.shape.radius);
         let (key, symbol) = match (sides.len(), side) {

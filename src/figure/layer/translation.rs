@@ -33,7 +33,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let tip = pose.position - answer.normal * answer.separation;
     let role = options.role(Role::Now);
     let of_circles = run.tells(|e| matches!(e, Event::PenetrationMeasured { .. }));
-    let text = if of_circles { "$P = N p$" } else { r"$d\,n$" };
+    let text = if of_circles {
+        "$P = N p$"
+    } else if answer.separation > 0.0 {
+        // Apart, B comes back along n; d is a length.
+        r"$-d\,n$"
+    } else {
+        r"$d\,n$"
+    };
     sketch.part("translation").arrow(pose.position, tip, Pen::highlighted(role));
     sketch.label(Label::new("P", text, Anchor::middle(pose.position, tip), role));
 }

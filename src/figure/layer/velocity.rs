@@ -149,16 +149,12 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
         let Some((way, _)) = ahead else { return };
         let role = options.role(Role::Now);
         sketch.part("velocity");
-        let anchor = match way[..] {
-            [from, tip] => {
-                sketch.arrow(from, tip, Pen::highlighted(role));
-                Anchor::middle(from, tip)
-            }
-            _ => {
-                sketch.area(&Outline::polyline(&way), None, Some(Pen::highlighted(role)));
-                along(&way)
-            }
-        };
+        if let [from, tip] = way[..] {
+            sketch.arrow(from, tip, Pen::highlighted(role));
+        } else {
+            sketch.area(&Outline::polyline(&way), None, Some(Pen::highlighted(role)));
+        }
+        let anchor = along(&way);
         sketch.label(Label::new(m.key, m.text.clone(), anchor, role));
         return;
     }
@@ -169,10 +165,11 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
     if let (Some((way, time)), When::HIT) = (ahead, options.word("accent", "")) {
         let pen = Pen::highlighted(Role::Now);
         sketch.part("until-hit");
-        match way[..] {
-            [from, end] => sketch.line(from, end, pen),
-            _ => sketch.area(&Outline::polyline(&way), None, Some(pen)),
-        };
+        if let [from, end] = way[..] {
+            sketch.line(from, end, pen);
+        } else {
+            sketch.area(&Outline::polyline(&way), None, Some(pen));
+        }
         let label =
             if m.now > 0.0 { waiting(time - m.now, along(&way)) } else { label_of_hit(time, along(&way)) };
         sketch.label(label);

@@ -290,6 +290,7 @@ fn center(context: &Context) -> Option<DVec2> {
 
 #[cfg(test)]
 mod tests {
+    use super::VALUES;
     use crate::figure::plan;
     use crate::figure::text::{in_words, rounded};
     use crate::scene::{Source, read};
@@ -313,5 +314,45 @@ mod tests {
         });
         let first = steps.next().unwrap();
         assert_eq!(plan.caption_words, Some(in_words(&rounded(first, first))));
+    }
+
+    #[test]
+    fn a_step_has_the_values_that_the_trace_tells_of_it() {
+        const BODIES: &str = r#"
+            shapes.A = { kind = "box", half_extents = [0.8, 0.5], velocity = [3, 1] }
+            shapes.B = { kind = "circle", radius = 0.75, position = [4, 0.5], velocity = [-1, 0.5] }
+        "#;
+        for (kind, algorithm) in
+            [("linear-sweep", "ray-clipping"), ("time-of-impact", "conservative-advancement")]
+        {
+            for (space, step) in [("world", 1), ("world", 2), ("configuration", 1), ("configuration", 2)] {
+                let text = format!(
+                    "{BODIES}\nquery = {{ kind = '{kind}', of = ['A', 'B'], algorithm = '{algorithm}' }}
+                    panels = [{{ space = '{space}', step = {step}, layers = ['origin'] }}]"
+                );
+                let scene = read(&Source::new("steps.toml", &text)).unwrap();
+                let plan = plan(&scene).unwrap();
+                let context = plan.panels[0].context(&scene, &plan.runs);
+                let value = |name| VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(&context));
+                let run = plan.own_run();
+                let told = run.events().filter(|e| matches!(e, Event::Advanced { .. })).nth(step - 1);
+                let Some(&Event::Advanced { at, separation, normal, next, .. }) = told else {
+                    panic!("{text}")
+                };
+                let expected = [
+                    ("step.time", Some(at.time)),
+                    ("step.separation", Some(separation)),
+                    ("step.next", next),
+                    ("separation", Some(separation)),
+                    ("n.x", Some(normal.x)),
+                    ("n.y", Some(normal.y)),
+                ];
+                for (name, expected) in expected {
+                    let near = value(name).zip(expected).map(|(v, e)| (v.lo - e).abs().max((v.hi - e).abs()));
+                    assert_eq!(value(name).is_some(), expected.is_some(), "{name}, {text}");
+                    assert!(near.is_none_or(|off| off < 1e-12), "{name}: {:?}, {expected:?}", value(name));
+                }
+            }
+        }
     }
 }

@@ -1,12 +1,15 @@
 //! What a figure shows, for the tests of its layers: the texts of its labels and the lengths of its lines.
 
 mod moments;
+mod numbers;
 mod steps;
 
 use std::collections::BTreeMap;
 
 use crate::drawing::{Contour, Group, Item, Path, Segment};
 use crate::figure::Figure;
+use crate::figure::panel::PanelPlan;
+use crate::figure::sketch::{Request, Sketched};
 
 /// The labels of all panels by their keys: the markup, and the last number in it (NaN where there is none).
 pub(super) fn labels(figure: &Figure) -> BTreeMap<&'static str, (String, f64)> {
@@ -21,12 +24,20 @@ pub(super) fn labels(figure: &Figure) -> BTreeMap<&'static str, (String, f64)> {
         .collect()
 }
 
+/// The labels that a panel's layers ask for: the layer, the key, the markup.
+pub(super) fn labels_of(sketched: Sketched, panel: &PanelPlan) -> Vec<(&'static str, &'static str, String)> {
+    let label = |request: Request| {
+        (panel.layers[request.layer].layer.name, request.label.key, request.label.lines.join(" "))
+    };
+    sketched.requests.into_iter().map(label).collect()
+}
+
 /// The last number of a markup, with its power of ten; NaN where there is none.
 pub(super) fn last_number(markup: &str) -> f64 {
     let plain = markup.replace('−', "-").replace(r" \times 10^{", "e").replace("10^{", "1e");
     let numeric = |c: char| c.is_ascii_digit() || matches!(c, '-' | '.' | 'e');
-    let words = plain.split(|c: char| !numeric(c));
-    words.filter_map(|word| word.parse().ok()).last().unwrap_or(f64::NAN)
+    let words: Vec<&str> = plain.split(|c: char| !numeric(c)).collect();
+    words.iter().filter_map(|word| word.parse().ok()).next_back().unwrap_or(f64::NAN)
 }
 
 /// The lengths of the straight lines of the parts of a name, in the order drawn, page pixels.

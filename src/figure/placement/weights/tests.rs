@@ -5,17 +5,14 @@ use std::path::Path;
 
 use crate::drawing::Rect;
 use crate::figure::draw::{earlier, sought};
-use crate::figure::layer::{LAYERS, Shows};
 use crate::figure::placement::solve::{Ground, place_by};
 use crate::figure::placement::{Labelled, Sought, faults, things};
 use crate::figure::plan::{Plan, plan};
+use crate::figure::random_scenes;
 use crate::figure::sketch::Sketched;
-use crate::scene::{Scene, Source, open, read};
+use crate::scene::{Source, open, read};
 
 use super::{Costs, Places, Search, TUNED, Weights};
-
-#[path = "../../../../tests/random_scenes/mod.rs"]
-mod random_scenes;
 
 /// A label that is nearer than this to where it was, page pixels, has not moved.
 const STILL: f64 = 0.01;

@@ -1,0 +1,201 @@
+//! Every number of a label is that of its panel's moment: on random scenes, in panels of all moments, it is
+//! what bodies restarted there give, found anew from their geometry or by another algorithm.
+
+use std::collections::BTreeMap;
+
+use tracefig_reference::random::Random;
+
+use crate::collision::{ALGORITHMS, Answer, Outcome, Query, QueryKind, Separation, When as Asked};
+use crate::figure::context::Context;
+use crate::figure::layer::{LAYERS, Shows};
+use crate::figure::{plan, random_scenes};
+use crate::geometry::{Body, DVec2, Side};
+use crate::scene::{LayerSpec, Panel, Scene, Source, Space, Spanned, Value, When, read};
+use crate::trace::Event;
+
+use super::{labels_of, last_number};
+
+/// Scenes of a usual run.
+const SCENES: u64 = 300;
+
+/// A label's number has three digits: it is off by half of the last one, and by the tolerance of a hit.
+fn is_said(number: f64, exact: f64) -> bool {
+    (number - exact).abs() <= 0.0051 * exact.abs() + 1e-9
+}
+
+/// A scene of a number with a panel of every moment, each of every layer that can stand there.
+fn scene(seed: u64) -> Scene {
+    let mut scene = read(&Source::new("random", &random_scenes::scene_text(seed))).unwrap();
+    let mut r = Random::new(seed);
+    let discrete = scene.query.kind.question().when == Asked::AtAMoment;
+    for (_, body) in &mut scene.shapes {
+        if discrete {
+            body.velocity = DVec2::new(r.quarter(-8, 8), r.quarter(-4, 4));
+        }
+    }
+    let query = Query { kind: scene.query.kind, ..scene.query_at(0.0) };
+    let fitting: Vec<_> = ALGORITHMS.iter().filter(|a| a.takes(&query)).collect();
+    scene.query.algorithm = r.one_of(&fitting);
+    let whens = [When::Start, When::End, When::Time(0.3), When::Hit, When::Step(2), When::Step(3)];
+    let spaces = [Space::World, Space::Configuration, Space::Body(0)];
+    let panel = |(i, when): (usize, &When)| {
+        let space = if scene.query.of.len() > 1 { spaces[i % 3].clone() } else { Space::World };
+        Panel {
+            when: Some(spanned(*when, i)),
+            layers: Some(every_layer(&space, i)),
+            space,
+            ..scene.panels[0].clone()
+        }
+    };
+    let exists = |when: &&When| {
+        let panel = Panel { when: Some(spanned(**when, 0)), layers: Some(vec![]), ..scene.panels[0].clone() };
+        plan(&Scene { panels: vec![panel], ..scene.clone() }).is_ok()
+    };
+    scene.panels = whens.iter().filter(exists).enumerate().map(panel).collect();
+    scene
+}
+
+/// A value at a place of its own.
+fn spanned<T>(value: T, place: usize) -> Spanned<T> {
+    Spanned { value, span: place..place + 1 }
+}
+
+/// Every layer of a space, with all that it says in numbers.
+fn every_layer(space: &Space, panel: usize) -> Vec<LayerSpec> {
+    let configuration = *space == Space::Configuration;
+    let fits = |shows: Shows| shows == Shows::Anywhere || (shows == Shows::Configuration) == configuration;
+    let spec = |(i, name): (usize, &'static str)| {
+        let place = 100 * (panel + 1) + i;
+        let option = |key: &str, value| (spanned(key.to_owned(), place), spanned(value, place));
+        let options = match name {
+            "velocity" => vec![option("accent", Value::Text(When::HIT.to_owned()))],
+            "arc" => vec![option("sector", Value::Bool(true))],
+            _ => vec![],
+        };
+        LayerSpec { name: spanned(name.to_owned(), place), options }
+    };
+    LAYERS.iter().filter(|l| fits(l.shows)).map(|l| l.name).enumerate().map(spec).collect()
+}
+
+/// The pair's separation at a time, by the last algorithm that answers: figures use the first.
+fn separation(scene: &Scene, time: f64) -> Separation {
+    let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
+    let algorithm = ALGORITHMS.iter().rfind(|a| a.takes(&query)).unwrap();
+    let Answer::Separation(found) = algorithm.answer(&query) else { panic!("a separation") };
+    found
+}
+
+/// The smallest and largest coordinates of a body at a time.
+fn extent(body: &Body, time: f64) -> (DVec2, DVec2) {
+    let pose = body.pose_at(time);
+    let points: Vec<DVec2> = body.shape.vertices.iter().map(|&v| pose.point(v)).collect();
+    let all = |pick: fn(DVec2, DVec2) -> DVec2| points.iter().copied().reduce(pick).unwrap();
+    (all(DVec2::min) - body.shape.radius, all(DVec2::max) + body.shape.radius)
+}
+
+/// What a label's number must be, by its layer and key; `None` for labels without a number.
+fn expected(context: &Context, layer: &str, key: &str) -> Option<f64> {
+    let (scene, time) = (context.scene, context.time);
+    let [a, b] = [Side::A, Side::B].map(|side| context.body(side));
+    let centers = || b.unwrap().pose_at(time).position - a.unwrap().pose_at(time).position;
+    let first_box = || context.sides().into_iter().find_map(|s| context.body(s)?.shape.half_extents).unwrap();
+    let half = |axis: fn(DVec2) -> f64| match scene.query.kind {
+        QueryKind::Bounds => {
+            let (min, max) = extent(a.unwrap(), time);
+            axis(0.5 * (max - min))
+        }
+        _ => axis(first_box()),
+    };
+    let halves = |body: &Body| 0.5 * (extent(body, time).1 - extent(body, time).0);
+    let gap = || centers().abs() - halves(a.unwrap()) - halves(b.unwrap());
+    let round = |s: Side| context.body(s).filter(|b| b.shape.radius > 0.0).map(|b| b.shape.radius);
+    Some(match (layer, key) {
+        ("separation" | "closest", "d") => separation(scene, time).separation.abs(),
+        ("separation", "p" | "distance") => separation(scene, time).separation,
+        ("half-extents", "h_x") => half(|h| h.x),
+        ("half-extents", "h_y") => half(|h| h.y),
+        ("bounds", "min") => extent(a.unwrap(), time).0.y,
+        ("bounds", "max") => extent(a.unwrap(), time).1.y,
+        ("radii", "r") => context.sides().into_iter().find_map(round).unwrap(),
+        ("radii", "r1") => a.unwrap().shape.radius,
+        ("radii", "r2") => b.unwrap().shape.radius,
+        ("axis-gaps", "h.A.x") => halves(a.unwrap()).x,
+        ("axis-gaps", "h.A.y") => halves(a.unwrap()).y,
+        ("axis-gaps", "h.B.x") => halves(b.unwrap()).x,
+        ("axis-gaps", "h.B.y") => halves(b.unwrap()).y,
+        ("axis-gaps", "D.x") => gap().x,
+        ("axis-gaps", "D.y") => gap().y,
+        ("axis-gaps", "centers.x") => centers().x.abs(),
+        ("axis-gaps", "centers.y") => centers().y.abs(),
+        ("velocity", "t") if *context.space == Space::Configuration => {
+            until_hit(scene, context.difference_time())
+        }
+        ("velocity", "t") => until_hit(scene, time),
+        ("ray", "t") => until_hit(scene, 0.0),
+        ("projection", "gap") => largest_gap(context),
+        ("arc", "theta") => a.unwrap().spin.degrees().abs(),
+        ("arc", "r") => reach(a.unwrap()),
+        ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
+        _ => return None,
+    })
+}
+
+/// The time from a moment to the hit, by the last algorithm that answers.
+fn until_hit(scene: &Scene, now: f64) -> f64 {
+    let query = scene.query_at(0.0);
+    let algorithm = ALGORITHMS.iter().rfind(|a| a.takes(&query)).unwrap();
+    let Answer::Impact(impact) = algorithm.answer(&query) else { panic!("an impact") };
+    let Outcome::Hit { time, .. } = impact.outcome else { return 0.0 };
+    time.lo - now
+}
+
+/// The distance of a body's farthest point from its origin.
+fn reach(body: &Body) -> f64 {
+    body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius
+}
+
+/// The largest way from where A ends to where B begins, along the axes that were tested, by the vertices.
+fn largest_gap(context: &Context) -> f64 {
+    let reach = |side: Side, n: DVec2| {
+        let body = context.body(side).unwrap();
+        let pose = body.pose_at(context.time);
+        let far = body.shape.vertices.iter().map(|&v| pose.point(v).dot(n)).fold(f64::NEG_INFINITY, f64::max);
+        far + body.shape.radius
+    };
+    let run = context.run();
+    let axes =
+        run.events().filter_map(|e| if let Event::AxisTested { axis, .. } = e { Some(*axis) } else { None });
+    axes.map(|n| -reach(Side::B, -n) - reach(Side::A, n)).fold(f64::NEG_INFINITY, f64::max).abs()
+}
+
+#[test]
+fn every_number_of_a_label_is_that_of_its_panels_moment() {
+    let mut said: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    for seed in 0..SCENES {
+        let Some(scene) = random_scenes::fed(scene(seed)) else { continue };
+        let plan = plan(&scene).unwrap();
+        for (index, panel) in plan.panels.iter().enumerate() {
+            let context = panel.context(&scene, &plan.runs);
+            for (layer, key, text) in labels_of(panel.sketch(&context, plan.theme), panel) {
+                let number = last_number(&text);
+                match expected(&context, layer, key) {
+                    Some(exact) => {
+                        let moment = panel.moment;
+                        assert!(
+                            is_said(number, exact),
+                            "scene {seed}, panel {index}, {moment:?}: {layer} says {text}, not {exact}"
+                        );
+                        *said.entry((layer, key)).or_default() += 1;
+                    }
+                    None => assert!(number.is_nan() || is_a_name(&text), "{layer}, {key}: who says {text}?"),
+                }
+            }
+        }
+    }
+    assert!(said.len() >= 20 && said.values().all(|&n| n >= 2), "{said:?}");
+}
+
+/// Whether a label's numbers are only those of its symbol, as in `$x_1$`.
+fn is_a_name(text: &str) -> bool {
+    !text.contains('=')
+}
