@@ -22,7 +22,7 @@ pub(crate) struct BallPair<'p, 's> {
     rotation: Rotation<Ball>,
 }
 
-/// An edge of B ⊖ A with its gap.
+/// An edge of B ⊖ A measured in balls: its supporting vertex, its normal and the gap along it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MeasuredEdge {
     /// The edge, with a vertex that supports it as far as 106 bits tell.

@@ -195,8 +195,10 @@ fn widest_edge(
                 // How far this one may be above the leader's centre.
                 highest = highest.max((measured.gap.value - leader.gap.value).hi.abs() + measured.gap.radius);
                 if [measured.facing, facing].map(DifferenceFeature::Edge).map(Some).contains(&hint) {
+                    // The hinted edge leads from here on. The old leader's centre is within `highest` of
+                    // its own, so that nothing is farther above it than twice that.
                     best = Some(measured);
-                    highest = highest.max(2.0 * highest);
+                    highest *= 2.0;
                 }
             }
         }

@@ -43,9 +43,12 @@ const ENOUGH: f64 = 1.0 / 32.0;
 /// twice decides another pair.
 const CONTACT_TRIALS: usize = 24;
 
-/// Halvings of an interval that holds the first contact: a guard, since halving ends at an eighth of the
-/// bounds' width.
+/// Halvings of an interval that holds the first contact: a guard, since halving ends at [`NARROW`].
 const BISECTIONS: usize = 60;
+
+/// Part of the bounds' width below which an interval that holds the first contact is no longer halved. Half
+/// and twice leave the bounds of random pairs as wide on average.
+const NARROW: f64 = 0.125;
 
 /// How a search ends.
 pub(crate) enum Ended {
@@ -271,7 +274,7 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
         let (mut bad, mut good) = (lo, hi);
         for _ in 0..BISECTIONS {
             let middle = bad + 0.5 * (good - bad);
-            if good - bad <= 0.125 * (good - lo) || middle <= bad || middle >= good {
+            if good - bad <= NARROW * (good - lo) || middle <= bad || middle >= good {
                 break;
             }
             if before.touches_by(middle) { good = middle } else { bad = middle }

@@ -83,6 +83,11 @@ const CLOSE_ENOUGH: f64 = 1e-7;
 /// within ε/2; doubled.
 const UP: f64 = 1.0 + 64.0 * f64::EPSILON;
 
+/// Part of the error of a gap by which both ends of a span must be clear of it: covers what rounding makes of
+/// the lowest point of g between them, of which the root's place matters to second order only. Half
+/// decides no other pair, twice leaves two more of the random ones open and one of the hard ones.
+const MARGIN: f64 = 0.25;
+
 /// Bound on the error of [`TurnedGap::value`] as the least of all `f_j`.
 ///
 /// `n_w` is within 5.8 ε, n in O's frame within 11.6 ε, its dot product with a vertex within 13.1 ε of the
@@ -196,11 +201,10 @@ impl TurnedGap {
     /// Whether the gap is proved open from this moment to a `later` one on the same axis, given the bound on
     /// their errors.
     ///
-    /// Both values, less their error, must be positive by a quarter of it: that covers what rounding makes of
-    /// the lowest point of g, of which the root's place matters to second order only.
+    /// Both values, less their error, must be positive by [`MARGIN`] of it.
     pub(crate) fn stays_open(&self, later: &Self, pair: &MovingPair, owner: Side, error: f64) -> bool {
         let (a, b) = (self.value - error, later.value - error);
-        if !(a > 0.25 * error && b > 0.25 * error) {
+        if !(a > MARGIN * error && b > MARGIN * error) {
             return false;
         }
         let length = later.t - self.t;

@@ -42,6 +42,10 @@ use crate::geometry::{
 /// and t itself may add 4 ε M: 13.9 ε M, of the 16 ε M of [`Pair::gap_error`].
 const FAR: f64 = 4.0;
 
+/// Part of a closing speed that must be certain; where less is, the ray all but grazes. From a twentieth to
+/// 999 thousandths the same rays are decided: all of 3,000 random ones and 292 of the 426 hard ones.
+const CERTAIN: f64 = 0.5;
+
 /// Where the ray's line enters B ⊖ A, if that can be proved with little work.
 #[inline]
 pub(crate) fn entry(pair: &Pair, heading: &Heading) -> Option<Entry> {
@@ -106,7 +110,7 @@ impl Line<'_, '_> {
         let gap_error = pair.placing_error + turning * far + REST_ERROR * (pair.magnitude + pair.radius.hi);
         let closing_error = error + (turning + REST_ERROR) * speed;
         let least = closing.hi * (1.0 - 4.0 * f64::EPSILON) - closing_error;
-        if least <= 0.5 * closing.hi {
+        if least <= CERTAIN * closing.hi {
             return None;
         }
         let q = gap.hi / closing.hi;
@@ -222,8 +226,7 @@ fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let mut tail = DVec2::ZERO;
     if pair.is_multiplied() {
         let q = pair.hull(Side::B).vertex_tail(j);
-        tail = DVec2::new(cos.hi * q.x - sin.hi * q.y, sin.hi * q.x + cos.hi * q.y)
-            - pair.hull(Side::A).vertex_tail(i);
+        tail = pair.b_rotation.rounded().apply(q) - pair.hull(Side::A).vertex_tail(i);
     }
     let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
         let (s, g) = two_sum(p, r);
