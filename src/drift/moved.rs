@@ -96,7 +96,7 @@ fn subject(told: &Told) -> String {
     }
     // Writing to a text can't fail.
     if let Some(number) = field("step").and_then(Value::as_u64) {
-        let _ = write!(words, " {}", number + 1);
+        let _ = write!(words, " {number}");
     }
     if let Some(edge) = field("edge") {
         let _ = write!(words, " {edge}");

@@ -220,18 +220,33 @@ impl Context<'_> {
         self.runs.difference(self.scene, time)
     }
 
+    /// The time of first contact with its bounds; 0 for bodies that overlap from the start. `None` for any
+    /// other answer.
+    #[must_use]
+    pub(crate) fn hit_time(&self) -> Option<Enclosure> {
+        match &self.run().answer {
+            Answer::Impact(impact) => match impact.outcome {
+                Outcome::Hit { time, .. } => Some(time),
+                Outcome::Overlapping { .. } => Some(Enclosure { lo: 0.0, hi: 0.0 }),
+                Outcome::Miss | Outcome::Unresolved { .. } => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// A run that tells the first step of an advancement from t = 0, of the scene's own question; `None` where
+    /// no algorithm takes one.
+    #[must_use]
+    pub(crate) fn first_step(&self) -> Option<Arc<Run>> {
+        self.runs.first_step(self.scene)
+    }
+
     /// The first contact: the last time in [0, 1] proved free, and the pair then, as the panel shows it; at
     /// t = 0 for bodies that overlap from the start. `None` for any other answer.
     #[must_use]
     pub(crate) fn hit(&self) -> Option<(f64, Separation)> {
-        let (time, contact) = match &self.run().answer {
-            Answer::Impact(impact) => match impact.outcome {
-                Outcome::Hit { time, contact } => Some((time.lo, contact)),
-                Outcome::Overlapping { contact } => Some((0.0, contact)),
-                Outcome::Miss | Outcome::Unresolved { .. } => None,
-            },
-            _ => None,
-        }?;
+        let time = self.hit_time()?.lo;
+        let contact = *self.run().separation()?;
         Some((time, self.seen(&contact, time)))
     }
 

@@ -92,8 +92,8 @@ impl Run {
     }
 }
 
-/// What identifies a run: the question, the algorithm, the bits of the moment.
-type Key = (QueryKind, &'static str, u64);
+/// What identifies a run: the question, the algorithm, the bits of the moment, the step cap.
+type Key = (QueryKind, &'static str, u64, usize);
 
 /// The runs of a figure so far, in the order they were asked for.
 #[derive(Debug, Default)]
@@ -129,6 +129,17 @@ impl Runs {
             .find(|run| tells(run))
     }
 
+    /// The scene's own question by an algorithm that advances: the scene's own, else the first one that does,
+    /// which takes one step and no more.
+    pub(crate) fn first_step(&self, scene: &Scene) -> Option<Arc<Run>> {
+        let advances = |run: &Arc<Run>| run.events().any(|e| matches!(e, Event::Advanced { .. }));
+        let own = Some(self.own(scene, 0.0)).filter(advances);
+        let query = Query { max_iterations: 1, ..scene.query_at(0.0) };
+        let of_another =
+            || ALGORITHMS.iter().filter(|a| a.takes(&query)).map(|a| self.run(a, &query)).find(advances);
+        own.or_else(of_another)
+    }
+
     /// All runs so far, in the order they were asked for.
     pub(crate) fn all(&self) -> Vec<Arc<Run>> {
         let done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
@@ -148,7 +159,7 @@ impl Runs {
 
     /// The run of a query by an algorithm: an earlier one where it was asked before.
     fn run(&self, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
-        let key = (query.kind, algorithm.name, query.time.to_bits());
+        let key = (query.kind, algorithm.name, query.time.to_bits(), query.max_iterations);
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, run)) = done.iter().find(|(k, _)| *k == key) {
             return Arc::clone(run);

@@ -5,6 +5,8 @@
 //! they stand in scripts and fractions like any letter. Within the braces a backslash before a sign that is
 //! neither letter nor digit stands for that sign, so that every text can be written ([`escaped`]).
 
+use std::fmt::Write;
+
 use super::line::{Face, PlacedGlyph, Style, TypesetError};
 use super::words;
 
@@ -89,7 +91,8 @@ impl Taken {
         };
         let set = words::set(unescaped(content).map(|(at, c)| (offset + at, c)), Style::regular(1.0))?;
         let wider = set.width - f64::from(advance) / super::face::UNITS_PER_EM;
-        self.latex.push_str(&format!("{{{sign}\\hspace{{{wider:.6}em}}}}"));
+        // Writing to a text can't fail.
+        let _ = write!(self.latex, "{{{sign}\\hspace{{{wider:.6}em}}}}");
         self.words.push(Inner { glyphs: set.glyphs });
         Ok(())
     }

@@ -17,6 +17,7 @@ macro_rules! shows {
 mod difference;
 mod golden;
 mod motion;
+mod numbers;
 mod overlap;
 mod seen;
 mod witness;

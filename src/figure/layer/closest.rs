@@ -4,7 +4,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
-use crate::figure::text::number;
+use crate::figure::text::distance_or_depth;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
@@ -22,27 +22,25 @@ pub(super) const LAYER: Layer = Layer {
 };
 
 /// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
-/// of the algorithm; for round bodies, whose radius candidates leave out, the answer's.
-fn nearest(context: &Context) -> Option<DVec2> {
+/// of the algorithm; for round bodies, whose radius candidates leave out, the answer's. And its label.
+fn nearest(context: &Context) -> Option<(DVec2, String)> {
     let run = context.separation_at(context.time)?;
     let answer = *run.separation()?;
     let candidate = run.events().filter(|e| matches!(e, Event::CandidateImproved { .. })).last();
     if let Some(candidate) = candidate {
         run.tells(|event| std::ptr::eq(event, candidate));
     }
-    match candidate {
-        Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => {
-            Some(*foot)
-        }
-        _ => Some(answer.normal * answer.separation),
-    }
+    let foot = match candidate {
+        Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => *foot,
+        _ => answer.normal * answer.separation,
+    };
+    Some((foot, distance_or_depth(&answer)))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(foot) = nearest(context) else { return };
+    let Some((foot, text)) = nearest(context) else { return };
     let role = options.role(Role::Translation);
     let from = context.estimate();
     sketch.part("closest").double_arrow(from, from + foot, Pen::vector(role));
-    let text = format!("$d = {}$", number(foot.length()));
     sketch.label(Label::new("d", text, Anchor::middle(from, from + foot), role));
 }

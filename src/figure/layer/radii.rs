@@ -53,14 +53,28 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// Centres and radii as the algorithm compared them, and its answer.
-fn compared(context: &Context) -> Option<([DVec2; 2], [f64; 2], Separation)> {
+/// Two circles as the algorithm compared them, in world units.
+struct Compared {
+    /// Centres of A and B.
+    centers: [DVec2; 2],
+    /// Radii of A and B.
+    radii: [f64; 2],
+    /// The distance of the centres.
+    apart: f64,
+    /// What the algorithm answered.
+    answer: Separation,
+}
+
+/// What the algorithm compared.
+fn compared(context: &Context) -> Option<Compared> {
     let run = context.separation_at(context.time)?;
-    let (centers, radii) = run.find_told(|event| match *event {
-        Event::CirclesCompared { centers, radii, .. } => Some((centers, radii)),
+    let answer = *run.separation()?;
+    run.find_told(|event| match *event {
+        Event::CirclesCompared { centers, radii, distance_squared, .. } => {
+            Some(Compared { centers, radii, apart: distance_squared.sqrt(), answer })
+        }
         _ => None,
-    })?;
-    Some((centers, radii, *run.separation()?))
+    })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -132,12 +146,13 @@ struct Length {
 /// Draws ‖A − B‖, r₁ and r₂ on tracks along the line of centres, below the circles: the radii overlap by the
 /// depth.
 fn lengths(sketch: &mut Sketch, context: &Context) {
-    let Some((centers, radii, answer)) = compared(context) else { return };
+    let Some(compared) = compared(context) else { return };
+    let Compared { centers, radii, answer, .. } = compared;
     let n = answer.normal;
     let side = perp(*n);
     let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
     let down = if onto.y > 0.0 { -side } else { side };
-    let tracks = tracks(context, centers, radii, &answer);
+    let tracks = tracks(context, &compared);
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
@@ -158,10 +173,10 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
 }
 
 /// ‖A − B‖, r₁ and r₂, each where it lies on the line of the centres.
-fn tracks(context: &Context, centers: [DVec2; 2], radii: [f64; 2], answer: &Separation) -> [Length; 3] {
+fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
+    let Compared { centers, radii, apart, answer } = *compared;
     let n = answer.normal;
     let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };
-    let apart = centers[0].distance(centers[1]);
     let [a, b] = Side::BOTH.map(|side| context.named(side).term());
     let [r, q] = Side::BOTH.map(|side| context.numbered("r", side));
     [

@@ -40,15 +40,15 @@ const PAST: f64 = 1.5;
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let v = context.closing_velocity();
     let role = options.role(Role::Ink);
-    let hit = context.hit().map(|(time, _)| time);
+    let hit = context.hit_time();
     let cut =
-        hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time));
+        hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time.lo));
     let from = -v * context.difference_time();
     let tip = from + v * cut;
     sketch.part("ray").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new("v", "$v$", Anchor::tip(from, tip), role));
     if let Some(time) = hit {
-        let hit = from + v * time;
+        let hit = from + v * time.lo;
         sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
         sketch.part("hit").marker(hit, Marker::Disc, Role::Now, LARGE_MARKER);

@@ -10,7 +10,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch, Weight};
-use crate::figure::text::number;
+use crate::figure::text::{Quantity, distance_or_depth};
 use crate::geometry::{Feature, Side};
 use crate::trace::Event;
 
@@ -148,15 +148,16 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 }
 
 /// Key and text of the label in the algorithm's own words: the article calls the signed penetration of
-/// circles p, the distance of a circle from a box distance, and the depth of polygons d.
+/// circles p, the distance of a circle from a box distance, and the depth of polygons d, which has no sign.
 fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
-    let (signed, depth) = (number(answer.separation), number(answer.separation.abs()));
+    let signed = Quantity::separation(answer).latex();
     if run.tells(|e| matches!(e, Event::PenetrationMeasured { .. })) {
         ("p", format!("$p = {signed}$"))
     } else if run.tells(|e| matches!(e, Event::Clamped { .. })) {
-        ("distance", format!("distance $= {signed}$"))
+        let is_inside = answer.bounds.hi < 0.0;
+        ("distance", if is_inside { distance_or_depth(answer) } else { format!("distance $= {signed}$") })
     } else {
-        ("d", format!("$d = {depth}$"))
+        ("d", distance_or_depth(answer))
     }
 }
 

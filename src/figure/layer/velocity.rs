@@ -7,8 +7,8 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
-use crate::figure::text::number;
-use crate::geometry::{DVec2, Side};
+use crate::figure::text::Quantity;
+use crate::geometry::{DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
@@ -79,11 +79,11 @@ fn seen(context: &Context, side: Side) -> DVec2 {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let scale = options.number("scale").unwrap_or(1.0);
-    let hit = context.hit().map(|(time, _)| time);
+    let hit = context.hit_time();
     if *context.space == Space::Configuration {
         let v = context.closing_velocity();
         let now = context.difference_time();
-        let way = hit.map(|time| vec![DVec2::ZERO, v * (time - now)]);
+        let way = hit.map(|time| vec![DVec2::ZERO, v * (time.lo - now)]);
         arrow(
             sketch,
             options,
@@ -94,7 +94,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&moving(context)) {
         let (Some(pose), v) = (context.pose(side, context.time), seen(context, side)) else { continue };
         let local = start(context, options, side);
-        let way = hit.map(|time| context.track(side, local, [context.time, time]));
+        let way = hit.map(|time| context.track(side, local, [context.time, time.lo]));
         let key = if side == Side::A { "v_A" } else { "v_B" };
         let text = context.symbol("v", side);
         let from = pose.point(local);
@@ -126,16 +126,16 @@ struct Motion {
     way: Option<Vec<DVec2>>,
     /// The panel's moment.
     now: f64,
-    /// The time of the hit, where there is one.
-    hit: Option<f64>,
+    /// The time of the hit with its bounds, where there is one.
+    hit: Option<Enclosure>,
     /// Drawn length of a unit of velocity, world units.
     scale: f64,
 }
 
 impl Motion {
     /// The way to the hit as it is drawn, with the time of the hit; none where that is not ahead.
-    fn ahead(&self) -> Option<(Vec<DVec2>, f64)> {
-        let hit = self.hit.filter(|&hit| hit > self.now)?;
+    fn ahead(&self) -> Option<(Vec<DVec2>, Enclosure)> {
+        let hit = self.hit.filter(|hit| hit.lo > self.now)?;
         let way = self.way.as_ref()?;
         Some((way.iter().map(|&p| self.from + (p - self.from) * self.scale).collect(), hit))
     }
@@ -171,7 +171,7 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
             sketch.area(&Outline::polyline(&way), None, Some(pen));
         }
         let label =
-            if m.now > 0.0 { waiting(time - m.now, along(&way)) } else { label_of_hit(time, along(&way)) };
+            if m.now > 0.0 { waiting(time, m.now, along(&way)) } else { label_of_hit(time, along(&way)) };
         sketch.label(label);
     }
 }
@@ -185,11 +185,13 @@ fn along(way: &[DVec2]) -> Anchor {
 }
 
 /// The label of a way up to the hit, from the start: its time.
-pub(super) fn label_of_hit(time: f64, anchor: Anchor) -> Label {
-    Label::new("t", format!("$t = {}$", number(time)), anchor, Role::Now).rank(Rank::Measure)
+pub(super) fn label_of_hit(time: Enclosure, anchor: Anchor) -> Label {
+    let time = Quantity::within(time).latex();
+    Label::new("t", format!("$t = {time}$"), anchor, Role::Now).rank(Rank::Measure)
 }
 
 /// The label of a way up to the hit, from a later moment: the time that it takes.
-fn waiting(time: f64, anchor: Anchor) -> Label {
-    Label::new("t", format!(r"$\Delta t = {}$", number(time)), anchor, Role::Now).rank(Rank::Measure)
+fn waiting(time: Enclosure, now: f64, anchor: Anchor) -> Label {
+    let time = Quantity::within(Enclosure { lo: time.lo - now, hi: time.hi - now }).latex();
+    Label::new("t", format!(r"$\Delta t = {time}$"), anchor, Role::Now).rank(Rank::Measure)
 }

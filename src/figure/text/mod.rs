@@ -2,17 +2,19 @@
 //!
 //! `{=name}` in a text stands for a value of the answer ([`values`]), written as a [`number`](number::number)
 //! of three significant digits at most ([`fill`](fill::fill)). The [`caption`] is broken into lines, a label
-//! gets its [`wording`], and [`plain`](plain::plain) reads markup out in words for the alternative text.
+//! gets its [`wording`] and its [`quantities`](quantity), and [`plain`](plain::plain) reads markup out in words for the alternative text.
 
 mod caption;
 mod fill;
 mod fold;
 mod number;
 mod plain;
+mod quantity;
 mod values;
 mod wording;
 
 pub(crate) use caption::{caption, caption_of_words, caption_words, set};
 pub(crate) use number::{in_words, number, rounded};
 pub(crate) use plain::plain;
+pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use wording::{Wording, check_texts};

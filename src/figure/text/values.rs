@@ -1,26 +1,12 @@
 //! The values that text may name, each a row: where it is read, and what it means.
 
-use crate::collision::{Answer, Outcome};
+use crate::collision::Answer;
 use crate::figure::context::Context;
 use crate::figure::question::has_a_tolerance;
-use crate::geometry::{Body, DVec2, Side};
+use crate::geometry::DVec2;
 use crate::trace::Event;
 
-/// A number with its bounds; both are the same where the trace tells only a double.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Quantity {
-    /// Not above the exact value.
-    pub(crate) lo: f64,
-    /// Not below the exact value.
-    pub(crate) hi: f64,
-}
-
-impl Quantity {
-    /// A value that the trace tells as a double.
-    fn exactly(value: f64) -> Self {
-        Self { lo: value, hi: value }
-    }
-}
+use super::quantity::Quantity;
 
 /// A value that text may name.
 pub(crate) struct Value {
@@ -49,6 +35,8 @@ macro_rules! told {
 pub(crate) static VALUES: &[Value] = &[
     // Signed separation at the panel's moment, world units.
     Value { name: "separation", of: separation },
+    // Distance or depth at the panel's moment, never negative: the d of labels.
+    Value { name: "d", of: distance_or_depth },
     // Penetration depth at the panel's moment, positive.
     Value { name: "depth", of: depth },
     // Time of first contact, else the panel's moment.
@@ -152,8 +140,13 @@ pub(crate) fn another_answer_has(name: &str, context: &Context) -> bool {
 /// The bounds of the separation at the panel's moment.
 fn separation(context: &Context) -> Option<Quantity> {
     let run = context.separation_at(context.time)?;
-    let bounds = run.separation()?.bounds;
-    Some(Quantity { lo: bounds.lo, hi: bounds.hi })
+    Some(Quantity::separation(run.separation()?))
+}
+
+/// The bounds of the distance or depth at the panel's moment.
+fn distance_or_depth(context: &Context) -> Option<Quantity> {
+    let run = context.separation_at(context.time)?;
+    Some(Quantity::distance_or_depth(run.separation()?))
 }
 
 /// The bounds of the depth; `None` for bodies that are apart.
@@ -165,11 +158,7 @@ fn depth(context: &Context) -> Option<Quantity> {
 /// The bounds of the time of first contact, or the panel's moment.
 fn time(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
-        Answer::Impact(impact) => match impact.outcome {
-            Outcome::Hit { time, .. } => Some(Quantity { lo: time.lo, hi: time.hi }),
-            Outcome::Overlapping { .. } => Some(Quantity::exactly(0.0)),
-            Outcome::Miss | Outcome::Unresolved { .. } => None,
-        },
+        Answer::Impact(_) => context.hit_time().map(Quantity::within),
         Answer::MotionBound(_) => None,
         _ => Some(Quantity::exactly(context.time)),
     }
@@ -196,8 +185,8 @@ fn hit_normal(context: &Context) -> Option<DVec2> {
     }
 }
 
-/// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, whichever algorithm answered; for a motion
-/// bound the bound itself.
+/// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, as an advancement takes it, whichever
+/// algorithm answered; for a motion bound the bound itself.
 fn bound(context: &Context) -> Option<Quantity> {
     let run = context.run();
     match &run.answer {
@@ -207,18 +196,18 @@ fn bound(context: &Context) -> Option<Quantity> {
     }
 }
 
-/// The article's first step. r is the distance of the farthest vertex of the core: a disc about a vertex is
-/// carried and not turned, so the radius of a round body never counts.
+/// The time that the first step of an advancement proves free, beyond 1 where nothing touches until then;
+/// `None` for bodies that touch at the start or do not approach.
 fn first_step(context: &Context) -> Option<f64> {
-    let start = context.separation_at(0.0)?;
-    let contact = start.separation()?;
-    let (a, b) = (context.body(Side::A)?, context.body(Side::B)?);
-    let turning = |body: &Body| {
-        let farthest = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
-        body.spin.arc(farthest * body.shape.stretch())
-    };
-    let approach = (a.velocity - b.velocity).dot(*contact.normal) + turning(a) + turning(b);
-    (approach > 0.0 && contact.separation > 0.0).then(|| contact.separation / approach)
+    context
+        .first_step()?
+        .find_told(|event| match *event {
+            Event::Advanced { separation, bound, next, .. } => Some((separation, bound, next)),
+            _ => None,
+        })
+        .and_then(|(separation, bound, next)| {
+            next.or_else(|| (separation > 0.0 && bound > 0.0).then(|| separation / bound))
+        })
 }
 
 /// How many distances the advancement asked for.

@@ -1,0 +1,77 @@
+//! A number of the answer with its bounds, and how it is written: texts and labels say the same of it.
+
+use crate::collision::Separation;
+use crate::geometry::Enclosure;
+
+use super::number::{in_math, rounded};
+
+/// A number with its bounds; both are the same where the trace tells only a double.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Quantity {
+    /// Not above the exact value.
+    pub(crate) lo: f64,
+    /// Not below the exact value.
+    pub(crate) hi: f64,
+}
+
+impl Quantity {
+    /// A value that the trace tells as a double.
+    pub(crate) fn exactly(value: f64) -> Self {
+        Self { lo: value, hi: value }
+    }
+
+    /// A value that is told with its bounds.
+    pub(crate) fn within(Enclosure { lo, hi }: Enclosure) -> Self {
+        Self { lo, hi }
+    }
+
+    /// The signed separation: negative inside.
+    pub(crate) fn separation(found: &Separation) -> Self {
+        Self::within(found.bounds)
+    }
+
+    /// The letter d of every figure: the distance of bodies apart, the depth of bodies that overlap, and so
+    /// never negative.
+    pub(crate) fn distance_or_depth(found: &Separation) -> Self {
+        match found.bounds {
+            Enclosure { lo, hi } if hi <= 0.0 => Self { lo: -hi, hi: -lo },
+            bounds if bounds.lo >= 0.0 => Self::within(bounds),
+            _ => Self::exactly(found.separation.abs()),
+        }
+    }
+
+    /// The number as LaTeX, to three digits at most and no more than its bounds share.
+    #[must_use]
+    pub(crate) fn latex(self) -> String {
+        in_math(&rounded(self.lo, self.hi))
+    }
+}
+
+/// The label of a distance or depth, as markup: it says which where the sign of the separation is negative,
+/// as d has none.
+#[must_use]
+pub(crate) fn distance_or_depth(found: &Separation) -> String {
+    let word = if found.bounds.hi < 0.0 { "depth " } else { "" };
+    format!("{word}$d = {}$", Quantity::distance_or_depth(found).latex())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::Answer;
+
+    #[test]
+    fn d_is_never_negative_and_a_depth_is_called_one() {
+        let scene = |x: f64| {
+            let text = format!(
+                "[shapes.A]\nkind = 'circle'\nradius = 1\n[shapes.B]\nkind = 'circle'\nradius = 1\n\
+                 position = [{x}, 0]\n[query]\nkind = 'separation'\nof = ['A', 'B']"
+            );
+            crate::scene::open_text("s.toml", &text).unwrap().scene
+        };
+        for (x, expected) in [(1.5, "depth $d = 0.5$"), (2.5, "$d = 0.5$"), (2.0, "$d = 0$")] {
+            let Answer::Separation(found) = crate::scene::solve(&scene(x)) else { panic!("a separation") };
+            assert_eq!(distance_or_depth(&found), expected);
+        }
+    }
+}
