@@ -234,8 +234,8 @@ impl Context<'_> {
         }
     }
 
-    /// A run that tells the first step of an advancement from t = 0, of the scene's own question; `None` where
-    /// no algorithm takes one.
+    /// A run of the scene's own question that tells the first step of an advancement, from t = 0; `None`
+    /// where no algorithm takes one.
     #[must_use]
     pub(crate) fn first_step(&self) -> Option<Arc<Run>> {
         self.runs.first_step(self.scene)

@@ -1,8 +1,9 @@
 //! Everything that a figure says in letters, from the scene's markup to lines that are set.
 //!
-//! `{=name}` in a text stands for a value of the answer ([`values`]), written as a [`number`](number::number)
-//! of three significant digits at most ([`fill`](fill::fill)). The [`caption`] is broken into lines, a label
-//! gets its [`wording`] and its [`quantities`](quantity), and [`plain`](plain::plain) reads markup out in words for the alternative text.
+//! `{=name}` in a text stands for a value of the answer ([`values`]), a [`quantity`] written as a
+//! [`number`](number::number) of three significant digits at most ([`fill`](fill::fill)). The [`caption`] is
+//! broken into lines, a label gets its [`wording`], and [`plain`](plain::plain) reads markup out in words for
+//! the alternative text.
 
 mod caption;
 mod fill;
