@@ -8,9 +8,13 @@
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test may panic wherever it is")]
 #![expect(clippy::print_stdout, reason = "times, when they are asked for")]
 
+mod hostile_figures;
+
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
+
+use hostile_figures::HOSTILE;
 
 /// Seconds of processor time that a scene may take.
 const SECONDS: f64 = 2.0;
@@ -400,4 +404,43 @@ fn no_text_of_a_megabyte_takes_2_seconds_or_500_megabytes() {
 #[cfg_attr(debug_assertions, ignore = "a time without optimization says nothing; it is run in release")]
 fn no_figure_of_a_megabyte_takes_2_seconds_or_500_megabytes() {
     hold(figures());
+}
+
+/// What `check` of a folder takes.
+fn hold_check(folder: &Path, name: &str, arguments: &str, told: &str) -> Result<(), String> {
+    let (code, said, seconds) = run(folder, &format!("{arguments} --junit found"));
+    if std::env::var_os("TIMES").is_some() {
+        println!("{seconds:6.2} s  check {name}");
+    }
+    let found = std::fs::read_to_string(folder.join("found")).unwrap_or_default();
+    if code == Some(1) && seconds <= SECONDS && found.contains(told) {
+        return Ok(());
+    }
+    Err(format!("check {name}: {code:?}, {seconds:.2} s, {said} {found}\n"))
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "a time without optimization says nothing; it is run in release")]
+fn no_figure_on_disk_takes_check_2_seconds_or_500_megabytes() {
+    let mut wrong = String::new();
+    for hostile in HOSTILE {
+        let folder = tempfile::tempdir().unwrap();
+        hostile.put(folder.path());
+        let arguments = hostile.arguments().join(" ").replace("--scale 1", "");
+        wrong.extend(hold_check(folder.path(), hostile.name, &arguments, hostile.told).err());
+    }
+    // Also a figure of ours, as large as one may be, that has changed.
+    for format in ["svg", "png"] {
+        let folder = tempfile::tempdir().unwrap();
+        let scene = |radius: &str| {
+            let page = "canvas = { width = 4096, height = 4096 }\n";
+            page.to_owned() + hostile_figures::SCENE.replace("radius = 1", radius).as_str()
+        };
+        std::fs::write(folder.path().join("s.toml"), scene("radius = 1")).unwrap();
+        run(folder.path(), &format!("render s.toml --format {format}"));
+        std::fs::write(folder.path().join("s.toml"), scene("radius = 1.5")).unwrap();
+        let arguments = format!("check s.toml --format {format}");
+        wrong.extend(hold_check(folder.path(), "a large page", &arguments, "pixels differ").err());
+    }
+    assert!(wrong.is_empty(), "{wrong}");
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use tracefig::drawing::Rect;
 use tracefig::drift::report::{Finding, json, tally};
-use tracefig::drift::{Change, PixelDrift, Rendered, State, compare, elements_in, triptych, what_moved};
+use tracefig::drift::{Change, PixelDrift, Rendered, State, compare_and_show, elements_in, what_moved};
 use tracefig::output::{Format, MOST_BYTES};
 use tracefig::scene::visible;
 
@@ -194,7 +194,7 @@ impl Check {
         };
         let scale = self.files.scale();
         let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
-        let state = compare(on_disk.as_deref(), rendered);
+        let (state, image) = compare_and_show(on_disk.as_deref(), rendered);
         let mut finding =
             Finding { file: name.clone(), state: state.word(), details: Vec::new(), picture: None };
         match &state {
@@ -206,7 +206,7 @@ impl Check {
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
                 finding.details = self.details(change, &old, file.format, encoded);
-                if let Some(image) = triptych(file.format, &old, &encoded.bytes, scale) {
+                if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
                         .and_then(|()| write_whole(picture, &image));
                     if let Err(error) = written {

@@ -21,8 +21,9 @@ pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, triptych};
 pub use stamp::{Stamp, facts, fingerprint, metadata, text_chunk};
 pub use text::LineDrift;
 
-use crate::output::{Format, Picture, sheets_apart};
+use crate::output::{Format, MOST_BYTES, Picture, TooMuch, Unread, sheets_apart};
 use moved::moved;
+use pixels::{Shown, compared};
 use visible::seen;
 
 /// A file that the scene gives now.
@@ -66,6 +67,8 @@ pub enum Change {
         /// that is read or followed, title, description or rule, is another one.
         sheet: Option<u8>,
     },
+    /// The file has more of something than any that we write, so it was not looked at further.
+    NotOurs(TooMuch),
     /// Texts that are no pictures of ours; their first difference.
     Line(LineDrift),
     /// Files of other kinds, or that can't be read as what they should be.
@@ -108,7 +111,7 @@ impl Change {
                 let same = pixels.as_ref().is_none_or(|drift| drift.is_within(tolerance));
                 same && tolerance > 0 && sheet.is_some_and(|levels| levels <= tolerance)
             }
-            Self::Line(_) | Self::Bytes { .. } => false,
+            Self::NotOurs(_) | Self::Line(_) | Self::Bytes { .. } => false,
         }
     }
 }
@@ -144,16 +147,37 @@ impl State {
 /// ```
 #[must_use]
 pub fn compare(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> State {
+    state(on_disk, rendered, Shown::No).0
+}
+
+/// What [`compare`] gives, and the picture that [`triptych`] gives, in one go.
+///
+/// ```
+/// use tracefig::{drift::{Rendered, State, compare_and_show}, output::format};
+/// let now = Rendered { format: format("svg").unwrap(), bytes: b"<svg/>", scale: 2.0 };
+/// assert_eq!(compare_and_show(None, now), (State::Missing, None));
+/// ```
+#[must_use]
+pub fn compare_and_show(on_disk: Option<&[u8]>, rendered: Rendered<'_>) -> (State, Option<Vec<u8>>) {
+    state(on_disk, rendered, Shown::Yes)
+}
+
+fn state(on_disk: Option<&[u8]>, rendered: Rendered<'_>, shown: Shown) -> (State, Option<Vec<u8>>) {
     match on_disk {
-        None => State::Missing,
-        Some(old) if old == rendered.bytes => State::Identical,
+        None => (State::Missing, None),
+        Some(old) if old == rendered.bytes => (State::Identical, None),
+        Some(old) if old.len() > MOST_BYTES => {
+            let too_much = TooMuch { what: "bytes", most: MOST_BYTES };
+            (State::Changed(Change::NotOurs(too_much)), None)
+        }
         Some(old) => {
-            let change = change(old, rendered);
+            let (change, triptych) = change(old, rendered, shown);
             let stamp = |bytes| Stamp::read(rendered.format, bytes);
-            match (stamp(old), stamp(rendered.bytes)) {
+            let state = match (stamp(old), stamp(rendered.bytes)) {
                 (Some(then), Some(now)) if then.hash != now.hash => State::Stale(change),
                 _ => State::Changed(change),
-            }
+            };
+            (state, triptych)
         }
     }
 }
@@ -178,8 +202,8 @@ pub fn what_moved(format: &Format, old: &[u8], new: &[u8]) -> Vec<String> {
         _ => Vec::new(),
     };
     if let (
-        Some(Picture::Drawing { drawing: old, sheet: old_sheet }),
-        Some(Picture::Drawing { drawing: new, sheet: new_sheet }),
+        Ok(Picture::Drawing { drawing: old, sheet: old_sheet }),
+        Ok(Picture::Drawing { drawing: new, sheet: new_sheet }),
     ) = (shows(format, old), shows(format, new))
     {
         lines.extend(seen(&old, &new));
@@ -190,19 +214,32 @@ pub fn what_moved(format: &Format, old: &[u8], new: &[u8]) -> Vec<String> {
     lines
 }
 
-/// What a file of a format shows; `None` where it can't be read, or the format can't be.
-fn shows(format: &Format, bytes: &[u8]) -> Option<Picture> {
-    (format.read?.picture?)(bytes)
+/// What a file of a format shows.
+fn shows<'b>(format: &Format, bytes: &'b [u8]) -> Result<Picture<'b>, Unread> {
+    let read = format.read.and_then(|reader| reader.picture).ok_or(Unread::Other)?;
+    read(bytes)
 }
 
-fn change(old: &[u8], rendered: Rendered<'_>) -> Change {
+/// How two files that differ do so, and the picture of it where it is to be shown.
+fn change(old: &[u8], rendered: Rendered<'_>, shown: Shown) -> (Change, Option<Vec<u8>>) {
     let (new, read) = (rendered.bytes, |bytes| shows(rendered.format, bytes));
-    if let (Some(a), Some(b)) = (read(old), read(new))
-        && let Some(change) = picture_change(&a, &b, rendered.scale, lines(old, new))
-    {
-        return change;
+    match (read(old), read(new)) {
+        (Err(Unread::TooMuch(too_much)), _) => return (Change::NotOurs(too_much), None),
+        (Ok(a), Ok(b)) => match (a.rows(rendered.scale), b.rows(rendered.scale)) {
+            (Err(Unread::TooMuch(too_much)), _) => return (Change::NotOurs(too_much), None),
+            (Ok(old_rows), Ok(new_rows)) => {
+                if let Some(compared) = compared(old_rows, new_rows, shown)
+                    && let Some(change) = picture_change(&a, &b, compared.drift, lines(old, new))
+                {
+                    return (change, compared.triptych);
+                }
+            }
+            _ => {}
+        },
+        _ => {}
     }
-    lines(old, new).map_or_else(|| Change::Bytes { at: first_other_byte(old, new) }, Change::Line)
+    let line = lines(old, new).map(Change::Line);
+    (line.unwrap_or_else(|| Change::Bytes { at: first_other_byte(old, new) }), None)
 }
 
 /// Offset of the first byte that differs; where one file is the beginning of the other, its length.
@@ -210,11 +247,15 @@ fn first_other_byte(old: &[u8], new: &[u8]) -> usize {
     old.iter().zip(new).position(|(a, b)| a != b).unwrap_or(old.len().min(new.len()))
 }
 
-/// How two pictures differ; `None` where they can't be drawn, or are none of the same kind.
-fn picture_change(old: &Picture, new: &Picture, scale: f64, line: Option<LineDrift>) -> Option<Change> {
-    let drift = pixels::drift(&pixels::image(old, scale)?, &pixels::image(new, scale)?);
+/// How two pictures differ, given how their pixels do; `None` where they are not of one kind.
+fn picture_change(
+    old: &Picture<'_>,
+    new: &Picture<'_>,
+    drift: Option<PixelDrift>,
+    line: Option<LineDrift>,
+) -> Option<Change> {
     match (old, new) {
-        (Picture::Pixels(_), Picture::Pixels(_)) => Some(drift.map_or(Change::Packing, Change::Pixels)),
+        (Picture::Image(_), Picture::Image(_)) => Some(drift.map_or(Change::Packing, Change::Pixels)),
         (
             Picture::Drawing { drawing: a, sheet: old_sheet },
             Picture::Drawing { drawing: b, sheet: new_sheet },
@@ -238,6 +279,7 @@ impl std::fmt::Display for Change {
             Self::Pixels(drift) | Self::Picture { pixels: Some(drift), .. } => drift.fmt(f),
             Self::Packing => f.write_str("the same pixels in other bytes (packing, or the text inside)"),
             Self::Picture { pixels: None, line, .. } => write!(f, "the same picture in other bytes; {line}"),
+            Self::NotOurs(too_much) => write!(f, "not what tracefig writes: {too_much}"),
             Self::Line(line) => line.fmt(f),
             Self::Bytes { at } => write!(f, "the files differ from byte {at} on"),
         }

@@ -1,5 +1,6 @@
 //! What moved, in words: the answer and the shown events of two stamps, number by number.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use serde_json::{Map, Value};
@@ -69,17 +70,18 @@ struct Subject {
 /// Events with what they tell of; the moment is said where it is not the start.
 fn subjects(trace: &Value) -> Vec<Subject> {
     let (mut when, mut all) = (String::new(), Vec::<Subject>::new());
+    // How many events so far have the same words before they are numbered.
+    let mut counts = BTreeMap::<String, usize>::new();
     for told in events(trace) {
         if told.event == "started" {
             let time = told.fields.get("at").and_then(|at| at["time"].as_f64()).unwrap_or(0.0);
             when = if time == 0.0 { String::new() } else { format!(" at t = {}", number(time)) };
         }
-        let plain = subject(&told) + &when;
-        let mut words = plain.clone();
-        let mut count = 1;
-        while all.iter().any(|s| s.words == words) {
-            count += 1;
-            words = format!("{plain} ({count})");
+        let mut words = subject(&told) + &when;
+        let count = counts.entry(words.clone()).or_default();
+        *count += 1;
+        if *count > 1 {
+            let _ = write!(words, " ({count})");
         }
         all.push(Subject { words, fields: told.fields });
     }
@@ -112,9 +114,9 @@ fn subject(told: &Told) -> String {
 
 /// Adds a line for each event that is new, gone or has other numbers.
 fn of_events(old: &[Subject], new: &[Subject], lines: &mut Vec<String>) {
-    let find = |all: &[Subject], words: &str| all.iter().position(|s| s.words == words);
+    let (before, after) = (by_words(old), by_words(new));
     for event in new {
-        let Some(before) = find(old, &event.words).map(|i| &old[i]) else {
+        let Some(before) = before.get(event.words.as_str()) else {
             lines.push(format!("{}: new", event.words));
             continue;
         };
@@ -127,9 +129,15 @@ fn of_events(old: &[Subject], new: &[Subject], lines: &mut Vec<String>) {
             lines.push(format!("{}: {}", event.words, each.collect::<Vec<_>>().join("; ")));
         }
     }
-    for event in old.iter().filter(|s| find(new, &s.words).is_none()) {
+    for event in old.iter().filter(|s| !after.contains_key(s.words.as_str())) {
         lines.push(format!("{}: gone", event.words));
     }
+}
+
+/// Events by their words.
+fn by_words(all: &[Subject]) -> BTreeMap<&str, &Subject> {
+    // Of two with the same words, as a file by hand may have, the first.
+    all.iter().rev().map(|s| (s.words.as_str(), s)).collect()
 }
 
 /// A value that is another one now.
@@ -265,6 +273,18 @@ mod tests {
         let answer = |s: f64| json!({"answer": {"separation": s}});
         let said = moved(&answer(0.1), &answer(0.100_000_000_000_000_02));
         assert_eq!(said, ["separation: 0.1 → 0.10000000000000002"]);
+    }
+
+    #[test]
+    fn events_of_one_name_are_numbered_in_no_time() {
+        let trace = |x: f64| {
+            let rows = (0..30_000).map(|_| json!([x]));
+            let table: Vec<Value> = [json!("e"), json!(["x"])].into_iter().chain(rows).collect();
+            json!({"trace": [table]})
+        };
+        let words = moved(&trace(1.0), &trace(2.0));
+        assert_eq!(words[..2], ["e: x 1.0 → 2.0", "e (2): x 1.0 → 2.0"]);
+        assert_eq!(words.last().unwrap(), "and 29988 more differences");
     }
 
     #[test]

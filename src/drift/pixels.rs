@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::shows;
-use crate::output::{Format, IMAGE, Picture, Pixels, encode_pixels, rasterize};
+use crate::output::{Format, IMAGE, ImageWriter, Pixel, Rows};
 
 /// How the pixels of two images differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -76,52 +76,86 @@ const FADED: u32 = 60;
 /// The colour of a pixel that differs, a pink that no theme has.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
-/// The pixels of a picture; outlines are drawn at `scale` pixels for a page pixel. `None` where that is more
-/// than an image may have.
-pub(super) fn image(picture: &Picture, scale: f64) -> Option<Pixels> {
-    match picture {
-        Picture::Pixels(pixels) => Some(pixels.clone()),
-        Picture::Drawing { drawing, .. } => rasterize(drawing, scale).ok(),
-    }
+/// How two pictures differ, or that they do not.
+pub(super) struct Compared {
+    /// How the pixels differ; `None` where all are the same.
+    pub(super) drift: Option<PixelDrift>,
+    /// The picture of it, where it was asked for and they differ.
+    pub(super) triptych: Option<Vec<u8>>,
 }
 
-/// A pixel of an image; `None` outside it.
-fn at(image: &Pixels, x: u32, y: u32) -> Option<[u8; 4]> {
-    if x >= image.width || y >= image.height {
-        return None;
-    }
-    let i = 4 * (y as usize * image.width as usize + x as usize);
-    image.rgba.get(i..i + 4)?.try_into().ok()
+/// Whether there is to be a picture of the difference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Shown {
+    /// Numbers suffice.
+    No,
+    /// A picture is made, in [`TRIPTYCH_FORMAT`].
+    Yes,
 }
 
-/// How two images differ; `None` where all pixels are the same.
-pub(super) fn drift(old: &Pixels, new: &Pixels) -> Option<PixelDrift> {
-    let (mut beyond, mut worst, mut area) = ([0; TOLERANCES.len()], 0, None::<[u32; 4]>);
-    for y in 0..old.height.min(new.height) {
-        for x in 0..old.width.min(new.width) {
-            let (Some(a), Some(b)) = (at(old, x, y), at(new, x, y)) else { continue };
-            if a == b {
-                continue;
-            }
-            let difference = a.iter().zip(b).map(|(a, b)| a.abs_diff(b)).fold(0, u8::max);
-            worst = worst.max(difference);
-            for (count, tolerance) in beyond.iter_mut().zip(TOLERANCES) {
-                *count += u64::from(difference > tolerance);
-            }
-            let [x0, y0, x1, y1] = area.unwrap_or([x, y, x + 1, y + 1]);
-            area = Some([x0.min(x), y0.min(y), x1.max(x + 1), y1.max(y + 1)]);
+/// Compares two pictures row by row; `None` where one can't be read to its end.
+pub(super) fn compared(mut old: Rows<'_>, mut new: Rows<'_>, shown: Shown) -> Option<Compared> {
+    let (old_size, new_size) = (old.size(), new.size());
+    let mut found = Found::default();
+    let mut picture = match shown {
+        Shown::Yes => Some(Triptych::new(old_size, new_size)?),
+        Shown::No => None,
+    };
+    let (mut a, mut b) = (Vec::new(), Vec::new());
+    for y in 0..old_size.1.max(new_size.1) {
+        a.clear();
+        b.clear();
+        if y < old_size.1 && !old.next_into(&mut a) || y < new_size.1 && !new.next_into(&mut b) {
+            return None;
+        }
+        found.row(y, &a, &b);
+        if let Some(picture) = &mut picture {
+            picture.row(&a, &b)?;
         }
     }
-    let (expected_size, actual_size) = ((old.width, old.height), (new.width, new.height));
-    let changed = beyond[0];
-    (changed > 0 || expected_size != actual_size).then_some(PixelDrift {
-        expected_size,
-        actual_size,
-        changed,
-        beyond,
-        worst,
-        area,
-    })
+    let drift = found.drift(old_size, new_size);
+    let triptych = match picture.filter(|_| drift.is_some()) {
+        Some(picture) => Some(picture.rows.finish()?),
+        None => None,
+    };
+    Some(Compared { drift, triptych })
+}
+
+/// What differs in the rows so far.
+#[derive(Default)]
+struct Found {
+    /// How many pixels differ by more than each of [`TOLERANCES`].
+    beyond: [u64; TOLERANCES.len()],
+    /// Largest difference of a channel.
+    worst: u8,
+    /// Left, top, right, bottom of what differs.
+    area: Option<[u32; 4]>,
+}
+
+impl Found {
+    /// Compares the pixels that both rows have.
+    fn row(&mut self, y: u32, old: &[Pixel], new: &[Pixel]) {
+        let both = old.len().min(new.len());
+        if old[..both] == new[..both] {
+            return;
+        }
+        for (x, (a, b)) in (0_u32..).zip(old.iter().zip(new)).filter(|(_, (a, b))| a != b) {
+            let difference = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b)).fold(0, u8::max);
+            self.worst = self.worst.max(difference);
+            for (count, tolerance) in self.beyond.iter_mut().zip(TOLERANCES) {
+                *count += u64::from(difference > tolerance);
+            }
+            let [x0, y0, x1, y1] = self.area.unwrap_or([x, y, x + 1, y + 1]);
+            self.area = Some([x0.min(x), y0.min(y), x1.max(x + 1), y1.max(y + 1)]);
+        }
+    }
+
+    fn drift(&self, expected_size: (u32, u32), actual_size: (u32, u32)) -> Option<PixelDrift> {
+        let Self { beyond, worst, area } = *self;
+        let changed = beyond[0];
+        let differs = changed > 0 || expected_size != actual_size;
+        differs.then_some(PixelDrift { expected_size, actual_size, changed, beyond, worst, area })
+    }
 }
 
 /// An image of expected · difference · actual beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the
@@ -136,29 +170,44 @@ pub(super) fn drift(old: &Pixels, new: &Pixels) -> Option<PixelDrift> {
 /// ```
 #[must_use]
 pub fn triptych(format: &Format, expected: &[u8], actual: &[u8], scale: f64) -> Option<Vec<u8>> {
-    let read = |bytes| image(&shows(format, bytes)?, scale);
-    encode_pixels(&beside(&read(expected)?, &read(actual)?)?)
+    let (old, new) = (shows(format, expected).ok()?, shows(format, actual).ok()?);
+    compared(old.rows(scale).ok()?, new.rows(scale).ok()?, Shown::Yes)?.triptych
 }
 
-/// The three pictures in one; `None` where no pixel differs.
-fn beside(old: &Pixels, new: &Pixels) -> Option<Pixels> {
-    drift(old, new)?;
-    let (each, height) = (old.width.max(new.width), old.height.max(new.height));
-    let width = each.checked_mul(3)?.checked_add(2 * GAP)?;
-    let mut rgba = Vec::with_capacity(4 * width as usize * height as usize);
-    let nothing = [128, 128, 128, 255];
-    for y in 0..height {
-        rgba.extend((0..each).flat_map(|x| at(old, x, y).unwrap_or(nothing)));
-        rgba.extend((0..GAP).flat_map(|_| nothing));
-        rgba.extend((0..each).flat_map(|x| match (at(old, x, y), at(new, x, y)) {
-            (a, Some(b)) if a == Some(b) => faded(b),
-            (None, None) => nothing,
-            _ => MARK,
-        }));
-        rgba.extend((0..GAP).flat_map(|_| nothing));
-        rgba.extend((0..each).flat_map(|x| at(new, x, y).unwrap_or(nothing)));
+/// The three pictures in one, row by row.
+struct Triptych {
+    /// Where the rows go.
+    rows: ImageWriter,
+    /// Pixels a row of each picture.
+    each: usize,
+    /// The last row.
+    row: Vec<Pixel>,
+}
+
+impl Triptych {
+    /// Grey, where a picture has no pixel.
+    const NOTHING: Pixel = [128, 128, 128, 255];
+
+    fn new(old: (u32, u32), new: (u32, u32)) -> Option<Self> {
+        let (each, height) = (old.0.max(new.0), old.1.max(new.1));
+        let width = each.checked_mul(3)?.checked_add(2 * GAP)?;
+        let rows = ImageWriter::new((width, height))?;
+        Some(Self { rows, each: each as usize, row: Vec::with_capacity(width as usize) })
     }
-    Some(Pixels { width, height, rgba })
+
+    fn row(&mut self, old: &[Pixel], new: &[Pixel]) -> Option<()> {
+        let (each, row) = (self.each, &mut self.row);
+        let gap = GAP as usize;
+        row.clear();
+        row.extend_from_slice(old);
+        row.resize(each + gap, Self::NOTHING);
+        row.extend(old.iter().zip(new).map(|(a, b)| if a == b { faded(*b) } else { MARK }));
+        row.resize(each + gap + old.len().max(new.len()), MARK);
+        row.resize(2 * (each + gap), Self::NOTHING);
+        row.extend_from_slice(new);
+        row.resize(3 * each + 2 * gap, Self::NOTHING);
+        self.rows.row(row)
+    }
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a weighted mean of bytes is a byte")]
@@ -171,14 +220,23 @@ fn faded(pixel: [u8; 4]) -> [u8; 4] {
 mod tests {
     use super::*;
 
-    fn plain(width: u32, height: u32, dot: Option<(u32, u32)>) -> Pixels {
-        let pixel = |i: u32| if dot == Some((i % width, i / width)) { [0, 90, 0, 255] } else { [255; 4] };
-        Pixels { width, height, rgba: (0..width * height).flat_map(pixel).collect() }
+    fn plain((width, height): (u32, u32), dot: Option<(u32, u32)>) -> Vec<u8> {
+        let mut rows = ImageWriter::new((width, height)).unwrap();
+        for y in 0..height {
+            let pixel = |x| if dot == Some((x, y)) { [0, 90, 0, 255] } else { [255; 4] };
+            rows.row(&(0..width).map(pixel).collect::<Vec<_>>()).unwrap();
+        }
+        rows.finish().unwrap()
+    }
+
+    fn drift(old: &[u8], new: &[u8]) -> Option<PixelDrift> {
+        let (old, new) = (shows(TRIPTYCH_FORMAT, old).unwrap(), shows(TRIPTYCH_FORMAT, new).unwrap());
+        compared(old.rows(1.0).unwrap(), new.rows(1.0).unwrap(), Shown::No).unwrap().drift
     }
 
     #[test]
     fn a_dot_is_found_where_it_is() {
-        let (old, new) = (plain(9, 5, None), plain(9, 5, Some((7, 2))));
+        let (old, new) = (plain((9, 5), None), plain((9, 5), Some((7, 2))));
         let got = drift(&old, &new).unwrap();
         assert_eq!((got.changed, got.worst, got.area), (1, 255, Some([7, 2, 8, 3])));
         assert_eq!(drift(&old, &old), None);
@@ -186,19 +244,29 @@ mod tests {
 
     #[test]
     fn another_size_is_a_difference() {
-        let got = drift(&plain(9, 5, None), &plain(9, 6, None)).unwrap();
+        let got = drift(&plain((9, 5), None), &plain((9, 6), None)).unwrap();
         assert_eq!((got.changed, got.area), (0, None));
         assert!(got.to_string().starts_with("expected 9 × 5 pixels, got 9 × 6"));
     }
 
     #[test]
     fn the_picture_marks_what_differs_and_nothing_else() {
-        let files = [None, Some((7, 2))].map(|dot| encode_pixels(&plain(9, 5, dot)).unwrap());
-        let bytes = triptych(TRIPTYCH_FORMAT, &files[0], &files[1], 1.0).unwrap();
-        let image = image(&shows(TRIPTYCH_FORMAT, &bytes).unwrap(), 1.0).unwrap();
-        assert_eq!((image.width, image.height), (3 * 9 + 2 * GAP, 5));
-        let marked = |&(x, y): &(u32, u32)| at(&image, x, y) == Some(MARK);
-        let all = (0..image.height).flat_map(|y| (0..image.width).map(move |x| (x, y)));
-        assert_eq!(all.filter(marked).collect::<Vec<_>>(), [(9 + GAP + 7, 2)]);
+        let (old, new) = (plain((9, 5), None), plain((8, 6), Some((7, 2))));
+        let bytes = triptych(TRIPTYCH_FORMAT, &old, &new, 1.0).unwrap();
+        let picture = shows(TRIPTYCH_FORMAT, &bytes).unwrap();
+        let mut rows = picture.rows(1.0).unwrap();
+        assert_eq!(rows.size(), (3 * 9 + 2 * GAP, 6));
+        let (mut row, mut marked) = (Vec::new(), Vec::new());
+        let mut y = 0_u32;
+        while rows.next_into(&mut row) {
+            marked.extend((0_u32..).zip(&row).filter(|(_, p)| **p == MARK).map(|(x, _)| (x, y)));
+            y += 1;
+        }
+        let middle = 9 + GAP;
+        // The dot, the column that only the old one has, the row that only the new one has.
+        let mut expected: Vec<_> = (0..5).map(|y| (middle + 8, y)).chain([(middle + 7, 2)]).collect();
+        expected.extend((0..8).map(|x| (middle + x, 5)));
+        expected.sort_by_key(|&(x, y)| (y, x));
+        assert_eq!(marked, expected);
     }
 }

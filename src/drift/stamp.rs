@@ -24,6 +24,9 @@ const STAMP_FORMAT: u32 = 2;
 /// third of a file.
 const MAX_BYTES: usize = 8_000;
 
+/// Largest metadata that is read, as those of other versions may be longer.
+const MOST_READ: usize = 4 * MAX_BYTES;
+
 /// Bytes of [`MAX_BYTES`] that are kept for version, hash and counts.
 const AROUND: usize = 200;
 
@@ -137,6 +140,7 @@ impl Stamp {
     #[must_use]
     pub fn read(format: &Format, bytes: &[u8]) -> Option<Self> {
         match (format.read?.stamp)(bytes)? {
+            Stamped::Metadata(text) if text.len() > MOST_READ => None,
             Stamped::Metadata(text) => {
                 let facts: Value = serde_json::from_str(&text).ok()?;
                 facts.get("tracefig_figure")?;

@@ -53,9 +53,9 @@ fn drawn(scene: &str, theme_name: &str) -> (Drawing, Vec<u8>) {
 }
 
 fn shown_by(svg: &[u8]) -> Option<Drawing> {
-    match shows(svg_format(), svg)? {
+    match shows(svg_format(), svg).ok()? {
         Picture::Drawing { drawing, .. } => Some(*drawing),
-        Picture::Pixels(_) => None,
+        Picture::Image(_) => None,
     }
 }
 

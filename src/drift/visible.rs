@@ -3,6 +3,8 @@
 //! Elements are the innermost named groups, and are found again by their names. The same change of several
 //! elements is one line: another theme is a line for each colour, not for each stroke.
 
+use std::collections::BTreeMap;
+
 use super::moved::limited;
 use super::text;
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Segment};
@@ -29,13 +31,14 @@ pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
     let (mut before, mut after) = (Vec::new(), Vec::new());
     elements(&old.items, "", &mut before);
     elements(&new.items, "", &mut after);
+    let (names_before, names_after) = (by_name(&before), by_name(&after));
     for element in &after {
-        match before.iter().find(|e| e.name == element.name) {
+        match names_before.get(element.name.as_str()) {
             None => changes.add("new".to_owned(), &element.name),
             Some(known) => compare(known, element, &mut changes),
         }
     }
-    for element in before.iter().filter(|e| after.iter().all(|a| a.name != e.name)) {
+    for element in before.iter().filter(|e| !names_after.contains_key(e.name.as_str())) {
         changes.add("gone".to_owned(), &element.name);
     }
     let mut lines = Vec::new();
@@ -55,6 +58,12 @@ struct Element<'d> {
     opacity: f64,
     /// What is drawn in it, in painting order.
     paths: Vec<&'d Path>,
+}
+
+/// Elements by their names.
+fn by_name<'e, 'd>(all: &'e [Element<'d>]) -> BTreeMap<&'e str, &'e Element<'d>> {
+    // Of two with one name, as a file by hand may have, the first.
+    all.iter().rev().map(|e| (e.name.as_str(), e)).collect()
 }
 
 fn elements<'d>(items: &'d [Item], within: &str, found: &mut Vec<Element<'d>>) {
@@ -178,15 +187,17 @@ fn points(contour: &Contour, kinds: &mut String) -> Vec<Point> {
 struct Changes {
     /// A change in words, and the names of the elements that it happened to.
     all: Vec<(String, Vec<String>)>,
+    /// Where in `all` a change stands.
+    places: BTreeMap<String, usize>,
 }
 
 impl Changes {
     fn add(&mut self, what: String, name: &str) {
-        let known = self.all.iter().position(|(w, _)| *w == what);
-        if known.is_none() {
+        let next = self.all.len();
+        let at = *self.places.entry(what.clone()).or_insert(next);
+        if at == next {
             self.all.push((what, Vec::new()));
         }
-        let at = known.unwrap_or(self.all.len() - 1);
         let names = &mut self.all[at].1;
         if names.last().is_none_or(|last| last != name) {
             names.push(name.to_owned());

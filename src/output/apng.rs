@@ -7,7 +7,7 @@
 //! since).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
-use super::png::{READER, encoder};
+use super::png::{KEYWORD, READER, encoder};
 use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
@@ -43,6 +43,9 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
     let mut encoder = encoder(&mut out, raster::size(first, options.scale)?, PngEffort::Fast);
     let refused = |error| OutputError::encoder(&error);
     encoder.set_animated(count, PLAYS).map_err(refused)?;
+    if !first.hash.is_empty() {
+        encoder.add_text_chunk(KEYWORD.to_owned(), first.hash.clone()).map_err(refused)?;
+    }
     let mut writer = encoder.write_header().map_err(refused)?;
     for (i, drawing) in drawings.iter().enumerate() {
         let time = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };

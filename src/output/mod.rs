@@ -9,6 +9,7 @@ mod curves;
 mod html;
 mod number;
 mod pdf;
+mod picture;
 mod png;
 mod raster;
 mod svg;
@@ -19,7 +20,10 @@ use std::fmt;
 
 use crate::drawing::Drawing;
 
-pub(crate) use png::encode_pixels;
+pub use picture::TooMuch;
+pub(crate) use picture::{Picture, Rows, Unread};
+pub(crate) use png::ImageWriter;
+pub(crate) use raster::Pixel;
 pub use raster::{Pixels, rasterize};
 pub(crate) use svg::read::sheets_apart;
 
@@ -67,12 +71,15 @@ pub(crate) enum Depends {
 pub(crate) struct Reader {
     /// What a file says of itself; `None` where it is of another format or says nothing.
     pub(crate) stamp: Reads<Stamped>,
-    /// What a file shows; `None` where it can't be read. A format without it is compared as text.
-    pub(crate) picture: Option<Reads<Picture>>,
+    /// What a file shows. A format without it is compared as text.
+    pub(crate) picture: Option<Shows>,
 }
 
 /// Finds something in the bytes of a file; `None` where they do not hold it.
 pub(crate) type Reads<T> = fn(&[u8]) -> Option<T>;
+
+/// Finds what a file shows.
+pub(crate) type Shows = fn(&[u8]) -> Result<Picture<'_>, Unread>;
 
 /// What a file says of itself, as the drawing had it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -81,20 +88,6 @@ pub(crate) enum Stamped {
     Metadata(String),
     /// The hash alone, [`Drawing::hash`], where the format has no place for more.
     Hash(String),
-}
-
-/// What a file shows, ready to be compared.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Picture {
-    /// An image in memory.
-    Pixels(Pixels),
-    /// A page of outlines.
-    Drawing {
-        /// What the page shows. Texts are outlines.
-        drawing: Box<Drawing>,
-        /// The style sheet, which other pages and dark systems follow and no image does.
-        sheet: String,
-    },
 }
 
 /// Every format.

@@ -18,8 +18,10 @@ pub(super) fn image_size(drawing: &Drawing, options: &Options) -> Result<(u32, u
         return Err(OutputError::Empty { width, height, scale });
     }
     if w * h > MOST_PIXELS {
-        // Rounded down to hundredths, so that what the message names does fit.
-        let largest = (libm::sqrt(MOST_PIXELS / (width * height)) * 100.0 - 0.5).floor() / 100.0;
+        // In hundredths, rounded down, and one less where the sides' own rounding makes that too large.
+        let fits = |scale: f64| (width * scale).round() * (height * scale).round() <= MOST_PIXELS;
+        let down = (libm::sqrt(MOST_PIXELS / (width * height)) * 100.0).floor();
+        let largest = if fits(down / 100.0) { down / 100.0 } else { (down - 1.0) / 100.0 };
         return Err(OutputError::TooLarge { scale, largest });
     }
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 1 and 2^26")]
@@ -49,4 +51,21 @@ fn items(all: &[Item], group: &str) -> Result<(), OutputError> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::samples::everything;
+    use super::*;
+
+    #[test]
+    fn the_largest_scale_that_is_named_fits_and_a_larger_one_does_not() {
+        for (width, height, largest) in [(4096.0, 4096.0, 2.0), (4096.0, 4095.0, 2.0), (960.0, 540.0, 11.37)]
+        {
+            let drawing = Drawing { width, height, ..everything() };
+            let size = |scale| image_size(&drawing, &Options { scale, ..Options::default() });
+            assert_eq!(size(50.0), Err(OutputError::TooLarge { scale: 50.0, largest }));
+            assert!(size(largest).is_ok() && size(largest + 0.01).is_err(), "{width} × {height}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! XML elements with everything escaped that must be.
 //!
 //! Text from a scene can't leave its place: `& < >`, and in attributes `" '`, become references, and a
-//! character that XML 1.0 forbids becomes U+FFFD.
+//! character that XML 1.0 or HTML forbids, a control character or none at all, becomes U+FFFD.
 
 /// A document being written.
 #[derive(Default)]
@@ -108,9 +108,13 @@ fn escape_but(out: &mut String, text: &str, stays: impl Fn(char) -> bool) {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            '\u{0}'..='\u{8}' | '\u{B}' | '\u{C}' | '\u{E}'..='\u{1F}' | '\u{FFFE}' | '\u{FFFF}' => {
-                out.push('\u{FFFD}');
-            }
+            '\u{0}'..='\u{8}'
+            | '\u{B}'
+            | '\u{C}'
+            | '\u{E}'..='\u{1F}'
+            | '\u{7F}'..='\u{9F}'
+            | '\u{FDD0}'..='\u{FDEF}' => out.push('\u{FFFD}'),
+            _ if u32::from(character) & 0xFFFE == 0xFFFE => out.push('\u{FFFD}'),
             _ => out.push(character),
         }
     }
@@ -122,14 +126,14 @@ mod tests {
 
     #[test]
     fn any_text_comes_back_from_a_parser_and_stays_text() {
-        let nasty = "]]> </desc><script>alert(\"1\")</script> & 'x' &lt; \u{1}";
+        let nasty = "]]> </desc><script>alert(\"1\")</script> & 'x' &lt; \u{1}\u{85}\u{1fffe}";
         let mut xml = Xml::default();
         xml.start("g");
         xml.attribute("label", nasty);
         xml.text(nasty);
         let document = xml.finish();
         let parsed = roxmltree::Document::parse(&document).unwrap();
-        let expected = nasty.replace('\u{1}', "\u{FFFD}");
+        let expected = nasty.replace(['\u{1}', '\u{85}', '\u{1fffe}'], "\u{FFFD}");
         assert_eq!(parsed.root_element().attribute("label"), Some(expected.as_str()));
         assert_eq!(parsed.root_element().text().map(str::trim_end), Some(expected.as_str()));
         assert_eq!(parsed.root_element().children().filter(roxmltree::Node::is_element).count(), 0);

@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use crate::hostile_figures::HOSTILE;
 use crate::render::{drawn, names, set};
 use crate::{folder_with, run, tracefig};
 
@@ -175,4 +176,27 @@ fn a_file_is_out_of_date_only_by_an_option_that_its_format_depends_on() {
         assert_eq!(with_other_options, codes.map(Some), "{format}");
         assert_eq!(check(&["--scale", "0.5"]), Some(0), "{format}");
     }
+}
+
+#[test]
+fn a_hostile_figure_is_a_finding_of_that_figure() {
+    let mut wrong = Vec::new();
+    for hostile in HOSTILE {
+        let folder = tempfile::tempdir().unwrap();
+        hostile.put(folder.path());
+        let ran = run(tracefig(folder.path()).args(hostile.arguments()));
+        let other_is_well = ran.out.contains("1 identical, 1 changed, 0 missing");
+        if ran.code != Some(1) || !ran.out.contains(hostile.told) || !other_is_well || !ran.err.is_empty() {
+            let said: String = format!("{}{}", ran.out, ran.err).chars().take(600).collect();
+            wrong.push(format!("{}: {:?} {said}", hostile.name, ran.code));
+        }
+        if !["groups in groups", "a head of 60,000 × 60,000"].contains(&hostile.name) {
+            continue;
+        }
+        // Accepted, it is a figure of ours again.
+        let accept = run(tracefig(folder.path()).args(hostile.arguments()).arg("--accept"));
+        let again = run(tracefig(folder.path()).args(hostile.arguments()));
+        assert_eq!((accept.code, again.code), (Some(0), Some(0)), "{}", hostile.name);
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }

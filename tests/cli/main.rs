@@ -4,6 +4,8 @@
 
 mod bad_input;
 mod check;
+#[path = "../hostile_figures/mod.rs"]
+mod hostile_figures;
 mod inert;
 #[cfg(unix)]
 mod inputs_stay;

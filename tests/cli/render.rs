@@ -175,6 +175,13 @@ fn unchanged_scenes_can_be_left_alone() {
     assert_eq!(render(&[]), "./a.svg\n./a.png\n");
     assert_eq!(render(&["--theme", "dark", "--format", "svg"]), "./a.svg\n./b.svg\n");
     assert_eq!(render(&["--png", "small", "--format", "png"]), "./a.png\n./b.png\n");
+    let others = ["--format", "pdf,html,apng"];
+    assert_eq!(render(&others), "./a.pdf\n./a.html\n./a.apng\n./b.pdf\n./b.html\n./b.apng\n");
+    assert_eq!(render(&others), "");
+    let all = ["check", ".", "--format", "svg,png,pdf,html,apng"];
+    std::fs::remove_file(folder.path().join("b.toml")).unwrap();
+    let out = run(tracefig(folder.path()).args(all)).out;
+    assert_eq!(out.matches("orphan ").count(), 5, "{out}");
 }
 
 #[test]

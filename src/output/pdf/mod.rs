@@ -13,10 +13,10 @@ use std::collections::BTreeSet;
 
 use flate2::{Compress, CompressError, Compression, FlushCompress, Status};
 use pdf_writer::writers::{ExtGraphicsState, Resources};
-use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, TextStr};
+use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, Str, TextStr};
 
 use super::number::hundredths;
-use super::{Depends, Format, Options, OutputError, Writer, validity};
+use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
 use crate::drawing::Drawing;
 use content::{Content, Form, Opacity, State};
 
@@ -27,8 +27,12 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
-    read: None,
+    // Its objects are compressed, so pages are compared byte by byte.
+    read: Some(Reader { stamp, picture: None }),
 };
+
+/// Key of the document's information under which the scene's hash stands.
+const HASH: &str = "tracefig";
 
 /// Points a page pixel.
 const POINTS: f64 = 0.75;
@@ -41,6 +45,14 @@ const RESOURCES: Name = Name(b"Resources");
 
 /// Key and value in a stream's dictionary.
 type Entry = (Name<'static>, Name<'static>);
+
+/// The hash, where a document has one: our information is never compressed.
+fn stamp(bytes: &[u8]) -> Option<Stamped> {
+    let begin = format!("/{HASH}(");
+    let at = bytes.windows(begin.len()).position(|part| part == begin.as_bytes())? + begin.len();
+    let end = at + bytes[at..].iter().position(|&byte| byte == b')')?;
+    Some(Stamped::Hash(std::str::from_utf8(&bytes[at..end]).ok()?.to_owned()))
+}
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
@@ -67,6 +79,9 @@ fn file(drawing: &Drawing) -> Result<Vec<u8>, CompressError> {
     write_resources(&mut pdf, resources, &forms, &content.states);
     let mut information = pdf.document_info(info);
     information.title(TextStr(&drawing.title)).subject(TextStr(&drawing.desc)).creator(TextStr("tracefig"));
+    if !drawing.hash.is_empty() {
+        information.pair(Name(HASH.as_bytes()), Str(drawing.hash.as_bytes()));
+    }
     information.finish();
     for (object, form) in forms {
         let (bytes, filter) = packer.pack(&form.content)?;

@@ -18,7 +18,7 @@ use palette::Palette;
 use raster::Pixel;
 
 pub(super) use image::READER;
-pub(crate) use image::encode as encode_pixels;
+pub(crate) use image::{Image, ImageRows, ImageWriter};
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
@@ -31,7 +31,7 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// Keyword of the text chunk with the scene's hash.
-const KEYWORD: &str = "tracefig";
+pub(super) const KEYWORD: &str = "tracefig";
 
 /// How many bytes a figure takes at most, as a rule; saves growing the buffer.
 const TYPICAL_SIZE: usize = 128 * 1024;

@@ -9,8 +9,8 @@
 //!    coverage ([`coverage`]). It draws nothing else: no colour of ours goes through its pipeline.
 //! 3. Spans become colours ([`blend`]), with so few levels at edges that most images fit a palette.
 //!
-//! The last two go over the steps once for each band of rows ([`paint`]), and a finished band is handed on
-//! row by row. So there is never an image in memory unless someone collects the rows, and masks and colours
+//! The last two go over the steps once for each band of rows ([`paint`]), and the rows of a finished band
+//! are handed on one by one. So there is never an image in memory unless someone collects the rows, and masks and colours
 //! stay in the cache.
 //!
 //! What is see-through needs no image of its own: the pixels below a group are kept, the group is drawn
@@ -31,7 +31,7 @@ mod steps;
 use super::{Options, OutputError, validity};
 use crate::drawing::Drawing;
 
-pub(super) use paint::Pixel;
+pub(crate) use paint::{Pixel, Rows};
 
 /// An opaque image.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -78,13 +78,20 @@ pub(super) fn size(drawing: &Drawing, scale: f64) -> Result<(u32, u32), OutputEr
 pub(super) fn rows(
     drawing: &Drawing,
     scale: f64,
-    each: impl FnMut(&[Pixel], &[Pixel]),
+    mut each: impl FnMut(&[Pixel], &[Pixel]),
 ) -> Result<(), OutputError> {
+    let mut rows = open(drawing, scale)?;
+    while let Some((above, row)) = rows.next() {
+        each(above, row);
+    }
+    Ok(())
+}
+
+/// The rows of a drawing, which are drawn as they are asked for.
+pub(super) fn open(drawing: &Drawing, scale: f64) -> Result<Rows, OutputError> {
     let (width, height) = size(drawing, scale)?;
     let size = (width as usize, height as usize);
-    let steps = steps::of(&drawing.items, size, scale);
-    paint::rows(&steps, size, background(drawing), each);
-    Ok(())
+    Ok(Rows::new(steps::of(&drawing.items, size, scale), (width, height), background(drawing)))
 }
 
 /// The page's colour.

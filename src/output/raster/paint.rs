@@ -33,37 +33,83 @@ struct Painter {
     inside: Vec<Span>,
 }
 
-/// Paints steps over a background, and hands every row from the top to `each`, after the row above it; above
-/// the first one is the background.
-pub(super) fn rows(
-    steps: &[Step],
-    (width, height): (usize, usize),
+/// The rows of an image, painted a band at a time.
+pub(crate) struct Rows {
+    /// What is painted.
+    steps: Vec<Step>,
+    /// What is below it.
     background: Pixel,
-    mut each: impl FnMut(&[Pixel], &[Pixel]),
-) {
-    let count = (BAND / width).clamp(1, height);
-    let mut painter = Painter {
-        width,
-        rows: 0..count,
-        pixels: vec![background; (count + 1) * width],
-        saved: Vec::new(),
-        filler: Filler::default(),
-        spans: Vec::new(),
-        inside: Vec::new(),
-    };
-    while !painter.rows.is_empty() {
-        painter.pixels[width..].fill(background);
+    /// Width and height of the image.
+    size: (u32, u32),
+    /// Rows of a band.
+    count: usize,
+    /// The band that the last row is in.
+    painter: Painter,
+    /// Number of the next row, from the top.
+    next: usize,
+}
+
+impl Rows {
+    /// Steps over a background; nothing is painted yet.
+    pub(super) fn new(steps: Vec<Step>, size: (u32, u32), background: Pixel) -> Self {
+        let (width, height) = (size.0 as usize, size.1 as usize);
+        let count = (BAND / width).clamp(1, height);
+        let painter = Painter {
+            width,
+            rows: 0..0,
+            pixels: vec![background; (count + 1) * width],
+            saved: Vec::new(),
+            filler: Filler::default(),
+            spans: Vec::new(),
+            inside: Vec::new(),
+        };
+        Self { steps, background, size, count, painter, next: 0 }
+    }
+
+    /// Width and height of the image in pixels.
+    pub(crate) fn size(&self) -> (u32, u32) {
+        self.size
+    }
+
+    /// What painting takes: pixels of all areas, and pieces of their outlines, each as often as it is looked
+    /// at: once for each band that its area reaches into.
+    pub(crate) fn work(&self) -> (usize, usize) {
+        let (mut pixels, mut pieces) = (0_usize, 0_usize);
+        for step in &self.steps {
+            let part = step.part();
+            let bands = part.rows.len().div_ceil(self.count) + 1;
+            pixels = pixels.saturating_add(step.weight() * part.columns.len() * part.rows.len());
+            pieces = pieces.saturating_add(bands.saturating_mul(step.pieces()));
+        }
+        (pixels, pieces)
+    }
+
+    /// The row above the next one, and the next one, from the top; above the first one is the background.
+    pub(crate) fn next(&mut self) -> Option<(&[Pixel], &[Pixel])> {
+        if self.next == self.size.1 as usize {
+            return None;
+        }
+        if self.next == self.painter.rows.end {
+            self.paint();
+        }
+        let (width, at) = (self.painter.width, self.painter.row(self.next) - self.painter.width);
+        self.next += 1;
+        Some(self.painter.pixels[at..at + 2 * width].split_at(width))
+    }
+
+    /// Paints the band that begins with the next row.
+    fn paint(&mut self) {
+        let Self { painter, steps, next, .. } = self;
+        let width = painter.width;
+        if !painter.rows.is_empty() {
+            let last = painter.row(painter.rows.end - 1);
+            painter.pixels.copy_within(last..last + width, 0);
+        }
+        painter.rows = *next..(*next + self.count).min(self.size.1 as usize);
+        painter.pixels[width..].fill(self.background);
         for step in steps {
             painter.step(step);
         }
-        for y in painter.rows.clone() {
-            let at = painter.row(y) - width;
-            let (above, row) = painter.pixels[at..at + 2 * width].split_at(width);
-            each(above, row);
-        }
-        let last = painter.row(painter.rows.end - 1);
-        painter.pixels.copy_within(last..last + width, 0);
-        painter.rows = painter.rows.end..height.min(painter.rows.end + count);
     }
 }
 

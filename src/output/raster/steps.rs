@@ -41,6 +41,24 @@ impl Step {
             Self::Lay { part, .. } | Self::Save(part) | Self::Fade { part, .. } => part,
         }
     }
+
+    /// What painting a pixel takes, against a plain area: one with marks is filled twice, and its marks are
+    /// dashed anew for each band.
+    pub(super) fn weight(&self) -> usize {
+        match self {
+            Self::Lay { area: Area::Marks { .. }, .. } => 20,
+            _ => 1,
+        }
+    }
+
+    /// How many pieces its outline has.
+    pub(super) fn pieces(&self) -> usize {
+        match self {
+            Self::Lay { area: Area::Inside(path) | Area::Marks { within: path, .. }, .. } => path.len(),
+            Self::Lay { area: Area::Glyphs(placed), .. } => placed.len(),
+            Self::Save(_) | Self::Fade { .. } => 0,
+        }
+    }
 }
 
 /// What covers pixels.

@@ -4,7 +4,9 @@
 //! Only what the writer beside this folder writes is understood: groups, paths, circles, rectangles, uses of
 //! outlines, clips. A file with anything else, as one that was edited by hand, is none that this reads.
 
+mod effort;
 mod path_data;
+mod size;
 mod style;
 
 use std::collections::BTreeMap;
@@ -12,18 +14,28 @@ use std::collections::BTreeMap;
 use roxmltree::{Document, Node};
 use svgtypes::FuncIRI;
 
-use super::super::{Picture, Stamped};
+use super::super::Stamped;
+use super::super::picture::{Picture, TooMuch, Unread};
 use crate::drawing::{
     Contour, Drawing, Group, Item, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
 };
+use effort::{Effort, MOST_LENGTH, MOST_PIECES};
 use path_data::{Map, contour};
+use size::{MOST_DRAWN, MOST_LEVELS, modest};
 use style::{Style, number};
 
 /// What a document says of itself: the text of its `<metadata>`.
 pub(in crate::output) fn stamp(bytes: &[u8]) -> Option<Stamped> {
-    let document = Document::parse(std::str::from_utf8(bytes).ok()?).ok()?;
+    let document = parsed(bytes).ok()?;
     let metadata = document.root_element().children().find(|n| n.has_tag_name("metadata"))?;
     Some(Stamped::Metadata(metadata.text()?.to_owned()))
+}
+
+/// The elements of a document that is no larger than ours are.
+fn parsed(bytes: &[u8]) -> Result<Document<'_>, Unread> {
+    let text = std::str::from_utf8(bytes).map_err(|_| Unread::Other)?;
+    modest(text)?;
+    Document::parse(text).map_err(|_| Unread::Other)
 }
 
 /// The first document inside another text, as in a page of HTML.
@@ -35,10 +47,16 @@ pub(in crate::output) fn inside(bytes: &[u8]) -> Option<&[u8]> {
     Some(&bytes[start..end])
 }
 
-/// What a document shows; `None` where it is none of ours, or was changed into something that we do not
-/// write.
-pub(super) fn picture(bytes: &[u8]) -> Option<Picture> {
-    let document = Document::parse(std::str::from_utf8(bytes).ok()?).ok()?;
+/// What a document shows.
+pub(super) fn picture(bytes: &[u8]) -> Result<Picture<'_>, Unread> {
+    let document = parsed(bytes)?;
+    let mut too_much = None;
+    read(&document, &mut too_much).ok_or_else(|| too_much.map_or(Unread::Other, Unread::TooMuch))
+}
+
+/// What a document shows; `None` where it is none of ours, was changed into something that we do not write,
+/// or has too much of something, which is then told.
+fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Picture<'static>> {
     let root = document.root_element();
     let prefix = root.attribute("aria-labelledby")?.split_once("-title")?.0.to_owned();
     let text = |name: &str| {
@@ -49,7 +67,11 @@ pub(super) fn picture(bytes: &[u8]) -> Option<Picture> {
     let mut reader = Reader {
         by_id: document.descendants().filter_map(|n| Some((n.attribute("id")?, n))).collect(),
         prefix: &prefix,
-        uses: 0,
+        levels: 0,
+        drawn: 0,
+        effort: Effort::default(),
+        page: Rect { x0: 0.0, y0: 0.0, x1: number(root, "width")?, y1: number(root, "height")? },
+        too_much,
     };
     let mut items = Vec::new();
     for node in root.children().filter(Node::is_element) {
@@ -98,23 +120,58 @@ pub(crate) fn sheets_apart(old: &str, new: &str) -> Option<u8> {
     }
 }
 
-/// References that are followed, at most: the largest figure has a few thousand, and a file of nested
-/// references could ask for millions.
-const MOST_USES: usize = 100_000;
-
 /// A document being read.
 struct Reader<'d> {
     /// Elements by their ids.
     by_id: BTreeMap<&'d str, Node<'d, 'd>>,
     /// Begins every id.
     prefix: &'d str,
-    /// References followed so far.
-    uses: usize,
+    /// Elements that are being read, in one another.
+    levels: usize,
+    /// Elements read so far, each time that they are referred to.
+    drawn: usize,
+    /// What it costs to draw what was read so far.
+    effort: Effort,
+    /// The page.
+    page: Rect,
+    /// The limit that was passed, if one was.
+    too_much: &'d mut Option<TooMuch>,
 }
 
 impl<'d> Reader<'d> {
+    /// Refuses what has too much of something.
+    fn refuse_if(&mut self, is_more: bool, what: &'static str, most: usize) -> Option<()> {
+        if is_more {
+            self.too_much.get_or_insert(TooMuch { what, most });
+            return None;
+        }
+        Some(())
+    }
+
+    /// Adds a path, unless that makes too much to draw.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a limit, some millions")]
+    #[expect(clippy::cast_precision_loss, reason = "a limit, some millions")]
+    fn path(&mut self, path: Path, items: &mut Vec<Item>) -> Option<()> {
+        self.effort.add(&path, self.page);
+        let Effort { pieces, length } = self.effort;
+        self.refuse_if(pieces > MOST_PIECES as f64, "pieces of lines", MOST_PIECES)?;
+        self.refuse_if(length > MOST_LENGTH, "page pixels of lines", MOST_LENGTH as usize)?;
+        items.push(Item::Path(path));
+        Some(())
+    }
+
     /// Adds what an element draws; `None` where it is none of ours.
     fn element(&mut self, node: Node<'d, 'd>, style: &Style, map: Map, items: &mut Vec<Item>) -> Option<()> {
+        (self.levels, self.drawn) = (self.levels + 1, self.drawn + 1);
+        self.refuse_if(self.levels > MOST_LEVELS, "elements in one another", MOST_LEVELS)?;
+        self.refuse_if(self.drawn > MOST_DRAWN, "elements that are drawn", MOST_DRAWN)?;
+        self.known(node, style, map, items)?;
+        self.levels -= 1;
+        Some(())
+    }
+
+    /// Adds what an element draws that is counted.
+    fn known(&mut self, node: Node<'d, 'd>, style: &Style, map: Map, items: &mut Vec<Item>) -> Option<()> {
         let style = style.inside(node)?;
         match node.tag_name().name() {
             "g" => self.group(node, &style, map, items),
@@ -132,8 +189,7 @@ impl<'d> Reader<'d> {
                         stroke: style.stroke(map.scale),
                     },
                 };
-                items.push(Item::Path(path));
-                Some(())
+                self.path(path, items)
             }
             _ => None,
         }
@@ -176,10 +232,9 @@ impl<'d> Reader<'d> {
         map: Map,
         items: &mut Vec<Item>,
     ) -> Option<()> {
-        self.uses += 1;
         let target =
             *self.by_id.get(node.attribute(("http://www.w3.org/1999/xlink", "href"))?.strip_prefix('#')?)?;
-        if self.uses > MOST_USES || node.ancestors().any(|n| n == target) {
+        if node.ancestors().any(|n| n == target) {
             return None;
         }
         let offset = |name| if node.has_attribute(name) { number(node, name) } else { Some(0.0) };
