@@ -218,8 +218,10 @@ mod tests {
         encoder.write_header().unwrap().write_image_data(&[3, 200]).unwrap();
         assert_eq!(read(&out), Some(vec![vec![[3, 3, 3, 255], [200, 200, 200, 255]]]));
         // Made by hand, as nothing here writes passes.
-        let in_passes = b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x03\x00\x00\x00\x02\x08\x00\x00\x00\x01\xcf\x18\x09P\x00\x00\x00\x12\
-            IDATx\xdac`d`f`b`ae\x03\x00\x00N\x00\x16\xcbS\x02\xd0\x00\x00\x00\x00IEND\xaeB`\x82";
+        let in_passes =
+            b"\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00\x03\x00\x00\x00\x02\x08\x00\
+            \x00\x00\x01\xcf\x18\x09P\x00\x00\x00\x12IDATx\xdac`d`f`b`ae\x03\x00\x00N\x00\x16\
+            \xcbS\x02\xd0\x00\x00\x00\x00IEND\xaeB`\x82";
         let grey = |all: [u8; 3]| all.map(|grey| [grey, grey, grey, 255]).to_vec();
         assert_eq!(read(in_passes), Some(vec![grey([1, 2, 3]), grey([4, 5, 6])]));
     }

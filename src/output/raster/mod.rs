@@ -10,8 +10,8 @@
 //! 3. Spans become colours ([`blend`]), with so few levels at edges that most images fit a palette.
 //!
 //! The last two go over the steps once for each band of rows ([`paint`]), and the rows of a finished band
-//! are handed on one by one. So there is never an image in memory unless someone collects the rows, and masks and colours
-//! stay in the cache.
+//! are handed on one by one. So there is never an image in memory unless someone collects the rows, and masks
+//! and colours stay in the cache.
 //!
 //! What is see-through needs no image of its own: the pixels below a group are kept, the group is drawn
 //! solid, and both are mixed. A clip is a rectangle, so it cuts spans by arithmetic. The area under a
