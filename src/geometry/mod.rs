@@ -16,10 +16,7 @@ pub use glam::DVec2;
 pub use hull::Hull;
 pub use names::Names;
 pub use number::Angle;
-pub(crate) use number::{
-    Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_product_each, two_sum,
-    two_sum_each,
-};
+pub(crate) use number::{Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_sum};
 pub use rotation::Rotation;
 pub use shape::Shape;
 pub use unit_vector::UnitVector;

@@ -28,12 +28,13 @@ pub(crate) struct Dd {
 }
 
 /// Dekker's splitter 2²⁷ + 1.
-pub(crate) const SPLITTER: f64 = 134_217_729.0;
+const SPLITTER: f64 = 134_217_729.0;
 
-/// a + b = sum + error, exactly (Knuth).
+/// a + b = sum + error, exactly (Knuth): of two doubles, or of each component of two vectors, which the
+/// processor can do side by side.
 #[inline]
 #[must_use]
-pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_sum<N: Copy + Add<Output = N> + Sub<Output = N>>(a: N, b: N) -> (N, N) {
     let sum = a + b;
     let bb = sum - a;
     (sum, (a - (sum - bb)) + (b - bb))
@@ -46,21 +47,24 @@ pub(crate) fn fast_two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, b - (sum - a))
 }
 
-/// The two halves of a double, 26 bits each (Veltkamp).
+/// The two halves of a double, or of each component of a vector, 26 bits each (Veltkamp).
 #[inline]
-fn split(a: f64) -> (f64, f64) {
-    let c = SPLITTER * a;
+fn split<N: Copy + Sub<Output = N> + Mul<f64, Output = N>>(a: N) -> (N, N) {
+    let c = a * SPLITTER;
     let hi = c - (c - a);
     (hi, a - hi)
 }
 
-/// a · b = product + error, exactly (Dekker), where neither overflows and the product is 0 or above 2⁻⁹⁶⁹.
+/// a · b = product + error, exactly (Dekker), where neither overflows and the product is 0 or above 2⁻⁹⁶⁹; of
+/// two doubles, or of each component of two vectors.
 #[inline]
 #[must_use]
-pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
+pub(crate) fn two_product<N>(a: N, b: N) -> (N, N)
+where
+    N: Copy + Add<Output = N> + Sub<Output = N> + Mul<Output = N> + Mul<f64, Output = N>,
+{
     let p = a * b;
-    let (ah, al) = split(a);
-    let (bh, bl) = split(b);
+    let ((ah, al), (bh, bl)) = (split(a), split(b));
     (p, ((ah * bh - p) + ah * bl + al * bh) + al * bl)
 }
 

@@ -12,11 +12,9 @@ mod radians;
 mod roundings;
 mod series;
 mod sines;
-mod vector;
 
 pub use angle::Angle;
 pub(crate) use ball::Ball;
 pub(crate) use degrees::Turn;
 pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
 pub(crate) use length::length;
-pub(crate) use vector::{two_product_each, two_sum_each};

@@ -14,8 +14,7 @@
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{
-    DVec2, Dd, Rotation, Side, UnitVector, combined, fast_two_sum, perp, two_product, two_product_each,
-    two_sum, two_sum_each,
+    DVec2, Dd, Rotation, Side, UnitVector, combined, fast_two_sum, perp, two_product, two_sum,
 };
 
 /// A distance of cores, its direction and what the turning of an edge adds to the pair's placing error.
@@ -107,17 +106,17 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
     let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
     let across = perp(q);
-    let (p, e) = two_product_each(q, DVec2::splat(cos.hi));
-    let (r, f) = two_product_each(across, DVec2::splat(sin.hi));
-    let (s, g) = two_sum_each(p, r);
-    let (t, h) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
-    let (u, k) = two_sum_each(s, t);
+    let (p, e) = two_product(q, DVec2::splat(cos.hi));
+    let (r, f) = two_product(across, DVec2::splat(sin.hi));
+    let (s, g) = two_sum(p, r);
+    let (t, h) = two_sum(DVec2::new(x.hi, y.hi), -v);
+    let (u, k) = two_sum(s, t);
     let mut low = ((e + f) + (q * cos.lo + across * sin.lo)) + ((g + h) + (k + DVec2::new(x.lo, y.lo)));
     if pair.is_multiplied() {
         let (v, q) = tails(pair, [i, j]);
         low += (q * cos.hi + perp(q) * sin.hi) - v;
     }
-    let (hi, lo) = two_sum_each(u, low);
+    let (hi, lo) = two_sum(u, low);
     Long { hi, lo }
 }
 
@@ -132,17 +131,17 @@ fn tails(pair: &Pair, [i, j]: [usize; 2]) -> (DVec2, DVec2) {
 fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
     let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
-    let (s, g) = two_sum_each(DVec2::new(x.hi, y.hi), -v);
+    let (s, g) = two_sum(DVec2::new(x.hi, y.hi), -v);
     let (tail_v, tail_q) =
         if pair.is_multiplied() { tails(pair, [i, j]) } else { (DVec2::ZERO, DVec2::ZERO) };
-    let (from, low) = two_sum_each(s, g + (DVec2::new(x.lo, y.lo) - tail_v));
+    let (from, low) = two_sum(s, g + (DVec2::new(x.lo, y.lo) - tail_v));
     let (across, across_low) = (-perp(from), -perp(low));
-    let (p, e) = two_product_each(from, DVec2::splat(cos.hi));
-    let (r, f) = two_product_each(across, DVec2::splat(sin.hi));
-    let (s, g) = two_sum_each(p, r);
-    let (u, k) = two_sum_each(s, q);
+    let (p, e) = two_product(from, DVec2::splat(cos.hi));
+    let (r, f) = two_product(across, DVec2::splat(sin.hi));
+    let (s, g) = two_sum(p, r);
+    let (u, k) = two_sum(s, q);
     let lower = (low * cos.hi + from * cos.lo) + (across_low * sin.hi + across * sin.lo);
-    let (hi, lo) = two_sum_each(u, ((e + f) + (lower + tail_q)) + (g + k));
+    let (hi, lo) = two_sum(u, ((e + f) + (lower + tail_q)) + (g + k));
     (Long { hi, lo }, from.x.abs() + from.y.abs())
 }
 
