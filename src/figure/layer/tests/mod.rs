@@ -24,12 +24,13 @@ pub(super) fn labels(figure: &Figure) -> BTreeMap<&'static str, (String, f64)> {
         .collect()
 }
 
-/// The labels that a panel's layers ask for: the layer, the key, the markup.
+/// The labels that a panel's layers ask for, line by line: the layer, the key, the markup.
 pub(super) fn labels_of(sketched: Sketched, panel: &PanelPlan) -> Vec<(&'static str, &'static str, String)> {
     let label = |request: Request| {
-        (panel.layers[request.layer].layer.name, request.label.key, request.label.lines.join(" "))
+        let (layer, key) = (panel.layers[request.layer].layer.name, request.label.key);
+        request.label.lines.into_iter().map(move |line| (layer, key, line))
     };
-    sketched.requests.into_iter().map(label).collect()
+    sketched.requests.into_iter().flat_map(label).collect()
 }
 
 /// The last number of a markup, with its power of ten; NaN where there is none.

@@ -18,7 +18,7 @@ const NEAR: f64 = 1e-3;
 
 /// Scenes that feed every layer that has a moment, and the parts of a layer that tell of the way from t = 0,
 /// which no later motion has.
-const SCENES: &[(&str, &str)] = &[
+pub(super) const SCENES: &[(&str, &str)] = &[
     (
         "turning",
         r#"
