@@ -197,6 +197,49 @@ fn a_flipped_sign_a_wrong_tie_and_a_feature_off_by_one_would_be_caught() {
     assert!(caught * 100 > features * 95, "features: {caught} of {features}");
 }
 
+/// Plants a fault in how near the solver's misses came; how many were planted, and how many were caught.
+fn planted_in_misses(fault: impl Fn(&mut Json)) -> (usize, usize) {
+    let (mut planted, mut caught) = (0, 0);
+    for i in 0..600 {
+        let text = Family::Impact.case(3, i).to_string();
+        let scene = Scene::parse(&text).expect("valid");
+        let mut answer = Json::parse(&tracefig::solve_jsonl_line(&text, 1).line).expect("valid");
+        let Some(mut result) = answer.get("result").cloned() else { continue };
+        let Some(mut closest) = result.get("closest").cloned() else { continue };
+        fault(&mut closest);
+        result.set("closest", closest);
+        answer.set("result", result);
+        planted += 1;
+        caught += usize::from(check(&scene, &answer).has("closest"));
+    }
+    assert!(planted > 100, "only {planted} answers to spoil");
+    (planted, caught)
+}
+
+#[test]
+fn a_miss_that_is_said_to_come_nearer_or_less_near_or_at_another_time_would_be_caught() {
+    let by = |part: f64| {
+        move |closest: &mut Json| {
+            let (separation, bounds) =
+                (closest.number_at("separation"), closest.pair_at("separation_bounds"));
+            let (Some(s), Some([_, hi])) = (separation, bounds) else { return };
+            closest.set("separation", Json::Number(s * part));
+            closest.set("separation_bounds", Json::from_pair([s.min(hi) * part, hi * part]));
+        }
+    };
+    let (less_near, caught) = planted_in_misses(by(1.0 + 1e-6));
+    // A graze by 1e-17 and less says as little of a millionth of it as doubles do.
+    assert!(caught + 2 >= less_near, "less near: {caught} of {less_near}");
+    let (nearer, caught) = planted_in_misses(by(1.0 - 1e-6));
+    assert!(caught + 2 >= nearer, "nearer: {caught} of {nearer}");
+    let (moved, caught) = planted_in_misses(|closest| {
+        let time = closest.number_at("time").expect("a time");
+        closest.set("time", Json::Number(if time < 0.5 { time + 0.25 } else { time - 0.25 }));
+    });
+    // Where nothing moves relative to the other body, any time is as good.
+    assert!(caught * 10 > moved * 7, "times: {caught} of {moved}");
+}
+
 #[test]
 fn pairs_of_an_engines_log_are_exact_within_their_bounds() {
     assert_right(Family::Logged, setting("TRACEFIG_CASES_LOGGED", 1_000));

@@ -2,7 +2,8 @@
 //!
 //! It is what the tests of the checker mutate, and what `generate` prints as `expected` if asked.
 
-use crate::check::{Feature, Setting};
+use crate::check::{Feature, Setting, turning};
+use crate::closest::closest;
 use crate::first_contact::{Motion, Passage};
 use crate::float::Real;
 use crate::json::Json;
@@ -48,7 +49,10 @@ pub fn impact_line(scene: &Scene) -> Json {
         }
     } else {
         match motion.first_within(Real::ZERO, Real::ZERO, Real::one()) {
-            Passage::Clear => result.set("outcome", word("miss")),
+            Passage::Clear => {
+                result.set("outcome", word("miss"));
+                result.set("closest", approach(scene, &setting, &motion));
+            }
             Passage::Below { after, by } | Passage::Unsettled { after, until: by } => {
                 let (free, met) = (below(after), above(by));
                 result.set("outcome", word("hit"));
@@ -65,6 +69,21 @@ pub fn impact_line(scene: &Scene) -> Json {
     }
     result.set("tolerance", Json::Number(tolerance));
     Json::object([("id", scene.id.clone()), ("result", result)])
+}
+
+/// How near a miss came.
+fn approach(scene: &Scene, setting: &Setting, motion: &Motion) -> Json {
+    let turned = turning(scene);
+    let (time, s, least) = closest(motion, turned / 360.0);
+    // Above what golden sections leave; a tenth of what may be left where a body turns.
+    let margin = if turned == 0.0 { Real::power_of_two(-75) } else { Real::from(1e-10) };
+    let lo = below((least - margin * Real::from(setting.scale)).max(Real::ZERO));
+    let value = s.to_f64();
+    Json::object([
+        ("time", Json::Number(time)),
+        ("separation", Json::Number(value)),
+        ("separation_bounds", Json::from_pair([lo.min(value), above(s).max(value)])),
+    ])
 }
 
 /// The largest double not above x ≥ 0.

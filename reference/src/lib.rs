@@ -7,6 +7,7 @@
 
 pub mod answer;
 pub mod check;
+pub mod closest;
 pub mod first_contact;
 pub mod float;
 pub mod generate;

@@ -110,7 +110,7 @@ impl Tally {
 impl fmt::Display for Tally {
     /// A Markdown table; measures that a category does not have are left out.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        const COLUMNS: [&str; 9] = [
+        const COLUMNS: [&str; 12] = [
             "error / εS",
             "error / |s|",
             "error / bound",
@@ -120,6 +120,9 @@ impl fmt::Display for Tally {
             "p_B − p_A − s n / εS",
             "point off feature / εS",
             "Δt · closing / (4 tol + 16 εS)",
+            "closest: error / εS",
+            "closest: width / εS",
+            "closest: width / S, turning",
         ];
         write!(f, "| category | cases | wrong | unresolved |")?;
         COLUMNS.iter().try_for_each(|column| write!(f, " {column} |"))?;

@@ -5,6 +5,7 @@
 //! so near a graze that nobody could ask for more. Freedom is proved by our own subdivision, and again by
 //! replaying the solver's certificate where there is one.
 
+use super::approach::check_approach;
 use super::contact::{check_contact, check_value};
 use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
 use crate::first_contact::{Axis, Motion, Passage, finest};
@@ -65,7 +66,9 @@ pub(super) fn check_impact(report: &mut Report, scene: &Scene, setting: &Setting
         "hit" => case.check_hit(report),
         "miss" => {
             let passage = case.motion.first_within(case.slack, Real::ZERO, Real::one());
-            if passage != Passage::Clear {
+            if passage == Passage::Clear {
+                check_approach(report, scene, setting, &case.motion, result);
+            } else {
                 report.fault("outcome", format!("miss, but {}", told(passage)));
             }
         }

@@ -4,10 +4,12 @@
 //! can show the worst of a category. The limits are those that the project promises; ε is that of doubles and
 //! S the scale of the scene.
 
+mod approach;
 mod contact;
 mod extent;
 mod impact;
 
+pub use approach::turning;
 pub use contact::{Contact, Feature, check_contact};
 pub use impact::{Record, check_certificate};
 

@@ -9,6 +9,7 @@ mod impact;
 mod lattice;
 mod logged;
 mod pair;
+mod passing;
 mod separation;
 mod stillness;
 
@@ -72,6 +73,9 @@ const IN_MOTION: &[Category] = &[
     Category { name: "many-turns", draw: extremes::many_turns },
     Category { name: "near-parallel", draw: extremes::near_parallel },
     Category { name: "sweep-extreme", draw: extremes::sweep },
+    Category { name: "passing", draw: passing::passing },
+    Category { name: "sliding", draw: passing::sliding },
+    Category { name: "turning-beside", draw: passing::turning_beside },
 ];
 
 /// Cases as an engine logs them, at one moment.

@@ -16,10 +16,10 @@
 //! balls: whatever they are, the gap along the direction that they lead to is a proof.
 
 use crate::collision::answer::Separation;
-use crate::collision::certified::distance::balls::{BallPair, cross, dot, reversed, rounded};
+use crate::collision::certified::distance::balls::{BallPair, Vec2, cross, dot, reversed, rounded};
 use crate::collision::certified::distance::witnesses::{self, Carrier, Proved};
 use crate::collision::certified::distance::{Pair, proved};
-use crate::geometry::{Ball, Body, DVec2, Side};
+use crate::geometry::{Ball, Body, DVec2, Hull, Side};
 
 /// When the bodies are closest, how they stand then, and a lower bound of their separation at any time in
 /// [0, 1]; lengths in world units.
@@ -34,13 +34,12 @@ pub(crate) fn closest(a: &Body, b: &Body) -> (f64, Separation, f64) {
     }
     let pass = Passing::of(&start);
     let least = pass.least.max(start.least()).max(end.least());
-    let upper = |standing: &Standing| standing.proved.bounds.hi;
-    let nearer_end = if upper(&end) < upper(&start) { &end } else { &start };
-    match pass.time.map(|t| Standing::at(a, b, t)) {
-        // At an end of the motion they may be as close, but for rounding.
-        Some(nearest) if upper(&nearest) <= upper(nearer_end) + start.rounding() => nearest.answer(least),
-        _ => nearer_end.answer(least),
-    }
+    let [first, lowest] = pass.times.map(|t| Standing::at(a, b, t));
+    let all = [&first, &lowest, &start, &end];
+    let nearest = all.iter().map(|standing| standing.proved.bounds.hi).fold(f64::INFINITY, f64::min);
+    // The first of those that are not certainly farther apart than another.
+    let closest = all.into_iter().find(|standing| standing.proved.bounds.lo <= nearest);
+    closest.unwrap_or(&first).answer(least)
 }
 
 /// The bodies at a moment, with their separation.
@@ -76,11 +75,6 @@ impl<'s> Standing<'s> {
         Ball::within(value.scale_by_power_of_two(unscale), radius * unscale)
     }
 
-    /// Differences of separations that rounding makes, world units.
-    fn rounding(&self) -> f64 {
-        self.pair.gap_error() * self.pair.unscale()
-    }
-
     /// The gap along this moment's normal at the other end of the motion, or here: a lower bound of the
     /// separation at any time in [0, 1], world units.
     fn least(&self) -> f64 {
@@ -102,8 +96,9 @@ impl<'s> Standing<'s> {
 
 /// The bodies as one passes the other: along the direction square to their relative velocity.
 struct Passing {
-    /// When the vertex of B ⊖ A that is lowest along it is closest; None where doubles do not say.
-    time: Option<f64>,
+    /// Two moments at which they are closest: when the first vertex of B ⊖ A is passed that may be the lowest
+    /// along it, as far as doubles tell, and when the one is that 106 bits tell.
+    times: [f64; 2],
     /// Lower bound of the gap along it, which is the same at all times; world units.
     least: f64,
 }
@@ -120,27 +115,73 @@ impl Passing {
         let across = [-v[1], v[0]];
         let is_left = cross(&v, &balls.between(i, j)).value.hi > 0.0;
         let n = if is_left { across } else { reversed(&across) };
-        let [i, j] = first_of_lowest(pair, rounded(&n), rounded(&v));
-        let p = balls.between(i, j);
-        let drop = balls.drop_below(Side::B, j, &n) + balls.drop_below(Side::A, i, &reversed(&n));
+        let [lowest, first, last] = Lowest::along(pair, rounded(&n), rounded(&v)).vertices();
         let squared = dot(&v, &v);
-        let gap = (dot(&n, &p) - Ball::new(drop)).over(squared.sqrt()) - Ball::exact(pair.radius);
-        let time = dot(&v, &p).over(squared).value.to_f64().clamp(0.0, 1.0);
-        Self { time: (!time.is_nan()).then_some(time), least: gap.enclosure_scaled(pair.unscale()).lo }
+        let passed = |[i, j]: [usize; 2]| dot(&v, &balls.between(i, j)).over(squared).value.to_f64();
+        let (mut begins, ends) = (passed(first), passed(last));
+        // An edge that is passed: its end is passed for certain a double later.
+        if first != last && begins.next_up() < ends {
+            begins = begins.next_up();
+        }
+        let away = reversed(&n);
+        let [i, j] = [
+            settled(&balls, pair.hull(Side::A), (Side::A, lowest[0]), &away),
+            settled(&balls, pair.hull(Side::B), (Side::B, lowest[1]), &n),
+        ];
+        let drop = balls.drop_below(Side::B, j, &n) + balls.drop_below(Side::A, i, &away);
+        let gap =
+            (dot(&n, &balls.between(i, j)) - Ball::new(drop)).over(squared.sqrt()) - Ball::exact(pair.radius);
+        let in_motion = |t: f64| if t.is_nan() { 0.0 } else { t.clamp(0.0, 1.0) };
+        Self {
+            times: [begins, passed([i, j])].map(in_motion),
+            least: gap.enclosure_scaled(pair.unscale()).lo,
+        }
     }
 }
 
-/// The vertex [i, j] of B ⊖ A that is lowest along `n`; of several, as far as doubles tell, the one that a
-/// ray along `v` comes to first. Both directions are in A's frame.
-fn first_of_lowest(pair: &Pair, n: DVec2, v: DVec2) -> [usize; 2] {
-    let level = pair.gap_error() * n.length();
-    let level = if level.is_finite() { level } else { 0.0 };
-    let pick = |side: Side, n: DVec2, v: DVec2| {
-        let vertices = &pair.hull(side).vertices;
-        let height = |q: &DVec2| n.dot(*q * pair.scale);
-        let least = vertices.iter().map(height).fold(f64::INFINITY, f64::min);
-        let low = vertices.iter().enumerate().filter(|(_, q)| height(q) <= least + level);
-        low.min_by(|(_, p), (_, q)| v.dot(**p).total_cmp(&v.dot(**q))).map_or(0, |(k, _)| k)
-    };
-    [pick(Side::A, -n, -v), pick(Side::B, pair.vector_to_b(n), pair.vector_to_b(v))]
+/// The vertex of a core that is lowest along `down`, as far as 106 bits tell, from one that is nearly.
+fn settled(balls: &BallPair, hull: &Hull, (side, mut k): (Side, usize), down: &Vec2) -> usize {
+    // Each step goes strictly down: at most once round.
+    for _ in 0..hull.edges.len() {
+        let back = hull.previous(k);
+        if dot(down, &balls.edge(side, k)).is_negative() {
+            k = hull.next(k);
+        } else if dot(down, &balls.edge(side, back)).is_positive() {
+            k = back;
+        } else {
+            break;
+        }
+    }
+    k
+}
+
+/// The vertices of A and of B that make those of B ⊖ A which are lowest along a direction: of each body the
+/// one that is lowest in doubles, and of those that rounding can't tell from it the first and the last that a
+/// ray comes to.
+struct Lowest([[usize; 3]; 2]);
+
+impl Lowest {
+    /// The lowest along `n` to a ray along `v`, both in A's frame.
+    fn along(pair: &Pair, n: DVec2, v: DVec2) -> Self {
+        let level = pair.gap_error() * n.length();
+        let level = if level.is_finite() { level } else { 0.0 };
+        let of = |side: Side, n: DVec2, v: DVec2| {
+            let vertices = || pair.hull(side).vertices.iter().map(|q| *q * pair.scale).enumerate();
+            let by = |(k, x): (usize, f64), (l, y): (usize, f64)| if y < x { (l, y) } else { (k, x) };
+            let least = |along: DVec2, highest: f64| {
+                let low = vertices().filter(|(_, q)| n.dot(*q) <= highest);
+                low.map(|(k, q)| (k, along.dot(q))).reduce(by).unwrap_or((0, 0.0))
+            };
+            let (lowest, height) = least(n, f64::INFINITY);
+            let [first, last] = [v, -v].map(|along| least(along, height + level).0);
+            [lowest, first, last]
+        };
+        Self([of(Side::A, -n, -v), of(Side::B, pair.vector_to_b(n), pair.vector_to_b(v))])
+    }
+
+    /// The vertices [i, j] of B ⊖ A: the lowest, the first and the last.
+    fn vertices(&self) -> [[usize; 2]; 3] {
+        let Self([a, b]) = self;
+        [0, 1, 2].map(|k| [a[k], b[k]])
+    }
 }
