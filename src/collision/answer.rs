@@ -248,6 +248,12 @@ impl From<&Separation> for Overlap {
 }
 
 impl Separation {
+    /// This separation, with the bodies called the other way round.
+    pub(crate) fn swapped(self) -> Self {
+        let ([p, q], [of_a, of_b]) = (self.points, self.features);
+        Self { normal: -self.normal, points: [q, p], features: [of_b, of_a], ..self }
+    }
+
     /// A word for how the pair stands, as events tell it.
     pub(crate) fn word(&self) -> &'static str {
         if self.separation > 0.0 {
@@ -297,10 +303,19 @@ impl Reason {
 impl Outcome {
     /// What a separation at t = 0 says that is not certainly above 0.
     pub(crate) fn at_start(near: &Separation) -> Self {
-        if near.bounds.hi <= 0.0 || near.separation <= 0.0 {
+        if near.bounds.hi <= 0.0 {
             Self::Overlapping { contact: *near }
         } else {
             Self::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 }
+        }
+    }
+
+    /// This outcome, with the bodies called the other way round.
+    pub(crate) fn swapped(self) -> Self {
+        match self {
+            Self::Hit { time, contact } => Self::Hit { time, contact: contact.swapped() },
+            Self::Overlapping { contact } => Self::Overlapping { contact: contact.swapped() },
+            other => other,
         }
     }
 

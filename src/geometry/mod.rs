@@ -16,7 +16,9 @@ pub use glam::DVec2;
 pub use hull::Hull;
 pub use names::Names;
 pub use number::Angle;
-pub(crate) use number::{Ball, Dd, Turn, combined, fast_two_sum, length, taming_power, two_product, two_sum};
+pub(crate) use number::{
+    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, taming_power, two_product, two_sum,
+};
 pub use rotation::Rotation;
 pub use shape::Shape;
 pub use unit_vector::UnitVector;

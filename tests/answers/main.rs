@@ -9,4 +9,5 @@ mod random_pairs;
 mod degenerate_pairs;
 mod discrete_algorithms;
 mod hard;
+mod swapped;
 mod workloads;

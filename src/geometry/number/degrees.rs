@@ -185,6 +185,12 @@ impl Turn {
         self.whole == 0 && self.rest == Dd::ZERO && self.error == 0.0
     }
 
+    /// How many quarter turns it is, 0 to 3; None where it is not a number of them.
+    #[must_use]
+    pub(crate) fn quarters(&self) -> Option<u8> {
+        self.is_quarter().then_some(self.quarters)
+    }
+
     /// Cosine and sine in doubles, each within [`COS_SIN_ERROR`]; exact for quarter turns.
     #[must_use]
     pub(crate) fn rotation(&self) -> Rotation<f64> {

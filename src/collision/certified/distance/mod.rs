@@ -13,12 +13,14 @@
 //! search       what the filter leaves open: the nearest feature in balls, ties, exact zeros
 //!   balls        the pair in balls
 //!   boundary     a walk along B ⊖ A to its nearest point
+//! exact        where balls leave open whether the bodies touch: polynomials without any rounding
 //! witnesses    from the proof to the answer: normal, witness points and features in the world
 //! ```
 
 pub(super) mod balls;
 mod boundary;
 pub(super) mod conditions;
+mod exact;
 pub(super) mod filter;
 pub(super) mod gaps;
 pub(super) mod pair;
@@ -30,6 +32,7 @@ pub use pair::Pair;
 
 use crate::collision::answer::Separation;
 use crate::collision::feature::DifferenceFeature;
+use crate::geometry::Enclosure;
 
 /// The certified separation of a pair; `hint` is a feature of B ⊖ A that may be nearest the origin.
 ///
@@ -42,7 +45,7 @@ pub(crate) fn certify(pair: &Pair, hint: Option<DifferenceFeature>) -> Separatio
 /// [`certify`] in A's frame, with the feature of B ⊖ A that carries the separation.
 #[inline]
 pub(super) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
-    filter::proved(pair).unwrap_or_else(|| search::proved(pair, hint))
+    filter::proved(pair).unwrap_or_else(|| settled(pair, hint))
 }
 
 /// [`certify`] without the filter: as true, and slower.
@@ -50,7 +53,25 @@ pub(super) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses:
 /// To be asked at once where the pair is so near touching that the filter would hardly ever be tight enough.
 #[cold]
 pub(super) fn settle(pair: &Pair, hint: Option<DifferenceFeature>) -> Separation {
-    witnesses::answer(pair, &search::proved(pair, hint))
+    witnesses::answer(pair, &settled(pair, hint))
+}
+
+/// The separation by balls; where they leave open whether the bodies touch, by exact arithmetic, and by balls
+/// in the other body's frame: so that a pair is judged alike whichever body is called A.
+#[cold]
+fn settled(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
+    let mut proved = search::proved(pair, hint);
+    let is_open = |bounds: Enclosure| bounds.lo <= 0.0 && bounds.hi > 0.0;
+    if !is_open(proved.bounds) {
+        return proved;
+    }
+    if let Some(bounds) = exact::bounds(pair, &proved.carrier) {
+        proved.narrow(bounds);
+    }
+    if is_open(proved.bounds) {
+        proved.narrow(search::proved(&Pair::refined_at(pair.b, pair.a, pair.time), None).bounds);
+    }
+    proved
 }
 
 impl Pair<'_> {

@@ -42,6 +42,17 @@ pub(crate) struct Proved {
     pub(crate) ties: u32,
 }
 
+impl Proved {
+    /// Takes what other bounds of the same separation say besides.
+    pub(super) fn narrow(&mut self, other: Enclosure) {
+        let (lo, hi) = (self.bounds.lo.max(other.lo), self.bounds.hi.min(other.hi));
+        if lo <= hi {
+            self.bounds = Enclosure { lo, hi };
+            self.separation = self.separation.max(lo).min(hi);
+        }
+    }
+}
+
 /// Witness points of the cores in the world, scaled (so that they round once), and the features that carry
 /// them.
 type Witnesses = ([DVec2; 2], [Feature; 2]);

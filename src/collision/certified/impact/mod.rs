@@ -93,11 +93,49 @@ impl MovingPair<'_> {
         mut report: impl FnMut(AxisSpan),
     ) -> Impact {
         let limits = Limits { tolerance, max_queries: max_iterations };
+        let mut until = 0.0;
+        let found = self.first_contact_in_order(limits, |span| {
+            until = span.to;
+            report(span);
+        });
+        match found.outcome {
+            Outcome::Unresolved { reason: Reason::WithinRounding, .. } => {
+                self.the_other_way_round(limits, until, report).unwrap_or(found)
+            }
+            _ => found,
+        }
+    }
+
+    /// The first contact with A called A.
+    #[inline]
+    fn first_contact_in_order(&self, limits: Limits, mut report: impl FnMut(AxisSpan)) -> Impact {
         let filtered = filter::first_contact(self, limits, &mut report);
         match filtered.outcome {
-            Some(outcome) => Impact { outcome, tolerance, iterations: filtered.queries },
+            Some(outcome) => Impact { outcome, tolerance: limits.tolerance, iterations: filtered.queries },
             None => self.first_contact_by_search(limits, filtered.queries, report),
         }
+    }
+
+    /// The first contact if it can be decided with B called A, so that both ways round are judged alike; of
+    /// its axes those are reported that separate after `until`.
+    #[cold]
+    fn the_other_way_round(
+        &self,
+        limits: Limits,
+        until: f64,
+        mut report: impl FnMut(AxisSpan),
+    ) -> Option<Impact> {
+        let [a, b] = self.bodies;
+        let mut spans = Vec::new();
+        let found = MovingPair::new(b, a).first_contact_in_order(limits, |span| spans.push(span));
+        if matches!(found.outcome, Outcome::Unresolved { .. }) {
+            return None;
+        }
+        for AxisSpan { axis, from, to } in spans.into_iter().filter(|span| span.to > until) {
+            let axis = Axis { owner: axis.owner.other(), ..axis };
+            report(AxisSpan { axis, from: from.max(until), to });
+        }
+        Some(Impact { outcome: found.outcome.swapped(), ..found })
     }
 
     /// The first contact without the filter, which has made so many distance queries.

@@ -75,9 +75,28 @@ impl<'s> Sweep<'s> {
     /// ```
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
+        match self.in_order() {
+            open @ Outcome::Unresolved { .. } => self.the_other_way_round().unwrap_or(open),
+            decided => decided,
+        }
+    }
+
+    /// When and how the bodies meet first, with A called A.
+    #[inline]
+    fn in_order(&self) -> Outcome {
         match self.entry().outcome(&self.pair) {
             open @ Outcome::Unresolved { .. } => impact::by_axes(self.pair.a, self.pair.b).unwrap_or(open),
             decided => decided,
+        }
+    }
+
+    /// What can be decided with B called A: whatever can be with A called A is decided there as well, so that
+    /// both ways round are judged alike.
+    #[cold]
+    fn the_other_way_round(&self) -> Option<Outcome> {
+        match Sweep::new(self.pair.b, self.pair.a).in_order() {
+            Outcome::Unresolved { .. } => None,
+            decided => Some(decided.swapped()),
         }
     }
 
