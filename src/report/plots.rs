@@ -9,9 +9,6 @@ use super::measure::Row;
 use super::workload::{Class, Difficulty, VERTICES};
 use super::{Plot, Report};
 
-/// Width and height of a plot in page pixels, those of a figure.
-const PAGE: (f64, f64) = (960.0, 540.0);
-
 /// What an exact answer counts as, so that it can stand on a logarithmic axis: a tenth of the ε of doubles, a
 /// step below the smallest error there is.
 const NO_ERROR: f64 = f64::EPSILON / 10.0;
@@ -89,8 +86,7 @@ fn growth(rows: &[&Row], names: &[&str], name: &str) -> Chart {
     });
     #[expect(clippy::cast_precision_loss, reason = "at most 1,024")]
     let marks: Vec<f64> = VERTICES.iter().map(|&n| n as f64).collect();
-    let x =
-        Axis { name: "vertices $n$ of each polygon".into(), lo: 3.4, hi: 1200.0, logarithmic: true, marks };
+    let x = Axis { name: "vertices $n$ of each polygon".into(), lo: 3.4, hi: 1200.0, marks };
     let y = Axis::powers_of_ten("time per query, ns", values(&series, |p| p.1));
     chart(format!("growth-{name}"), &format!("Growth with n: {name}"), x, y, series)
 }
@@ -124,7 +120,7 @@ fn steps(rows: &[&Row], names: &[&str], name: &str) -> Chart {
 }
 
 fn chart(id: String, title: &str, x: Axis, y: Axis, series: Vec<Series>) -> Chart {
-    Chart { id, title: title.to_owned(), x, y, series, width: PAGE.0, height: PAGE.1 }
+    Chart { id, title: title.to_owned(), x, y, series }
 }
 
 /// One coordinate of all points.

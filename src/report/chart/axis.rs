@@ -1,16 +1,14 @@
 //! Axes: the range they show, how a value maps to it, and their ticks.
 
-/// An axis, linear or logarithmic.
+/// A logarithmic axis: equal ratios are equal lengths.
 #[derive(Clone, Debug)]
 pub(crate) struct Axis {
     /// What it measures, with the unit, markup.
     pub(crate) name: String,
-    /// The smallest value shown.
+    /// The smallest value shown, above 0.
     pub(crate) lo: f64,
     /// The largest value shown.
     pub(crate) hi: f64,
-    /// Whether equal ratios are equal lengths.
-    pub(crate) logarithmic: bool,
     /// Values to mark; empty for powers of ten.
     pub(crate) marks: Vec<f64>,
 }
@@ -27,7 +25,7 @@ pub(super) struct Tick {
 const TICKS: i32 = 9;
 
 impl Axis {
-    /// A logarithmic axis over whole powers of ten that holds all of `values` above 0; from 1 to 10 without
+    /// An axis over whole powers of ten that holds all of `values` above 0; from 1 to 10 without
     /// any.
     #[must_use]
     pub(crate) fn powers_of_ten(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
@@ -35,24 +33,13 @@ impl Axis {
         let lo = logs.iter().copied().fold(f64::INFINITY, f64::min);
         let hi = logs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let (lo, hi) = if lo <= hi { (lo.floor(), hi.ceil().max(lo.floor() + 1.0)) } else { (0.0, 1.0) };
-        Self {
-            name: name.to_owned(),
-            lo: libm::exp10(lo),
-            hi: libm::exp10(hi),
-            logarithmic: true,
-            marks: Vec::new(),
-        }
+        Self { name: name.to_owned(), lo: libm::exp10(lo), hi: libm::exp10(hi), marks: Vec::new() }
     }
 
     /// Where a value lies between `lo` (0) and `hi` (1), clamped to them.
     pub(super) fn fraction(&self, value: f64) -> f64 {
-        let f = if self.logarithmic {
-            let of = |v: f64| libm::log10(v.max(self.lo));
-            (of(value) - of(self.lo)) / (of(self.hi) - of(self.lo))
-        } else {
-            (value - self.lo) / (self.hi - self.lo)
-        };
-        f.clamp(0.0, 1.0)
+        let of = |v: f64| libm::log10(v.max(self.lo));
+        ((of(value) - of(self.lo)) / (of(self.hi) - of(self.lo))).clamp(0.0, 1.0)
     }
 
     /// The values that the axis names: its marks, or powers of ten.

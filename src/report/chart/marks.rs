@@ -1,5 +1,6 @@
 //! Markers of series.
 
+use super::LINES;
 use crate::drawing::{Contour, Paint, Path, Point, Stroke};
 
 /// The shape of a series's points.
@@ -52,6 +53,6 @@ impl Marker {
         };
         let open = matches!(self, Self::Ring | Self::HollowSquare | Self::HollowDiamond);
         let fill = if open { background } else { paint };
-        Path { contour, fill: Some(fill), pattern: None, stroke: Some(Stroke::solid(paint, 1.75)) }
+        Path { contour, fill: Some(fill), pattern: None, stroke: Some(Stroke::solid(paint, LINES[0])) }
     }
 }

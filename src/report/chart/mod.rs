@@ -1,4 +1,4 @@
-//! Charts: series of points on linear or logarithmic axes, in the look of the figures.
+//! Charts: series of points on logarithmic axes, in the look of the figures.
 //!
 //! A series is told apart by its colour, its marker and its dash, and is named beside its last point; names
 //! that would collide are pushed apart.
@@ -6,14 +6,20 @@
 mod axis;
 mod marks;
 
+use std::sync::Arc;
+
 pub(crate) use axis::Axis;
 pub(crate) use marks::Marker;
 
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Rect, Role, Stroke, Text};
-use crate::typeset::{Style, TypesetError, typeset};
+use crate::typeset::{Line, Style, TypesetError, typeset};
 
+/// Width and height of the page, page pixels: those of a figure.
+const PAGE: (f64, f64) = (960.0, 540.0);
 /// Type size of the words of a chart, page pixels an em.
 const WORDS: f64 = 14.0;
+/// Type size of what ticks are called, page pixels an em.
+const TICK_WORDS: f64 = 12.0;
 /// Space around the page, page pixels.
 const MARGIN: f64 = 24.0;
 /// Room left of the plot for tick labels and the axis's name, page pixels.
@@ -22,8 +28,23 @@ const LEFT: f64 = 84.0;
 const BELOW: f64 = 60.0;
 /// Room above the plot for the title, page pixels.
 const ABOVE: f64 = 72.0;
+/// Baseline of the title below the page's top, page pixels.
+const TITLE: f64 = 30.0;
+/// Baseline of tick labels and of the axis's name below the plot, page pixels.
+const UNDER: [f64; 2] = [18.0, 44.0];
+/// Distance of tick labels left of the plot, and of the axis's name above it, page pixels.
+const BESIDE: [f64; 2] = [10.0, 14.0];
+/// Baseline of a name below the middle of its letters, page pixels.
+const MIDDLE: f64 = 4.5;
 /// Distance of the names of two series, page pixels.
 const NAME_PITCH: f64 = 18.0;
+/// Distance of a series's name from the plot, page pixels; its leader begins beside the last point and ends
+/// short of the name.
+const NAME_GAP: f64 = 20.0;
+/// Where a leader begins right of a point, and how far left of the name it ends, page pixels.
+const LEADER: [f64; 2] = [7.0, 4.0];
+/// Width of the lines of series, the axes, and the grid and leaders, page pixels.
+const LINES: [f64; 3] = [1.75, 1.0, 0.75];
 
 /// A named set of points, joined in order.
 #[derive(Clone, Debug)]
@@ -53,10 +74,6 @@ pub(crate) struct Chart {
     pub(crate) y: Axis,
     /// The series, each named beside its last point.
     pub(crate) series: Vec<Series>,
-    /// Width of the page, page pixels.
-    pub(crate) width: f64,
-    /// Height of the page, page pixels.
-    pub(crate) height: f64,
 }
 
 /// Draws a chart with the colours that `color` gives to roles.
@@ -65,18 +82,19 @@ pub(crate) struct Chart {
 ///
 /// A [`TypesetError`] of the title, an axis's name or a series's name.
 pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawing, TypesetError> {
-    let names: Vec<Name> = chart.series.iter().map(Name::set).collect::<Result<_, _>>()?;
-    let widest = names.iter().map(|n| n.line.width).fold(0.0, f64::max);
-    let plot =
-        Rect { x0: LEFT, y0: ABOVE, x1: chart.width - MARGIN - widest - 24.0, y1: chart.height - BELOW };
+    let set = |series: &Series| typeset(&series.name, Style::regular(WORDS));
+    let names: Vec<Line> = chart.series.iter().map(set).collect::<Result<_, _>>()?;
+    let widest = names.iter().map(|name| name.width).fold(0.0, f64::max);
+    let (width, height) = PAGE;
+    let plot = Rect { x0: LEFT, y0: ABOVE, x1: width - MARGIN - widest - MARGIN, y1: height - BELOW };
     let mut artist = Artist { plot, color, chart, items: Vec::new() };
-    artist.words(&chart.title, Style::semibold(WORDS), Role::Ink, |_| Point::new(MARGIN, 30.0))?;
+    artist.words(&chart.title, Style::semibold(WORDS), Role::Ink, |_| Point::new(MARGIN, TITLE))?;
     artist.axes()?;
     artist.series();
-    artist.names(&names);
+    artist.names(names);
     Ok(Drawing {
-        width: chart.width,
-        height: chart.height,
+        width,
+        height,
         id: chart.id.clone(),
         title: chart.title.clone(),
         desc: describe(chart),
@@ -93,19 +111,6 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
 fn describe(chart: &Chart) -> String {
     let names: Vec<&str> = chart.series.iter().map(|s| s.name.as_str()).collect();
     format!("{} over {} for {}.", chart.y.name, chart.x.name, names.join(", "))
-}
-
-/// A series's name, set.
-struct Name {
-    /// The name, set.
-    line: std::sync::Arc<crate::typeset::Line>,
-}
-
-impl Name {
-    /// Sets the name of a series.
-    fn set(series: &Series) -> Result<Self, TypesetError> {
-        Ok(Self { line: std::sync::Arc::new(typeset(&series.name, Style::regular(WORDS))?) })
-    }
 }
 
 /// A chart being drawn.
@@ -138,13 +143,18 @@ impl Artist<'_> {
         markup: &str,
         style: Style,
         role: Role,
-        place: impl Fn(&crate::typeset::Line) -> Point,
+        place: impl Fn(&Line) -> Point,
     ) -> Result<(), TypesetError> {
         let line = typeset(markup, style)?;
         let origin = place(&line);
-        let paint = self.paint(role);
-        self.items.push(Item::Text(Text { line: std::sync::Arc::new(line), origin, paint, halo: None }));
+        self.write(line, origin, role);
         Ok(())
+    }
+
+    /// Writes a set line from the start of its baseline on.
+    fn write(&mut self, line: Line, origin: Point, role: Role) {
+        let paint = self.paint(role);
+        self.items.push(Item::Text(Text { line: Arc::new(line), origin, paint, halo: None }));
     }
 
     /// Where a point in the axes' units lies on the page.
@@ -160,25 +170,25 @@ impl Artist<'_> {
         let plot = self.plot;
         for tick in self.chart.x.ticks() {
             let x = self.at((tick.value, self.chart.y.lo)).x;
-            self.line(Point::new(x, plot.y0), Point::new(x, plot.y1), Role::Grid, 0.75);
-            self.words(&tick.label, Style::regular(12.0), Role::Muted, |l| {
-                Point::new(x - l.width / 2.0, plot.y1 + 18.0)
+            self.line(Point::new(x, plot.y0), Point::new(x, plot.y1), Role::Grid, LINES[2]);
+            self.words(&tick.label, Style::regular(TICK_WORDS), Role::Muted, |l| {
+                Point::new(x - l.width / 2.0, plot.y1 + UNDER[0])
             })?;
         }
         for tick in self.chart.y.ticks() {
             let y = self.at((self.chart.x.lo, tick.value)).y;
-            self.line(Point::new(plot.x0, y), Point::new(plot.x1, y), Role::Grid, 0.75);
-            self.words(&tick.label, Style::regular(12.0), Role::Muted, |l| {
-                Point::new(plot.x0 - 10.0 - l.width, y + 4.0)
+            self.line(Point::new(plot.x0, y), Point::new(plot.x1, y), Role::Grid, LINES[2]);
+            self.words(&tick.label, Style::regular(TICK_WORDS), Role::Muted, |l| {
+                Point::new(plot.x0 - BESIDE[0] - l.width, y + TICK_WORDS / 3.0)
             })?;
         }
-        self.line(Point::new(plot.x0, plot.y1), Point::new(plot.x1, plot.y1), Role::Ink, 1.0);
-        self.line(Point::new(plot.x0, plot.y0), Point::new(plot.x0, plot.y1), Role::Ink, 1.0);
+        self.line(Point::new(plot.x0, plot.y1), Point::new(plot.x1, plot.y1), Role::Ink, LINES[1]);
+        self.line(Point::new(plot.x0, plot.y0), Point::new(plot.x0, plot.y1), Role::Ink, LINES[1]);
         let (x, y) = (self.chart.x.name.clone(), self.chart.y.name.clone());
         self.words(&x, Style::regular(WORDS), Role::Ink, |l| {
-            Point::new((plot.x0 + plot.x1 - l.width) / 2.0, plot.y1 + 44.0)
+            Point::new((plot.x0 + plot.x1 - l.width) / 2.0, plot.y1 + UNDER[1])
         })?;
-        self.words(&y, Style::regular(WORDS), Role::Ink, |_| Point::new(MARGIN, plot.y0 - 14.0))
+        self.words(&y, Style::regular(WORDS), Role::Ink, |_| Point::new(MARGIN, plot.y0 - BESIDE[1]))
     }
 
     /// Draws every series.
@@ -189,7 +199,7 @@ impl Artist<'_> {
             let mut group = Group::new("series");
             group.role = Some(series.role);
             group.label = Some(series.name.clone());
-            let stroke = Stroke { dash: series.dash.clone(), ..Stroke::solid(paint, 1.75) };
+            let stroke = Stroke { dash: series.dash.clone(), ..Stroke::solid(paint, LINES[0]) };
             group.items.push(Item::Path(Path::stroked(Contour::polyline(&points), stroke)));
             let background = self.paint(Role::Background);
             for &point in &points {
@@ -200,40 +210,24 @@ impl Artist<'_> {
     }
 
     /// Writes each name right of its series's last point, pushed down where it would meet the one above.
-    fn names(&mut self, names: &[Name]) {
-        let x = self.plot.x1 + 20.0;
-        let mut wanted: Vec<(f64, usize)> = self
-            .chart
-            .series
-            .iter()
-            .enumerate()
-            .filter_map(|(i, s)| s.points.last().map(|&p| (self.at(p).y, i)))
-            .collect();
-        wanted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    fn names(&mut self, names: Vec<Line>) {
+        let x = self.plot.x1 + NAME_GAP;
+        let last = |(series, name): (&Series, Line)| Some((self.at(*series.points.last()?), name));
+        let mut ends: Vec<(Point, Line)> = self.chart.series.iter().zip(names).filter_map(last).collect();
+        ends.sort_by(|(p, _), (q, _)| p.y.total_cmp(&q.y));
         let mut free_from = self.plot.y0;
-        let mut placed = Vec::new();
-        for (y, index) in wanted {
-            let y = y.max(free_from);
-            free_from = y + NAME_PITCH;
-            placed.push((y, index));
+        let mut places = Vec::new();
+        for (end, _) in &ends {
+            places.push(end.y.max(free_from));
+            free_from = end.y.max(free_from) + NAME_PITCH;
         }
         let over = (free_from - NAME_PITCH - self.plot.y1).max(0.0);
-        for (y, index) in placed {
+        for ((end, name), y) in ends.into_iter().zip(places) {
             let y = y - over;
-            let series = &self.chart.series[index];
-            let end = series.points.last().map_or(Point::new(x, y), |&p| self.at(p));
-            let ink = self.paint(Role::Ink);
-            let leader = Stroke { dash: vec![2.0, 3.0], ..Stroke::solid(self.paint(Role::Muted), 0.75) };
-            let from = Point::new(end.x + 7.0, end.y);
-            let path = Path::stroked(Contour::line(from, Point::new(x - 4.0, y)), leader);
-            self.items.push(Item::Path(path));
-            let origin = Point::new(x, y + 4.5);
-            self.items.push(Item::Text(Text {
-                line: names[index].line.clone(),
-                origin,
-                paint: ink,
-                halo: None,
-            }));
+            let leader = Stroke { dash: vec![2.0, 3.0], ..Stroke::solid(self.paint(Role::Muted), LINES[2]) };
+            let line = Contour::line(Point::new(end.x + LEADER[0], end.y), Point::new(x - LEADER[1], y));
+            self.items.push(Item::Path(Path::stroked(line, leader)));
+            self.write(name, Point::new(x, y + MIDDLE), Role::Ink);
         }
     }
 }
