@@ -7,6 +7,7 @@ use crate::typeset::Line;
 
 use super::describe;
 use super::fault::{Fault, Problem};
+use super::layer::is_key;
 use super::page::{Page, type_size};
 use super::panel::PanelPlan;
 use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
@@ -128,7 +129,7 @@ pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec
     let context = panel.context(plan.scene, &plan.runs);
     let sketched = panel.sketch(&context, theme);
     let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
-    let wording = Wording { context: &context, type_size: &size };
+    let wording = Wording { context: &context, type_size: &size, is_key };
     // A text that can't be set was said by the plan.
     let set =
         |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();

@@ -12,13 +12,13 @@ use super::budget::Budget;
 use super::default_picture;
 use super::describe::sentence;
 use super::fault::{Fault, Problem};
-use super::layer::LAYERS;
+use super::layer::{LAYERS, is_key};
 use super::page::Page;
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{caption, caption_of_words, caption_words, check_texts};
+use super::text::{caption, caption_of_words, caption_words, check_texts, label_key};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -138,7 +138,7 @@ fn say(
     for (panel, sketched) in panels.iter().zip(sketched) {
         budget.take(sketched, &panel.source.span)?;
         let requests = sketched.requests.iter().map(|request| (request, panel.span_of(request)));
-        check_texts(&panel.context(scene, runs), requests, &mut budget, (problems, notes))?;
+        check_texts(&panel.context(scene, runs), requests, (&mut budget, is_key), (problems, notes))?;
     }
     Ok(())
 }
@@ -166,10 +166,25 @@ fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) 
             known.push(key.key.to_owned());
         }
     }
-    for (key, _) in &scene.labels {
-        if !known.contains(&key.value) {
+    let names = scene.shapes.iter().map(|(name, _)| &name.value);
+    let by_name: Vec<String> = names
+        .filter(|name| !is_key(name) && known.iter().any(|k| k == label_key(scene, name, is_key)))
+        .cloned()
+        .collect();
+    let meant: Vec<&str> =
+        scene.labels.iter().map(|(word, _)| label_key(scene, &word.value, is_key)).collect();
+    for (i, (key, _)) in scene.labels.iter().enumerate() {
+        if let Some(other) = meant[..i].iter().position(|&earlier| earlier == meant[i]) {
+            let message = format!("`{}` and `{}` are the same label", scene.labels[other].0.value, key.value);
+            problems.push(Problem::new(scene::Fault::Conflict { message }.into(), key.span.clone()));
+        }
+        if !known.iter().any(|k| k == meant[i]) {
             let place = "`[labels]`: no layer of this scene writes it".to_owned();
-            let fault = scene::Fault::UnknownKey { key: key.value.clone(), place, known: known.clone() };
+            let fault = scene::Fault::UnknownKey {
+                key: key.value.clone(),
+                place,
+                known: [&by_name[..], &known].concat(),
+            };
             problems.push(Problem::new(fault.into(), key.span.clone()));
         }
     }
@@ -239,6 +254,21 @@ mod tests {
         let (code, quoted, _) =
             one("labels = { A1 = \"x\" }\npanels = [{ space = \"world\", layers = [\"shapes\"] }]");
         assert_eq!((code, quoted.as_str()), ("unknown-key", "A1"));
+    }
+
+    #[test]
+    fn a_label_is_found_by_the_name_of_its_body_and_only_once() {
+        let bodies = BODIES.replace("shapes.B", "shapes.wall").replace("\"B\"", "\"wall\"");
+        let problems = |labels: &str| {
+            let text = format!("{bodies}{labels}\npanels = [{{ space = \"world\", layers = [\"shapes\"] }}]");
+            let scene = read(&Source::new("test", &text)).unwrap();
+            super::plan(&scene).map(|_| ()).err().unwrap_or_default()
+        };
+        assert_eq!(problems("labels = { wall = \"x\" }"), []);
+        let twice = problems("labels = { B = \"y\", wall = \"x\" }");
+        assert_eq!(twice[0].fault.to_string(), "`B` and `wall` are the same label");
+        let help = problems("labels = { wal = \"x\" }")[0].fault.help().unwrap_or_default();
+        assert!(help.contains("`wall`"), "{help}");
     }
 
     #[test]

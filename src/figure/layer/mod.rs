@@ -126,6 +126,11 @@ pub(crate) fn find(name: &str) -> Option<&'static Layer> {
     LAYERS.iter().find(|l| l.name == name)
 }
 
+/// Whether some layer has a label of a key.
+pub(crate) fn is_key(key: &str) -> bool {
+    LAYERS.iter().flat_map(|layer| layer.labels).any(|label| label.key == key)
+}
+
 /// Opacities of a series of `count`, evenly from the first to the last; of one, the last.
 fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     let steps = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);

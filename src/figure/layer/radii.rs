@@ -182,7 +182,11 @@ fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
     [
         bar(
             "centers",
-            format!(r"$\|{a} - {b}\| = {}$", number(apart)),
+            if context.has_letters() {
+                format!(r"$\|{a} - {b}\| = {}$", number(apart))
+            } else {
+                format!("centres ${}$ apart", number(apart))
+            },
             centers,
             Role::Ink,
             Pen::dimension(Role::Ink).width(1.5),

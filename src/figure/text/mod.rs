@@ -9,6 +9,7 @@ mod caption;
 mod fill;
 mod fold;
 mod number;
+mod overrides;
 mod plain;
 mod quantity;
 mod values;
@@ -16,6 +17,7 @@ mod wording;
 
 pub(crate) use caption::{caption, caption_of_words, caption_words, set};
 pub(crate) use number::{in_words, number, rounded};
+pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use wording::{Wording, check_texts};

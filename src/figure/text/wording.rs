@@ -10,11 +10,12 @@ use crate::figure::name::Name;
 use crate::figure::placement::Sought;
 use crate::figure::sketch::{Rank, Request};
 use crate::figure::standing::standing;
-use crate::scene::{self, LabelOverride, Scene, Spanned};
+use crate::scene;
 use crate::typeset::{Style, TypesetError, typeset};
 
 use super::fill::fill;
 use super::fold::folds;
+use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.
 pub(crate) struct Wording<'w> {
@@ -22,6 +23,8 @@ pub(crate) struct Wording<'w> {
     pub(crate) context: &'w Context<'w>,
     /// The size in page pixels at which a size of the usual page is set here.
     pub(crate) type_size: &'w dyn Fn(f64) -> f64,
+    /// Whether some layer has a label of a key.
+    pub(crate) is_key: IsKey,
 }
 
 impl Wording<'_> {
@@ -38,7 +41,7 @@ impl Wording<'_> {
         notes: &mut Vec<Problem>,
     ) -> Result<Option<Sought>, Problem> {
         let label = &request.label;
-        let given = overridden(self.context.scene, label.key);
+        let given = overridden(self.context.scene, label.key, self.is_key);
         if given.is_some_and(|(_, o)| o.hide) {
             return Ok(None);
         }
@@ -105,10 +108,10 @@ impl Wording<'_> {
 pub(crate) fn check_texts<'r>(
     context: &Context,
     requests: impl Iterator<Item = (&'r Request, &'r Range<usize>)>,
-    budget: &mut Budget,
+    (budget, is_key): (&mut Budget, IsKey),
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Result<(), scene::Problem> {
-    let wording = Wording { context, type_size: &|px| px };
+    let wording = Wording { context, type_size: &|px| px, is_key };
     for (request, span) in requests {
         match wording.set(request, span, notes) {
             Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
@@ -117,11 +120,6 @@ pub(crate) fn check_texts<'r>(
         }
     }
     Ok(())
-}
-
-/// What a scene says of a label.
-fn overridden<'s>(scene: &'s Scene, key: &str) -> Option<&'s (Spanned<String>, LabelOverride)> {
-    scene.labels.iter().find(|(k, _)| k.value == key)
 }
 
 /// A value that a text at `at` names and this answer lacks.

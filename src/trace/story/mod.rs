@@ -227,7 +227,8 @@ fn axis_tested(
     let between = if gap > 0.0 {
         format!("a gap of {}", number(gap))
     } else {
-        format!("where B begins {} before A ends", number(-gap))
+        let (first, second) = (names.quoted(Side::A), names.quoted(Side::B));
+        format!("where {second} begins {} before {first} ends", number(-gap))
     };
     format!(
         "Along {}, the normal of {} of {}: {} spans {a}, {} spans {b}, {between}.",
@@ -362,7 +363,19 @@ mod tests {
             half_extents: [DVec2::ONE; 2],
             gap: DVec2::ONE,
         };
+        let overlapping = Event::AxisTested {
+            axis: DVec2::X,
+            source: (Side::B, Feature::Edge(3)),
+            interval_a: Enclosure { lo: 0.0, hi: 2.0 },
+            interval_b: Enclosure { lo: 1.5, hi: 4.0 },
+            gap: -0.5,
+        };
         let told = [
+            (
+                overlapping,
+                "Along (1, 0), the normal of edge 3 of \"the wall\": bullet spans 0 to 2, \"the wall\" spans \
+                 1.5 to 4, where \"the wall\" begins 0.5 before bullet ends.",
+            ),
             (
                 Event::Started { algorithm: "any", at },
                 "any looks at bullet and \"the wall\" at t = 0.5 \
