@@ -3,11 +3,13 @@
 //! Numbers are cut to six significant digits, points are `(x, y)`, bodies have the names that the scene gives
 //! them. A step of an advancement opens a paragraph.
 
+mod motion;
 mod words;
 
 use super::{Culling, Event, Goal, Moment, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 
+use motion::{advanced, closest_approach, motion, ray, swept};
 use words::{aside, away, interval, list, moment, number, part, point, points};
 
 /// The whole trace, a line for each event, of bodies that are called `names`.
@@ -255,58 +257,6 @@ fn polytope(vertices: &[DVec2], nearest: f64) -> String {
         vertices.len(),
         points(vertices),
         number(nearest)
-    )
-}
-
-fn ray(
-    names: &Names,
-    (side, feature): (Side, Feature),
-    [from, to]: [DVec2; 2],
-    outcome: Culling,
-    time: Option<f64>,
-) -> String {
-    let came = match outcome {
-        Culling::BackFacing => "it faces away, skipped",
-        Culling::Missed => "missed",
-        Culling::Hit => "entered",
-    };
-    let when = time.map_or_else(String::new, |t| format!(" at t = {}", number(t)));
-    let what = format!("{} of {}, {} to {}", part(feature), names.quoted(side), point(from), point(to));
-    format!("The ray against {what}: {came}{when}.")
-}
-
-fn advanced(step: usize, at: &str, apart: &str, [closing, bound]: [f64; 2], next: Option<f64>) -> String {
-    let on = next.map_or_else(|| "it stops here".to_owned(), |t| format!("on to t = {}", number(t)));
-    format!(
-        "Step {step}: at {at} they are {apart}, closing at {}, at most {} with the turning; {on}.",
-        number(closing),
-        number(bound)
-    )
-}
-
-fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {
-    format!(
-        "From t = {} to {} they stay apart along {}, which turns with {owner}.",
-        number(from),
-        number(to),
-        point(normal)
-    )
-}
-
-fn closest_approach(names: &Names, when: &str, apart: &str, [separation, least]: [f64; 2]) -> String {
-    let (reached, proved) = (number(separation), number(least));
-    let than = if proved == reached { String::new() } else { format!(" than {proved}") };
-    format!("{} come closest at {when}: {apart}, and never less{than}.", names.all())
-}
-
-fn motion(body: &str, farthest: &[SupportVertex], [radius, theta, arc, linear]: [f64; 4]) -> String {
-    format!(
-        "{body} turns by {} rad; its farthest point is {} from its origin ({}), so L = {}; its path adds {}.",
-        number(theta),
-        number(radius),
-        list(farthest),
-        number(arc),
-        number(linear)
     )
 }
 

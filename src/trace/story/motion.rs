@@ -1,0 +1,72 @@
+//! What is told of bodies that move: rays, steps, swept axes, closest approaches, bounds on the motion.
+
+use super::words::{list, number, part, point};
+use crate::geometry::{DVec2, Feature, Names, Side};
+use crate::trace::{Culling, SupportVertex};
+
+pub(super) fn ray(
+    names: &Names,
+    (side, feature): (Side, Feature),
+    [from, to]: [DVec2; 2],
+    outcome: Culling,
+    time: Option<f64>,
+) -> String {
+    let came = match outcome {
+        Culling::BackFacing => "it faces away, skipped",
+        Culling::Missed => "missed",
+        Culling::Hit => "entered",
+    };
+    let when = time.map_or_else(String::new, |t| format!(" at t = {}", number(t)));
+    let what = format!("{} of {}, {} to {}", part(feature), names.quoted(side), point(from), point(to));
+    format!("The ray against {what}: {came}{when}.")
+}
+
+pub(super) fn advanced(
+    step: usize,
+    at: &str,
+    apart: &str,
+    [closing, bound]: [f64; 2],
+    next: Option<f64>,
+) -> String {
+    let on = next.map_or_else(|| "it stops here".to_owned(), |t| format!("on to t = {}", number(t)));
+    format!(
+        "Step {step}: at {at} they are {apart}, closing at {}, at most {} with the turning; {on}.",
+        number(closing),
+        number(bound)
+    )
+}
+
+pub(super) fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {
+    format!(
+        "From t = {} to {} they stay apart along {}, which turns with {owner}.",
+        number(from),
+        number(to),
+        point(normal)
+    )
+}
+
+pub(super) fn closest_approach(
+    names: &Names,
+    when: &str,
+    apart: &str,
+    [separation, least]: [f64; 2],
+) -> String {
+    let (reached, proved) = (number(separation), number(least));
+    let than = if proved == reached { String::new() } else { format!(" than {proved}") };
+    format!("{} come closest at {when}: {apart}, and never less{than}.", names.all())
+}
+
+pub(super) fn motion(
+    body: &str,
+    farthest: &[SupportVertex],
+    [radius, theta, arc, linear]: [f64; 4],
+) -> String {
+    format!(
+        "{body} turns by {} rad; its farthest point is {} from its origin ({}), so L = {}; its path adds {}.",
+        number(theta),
+        number(radius),
+        list(farthest),
+        number(arc),
+        number(linear)
+    )
+}
