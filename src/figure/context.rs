@@ -155,6 +155,15 @@ impl Context<'_> {
         Some(Outline::of_body(self.body(side)?, &self.pose(side, time)?))
     }
 
+    /// The bodies that are asked nothing, each with its name as markup and its outline at the panel's moment,
+    /// as the panel shows it.
+    pub(crate) fn bystanders(&self) -> impl Iterator<Item = (String, Outline)> {
+        let shapes = self.scene.shapes.iter().enumerate();
+        shapes.filter(|(i, _)| !self.scene.query.of.contains(i)).map(|(_, (name, body))| {
+            (Name(&name.value).primed(0), Outline::of_body(body, &body.pose_at(self.time)))
+        })
+    }
+
     /// A vertex of a body at `time` in [0, 1], in world units; `index` is its number in the file's order.
     #[must_use]
     pub(crate) fn vertex(&self, side: Side, index: usize, time: f64) -> Option<DVec2> {

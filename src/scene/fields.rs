@@ -103,7 +103,11 @@ pub(super) static ROOT: TableRows = TableRows {
     fields: &[
         may("title", Holds::Text, "title of the figure"),
         may("caption", Holds::Text, "caption below the figure"),
-        must("shapes", Holds::Tables("shapes"), "the shapes by name: one or two"),
+        must(
+            "shapes",
+            Holds::Tables("shapes"),
+            "the shapes by name: those of the query, and others as context",
+        ),
         must("query", Holds::Table, "the question"),
         may(
             "panels",

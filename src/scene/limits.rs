@@ -9,6 +9,8 @@ pub const MAX_FILE_BYTES: usize = 4 << 20;
 /// Levels of tables and lists in one another; a scene needs 5 (panels, panel, layers, layer, list of an
 /// option).
 pub(crate) const MAX_NESTING: usize = 16;
+/// Shapes of a scene: one or two are asked about, the others are drawn beside them and named.
+pub(crate) const MAX_SHAPES: usize = 64;
 /// Vertices of one shape. The article's difference visits pairs of edges one by one, here 1.7 × 10⁷ of them.
 pub(crate) const MAX_VERTICES: usize = 4_096;
 /// Characters of a title, caption, label or word: more than a page has room for.

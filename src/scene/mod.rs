@@ -64,7 +64,7 @@ pub struct Scene {
     pub title: Option<Spanned<String>>,
     /// Caption below the figure, as markup.
     pub caption: Option<Spanned<String>>,
-    /// Bodies with their names, in file order; one or two.
+    /// Bodies with their names, in file order: those of the query, and others as context.
     pub shapes: Vec<(Spanned<String>, Body)>,
     /// The question that the scene asks.
     pub query: SceneQuery,

@@ -4,13 +4,11 @@ use std::ops::Range;
 
 use super::checked::{Checked, check, too_many};
 use super::fields::{CANVAS, ROOT};
+use super::limits::MAX_SHAPES;
 use super::node::{Node, NodeValue};
 use super::problem::{Problem, Problems};
 use super::source::Source;
 use super::{Canvas, Scene, Spanned, body, labels, panels, question};
-
-/// Shapes of a scene: a query is of one or two.
-const MAX_SHAPES: usize = 2;
 
 /// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the
 /// values in texts are checked by the figure's plan.

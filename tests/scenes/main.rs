@@ -2,6 +2,7 @@
 //! found.
 
 mod broken_scenes;
+mod context;
 mod corpus;
 mod extreme_sizes;
 #[path = "../fuzz_bodies/mod.rs"]

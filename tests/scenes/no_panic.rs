@@ -254,6 +254,11 @@ fn random_scene(r: &mut Random) -> String {
         text += "title = \"T $x$\"\ncaption = \"From {=time} to $\\\\frac{1}{2}$, {=separation}\"\n";
     }
     let question = r.pick(QUERIES);
+    let context = r.once_in(3);
+    if context {
+        let asked = r.pick(QUERIES);
+        text += &shape(r, asked, "C");
+    }
     for name in ["A", "B"] {
         text += &shape(r, question, name);
     }
@@ -278,8 +283,12 @@ fn random_scene(r: &mut Random) -> String {
         )
         .unwrap();
     }
-    for _ in 0..=r.below(3) {
-        text += &panel(r);
+    // A scene without panels is drawn too.
+    for _ in 0..r.below(4) {
+        let panel = panel(r);
+        let carried =
+            if context && r.once_in(2) { panel.replace("frame = \"A\"", "frame = \"C\"") } else { panel };
+        text += &carried;
     }
     if r.once_in(3) {
         let theme = r.pick(THEMES).name;

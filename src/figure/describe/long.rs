@@ -7,7 +7,7 @@ use crate::figure::runs::Run;
 use crate::figure::text::plain;
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Body, DVec2};
-use crate::scene::{Panel, Scene, Space, When};
+use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
 
 use super::number::{point, value};
@@ -21,17 +21,33 @@ pub(crate) fn long(scene: &Scene, run: &Run, panels: &[&Panel]) -> String {
             let _ = write!(text, "{} ", body_in_words(&name.value, body));
         }
     }
+    text.push_str(&bystanders(scene));
     let _ = write!(text, "{} ", sentence(scene, run));
     text.push_str(&steps(scene, run));
     text.push_str(&shown(scene, panels));
     text.trim_end().to_owned()
 }
 
+/// The bodies that the query is not about, by name and kind; empty where there are none.
+fn bystanders(scene: &Scene) -> String {
+    let others = scene.shapes.iter().enumerate().filter(|(i, _)| !scene.query.of.contains(i));
+    let named = |(_, (name, body)): (usize, &(Spanned<String>, Body))| {
+        format!("{} ({})", name.value, kind_in_words(body))
+    };
+    let all: Vec<String> = others.map(named).collect();
+    if all.is_empty() { String::new() } else { format!("Beside, and asked nothing: {}. ", all.join(", ")) }
+}
+
+/// The kind of a body with its article.
+fn kind_in_words(body: &Body) -> &'static str {
+    KINDS.iter().find(|kind| kind.name == body.shape.kind).map_or(body.shape.kind, |kind| kind.in_words)
+}
+
 /// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
 fn body_in_words(name: &str, body: &Body) -> String {
     let shape = &body.shape;
     let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
-    let mut text = format!("{name} is {}", kind.map_or(shape.kind, |kind| kind.in_words));
+    let mut text = format!("{name} is {}", kind_in_words(body));
     if kind.is_some_and(|kind| kind.fields.iter().any(|field| field.name == "vertices")) {
         let _ = write!(text, " of {} vertices", shape.vertices.len());
     }

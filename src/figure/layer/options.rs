@@ -100,6 +100,12 @@ impl Options {
         self.given.iter().rev().find(|(n, _)| *n == name).map(|(_, s)| s)
     }
 
+    /// Whether the scene gave an option.
+    #[must_use]
+    pub(crate) fn gives(&self, name: &str) -> bool {
+        self.get(name).is_some()
+    }
+
     /// A flag, or `default` where the scene does not say.
     #[must_use]
     pub(crate) fn flag(&self, name: &str, default: bool) -> bool {
@@ -241,6 +247,11 @@ impl Reading<'_> {
         match known.iter().position(|n| n == name) {
             Some(0) => Ok(Side::A),
             Some(_) => Ok(Side::B),
+            None if shapes.iter().any(|(n, _)| n.value == name) => {
+                let message =
+                    format!("`{}`: expected a shape of the query, got `{name}`, which is context", self.key);
+                Err(Problem::new(Fault::Conflict { message }, span.clone()))
+            }
             None => Err(Problem::new(Fault::UnknownBody { got: name.to_owned(), known }, span.clone())),
         }
     }

@@ -1,10 +1,21 @@
 //! The bodies at the panel's moment, filled and named; with `centers`, their origins marked.
+//!
+//! Bodies that the query is not about are context: muted, under the others, and named where they are in view.
+//! Those that would make the pair small do not count for the fit of the view.
 
+use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Wash};
-use crate::geometry::{Pose, Side};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::geometry::{DVec2, Pose, Side};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+
+/// Opacity of the fill of context.
+const FAINT: f64 = 0.08;
+
+/// How much larger than the pair on its whole way a view may become for a body of the context. At 1 a body
+/// beside the pair is cut off; at 4 the pair is a quarter of the panel for the sake of something else.
+const GROWTH: f64 = 2.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",
@@ -18,12 +29,19 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "marks the bodies' origins",
         },
+        OptionSpec {
+            name: "context",
+            takes: Takes::Flag,
+            default: "true, but false with `of`",
+            about: "the bodies that the query is not about, muted",
+        },
     ],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
         LabelKey { key: "B", about: "name of the second body" },
         LabelKey { key: "a", about: "origin of the first body, with centers" },
         LabelKey { key: "b", about: "origin of the second body, with centers" },
+        LabelKey { key: "context", about: "name of a body that the query is not about" },
     ],
     needs: "nothing",
     fed: |_, _| Fed::Yes,
@@ -33,6 +51,9 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sides = options.of(&context.sides());
     let centers = options.flag("centers", false);
+    if options.flag("context", !options.gives("of")) {
+        bystanders(sketch, context);
+    }
     for &side in &sides {
         body(sketch, context, options, side);
     }
@@ -63,4 +84,41 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
         sketch.part(part("center", side)).marker(position, marker, role, MARKER);
         sketch.label(Label::new(key, "", Anchor::point(position), role).rank(Rank::Point));
     }
+}
+
+/// Draws the bodies that the query is not about.
+fn bystanders(sketch: &mut Sketch, context: &Context) {
+    let pair = extent_of_the_pair(context);
+    for (i, (name, outline)) in context.bystanders().enumerate() {
+        let Some(own) = extent(context, &outline) else { continue };
+        let (lo, hi) = pair.map_or(own, |pair| (pair.0.min(own.0), pair.1.max(own.1)));
+        let near = pair.is_none_or(|(a, b)| (hi - lo).max_element() <= GROWTH * (b - a).max_element());
+        let (from, to) = sketch.visible();
+        let seen = own.0.cmple(to).all() && own.1.cmpge(from).all();
+        if !seen && !near {
+            continue;
+        }
+        let weight = if near { Weight::Light } else { Weight::Background };
+        let pen = Pen::outline(Role::Muted).width(1.0);
+        sketch.part(format!("context-{}", i + 1)).weight(weight);
+        sketch.area(&outline, Some(Wash::faint(Role::Muted, FAINT)), Some(pen));
+        if seen {
+            let anchor = Anchor::inside(&outline);
+            sketch.label(Label::new("context", name, anchor, Role::Muted).rank(Rank::Word).size(Size::Note));
+        }
+    }
+}
+
+/// The smallest and largest coordinates of an outline, in the panel's space; `None` where it has no point.
+fn extent(context: &Context, outline: &Outline) -> Option<(DVec2, DVec2)> {
+    let points = outline.sampled().into_iter().map(|p| context.in_space(p));
+    points.map(|p| (p, p)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// The smallest and largest coordinates of the query's bodies at the start, at the panel's moment and at the
+/// end, in the panel's space.
+fn extent_of_the_pair(context: &Context) -> Option<(DVec2, DVec2)> {
+    let times = [0.0, context.time, 1.0].into_iter();
+    let outlines = times.flat_map(|t| context.sides().into_iter().filter_map(move |s| context.outline(s, t)));
+    outlines.filter_map(|o| extent(context, &o)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }

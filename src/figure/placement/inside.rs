@@ -102,6 +102,10 @@ fn touching(own: &Thing, middle: Point, far: Offset, size: (f64, f64), w: &Place
     let (mut near, mut off) = (0.0, 1.0);
     while (off - near) * far.length() > FINE {
         let half = 0.5 * (near + off);
+        // Of an area that is 1e17 times the page's size, doubles do not tell the ends of a pixel apart.
+        if half <= near || off <= half {
+            break;
+        }
         let apart = own.distance(&about(middle + far * half, size)) > w.area_room;
         (near, off) = if apart { (near, half) } else { (half, off) };
     }
