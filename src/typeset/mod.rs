@@ -7,6 +7,7 @@
 //!
 //! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
+mod accents;
 mod face;
 mod formula;
 mod inner_words;

@@ -1,11 +1,13 @@
 //! Words: characters to glyphs, left to right, with the face's kerning.
 //!
-//! Latin, Greek and Cyrillic need no shaping beyond that. A sign that the word face lacks is taken from the
-//! formula face; a character that neither has is an error that names it, never an empty box.
+//! Latin, Greek and Cyrillic need no shaping beyond that. A letter and an accent after it become one. A sign
+//! that the word face lacks is taken from the formula face; a character that neither has is an error that
+//! names it, never an empty box.
 
 use ttf_parser::GlyphId;
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 
+use super::accents::composed;
 use super::face::Loaded;
 use super::line::{Face, Glyph, PlacedGlyph, Style, TypesetError, Weight};
 
@@ -24,7 +26,7 @@ pub(super) fn set(
 ) -> Result<Word, TypesetError> {
     let mut word = Word { glyphs: Vec::new(), width: 0.0 };
     let mut before: Option<Glyph> = None;
-    for (offset, character) in characters {
+    for (offset, character) in composed(characters) {
         let glyph = glyph_of(character, style.weight).ok_or_else(|| missing(offset, character))?;
         if let Some(kern) = before.and_then(|left| kerning(left, glyph)) {
             word.width += kern * style.size;

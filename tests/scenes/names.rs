@@ -11,7 +11,7 @@ use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Explain, Scene, Source, open_text, read};
 
 /// Names that a formula, markup, XML or a value of a text would trip over, and ordinary ones.
-const SETTABLE: [&str; 50] = [
+const SETTABLE: [&str; 51] = [
     "crate_1",
     "the crate",
     "100%",
@@ -36,6 +36,7 @@ const SETTABLE: [&str; 50] = [
     "θ",
     "Γ",
     "é",
+    "cafe\u{301}",
     "Ж",
     "ёлка",
     "Łódź",

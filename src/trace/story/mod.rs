@@ -6,7 +6,7 @@
 mod motion;
 mod words;
 
-use super::{Culling, Event, Goal, Moment, SupportVertex, Trace};
+use super::{Event, Goal, Moment, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 
 use motion::{advanced, closest_approach, motion, ray, swept};
