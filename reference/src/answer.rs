@@ -7,7 +7,8 @@ use crate::closest::closest;
 use crate::first_contact::{Motion, Passage};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Placed, Point};
+use crate::placement::Placed;
+use crate::point::Point;
 use crate::scene::{Kind, Scene};
 use crate::separation::{Exact, separation};
 

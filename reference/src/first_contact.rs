@@ -16,7 +16,8 @@
 //! No step of the solver's is used: neither its times nor its axes.
 
 use crate::float::Real;
-use crate::placement::{Placed, Point, convex_core};
+use crate::placement::{Placed, convex_core};
+use crate::point::Point;
 use crate::scene::{Angle, Body};
 use crate::separation::{Exact, separation};
 

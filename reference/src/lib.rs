@@ -13,6 +13,7 @@ pub mod float;
 pub mod generate;
 pub mod json;
 pub mod placement;
+pub mod point;
 pub mod random;
 pub mod scene;
 pub mod separation;

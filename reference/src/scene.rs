@@ -3,7 +3,7 @@
 
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Point, Rotation, radians};
+use crate::point::{Point, Rotation, radians};
 
 /// What is asked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

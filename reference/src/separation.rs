@@ -8,7 +8,8 @@
 use std::cmp::Ordering;
 
 use crate::float::Real;
-use crate::placement::{Placed, Point};
+use crate::placement::Placed;
+use crate::point::Point;
 
 /// Cosine-like measure below which two directions are the same: |sin| of their angle.
 ///

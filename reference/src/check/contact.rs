@@ -10,7 +10,8 @@ use super::{
 };
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Placed, Point};
+use crate::placement::Placed;
+use crate::point::Point;
 use crate::scene::EPSILON;
 use crate::separation::{Exact, gap_along, parallel_sine, separation};
 

@@ -3,7 +3,8 @@
 use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Placed, Point};
+use crate::placement::Placed;
+use crate::point::Point;
 use crate::scene::{EPSILON, Scene};
 use crate::separation::separation;
 

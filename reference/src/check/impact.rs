@@ -11,7 +11,8 @@ use super::{Report, Setting, UNRESOLVED, WIDTH, slack};
 use crate::first_contact::{Axis, Motion, Passage, finest};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Placed, Point};
+use crate::placement::Placed;
+use crate::point::Point;
 use crate::scene::{EPSILON, Kind, Scene};
 use crate::separation::Difference;
 

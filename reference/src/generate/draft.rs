@@ -2,7 +2,8 @@
 
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Point, Rotation, convex_core};
+use crate::placement::convex_core;
+use crate::point::{Point, Rotation};
 use crate::random::Random;
 
 /// A shape as a scene writes it.

@@ -5,7 +5,7 @@ use super::lattice;
 use super::pair::{IMPACT, SWEEP, approaching, moved_to, near_each_other, scene, spun};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Point, Rotation};
+use crate::point::{Point, Rotation};
 use crate::random::Random;
 
 pub(super) fn sweep(random: &mut Random) -> Json {

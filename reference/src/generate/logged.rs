@@ -5,7 +5,7 @@ use super::draft::{Draft, Shape, direction, sign};
 use super::pair::{IMPACT, SWEEP, approaching, moved_to, near_each_other, scene, spun, without_spin_of_aabb};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Rotation, degrees_of, radians};
+use crate::point::{Rotation, degrees_of, radians};
 use crate::random::Random;
 
 /// How far a matrix may have drifted from a rotation: c² + s² is within twice this of 1.

@@ -5,7 +5,7 @@ use super::draft::{Draft, Shape, direction, nudged};
 use crate::check::Setting;
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::Point;
+use crate::point::Point;
 use crate::random::Random;
 use crate::scene::Scene;
 use crate::separation::separation;

@@ -5,7 +5,7 @@ use super::lattice;
 use super::pair::{IMPACT, SWEEP, measured, moved_to, near_each_other, scene, spun};
 use crate::float::Real;
 use crate::json::Json;
-use crate::placement::{Point, Rotation};
+use crate::point::{Point, Rotation};
 use crate::random::Random;
 
 /// A pair at a gap of 10^−9 to 1, with its normal; None where rounding leaves none.

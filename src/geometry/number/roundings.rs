@@ -2,7 +2,7 @@
 //! and needs what it allows for. A whole query hides a deleted term behind the others; here nothing does.
 
 use tracefig_reference::float::Real;
-use tracefig_reference::placement;
+use tracefig_reference::point;
 use tracefig_reference::random::Random;
 
 use crate::geometry::number::degrees::{COS_SIN_ERROR, TAILED_ERROR};
@@ -121,7 +121,7 @@ fn cosines_and_sines_are_within_their_errors() {
         let angle = random.between(-1.0, 1.0) * random.one_of(&[1e-9, 45.0, 360.0, 1e5, 1e12]);
         let (spin, t) = (random.between(-720.0, 720.0), random.unit());
         let turn = Turn::at(Angle::Degrees(angle), Angle::Degrees(spin), t);
-        let truth = placement::Rotation::of_degrees(Real::from(angle) + Real::from(spin) * Real::from(t));
+        let truth = point::Rotation::of_degrees(Real::from(angle) + Real::from(spin) * Real::from(t));
         let Rotation { cos, sin } = turn.rotation_in_balls();
         for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
             let error = (truth - exact(ball.value)).abs();
@@ -153,7 +153,7 @@ fn radians_are_as_good_as_degrees_at_any_size() {
         let Rotation { cos, sin } = turn.rotation_in_balls();
         assert!(cos.radius <= 4.0 * f64::EPSILON * f64::EPSILON, "{angle} + {spin} · {t}: {cos:?}");
         if angle.abs() < 1e61 {
-            let truth = placement::Rotation::of_degrees(placement::degrees_of(radians));
+            let truth = point::Rotation::of_degrees(point::degrees_of(radians));
             for (ball, truth) in [(cos, truth.cos), (sin, truth.sin)] {
                 let error = (truth - exact(ball.value)).abs();
                 assert!(error <= Real::from(ball.radius), "{angle} + {spin} · {t}: {error}");

@@ -1,6 +1,6 @@
 //! The error of a case against 320 bits, as a share of the bound: a function a row.
 
-use tracefig_reference::placement::{self, Point};
+use tracefig_reference::point::{self, Point};
 
 use super::cases::Case;
 use super::truth::{Truth, edges, exact, exact_point, exact_rotation, point, real, share_of, size};
@@ -267,7 +267,7 @@ pub(super) fn turned_dot(case: &Case) -> f64 {
 pub(super) fn derivative(case: &Case) -> f64 {
     let Some(([a, b], t)) = case.bodies() else { return 0.0 };
     let (pair, truth) = (MovingPair::new(&a, &b), Truth::of(&a, &b, t));
-    let rate = |side: Side| placement::radians(real([&a, &b][side as usize].spin.degrees()));
+    let rate = |side: Side| point::radians(real([&a, &b][side as usize].spin.degrees()));
     let of = |(source, edge): (Side, usize)| {
         let other = source.other();
         let near = DifferenceFeature::Edge(DifferenceEdge { source, edge, vertex: 0 });
@@ -315,8 +315,7 @@ pub(super) fn root(case: &Case) -> f64 {
 pub(super) fn extreme(case: &Case) -> f64 {
     let Some(([a, _], t)) = case.bodies() else { return 0.0 };
     let placing = Placing::new(&a, t);
-    let rotation =
-        placement::Rotation::of_degrees(real(a.angle.degrees()) + real(a.spin.degrees()) * real(t));
+    let rotation = point::Rotation::of_degrees(real(a.angle.degrees()) + real(a.spin.degrees()) * real(t));
     let at = point(a.position).plus(point(a.velocity).times(real(t)));
     let mut most = 0.0_f64;
     for &v in &a.shape.vertices {

@@ -1,7 +1,7 @@
 //! A pair at a moment in 320 bits.
 
 use tracefig_reference::float::Real;
-use tracefig_reference::placement::{self, Point};
+use tracefig_reference::point::{self, Point};
 
 use crate::geometry::{Body, DVec2, Dd, Rotation, Side};
 
@@ -21,8 +21,8 @@ pub(super) fn exact_point(v: [Dd; 2]) -> Point {
     Point { x: exact(v[0]), y: exact(v[1]) }
 }
 
-pub(super) fn exact_rotation(r: Rotation<Dd>) -> placement::Rotation {
-    placement::Rotation { cos: exact(r.cos), sin: exact(r.sin) }
+pub(super) fn exact_rotation(r: Rotation<Dd>) -> point::Rotation {
+    point::Rotation { cos: exact(r.cos), sin: exact(r.sin) }
 }
 
 /// |computed − truth| as a share of a bound.
@@ -37,16 +37,16 @@ pub(super) struct Truth {
     /// The closing velocity: `v_A` − `v_B`.
     pub(super) closing: Point,
     /// From the world to A's frame and from B's frame to A's.
-    pub(super) frame: placement::Rotation,
-    pub(super) relative: placement::Rotation,
+    pub(super) frame: point::Rotation,
+    pub(super) relative: point::Rotation,
     pub(super) radius: Real,
 }
 
 impl Truth {
     pub(super) fn of(a: &Body, b: &Body, t: f64) -> Self {
         let angle = |body: &Body| real(body.angle.degrees()) + real(body.spin.degrees()) * real(t);
-        let frame = placement::Rotation::of_degrees(angle(a));
-        let relative = placement::Rotation::of_degrees(angle(b) - angle(a));
+        let frame = point::Rotation::of_degrees(angle(a));
+        let relative = point::Rotation::of_degrees(angle(b) - angle(a));
         let at = |body: &Body| point(body.position).plus(point(body.velocity).times(real(t)));
         let center = at(b).minus(at(a)).turned_back(frame);
         let core = |body: &Body| body.shape.hull.vertices.iter().map(|&v| point(v)).collect::<Vec<_>>();
