@@ -23,9 +23,11 @@ mod pair_overlapping;
 mod sweep_hit;
 mod sweep_miss;
 mod sweep_steps;
+mod sweep_undecided;
 mod turning_hit;
 mod turning_miss;
 mod turning_steps;
+mod turning_undecided;
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -66,10 +68,12 @@ pub static PICTURES: &[Picture] = &[
     turning_steps::PICTURE,
     turning_hit::PICTURE,
     turning_miss::PICTURE,
+    turning_undecided::PICTURE,
     early_hit::PICTURE,
     sweep_steps::PICTURE,
     sweep_hit::PICTURE,
     sweep_miss::PICTURE,
+    sweep_undecided::PICTURE,
     circle_penetration::PICTURE,
     circle_lengths::PICTURE,
     box_extents::PICTURE,

@@ -1,21 +1,24 @@
-//! A sweep without turning that ends before it touches, or passes by: the ray does not enter B ⊖ A.
+//! A sweep without turning that ends before it touches, or passes by: where the bodies are closest, in the
+//! world and on the ray.
+
+use crate::collision::Outcome;
 
 use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "sweep-miss",
-    about: "no proved hit of bodies that do not turn",
-    fits: |case| case.outcome().is_some(),
+    about: "a miss of bodies that do not turn",
+    fits: |case| matches!(case.outcome(), Some(Outcome::Miss)),
     panels: r#"
 [[panels]]
 title = "World"
 time = "start"
-layers = ["shapes", { layer = "ghosts", at = "end" }, "velocity"]
+layers = ["shapes", "approach", "velocity"]
 
 [[panels]]
 title = "Configuration space"
 space = "configuration"
 time = "start"
-layers = ["axes", "difference", "ray", "origin"]
+layers = ["axes", "difference", "ray", "origin", "approach"]
 "#,
 };

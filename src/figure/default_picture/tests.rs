@@ -38,12 +38,12 @@ fn scenes() -> Vec<Scene> {
                     "velocity = [3, 0.1]\nangular_velocity_deg = 40",
                     "angular_velocity_deg = 40",
                 ] {
-                    for of in ["'crate', 'B'", "'crate'"] {
+                    for of in ["'crate', 'B'", "'crate'", "'crate', 'B']\nmax_iterations = 1 #"] {
                         texts.insert(format!(
-                            "{}[query]\nkind = '{}'\nof = [{of}]\nalgorithm = '{}'\n",
+                            "{}[query]\nkind = '{}'\nalgorithm = '{}'\nof = [{of}]\n",
                             pair(algorithm.name, place, motion),
                             kind.word(),
-                            algorithm.name
+                            algorithm.name,
                         ));
                     }
                 }

@@ -1,14 +1,16 @@
-//! Bodies that turn and do not meet, or not for certain, where they begin and end.
+//! Bodies that turn and do not meet: at the start, and where they are closest.
+
+use crate::collision::Outcome;
 
 use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "turning-miss",
-    about: "no proved hit of bodies that turn",
-    fits: |case| case.outcome().is_some() && case.turns(),
+    about: "a miss of bodies that turn",
+    fits: |case| case.turns() && matches!(case.outcome(), Some(Outcome::Miss)),
     panels: r#"
 [[panels]]
 time = "start"
-layers = ["shapes", { layer = "ghosts", at = "end" }, "velocity", "spin"]
+layers = ["shapes", "approach", "velocity", "spin"]
 "#,
 };

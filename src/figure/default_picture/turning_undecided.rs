@@ -1,0 +1,16 @@
+//! Bodies that turn and of which nobody knows whether they meet: where they begin and end.
+
+use crate::collision::Outcome;
+
+use super::Picture;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "turning-undecided",
+    about: "an undecided question for the first contact of bodies that turn",
+    fits: |case| case.turns() && matches!(case.outcome(), Some(Outcome::Unresolved { .. })),
+    panels: r#"
+[[panels]]
+time = "start"
+layers = ["shapes", { layer = "ghosts", at = "end" }, "velocity", "spin"]
+"#,
+};
