@@ -34,17 +34,17 @@ pub(super) const LAYER: Layer = Layer {
             name: "touching",
             takes: Takes::Flag,
             default: "true",
-            about: "marks the vertices that touch the sides",
+            about: "marks where the body touches the edges",
         },
     ],
     labels: &[
         LabelKey { key: "min", about: "corner of smallest coordinates" },
         LabelKey { key: "max", about: "corner of largest coordinates" },
         LabelKey { key: "c", about: "centre" },
-        LabelKey { key: "touching.left", about: "vertex of smallest x" },
-        LabelKey { key: "touching.bottom", about: "vertex of smallest y" },
-        LabelKey { key: "touching.right", about: "vertex of largest x" },
-        LabelKey { key: "touching.top", about: "vertex of largest y" },
+        LabelKey { key: "touching.left", about: "where x is smallest" },
+        LabelKey { key: "touching.bottom", about: "where y is smallest" },
+        LabelKey { key: "touching.right", about: "where x is largest" },
+        LabelKey { key: "touching.top", about: "where y is largest" },
     ],
     needs: "a query for bounds",
     fed: |context, _| {
@@ -102,11 +102,20 @@ fn touching(sketch: &mut Sketch, found: &Found) {
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
     for (vertices, (key, text, outward)) in found.touching.iter().zip(SIDES) {
+        // A round body touches a radius out from its vertex.
+        let touch = |vertex: &SupportVertex| {
+            let edge = if outward.x + outward.y < 0.0 { found.min } else { found.max };
+            if outward.x == 0.0 {
+                DVec2::new(vertex.point.x, edge.y)
+            } else {
+                DVec2::new(edge.x, vertex.point.y)
+            }
+        };
         for vertex in vertices {
-            sketch.part("touching").marker(vertex.point, marker, role, LARGE_MARKER);
+            sketch.part("touching").marker(touch(vertex), marker, role, LARGE_MARKER);
         }
         if let Some(first) = vertices.first() {
-            let anchor = Anchor::point_toward(first.point, outward);
+            let anchor = Anchor::point_toward(touch(first), outward);
             sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
         }
     }
@@ -123,4 +132,32 @@ fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
     }
     sketch.part("center").marker(center, Marker::Cross, role, MARKER);
     sketch.label(Label::new("c", "$c$", Anchor::point(center), role).rank(Rank::Point));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::{Contour, Point};
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_round_body_is_marked_where_it_touches_the_box() {
+        let text = "shapes.A = { kind = 'capsule', points = [[-1, 0], [1, 0.5]], radius = 0.5 }
+            query = { kind = 'bounds', of = ['A'] }\npanels = [{ layers = ['bounds'] }]";
+        let scene = open_text("bounds", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "bounds");
+        let center = |contour: &Contour| match contour {
+            Contour::Circle { center, .. } => *center,
+            Contour::Segments(_) => panic!("a disc"),
+        };
+        let marked = paths(&figure.drawing.items, "touching").into_iter().map(|path| center(&path.contour));
+        let marked: Vec<Point> = marked.collect();
+        let expected = [[-1.5, 0.0], [-1.0, -0.5], [1.5, 0.5], [1.0, 1.0]].map(DVec2::from);
+        for place in expected.map(|p| figure.panels[0].frame.page(p)) {
+            assert!(marked.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {marked:?}");
+        }
+    }
 }

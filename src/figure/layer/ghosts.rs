@@ -36,7 +36,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "at",
             takes: Takes::When(&[When::HIT, When::CLOSEST, SEPARATED, When::START, When::END, STEPS]),
             default: "\"hit\"",
-            about: "when, or \"separated\" by the minimum translation, or at every step of the algorithm",
+            about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every step of \
+                the algorithm",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "a faint fill" },
     ],
@@ -47,7 +48,10 @@ pub(super) const LAYER: Layer = Layer {
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
         a separation for \"separated\", steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
-        SEPARATED => Fed::by_the_scene(separation(context).is_some()),
+        SEPARATED => match separation(context) {
+            Some(answer) if answer.separation > 0.0 => Fed::NotHere("the bodies are apart already"),
+            answer => Fed::by_the_scene(answer.is_some()),
+        },
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
         _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
     },

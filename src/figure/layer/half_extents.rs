@@ -19,7 +19,7 @@ pub(super) const ON_LINE: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "half-extents",
-    about: "half-extents of a box, from its centre to its sides",
+    about: "half-extents of a box, from its centre to its edges, without a radius",
     shows: Shows::World,
     options: &[
         OptionSpec {

@@ -22,7 +22,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::START, When::HIT, When::END]),
+            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::END]),
             default: "the panel's moment",
             about: "when the bodies are asked for their normal",
         },
@@ -45,8 +45,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "N", about: "the normal from B to A, with flip" },
     ],
     needs: "two convex bodies; for \"hit\" a question for the first contact",
-    fed: |context, options| match options.word("at", "") {
-        When::HIT if context.hit().is_none() => Fed::by_a_hit(context),
+    fed: |context, options| match options.when("at") {
+        Some(When::Hit | When::Closest) => {
+            Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
+        }
         _ => Fed::by_the_scene(found(context, options).is_some()),
     },
     draw,

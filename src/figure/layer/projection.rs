@@ -168,8 +168,13 @@ fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
     sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
     let out = at(0.0, 1.0) - at(0.0, 0.0);
     let word = if t.gap < 0.0 { "depth" } else { "gap" };
-    let text = format!("{word} $= {}$", number(t.gap.abs()));
-    sketch.label(Label::new("gap", text, beside(p, q, out), Role::Translation).rank(Rank::Measure));
+    let mut lines = vec![format!("{word} $= {}$", number(t.gap.abs()))];
+    if t.b.hi < t.a.lo {
+        // Apart the other way round: another edge tells of that gap.
+        lines.push("(the edge faces away)".to_owned());
+    }
+    let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), Role::Translation) };
+    sketch.label(label.rank(Rank::Measure));
 }
 
 #[cfg(test)]
@@ -206,6 +211,7 @@ mod tests {
             let figure = draw(&plan, plan.theme, "axes");
             let (label, number) = labels(&figure).remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
+            assert_eq!(label.contains("faces away"), b.hi < a.lo, "axis {axis}: {label}");
             let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;
             assert!((drawn - number).abs() < 0.005 && (drawn - gap.abs()).abs() < 1e-9, "{label}: {drawn}");
         }

@@ -89,3 +89,20 @@ fn an_arc_begins_and_ends_at_the_vertex_of_the_body_then() {
         assert!((ends[end] - vertex).length() < NEAR, "{time}: {ends:?} {vertex:?}");
     }
 }
+
+#[test]
+fn only_bodies_that_overlap_are_separated() {
+    for (x, apart) in [(1.0, false), (3.0, true)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'circle', radius = 1 }}
+            shapes.B = {{ kind = 'circle', radius = 1, position = [{x}, 0] }}
+            query = {{ kind = 'separation', of = ['A', 'B'] }}
+            panels = [{{ layers = ['shapes', {{ layer = 'ghosts', at = 'separated' }}] }}]"
+        );
+        let scene = open_text("ghosts", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "ghosts");
+        assert_eq!(paths(&figure.drawing.items, "ghost-B").is_empty(), apart);
+        assert_eq!(figure.warnings.iter().any(|w| w.fault.to_string().contains("apart already")), apart);
+    }
+}
