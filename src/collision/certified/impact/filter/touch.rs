@@ -51,3 +51,37 @@ pub(crate) fn separation(a: &Body, b: &Body, t: f64, near: DifferenceFeature) ->
     };
     Some(witnesses::answer(&pair, &proved))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::feature::DifferenceEdge;
+    use crate::collision::tests::bodies::{boxed, placed};
+    use crate::geometry::{DVec2, perp};
+
+    #[test]
+    fn only_what_may_have_an_absolute_error_is_answered() {
+        let a = placed(boxed("box", 1.0, 1.0), 0.0, 0.0, 30.0);
+        let n = a.pose_at(0.0).vector(DVec2::X);
+        let reach = a.shape.hull.reach;
+        let (mut answered, mut left) = (0, 0);
+        for k in 0..4_000 {
+            // The vertex of B in the direction −n is some roundings above an edge of A.
+            let gap = f64::from(k) * 2.0 * f64::EPSILON;
+            let apart = n * (1.0 + std::f64::consts::SQRT_2 + gap) + perp(n) * 0.25;
+            let b = placed(boxed("box", 1.0, 1.0), apart.x, apart.y, 75.0);
+            let scale = apart.x.abs() + apart.y.abs() + 2.0 * reach;
+            let facing = |vertex| DifferenceEdge { source: Side::A, edge: 1, vertex };
+            let found = (0..4).find_map(|i| separation(&a, &b, 0.0, DifferenceFeature::Edge(facing(i))));
+            match found {
+                Some(found) => {
+                    let most = 1e3 * f64::EPSILON * scale;
+                    assert!(found.bounds.hi < most, "{k}: {:e} of {most:e}", found.bounds.hi);
+                    answered += 1;
+                }
+                None => left += 1,
+            }
+        }
+        assert!(answered > 200 && left > 3_000, "{answered} answered, {left} left");
+    }
+}

@@ -11,8 +11,9 @@ mod truth;
 
 use tracefig_reference::random::Random;
 
-use super::TAME;
-use crate::geometry::two_product;
+use super::{LOSSY, TAME};
+use crate::collision::certified::distance::pair::scaled;
+use crate::geometry::{Dd, two_product};
 use cases::{Case, level, parabolas, triangles};
 use shares::{
     cross, derivative, dot, extreme, gap, last, last_ball, level_dot, missed, moving_gap, offset, placing,
@@ -108,6 +109,21 @@ fn the_bounds_hold_to_the_ends_of_the_range_of_tame_scenes() {
         let far = libm::pow(end, 10.0);
         assert!(far == 0.0 || far.is_infinite(), "exponents ten times as large are no doubles");
     }
+}
+
+#[test]
+fn a_scaled_number_keeps_its_bits_or_says_that_it_may_not() {
+    let (down, up) = (libm::scalbn(1.0, -300), libm::scalbn(1.0, 300));
+    for exponent in -1090..=-900 {
+        let x = libm::scalbn(1.0 + 0.1 + f64::EPSILON, exponent + 300);
+        let ball = scaled(Dd::new(x), down);
+        let lost = (ball.value.hi * up - x).abs();
+        assert!(lost <= ball.radius * up, "2^{exponent}: {lost:e} is lost of {x:e}");
+        // Eight times LOSSY is not below it, and far above what underflow takes.
+        assert!(exponent < -957 || ball.radius == 0.0, "2^{exponent}: as wide as {:e}", ball.radius);
+    }
+    let lower = Dd { hi: up, lo: libm::scalbn(1.0 + 0.3, -800) };
+    assert!(scaled(lower, down).radius >= LOSSY, "the lower half may lose bits too");
 }
 
 /// The largest share that a search finds.
