@@ -36,8 +36,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "at",
             takes: Takes::When(&[When::HIT, When::CLOSEST, SEPARATED, When::START, When::END, STEPS]),
             default: "\"hit\"",
-            about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every step of \
-                the algorithm",
+            about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every \
+                step",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "a faint fill" },
     ],
