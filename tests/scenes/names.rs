@@ -129,7 +129,7 @@ fn kept(text: &str) -> Vec<Vec<bool>> {
 
 /// The scene of a text with the layers of `kept` alone.
 fn scene(text: &str, kept: &[Vec<bool>]) -> Scene {
-    let mut scene = open_text("names.json", text).unwrap_or_else(|e| panic!("{text}: {e:?}")).scene;
+    let mut scene = open_text("names.json", text).unwrap().scene;
     for (panel, kept) in scene.panels.iter_mut().zip(kept) {
         let mut kept = kept.iter();
         panel.layers.as_mut().unwrap().retain(|_| *kept.next().unwrap());
@@ -148,7 +148,8 @@ fn every_name_is_set_as_it_is_and_read_in_the_words_of_the_figure() {
             let text = text(question, [name, other]);
             let mut scene = scene(&text, &kept);
             // All texts are set in planning; places for them are sought in every seventh figure.
-            plan(&scene).map(|_| ()).unwrap_or_else(|problems| panic!("{text}\n{problems:#?}"));
+            let problems = plan(&scene).err();
+            assert_eq!(problems, None, "{text}");
             if i % questions().len() != q {
                 continue;
             }
@@ -187,5 +188,22 @@ fn a_letter_that_no_font_has_is_named_at_the_name_of_the_shape() {
                 assert_eq!(problems.len(), 1, "{problems:?}");
             }
         }
+    }
+}
+
+#[test]
+fn a_body_that_the_query_is_not_about_is_told_only_where_it_is_named() {
+    let question = &questions()[5];
+    let mut scene: Value = serde_json::from_str(&text(question, ["bullet", "wall"])).unwrap();
+    scene["shapes"]["木箱"] = json!({"kind": "circle", "radius": 0.5, "position": [0, 2]});
+    for (layers, told) in [(json!(["shapes"]), true), (json!([{"layer": "shapes", "context": false}]), false)]
+    {
+        scene["panels"] = json!([{"space": "world", "layers": layers}]);
+        let text = scene.to_string();
+        let scene = open_text("context.json", &text).unwrap().scene;
+        let problems = plan(&scene).err().unwrap_or_default();
+        let at: Vec<&str> = problems.iter().map(|problem| &text[problem.span.clone()]).collect();
+        assert_eq!(at == ["\"木箱\""], told, "{problems:?}");
+        assert_eq!(problems.is_empty(), !told);
     }
 }

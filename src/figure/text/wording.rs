@@ -86,7 +86,12 @@ impl Wording<'_> {
     /// sound without names.
     fn unsettable(&self, error: TypesetError, markup: &str, place: &Range<usize>) -> Problem {
         let scene = self.context.scene;
-        let mut names = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).map(|(name, _)| name);
+        // Of the query first: bodies beside it may be named or not.
+        let asked = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));
+        let mut names = asked.chain(&scene.shapes).map(|(name, _)| name).filter(|name| {
+            let set = Name(&name.value);
+            [set.primed(0), set.term()].iter().any(|form| markup.contains(form.trim_matches('$')))
+        });
         let refused = names.find_map(|name| {
             typeset(&Name(&name.value).primed(0), Style::regular(1.0)).err().map(|error| (name, error))
         });
