@@ -4,7 +4,8 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use tracefig::trace::{Trace as Events, json_lines, story};
+use tracefig::scene::Solution;
+use tracefig::trace::{Trace as Events, Tracer, json_lines, story};
 
 use super::console::Console;
 use super::inputs::single;
@@ -28,6 +29,9 @@ impl Runs for Trace {
         };
         let mut events = Events::default();
         (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
+        if let Some(off) = Solution::of(&file.scene).off {
+            events.record(|| off.event());
+        }
         let text = if self.jsonl { json_lines(&events)? } else { story(&events, &file.scene.names()) };
         console.out.write_all(text.as_bytes())?;
         if events.left_out > 0 {

@@ -174,6 +174,8 @@ pub(crate) enum Part {
     Points([DVec2; 2]),
     /// A feature of A and one of B.
     Features([Feature; 2]),
+    /// A length of A and one of B, in world units or in units of S ε.
+    Lengths([f64; 2]),
 }
 
 /// The parts of an answer, each with its name in answers, in their order.

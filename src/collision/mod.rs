@@ -10,6 +10,8 @@
 //! query/       what can be asked: one kind of question a file, the table QUERIES
 //! algorithm/   who answers it: one algorithm a file, the table ALGORITHMS
 //! answer.rs    what comes back, and the names of its parts
+//! expected.rs  what someone else answered, and how far off that is
+//! size.rs      what the rounding of a pair is measured by
 //! certified/   distance/  how far apart a pair is at one moment
 //!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
 //!              impact/    when two bodies meet that turn: separating axes, contact after the last of them
@@ -35,8 +37,10 @@
 mod algorithm;
 pub(crate) mod answer;
 mod certified;
+mod expected;
 mod feature;
 mod query;
+mod size;
 #[cfg(test)]
 mod tests;
 
@@ -47,4 +51,5 @@ pub use answer::{
 pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;
 pub use certified::sweep::Sweep;
+pub use expected::{Expected, Off};
 pub use query::{Bodies, Motion, QUERIES, Query, QueryKind, Question, Shapes, When};

@@ -11,7 +11,7 @@ use super::shown::{Told, events};
 const MAX_LINES: usize = 12;
 
 /// What an event tells of, where its name does not say it well.
-const NOUNS: [(&str, &str); 13] = [
+const NOUNS: [(&str, &str); 14] = [
     ("advanced", "step"),
     ("axis-swept", "swept axis"),
     ("axis-tested", "axis"),
@@ -20,6 +20,7 @@ const NOUNS: [(&str, &str); 13] = [
     ("clamped", "clamped point"),
     ("closest-approach-found", "closest approach"),
     ("difference-edge-found", "difference edge"),
+    ("expectation-compared", "what was expected"),
     ("extents-compared", "extents"),
     ("motion-bounded", "motion bound"),
     ("penetration-measured", "penetration"),

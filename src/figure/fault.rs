@@ -215,6 +215,7 @@ mod tests {
     use crate::scene::{ERRORS, Ink, Source, message};
 
     /// Everything but what scenes and labels say of themselves, with its message and its help.
+    #[expect(clippy::too_many_lines, reason = "a table of messages")]
     fn all() -> Vec<(Fault, &'static str, &'static str)> {
         vec![
             (

@@ -48,6 +48,7 @@ fn value(part: Part) -> Value {
         Part::Interval(Enclosure { lo, hi }) => json!([lo + 0.0, hi + 0.0]),
         Part::Point(p) => json!([p.x + 0.0, p.y + 0.0]),
         Part::Points([a, b]) => json!({ "A": value(Part::Point(a)), "B": value(Part::Point(b)) }),
+        Part::Lengths([a, b]) => json!({ "A": a, "B": b }),
         Part::Features([a, b]) => json!({ "A": feature(a), "B": feature(b) }),
     }
 }

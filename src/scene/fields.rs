@@ -164,7 +164,31 @@ pub(super) static QUERY: TableRows = TableRows {
         ),
         may("tolerance", Holds::Number { min: 0.0, max: MAX_NUMBER }, "world units; default 1e-12"),
         may("max_iterations", Holds::Count { min: 1, max: MAX_ITERATIONS }, "step cap; default 20000"),
+        may(
+            "expected",
+            Holds::Table,
+            "what someone else answered: `solve` and `trace` say how far off it is",
+        ),
     ],
+};
+
+/// What someone else answered.
+pub(super) static EXPECTED: TableRows = TableRows {
+    header: "[query.expected]",
+    place: "what is expected",
+    fields: &[
+        may("separation", ANY_NUMBER, "signed, world units; of a miss the least one"),
+        may("time", ANY_NUMBER, "of the first contact, or of a miss's closest approach"),
+        may("normal", Holds::Pair, "from A to B, of any length"),
+        may("points", Holds::Table, "witness points of A and of B: { A = [x, y], B = [x, y] }"),
+    ],
+};
+
+/// The witness points that someone else answered.
+pub(super) static EXPECTED_POINTS: TableRows = TableRows {
+    header: "[query.expected.points]",
+    place: "the points expected",
+    fields: &[must("A", Holds::Pair, "on A, in the world"), must("B", Holds::Pair, "on B, in the world")],
 };
 
 /// A panel.
@@ -213,7 +237,8 @@ pub(super) static CANVAS: TableRows = TableRows {
 };
 
 /// Every table of a scene but the fields of the kinds of shape.
-pub static TABLES: [&TableRows; 6] = [&ROOT, &BODY, &QUERY, &PANEL, &LABEL, &CANVAS];
+pub static TABLES: [&TableRows; 8] =
+    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS];
 
 /// All the rows of a kind of shape: first those of every shape, then its own.
 ///

@@ -4,6 +4,7 @@ mod answer;
 mod body;
 mod checked;
 pub(crate) mod codes;
+mod expected;
 mod fields;
 mod json;
 mod labels;
@@ -45,7 +46,7 @@ pub use stream::{
 };
 pub use visible::visible;
 
-use crate::collision::{Algorithm, Query, QueryKind};
+use crate::collision::{Algorithm, Expected, Query, QueryKind};
 use crate::geometry::{Body, Names};
 
 /// A value with its place in the source.
@@ -133,6 +134,8 @@ pub struct SceneQuery {
     pub tolerance: f64,
     /// Steps after which an algorithm gives up and says so.
     pub max_iterations: usize,
+    /// What someone else answered, where the scene says it.
+    pub expected: Option<Expected>,
     /// Where the table `[query]` is, in bytes of the source.
     pub span: Range<usize>,
 }

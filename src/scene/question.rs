@@ -8,6 +8,7 @@ use crate::geometry::Body;
 use super::SceneQuery;
 use super::body;
 use super::checked::{Checked, as_list, as_text, check};
+use super::expected;
 use super::fields::QUERY;
 use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_VERTICES};
 use super::node::Node;
@@ -45,6 +46,7 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
         time: query.time,
         tolerance: query.tolerance,
         max_iterations: query.max_iterations,
+        expected: expected::read(&table, question, p),
         span: table.span.clone(),
         of,
     })

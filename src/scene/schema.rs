@@ -4,7 +4,9 @@ use serde_json::{Map, Value, json};
 
 use crate::geometry::shape::KINDS;
 
-use super::fields::{CANVAS, Field, Holds, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows};
+use super::fields::{
+    CANVAS, EXPECTED, EXPECTED_POINTS, Field, Holds, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows,
+};
 use super::{COMPASS, When};
 
 /// JSON Schema (draft 2020-12) of a scene. Layers' own options are left open.
@@ -83,8 +85,12 @@ fn holds(field: &Field) -> Value {
             json!({ "type": "object", "additionalProperties": label })
         }
         Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
-        Holds::Table if field.name == "query" => of(&QUERY),
-        Holds::Table => of(&CANVAS),
+        Holds::Table => of(match field.name {
+            "query" => &QUERY,
+            "expected" => &EXPECTED,
+            "points" => &EXPECTED_POINTS,
+            _ => &CANVAS,
+        }),
         Holds::Anything => json!({}),
     }
 }

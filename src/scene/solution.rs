@@ -4,10 +4,10 @@ use serde_json::Value;
 
 use super::Scene;
 use super::answer::{answer_json, lines, object};
-use crate::collision::{Answer, ClosestApproach, QueryKind, closest_approach};
+use crate::collision::{Answer, ClosestApproach, Off, QueryKind, closest_approach};
 use crate::geometry::Names;
 
-/// The answer to a scene, and how near a miss came.
+/// The answer to a scene, how near a miss came, and how far off someone else's answer is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// What was asked.
@@ -16,6 +16,8 @@ pub struct Solution {
     pub answer: Answer,
     /// How near the bodies came, where the answer is a miss.
     pub closest: Option<ClosestApproach>,
+    /// How far off what the scene expects is, where it says that.
+    pub off: Option<Off>,
 }
 
 impl Solution {
@@ -34,7 +36,8 @@ impl Solution {
         let query = scene.query_of_bodies();
         let answer = scene.query.algorithm.answer(&query);
         let closest = closest_approach(&query, &answer);
-        Self { kind: query.kind, answer, closest }
+        let off = scene.query.expected.and_then(|theirs| theirs.off(&query, &answer, closest.as_ref()));
+        Self { kind: query.kind, answer, closest, off }
     }
 
     /// The `result` of the format, as `solve --json` and `solve --jsonl` print it.
@@ -49,8 +52,11 @@ impl Solution {
     #[must_use]
     pub fn json(&self) -> Value {
         let mut result = answer_json(self.kind, &self.answer);
-        if let (Value::Object(fields), Some(closest)) = (&mut result, &self.closest) {
-            fields.insert("closest".to_owned(), object(closest.parts()));
+        if let Value::Object(fields) = &mut result {
+            let closest = self.closest.map(|closest| ("closest", closest.parts()));
+            let off = self.off.map(|off| ("off", off.parts()));
+            let more = [closest, off].into_iter().flatten();
+            fields.extend(more.map(|(name, parts)| (name.to_owned(), object(parts))));
         }
         result
     }

@@ -274,6 +274,20 @@ pub enum Event {
         /// Witness points on A and B at that moment.
         points: [DVec2; 2],
     },
+    /// What someone else answered was held against the bounds of the answer. Numbers are None where it does
+    /// not say them, or where there is nothing to hold them against.
+    ExpectationCompared {
+        /// S of the pair, world units.
+        size: f64,
+        /// How far the separation is outside the bounds, world units.
+        separation: Option<f64>,
+        /// How far the time is outside the bounds.
+        time: Option<f64>,
+        /// Angle between the normals, in degrees.
+        normal_deg: Option<f64>,
+        /// Distance of the points on A and B from where such points may be, world units.
+        points: Option<[f64; 2]>,
+    },
     /// The farthest a point of a body can move was bounded: L = θ r.
     MotionBounded {
         /// The body that was looked at.

@@ -12,6 +12,8 @@ pub(crate) const ROOMS: &[Row] = &[
     ("collision/query", &["geometry"]),
     ("collision/answer", &["geometry"]),
     ("collision/feature", &["geometry"]),
+    ("collision/size", &["geometry"]),
+    ("collision/expected", &["geometry", "trace", "collision/answer", "collision/query", "collision/size"]),
     // The upper storey: what the article does. It enters the lower one by the items that the three rooms
     // there re-export; the modules behind them are private.
     (
@@ -22,6 +24,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/query",
             "collision/answer",
             "collision/feature",
+            "collision/size",
             "collision/certified",
         ],
     ),

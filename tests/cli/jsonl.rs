@@ -90,6 +90,35 @@ fn a_hit_a_miss_and_an_overlap_have_their_fields() {
 }
 
 #[test]
+fn what_someone_else_answered_is_told_by_how_far_it_is_off() {
+    let asked = |query: &str, b: &str, expected: &str| {
+        let scene = pair(query, b).replace(r#""of": "#, &format!(r#""expected": {expected}, "of": "#));
+        result_of(&scene)["off"].clone()
+    };
+    let apart = r#""position": [3, 0.25]"#;
+    let all =
+        r#"{"separation": 1.75, "time": 0, "normal": [0, 2], "points": {"A": [1, 0.25], "B": [2.5, 0.5]}}"#;
+    let off = asked("separation", apart, all);
+    assert_eq!(
+        keys(&off),
+        ["size", "separation", "separation_in_eps", "time", "normal_deg", "points", "points_in_eps"]
+    );
+    let near = |value: &Value, expected: f64| (value.as_f64().unwrap() / expected - 1.0).abs() < 1e-14;
+    assert_eq!(off["size"], json!(1.5));
+    assert!(near(&off["separation"], 0.25), "{off}");
+    assert!(near(&off["separation_in_eps"], 0.25 / (1.5 * f64::EPSILON)), "{off}");
+    // A separation has no time of its own.
+    assert_eq!((&off["time"], &off["normal_deg"]), (&Value::Null, &json!(90.0)));
+    assert_eq!(off["points"], json!({"A": 0.0, "B": 0.25}));
+    let closing = r#""position": [3, 0.25], "velocity": [-3, 0]"#;
+    assert_eq!(asked("linear-sweep", closing, r#"{"time": 0.5}"#)["time"], json!(0.0));
+    assert!(near(&asked("linear-sweep", closing, r#"{"time": 0.25}"#)["time"], -0.25));
+    let parting = r#""position": [3, 0.25], "velocity": [3, 0]"#;
+    assert!(near(&asked("linear-sweep", parting, r#"{"separation": 1}"#)["separation"], -0.5));
+    assert_eq!(asked("linear-sweep", parting, r#"{"separation": 1.5}"#)["separation"], json!(0.0));
+}
+
+#[test]
 fn an_unresolved_impact_says_why_and_until_when_it_is_free() {
     let scene =
         pair("time-of-impact", r#""position": [3, 0.25], "velocity": [-3, 0], "angular_velocity_deg": 10"#)

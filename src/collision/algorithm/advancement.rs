@@ -21,6 +21,7 @@ use crate::collision::algorithm::minkowski;
 use crate::collision::algorithm::motion::{self, moment};
 use crate::collision::algorithm::view::PairView;
 use crate::collision::certified::impact::MovingPair;
+use crate::collision::size::scale_of;
 use crate::collision::{Impact, Outcome, Query, Reason, Separation};
 use crate::geometry::{Body, DVec2, Enclosure, perp};
 use crate::trace::{Event, Tracer};
@@ -188,21 +189,6 @@ fn closing_speed(a: &Body, b: &Body, t: f64, near: &Separation) -> f64 {
 fn arm(body: &Body) -> f64 {
     let far = body.shape.vertices.iter().fold(0.0_f64, |far, v| far.max(libm::hypot(v.x, v.y)));
     far * body.shape.stretch() * body.spin.radians().abs()
-}
-
-/// S of a pair: the size that its rounding is measured by, in world units.
-///
-/// The largest of a body's extent, of the distance that turning moves it, and of its share of what lies
-/// between the bodies: half of how far they are apart, or move relative to each other.
-fn scale_of(a: &Body, b: &Body) -> f64 {
-    let largest = |v: DVec2| v.x.abs().max(v.y.abs());
-    let extent = |body: &Body| {
-        let far = body.shape.vertices.iter().fold(0.0_f64, |s, &v| s.max(largest(v))) * body.shape.stretch();
-        far.max(body.shape.radius).max(far * body.spin.radians().abs())
-    };
-    let shares =
-        largest(b.position * 0.5 - a.position * 0.5).max(largest(b.velocity * 0.5 - a.velocity * 0.5));
-    extent(a).max(extent(b)).max(shares)
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ mod words;
 use super::{Event, Goal, Moment, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 
-use motion::{advanced, closest_approach, motion, ray, swept};
+use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use words::{aside, away, interval, list, moment, number, part, point, points};
 
 /// The whole trace, a line for each event, of bodies that are called `names`.
@@ -94,6 +94,9 @@ pub fn sentence(event: &Event, names: &Names) -> String {
         Event::ClosestApproachFound { at, separation, bounds, normal, .. } => {
             let apart = format!("{} apart along {}", number(*separation), point(*normal));
             closest_approach(names, &moment(at, names), &apart, [*separation, bounds.lo])
+        }
+        Event::ExpectationCompared { size, separation, time, normal_deg, points } => {
+            compared(names, *size, [*separation, *time, *normal_deg], *points)
         }
         Event::MotionBounded { body, radius, theta, arc, linear, vertices } => {
             motion(&names.quoted(*body), vertices, [*radius, *theta, *arc, *linear])

@@ -1,4 +1,5 @@
-//! What is told of bodies that move: rays, steps, swept axes, closest approaches, bounds on the motion.
+//! What is told of bodies that move: rays, steps, swept axes, closest approaches, bounds on the
+//! motion; and of what someone else answered.
 
 use super::words::{list, number, part, point};
 use crate::geometry::{DVec2, Feature, Names, Side};
@@ -54,6 +55,33 @@ pub(super) fn closest_approach(
     let (reached, proved) = (number(separation), number(least));
     let than = if proved == reached { String::new() } else { format!(" than {proved}") };
     format!("{} come closest at {when}: {apart}, and never less{than}.", names.all())
+}
+
+/// How far someone else's answer is off: lengths in world units and in units of S ε.
+pub(super) fn compared(
+    names: &Names,
+    size: f64,
+    [separation, time, normal]: [Option<f64>; 3],
+    points: Option<[f64; 2]>,
+) -> String {
+    let unit = size * f64::EPSILON;
+    let length = |x: f64| match number(x) {
+        told if unit > 0.0 => format!("{told} ({} S eps)", number(x / unit)),
+        told => told,
+    };
+    let point = |side: Side, x: f64| format!("the point on {} by {}", names.quoted(side), length(x));
+    let parts = [
+        separation.map(|x| format!("the separation by {}", length(x))),
+        time.map(|x| format!("the time by {}", number(x))),
+        normal.map(|x| format!("the normal by {} deg", number(x))),
+        points.map(|[a, _]| point(Side::A, a)),
+        points.map(|[_, b]| point(Side::B, b)),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() {
+        return "Nothing of what was expected can be held against this answer.".to_owned();
+    }
+    format!("What was expected is off, with S = {}: {}.", number(size), parts.join(", "))
 }
 
 pub(super) fn motion(

@@ -1,0 +1,276 @@
+//! What someone else answered, and how far off that is.
+//!
+//! Another engine's numbers are held against the bounds of ours: within them nothing is off. Lengths are told
+//! in world units and in units of S ε, which is what the rounding of the scene comes to; S is
+//! [`scale_of`](crate::collision::size::scale_of) the pair.
+
+use crate::collision::answer::{Part, Parts};
+use crate::collision::size::scale_of;
+use crate::collision::{Answer, ClosestApproach, Outcome, Query, Separation};
+use crate::geometry::{Body, DVec2, Enclosure, Feature, Side, UnitVector, perp};
+use crate::trace::Event;
+
+/// Gaps along directions that tie differ by no more than this times S: what doubles leave of them.
+const TIED: f64 = 32.0 * f64::EPSILON;
+
+/// What someone else answered, as far as it is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Expected {
+    /// Signed separation, world units; of a miss the least one.
+    pub separation: Option<f64>,
+    /// Time of the first contact, or of a miss's closest approach.
+    pub time: Option<f64>,
+    /// Unit vector from A to B.
+    pub normal: Option<UnitVector>,
+    /// Witness points on A and B, in the world.
+    pub points: Option<[DVec2; 2]>,
+}
+
+/// How far off the answer of someone else is. None where that does not say it, where ours has nothing to hold
+/// it against, or where several answers are as good.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Off {
+    /// S of the pair, world units.
+    pub size: f64,
+    /// How far the separation is outside the bounds of ours: negative below them, world units.
+    pub separation: Option<f64>,
+    /// How far the time is outside the bounds of ours: negative before them.
+    pub time: Option<f64>,
+    /// Angle between the normals, in degrees.
+    pub normal_deg: Option<f64>,
+    /// Distance of the points on A and B from where such points may be, world units.
+    pub points: Option<[f64; 2]>,
+    /// What was held against ours.
+    pub expected: Expected,
+}
+
+/// The numbers of an answer that others can be held against.
+struct Ours {
+    /// Bounds of the separation.
+    separation: Option<Enclosure>,
+    /// Bounds of the time.
+    time: Option<Enclosure>,
+    /// The pair at a moment, and that moment.
+    contact: Option<(Separation, f64)>,
+}
+
+impl Expected {
+    /// How far off it is from an answer to a query, of which `closest` is the closest approach where it is a
+    /// miss; None for a query of one body.
+    ///
+    /// ```
+    /// use tracefig::collision::{ALGORITHMS, Expected, Query, QueryKind};
+    /// use tracefig::geometry::{Angle, Body, DVec2, Shape, shape::FieldValue};
+    /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
+    /// let at = |x, y| Body {
+    ///     shape: disc.clone(), position: DVec2::new(x, y), angle: Angle::ZERO,
+    ///     velocity: DVec2::ZERO, spin: Angle::ZERO,
+    /// };
+    /// let (a, b) = (at(0.0, 0.0), at(3.0, 4.0));
+    /// let kind = QueryKind::Separation;
+    /// let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
+    /// let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query);
+    /// let theirs = Expected { separation: Some(3.25), ..Expected::default() };
+    /// let off = theirs.off(&query, &answer, None).unwrap();
+    /// assert_eq!((off.separation, off.time, off.size), (Some(0.25), None, 2.0));
+    /// ```
+    #[must_use]
+    pub fn off(&self, query: &Query, answer: &Answer, closest: Option<&ClosestApproach>) -> Option<Off> {
+        let b = query.b?;
+        let size = scale_of(query.a, b);
+        let ours = Ours::of(query, answer, closest);
+        let contact = ours.contact.as_ref();
+        Some(Off {
+            size,
+            separation: beyond(self.separation, ours.separation),
+            time: beyond(self.time, ours.time),
+            normal_deg: self.normal.zip(contact).map(|(n, c)| normal_off([query.a, b], n, c, size)),
+            points: self.points.zip(contact).and_then(|(points, c)| points_off([query.a, b], points, c)),
+            expected: *self,
+        })
+    }
+}
+
+impl Ours {
+    fn of(query: &Query, answer: &Answer, closest: Option<&ClosestApproach>) -> Self {
+        let at = |t: f64| Some(Enclosure { lo: t, hi: t });
+        let of = |s: &Separation, time: Option<Enclosure>, moment: f64| Self {
+            separation: Some(s.bounds),
+            time,
+            contact: Some((*s, moment)),
+        };
+        let nothing = Self { separation: None, time: None, contact: None };
+        match answer {
+            Answer::Separation(s) => of(s, None, query.time),
+            Answer::Overlap(found) => Self { separation: Some(found.separation_bounds), ..nothing },
+            Answer::Impact(impact) => match &impact.outcome {
+                Outcome::Hit { time, contact } => of(contact, Some(*time), time.lo),
+                Outcome::Overlapping { contact } => of(contact, at(0.0), 0.0),
+                Outcome::Miss => closest.map_or(nothing, |c| Self {
+                    separation: Some(c.bounds),
+                    ..of(&c.contact, at(c.time), c.time)
+                }),
+                Outcome::Unresolved { free_until, .. } => {
+                    Self { time: Some(Enclosure { lo: *free_until, hi: 1.0 }), ..nothing }
+                }
+            },
+            Answer::Bounds(_) | Answer::MotionBound(_) => nothing,
+        }
+    }
+}
+
+/// How far a number is outside of bounds; 0 within them.
+fn beyond(x: Option<f64>, bounds: Option<Enclosure>) -> Option<f64> {
+    let (x, Enclosure { lo, hi }) = (x?, bounds?);
+    Some(if x > hi { x - hi } else { (x - lo).min(0.0) })
+}
+
+/// The angle between a normal and ours, in degrees; 0 where the gap along it is the separation too, as that
+/// along any of several normals that tie.
+fn normal_off(bodies: [&Body; 2], n: UnitVector, (ours, time): &(Separation, f64), size: f64) -> f64 {
+    if ours.ties != 1 {
+        let far = |body: &Body, n: DVec2| {
+            let pose = body.pose_at(*time);
+            let heights = body.shape.vertices.iter().map(|&v| n.dot(pose.point(v)));
+            heights.fold(f64::NEG_INFINITY, f64::max) + body.shape.radius
+        };
+        let gap = -far(bodies[1], -*n) - far(bodies[0], *n);
+        if (gap - ours.separation).abs() <= TIED * size {
+            return 0.0;
+        }
+    }
+    let m = *ours.normal;
+    libm::atan2(n.perp_dot(m).abs(), n.dot(m)).to_degrees()
+}
+
+/// The distances of points from where ours may be: a point, or where edges lie along each other all of the
+/// part that they share. None where several directions tie, each with points of its own.
+fn points_off(bodies: [&Body; 2], points: [DVec2; 2], (ours, time): &(Separation, f64)) -> Option<[f64; 2]> {
+    if ours.ties != 1 {
+        return None;
+    }
+    let along = perp(*ours.normal);
+    let place = |side: Side, i: usize| {
+        let body = bodies[side as usize];
+        let count = body.shape.vertices.len().max(1);
+        along.dot(body.pose_at(*time).point(*body.shape.vertices.get(i % count).unwrap_or(&DVec2::ZERO)))
+    };
+    let span = |side: Side, feature: Feature| match feature {
+        Feature::Vertex(_) => None,
+        Feature::Edge(i) => {
+            let (p, q) = (place(side, i), place(side, i + 1));
+            Some((p.min(q), p.max(q)))
+        }
+    };
+    let shared = match (span(Side::A, ours.features[0]), span(Side::B, ours.features[1])) {
+        (Some((p, q)), Some((r, s))) => Some((p.max(r), q.min(s))),
+        _ => None,
+    };
+    let off = |side: usize| {
+        let (theirs, own) = (points[side] - ours.points[side], along.dot(ours.points[side]));
+        let slid = match shared {
+            Some((from, to)) if from <= to => along.dot(theirs).max(from - own).min(to - own),
+            _ => 0.0,
+        };
+        (theirs - along * slid).length()
+    };
+    Some([off(0), off(1)])
+}
+
+impl Off {
+    /// The event that tells it, at the end of a trace.
+    ///
+    /// ```
+    /// use tracefig::collision::{Expected, Off};
+    /// use tracefig::trace::Event;
+    /// let off = Off {
+    ///     size: 4.0, separation: Some(0.25), time: None, normal_deg: None, points: None,
+    ///     expected: Expected { separation: Some(1.25), ..Expected::default() },
+    /// };
+    /// assert!(matches!(off.event(), Event::ExpectationCompared { separation: Some(0.25), .. }));
+    /// ```
+    #[must_use]
+    pub fn event(&self) -> Event {
+        let Self { size, separation, time, normal_deg, points, .. } = *self;
+        Event::ExpectationCompared { size, separation, time, normal_deg, points }
+    }
+
+    /// Its parts, as `solve` writes them: of what was expected, and null where there is nothing to hold it
+    /// against.
+    pub(crate) fn parts(&self) -> Parts {
+        let unit = self.size * f64::EPSILON;
+        let part = |x: Option<f64>| x.map_or(Part::Verdict(None), Part::Number);
+        let mut parts = vec![("size", Part::Number(self.size))];
+        if self.expected.separation.is_some() {
+            parts.push(("separation", part(self.separation)));
+            parts.push(("separation_in_eps", part(self.separation.map(|s| s / unit))));
+        }
+        if self.expected.time.is_some() {
+            parts.push(("time", part(self.time)));
+        }
+        if self.expected.normal.is_some() {
+            parts.push(("normal_deg", part(self.normal_deg)));
+        }
+        if self.expected.points.is_some() {
+            let pair = |points: Option<[f64; 2]>| points.map_or(Part::Verdict(None), Part::Lengths);
+            parts.push(("points", pair(self.points)));
+            parts.push(("points_in_eps", pair(self.points.map(|points| points.map(|x| x / unit)))));
+        }
+        parts
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::collision::tests::bodies::{boxed, placed, polygon};
+    use crate::collision::{ALGORITHMS, QueryKind};
+
+    /// How far off an expectation is from the separation of two bodies.
+    fn off(a: &Body, b: &Body, expected: Expected) -> Off {
+        let kind = QueryKind::Separation;
+        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query);
+        expected.off(&query, &answer, None).unwrap()
+    }
+
+    fn normal(x: f64, y: f64) -> Expected {
+        Expected { normal: UnitVector::along(DVec2::new(x, y)), ..Expected::default() }
+    }
+
+    #[test]
+    fn any_points_of_what_parallel_edges_share_are_right() {
+        let (a, b) = (boxed("box", 1.0, 1.0), placed(boxed("box", 1.0, 1.0), 3.0, 0.5, 0.0));
+        let points = |y: f64, x: f64| Expected {
+            points: Some([DVec2::new(1.0, y), DVec2::new(x, y)]),
+            ..Expected::default()
+        };
+        assert_eq!(off(&a, &b, points(0.9, 2.0)).points, Some([0.0, 0.0]));
+        assert_eq!(off(&a, &b, points(-0.5, 2.125)).points, Some([0.0, 0.125]));
+        // They share −0.5 to 1.
+        assert_eq!(off(&a, &b, points(-0.75, 2.0)).points, Some([0.25, 0.25]));
+        assert_eq!(off(&a, &b, points(1.5, 2.0)).points, Some([0.5, 0.5]));
+    }
+
+    #[test]
+    fn any_of_the_normals_that_tie_is_right_and_points_are_not_held_against_one() {
+        let (a, b) = (boxed("box", 1.0, 1.0), boxed("box", 1.0, 1.0));
+        for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
+            assert_eq!(off(&a, &b, normal(x, y)).normal_deg, Some(0.0));
+        }
+        assert!(off(&a, &b, normal(1.0, 1.0)).normal_deg.unwrap() > 40.0);
+        let points = Expected { points: Some([DVec2::X, DVec2::Y]), ..Expected::default() };
+        assert_eq!(off(&a, &b, points).points, None);
+    }
+
+    #[test]
+    fn a_normal_is_off_by_its_angle_and_a_separation_by_what_is_beyond_the_bounds() {
+        let (a, b) = (polygon(&[[0.0, 0.0]], 1.0), placed(polygon(&[[0.0, 0.0]], 1.0), 3.0, 4.0, 0.0));
+        let found = off(&a, &b, normal(0.8, 0.6)).normal_deg.unwrap();
+        assert!((found - 16.260_204_708_311_957).abs() < 1e-12, "{found}");
+        let separation =
+            |s: f64| off(&a, &b, Expected { separation: Some(s), ..Expected::default() }).separation.unwrap();
+        assert_eq!(separation(3.0), 0.0);
+        assert!((separation(3.5) - 0.5).abs() < 1e-15 && (separation(2.75) + 0.25).abs() < 1e-15);
+    }
+}
