@@ -71,8 +71,8 @@ pub fn finest() -> Real {
 }
 
 impl Motion {
-    /// The motion of a scene's two bodies. A disc about its body's origin looks the same however it turns, and
-    /// is taken not to turn.
+    /// The motion of a scene's two bodies. A disc about its body's origin looks the same however it turns,
+    /// and is taken not to turn.
     #[must_use]
     pub fn of(bodies: &[Body]) -> Self {
         let each = [0, 1].map(|i| {

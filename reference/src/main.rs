@@ -1,4 +1,5 @@
-//! `generate [separation|impact|logged|logged-impact] N SEED` prints cases; `check CASES ANSWERS` holds answers against them.
+//! `generate [separation|impact|logged|logged-impact] N SEED` prints cases; `check CASES ANSWERS` holds
+//! answers against them.
 //!
 //! ```text
 //! cargo run -p tracefig-reference -- generate separation 1000 1 > cases.jsonl

@@ -94,9 +94,11 @@ pub struct Scene {
     pub time: f64,
     /// The tolerance as written; the default of the file format is 1e-12.
     pub tolerance: f64,
-    /// Whether the algorithm asked for stops by a count of steps, so that it may leave open what others decide. The names
-    /// of those that do are written out where a scene is read: this package shares no code with the crate that it checks,
-    /// not its table of algorithms either.
+    /// Whether the algorithm asked for stops by a count of steps, so that it may leave open what others
+    /// decide.
+    ///
+    /// The names of those that do are written out where a scene is read: this package shares no code with the
+    /// crate that it checks, not its table of algorithms either.
     pub iterates: bool,
     /// `expected`, where a line has it.
     pub expected: Option<Json>,

@@ -174,7 +174,7 @@ fn bodies_that_are_farther_apart_than_any_scene_have_bounds_that_are_numbers_aro
             let reply: serde_json::Value = serde_json::from_str(&reply).unwrap();
             let bounds = &reply["result"]["separation_bounds"];
             let (lo, hi) = (bounds[0].as_f64().unwrap(), bounds[1].as_f64().unwrap());
-            // The distance is that of the places to all digits of a double; what the bodies' size adds is none.
+            // The distance is that of the places to all digits of a double: the bodies' size adds none.
             let apart = libm::hypot(position[0], position[1]);
             let ulps = 4.0 * f64::EPSILON * apart;
             assert!(lo <= apart + ulps && apart - ulps <= hi, "{position:?}: {lo:e} {hi:e}");

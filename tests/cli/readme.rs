@@ -1,4 +1,5 @@
-//! What the README and CONTRIBUTING.md show is true: its scene renders, its commands run, its links lead somewhere.
+//! What the README and CONTRIBUTING.md show is true: its scene renders, its commands run, its links lead
+//! somewhere.
 
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 
 use crate::asking::{of_kind, query, takers};
 use crate::random_pairs::pairs;
-use tracefig::collision::QueryKind;
+use tracefig::collision::{Query, QueryKind};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2};
 use tracefig::trace::{NoTrace, Trace};
@@ -10,17 +10,23 @@ use tracefig::trace::{NoTrace, Trace};
 const KINDS: [QueryKind; 4] =
     [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound];
 
+/// Asks every algorithm that takes a query, untraced.
+#[track_caller]
+fn nothing_is_allocated(query: &Query, what: &str) {
+    for algorithm in takers(query) {
+        let used = allocation_counter::measure(|| {
+            std::hint::black_box((algorithm.quiet)(query, &mut NoTrace));
+        });
+        assert_eq!(used.count_total, 0, "{what}, {}", algorithm.name);
+    }
+}
+
 #[test]
 fn an_untraced_query_allocates_nothing() {
     for (seed, a, b) in pairs(300) {
         for kind in KINDS {
             let query = query(kind, &a, &b);
-            for algorithm in takers(&query) {
-                let used = allocation_counter::measure(|| {
-                    std::hint::black_box((algorithm.quiet)(&query, &mut NoTrace));
-                });
-                assert_eq!(used.count_total, 0, "seed {seed}, {}", algorithm.name);
-            }
+            nothing_is_allocated(&query, &format!("seed {seed}"));
         }
     }
 }
@@ -34,18 +40,13 @@ fn a_moving_untraced_query_allocates_nothing() {
                 a.spin = Angle::Degrees(45.0);
             }
             let query = query(kind, &a, &b);
-            for algorithm in takers(&query) {
-                let used = allocation_counter::measure(|| {
-                    std::hint::black_box((algorithm.quiet)(&query, &mut NoTrace));
-                });
-                assert_eq!(used.count_total, 0, "seed {seed}, {}", algorithm.name);
-            }
+            nothing_is_allocated(&query, &format!("seed {seed}"));
         }
     }
 }
 
 #[test]
-fn a_thousand_corners_allocate_nothing_either() {
+fn a_thousand_vertices_allocate_nothing_either() {
     let vertices = |n: u32| {
         let vertex = |k: u32| {
             let angle = f64::from(k) * std::f64::consts::TAU / f64::from(n);
@@ -64,12 +65,7 @@ fn a_thousand_corners_allocate_nothing_either() {
     for x in [0.0, 0.5, 2.5] {
         let b = body(1000, x);
         let query = query(QueryKind::Separation, &a, &b);
-        for algorithm in takers(&query) {
-            let used = allocation_counter::measure(|| {
-                std::hint::black_box((algorithm.quiet)(&query, &mut NoTrace));
-            });
-            assert_eq!(used.count_total, 0, "{} at {x}", algorithm.name);
-        }
+        nothing_is_allocated(&query, &format!("at {x}"));
     }
 }
 

@@ -1,5 +1,5 @@
-//! What is far smaller or larger than the bodies can be seen all the same: bodies that are points, and marks of
-//! a length of their own.
+//! What is far smaller or larger than the bodies can be seen all the same: bodies that are points, and marks
+//! of a length of their own.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 

@@ -5,8 +5,8 @@
 //! thing that it could name as to its own, or nearer, without a leader line.
 //!
 //! `TRACEFIG_SCENES=10000 cargo test --test scenes label_faults -- --nocapture` runs as many scenes as one
-//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves pictures there, to be looked
-//! at: of every figure with a fault, and of the first twenty.
+//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves pictures there, to be
+//! looked at: of every figure with a fault, and of the first twenty.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 #![expect(clippy::cast_precision_loss, reason = "counts of scenes and vertices")]

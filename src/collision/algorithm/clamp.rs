@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn a_centre_inside_leaves_by_the_nearest_side() {
+    fn a_centre_inside_leaves_by_the_nearest_edge() {
         let a = boxed("box", 4., 2.);
         let b = placed(polygon(&[[0., 0.]], 0.5), 1., -1.5, 0.);
         let (s, n, event) = clamp(&a, &b);

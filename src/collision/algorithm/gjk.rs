@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn the_polytope_grows_to_the_nearest_side() {
+    fn the_polytope_grows_to_the_nearest_edge() {
         let (s, events) = gjk(&boxed("box", 3., 1.5), &placed(boxed("box", 2., 1.5), 1., 0.5, 10.));
         let nearest: Vec<f64> = events
             .iter()

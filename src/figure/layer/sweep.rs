@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_square_that_moves_along_its_diagonal_is_joined_at_its_other_corners() {
+    fn a_square_that_moves_along_its_diagonal_is_joined_at_its_other_vertices() {
         let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         let moved = square.map(|p| p + DVec2::splat(3.0));
         let lines = tangents(&square, &moved, 0.0);
