@@ -1,5 +1,7 @@
 //! Two bodies to their certified distance, without a scene and without a trace: `cargo run --example distance`.
 
+#![expect(clippy::print_stdout, reason = "an example for the terminal")]
+
 use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2, Shape};

@@ -1,5 +1,7 @@
 //! A scene file to an SVG and its answer: `cargo run --example scene_to_svg -- figures/01-penetration.toml out.svg`.
 
+#![expect(clippy::print_stdout, reason = "an example for the terminal")]
+
 use std::error::Error;
 use std::path::Path;
 
