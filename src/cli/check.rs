@@ -15,7 +15,7 @@ use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, tell_unplanned};
 use super::inputs::shown;
-use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
+use super::jobs::{Job, Planned, Target, Unplanned, folders_of, inputs_of};
 use super::orphans::orphans;
 use super::parallel::in_order;
 use super::regular::read_regular;
@@ -66,6 +66,10 @@ impl Checked {
 
 impl Runs for Check {
     fn run(self, console: &mut Console) -> io::Result<Status> {
+        if self.files.read_stdin() {
+            let message = "`check` compares files, and a scene from standard input has none: name its file";
+            return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
+        }
         let jobs = match self.files.jobs(None) {
             Ok(jobs) => jobs,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),

@@ -11,7 +11,7 @@ use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::theme::{self, Theme};
-use tracefig::figure::{Fault, Figure, draw, plan};
+use tracefig::figure::{Fault, Figure, draw, off_page, plan};
 use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, format};
 use tracefig::scene::limits::MAX_FILE_BYTES;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
@@ -151,6 +151,11 @@ impl Files {
         Ok((formats, themes))
     }
 
+    /// Whether a scene is to come from standard input.
+    pub(crate) fn read_stdin(&self) -> bool {
+        self.scenes.iter().any(|scene| scene.as_os_str() == "-")
+    }
+
     /// The files of themes.
     pub(crate) fn theme_files(&self) -> impl Iterator<Item = &Path> {
         self.theme.iter().filter_map(|theme| theme.file.as_deref())
@@ -244,7 +249,7 @@ impl Files {
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
                 let encoded = self.encode(&drawing, planned.format);
-                all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error))?);
+                all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error, ink))?);
                 timings.lap(planned.format.name);
             }
             let drawing = Arc::new(drawing);
@@ -296,8 +301,12 @@ fn figure_id(job: &Job, planned: &Planned) -> String {
 }
 
 /// The message of a file that a format can't make.
-fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError) -> String {
-    format!("error: can't write {} as {}: {error}\n", file.source.name, planned.format.name)
+fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError, ink: Ink) -> String {
+    if let OutputError::NotFinite { outer, group } = error {
+        let problems = vec![off_page(&file.scene, outer, group)];
+        return Refused { source: file.source.clone(), problems }.render(ink);
+    }
+    format!("error: can't write {} as {}: {error}\n", visible(&file.source.name), planned.format.name)
 }
 
 /// Takes out items whose key an earlier one has.

@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::scene::{self, Explain, Severity, codes};
+use crate::scene::{self, Explain, Scene, Severity, codes};
 
 use super::placement::LabelFault;
 
@@ -93,6 +93,11 @@ pub enum Fault {
         /// How many lines the page has room for.
         room: usize,
     },
+    /// A place that is so far outside of what a panel shows that it can't be written.
+    OffPage {
+        /// What has the place, as "body-A".
+        group: String,
+    },
     /// A warning: a label stands where a reader trips over it, or nowhere.
     LabelClash(LabelFault),
 }
@@ -144,6 +149,7 @@ impl Explain for Fault {
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
             Self::CaptionDropped { .. } => codes::CAPTION_DROPPED.code,
+            Self::OffPage { .. } => codes::OFF_PAGE.code,
             Self::LabelClash(_) => codes::LABEL_CLASH.code,
         }
     }
@@ -158,6 +164,9 @@ impl Explain for Fault {
             Self::BadName { .. } => Some(
                 "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text"
                     .to_owned(),
+            ),
+            Self::OffPage { .. } => Some(
+                "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
             Self::LabelClash(fault) => {
                 let key = fault.label().0;
@@ -204,9 +213,33 @@ impl fmt::Display for Fault {
             Self::CaptionDropped { lines, room } => {
                 write!(f, "the caption takes {lines} lines and the page has room for {room}: it is left out")
             }
+            Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
             Self::LabelClash(fault) => fault.fmt(f),
         }
     }
+}
+
+/// The problem of a scene whose drawing has a place that is on no page: in which panel, given the names of
+/// the outermost and of the innermost group that it is in.
+///
+/// ```
+/// use tracefig::{figure::off_page, scene::open_text};
+/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\n\
+///             [[panels]]\nlayers = ['shapes']";
+/// let file = open_text("s.toml", text)?;
+/// let problem = off_page(&file.scene, "panel-1", "body-A");
+/// assert_eq!(problem.fault.to_string(), "`body-A` has a place that is not on any page");
+/// assert_eq!(problem.span, file.scene.panels[0].span);
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn off_page(scene: &Scene, outer: &str, group: &str) -> Problem {
+    let number = outer.rsplit('-').next().and_then(|number| number.parse::<usize>().ok());
+    let panel = number.and_then(|number| scene.panels.get(number.checked_sub(1)?));
+    // The picture of a scene without panels is of its bodies.
+    let body = || scene.shapes.first().map_or(0..0, |(name, _)| name.span.clone());
+    let span = panel.map_or_else(body, |panel| panel.span.clone());
+    Problem::new(Fault::OffPage { group: group.to_owned() }, span)
 }
 
 #[cfg(test)]
@@ -276,6 +309,11 @@ mod tests {
                 Fault::CaptionDropped { lines: 9, room: 4 },
                 "the caption takes 9 lines and the page has room for 4: it is left out",
                 "it stays in the alternative text; a larger canvas or a shorter text shows it",
+            ),
+            (
+                Fault::OffPage { group: "body-A".to_owned() },
+                "`body-A` has a place that is not on any page",
+                "give the panel a wider `view`, or none, or leave out the layer that draws it",
             ),
             (
                 Fault::LabelClash(LabelFault::Dropped { key: "d", span: 0..1 }),

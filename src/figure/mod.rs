@@ -38,7 +38,7 @@ use crate::scene::Scene;
 use layer::{LAYERS, Shows};
 
 pub use draw::{Figure, draw};
-pub use fault::Fault;
+pub use fault::{Fault, off_page};
 pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};

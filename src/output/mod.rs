@@ -206,6 +206,8 @@ pub enum OutputError {
     },
     /// A place or a length in the drawing is not a finite number, or beyond any page.
     NotFinite {
+        /// Name of the outermost group that it is in: the panel.
+        outer: String,
         /// Name of the innermost group that it is in.
         group: String,
     },
@@ -237,7 +239,7 @@ impl fmt::Display for OutputError {
             Self::Empty { width, height, scale } => {
                 write!(f, "a page of {width} × {height} at a scale of {scale} has no pixels")
             }
-            Self::NotFinite { group } => {
+            Self::NotFinite { group, .. } => {
                 write!(f, "the drawing's group `{group}` has a place that is not on any page")
             }
             Self::Sequence => write!(f, "the drawings of a sequence must have one size"),

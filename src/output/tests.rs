@@ -146,5 +146,5 @@ fn a_place_that_is_no_number_is_an_error_that_names_its_group() {
     let Item::Text(text) = &labels.items[0] else { panic!("a label") };
     labels.items.push(Item::Text(Text { origin: Point::new(f64::NAN, 0.0), ..text.clone() }));
     let error = rasterize(&drawing, 1.0).unwrap_err();
-    assert_eq!(error, OutputError::NotFinite { group: "labels".into() });
+    assert_eq!(error, OutputError::NotFinite { outer: "labels".into(), group: "labels".into() });
 }

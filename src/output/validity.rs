@@ -34,19 +34,21 @@ pub(super) fn page(drawing: &Drawing) -> Result<(), OutputError> {
     if !(width > 0.0 && height > 0.0 && width < FARTHEST && height < FARTHEST) {
         return Err(OutputError::Empty { width, height, scale: 1.0 });
     }
-    items(&drawing.items, "figure")
+    items(&drawing.items, &[])
 }
 
-/// Refuses a list with a place that is on no page; `group` is the name of the group that holds it.
-fn items(all: &[Item], group: &str) -> Result<(), OutputError> {
+/// Refuses a list with a place that is on no page; `groups` are the names of those that it is in.
+fn items(all: &[Item], groups: &[&str]) -> Result<(), OutputError> {
     for item in all {
         if let Item::Group(inner) = item {
-            items(&inner.items, &inner.name)?;
+            items(&inner.items, &[groups, &[inner.name.as_str()]].concat())?;
         } else if let Some(r) = item.extent() {
             // A place that is not a number is in no range.
             let inside = |v: f64| v.abs() <= FARTHEST;
             if !(inside(r.x0) && inside(r.y0) && inside(r.x1) && inside(r.y1)) {
-                return Err(OutputError::NotFinite { group: group.to_owned() });
+                let name = |group: Option<&&str>| (*group.unwrap_or(&"figure")).to_owned();
+                let (outer, group) = (name(groups.first()), name(groups.last()));
+                return Err(OutputError::NotFinite { outer, group });
             }
         }
     }

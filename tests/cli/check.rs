@@ -4,7 +4,7 @@ use std::fs;
 
 use crate::hostile_figures::HOSTILE;
 use crate::render::{drawn, names, set};
-use crate::{folder_with, run, tracefig};
+use crate::{folder_with, run, run_on, tracefig};
 
 #[test]
 fn check_tells_identical_stale_and_missing_and_accepts() {
@@ -199,4 +199,15 @@ fn a_hostile_figure_is_a_finding_of_that_figure() {
         assert_eq!((accept.code, again.code), (Some(0), Some(0)), "{}", hostile.name);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn standard_input_has_no_figure_to_check() {
+    let ran = run_on(tracefig(".".as_ref()).args(["check", "-", "--format", "svg"]), drawn());
+    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    assert!(
+        ran.err.starts_with("error: `check` compares files, and a scene from standard input"),
+        "{}",
+        ran.err
+    );
 }

@@ -132,6 +132,11 @@ fn what_the_figure_can_not_show_is_told_at_its_line() {
         "error[unknown-word]: unknown theme `drak`\n  --> s.toml:15:9\n",
     );
     says("[\"shapes\"]", "[\"shapes\"]\n[labels]\nnobody = \"x\"", "error[");
+    says(
+        "[\"shapes\"]",
+        "[\"shapes\"]\nview = [0, 0, 1e-9, 1e-9]",
+        "error[off-page]: `body-A` has a place that is not on any page\n  --> s.toml:12:1\n",
+    );
 }
 
 #[test]

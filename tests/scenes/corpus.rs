@@ -19,8 +19,13 @@ fn fuzz() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz")
 }
 
-/// Runs a target on every input of its corpus; libFuzzer skips what is no UTF-8, and so does this.
+/// Runs a target of texts on every input of its corpus; libFuzzer skips what is no UTF-8, and so does this.
 fn replay(target: &str, body: fn(&str)) {
+    replay_bytes(target, |bytes| std::str::from_utf8(bytes).into_iter().for_each(body));
+}
+
+/// Runs a target on every input of its corpus.
+fn replay_bytes(target: &str, body: impl Fn(&[u8]) + std::panic::RefUnwindSafe) {
     let mut paths: Vec<PathBuf> =
         fuzz().join("corpus").join(target).read_dir().unwrap().map(|e| e.unwrap().path()).collect();
     paths.sort();
@@ -29,8 +34,7 @@ fn replay(target: &str, body: fn(&str)) {
         .iter()
         .filter(|path| {
             let bytes = std::fs::read(path).unwrap();
-            let Ok(text) = String::from_utf8(bytes) else { return false };
-            std::panic::catch_unwind(|| body(&text)).is_err()
+            std::panic::catch_unwind(|| body(&bytes)).is_err()
         })
         .collect();
     assert!(failed.is_empty(), "{target} fails on {failed:?}");
@@ -49,6 +53,21 @@ fn every_line_of_the_corpus_is_answered() {
 #[test]
 fn every_figure_of_the_corpus_is_drawn() {
     replay("render", fuzz_bodies::render::holds);
+}
+
+#[test]
+fn every_choice_of_the_corpus_is_drawn() {
+    replay_bytes("figure", fuzz_bodies::figure::holds);
+}
+
+#[test]
+fn every_pair_of_the_corpus_has_one_answer_in_both_orders() {
+    replay_bytes("pair", fuzz_bodies::pair::holds);
+}
+
+#[test]
+fn every_file_of_the_corpus_is_compared() {
+    replay_bytes("check", fuzz_bodies::check::holds);
 }
 
 /// Every word that a scene may hold.

@@ -105,6 +105,10 @@ fn shown(scene: &Scene, panels: &[&Panel]) -> String {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
         let which = if many { format!("Panel {}{title}", i + 1) } else { format!("The picture{title}") };
         let layers: Vec<&str> = panel.layers.iter().flatten().map(|l| l.name.value.as_str()).collect();
+        if layers.is_empty() {
+            let _ = write!(text, "{which} shows nothing. ");
+            continue;
+        }
         let _ = write!(text, "{which} shows {}{}: {}. ", space(scene, panel), when(panel), layers.join(", "));
     }
     text
