@@ -149,7 +149,7 @@ pub(crate) fn tell(pair: &PairView, answer: &Separation, tracer: &mut impl Trace
 /// The vertex of a feature, or both ends of an edge, in the world.
 fn ends(pair: &PairView, side: Side, feature: Feature) -> Vec<SupportVertex> {
     let body = pair.body(side);
-    let pose = body.pose_at(pair.at.time);
+    let pose = body.pose_at(pair.time());
     let indices = match feature {
         Feature::Vertex(i) => [Some(i), None],
         Feature::Edge(i) => body.shape.edge_ends(i).unwrap_or([i, i]).map(Some),

@@ -36,7 +36,7 @@ fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let found = Pair::at(query.a, query.b.unwrap_or(query.a), query.time).separation();
     if tracer.listens() {
         let pair = PairView::of(query);
-        tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
+        tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.moment() });
         outline::tell(&pair, tracer);
         candidate::tell(&pair, &found, tracer);
     }

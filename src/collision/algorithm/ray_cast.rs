@@ -63,7 +63,7 @@ fn impact(outcome: Outcome) -> Answer {
 fn tell(query: &Query, sweep: &Sweep, outcome: &Outcome, tracer: &mut impl Tracer) {
     let (a, b) = (query.a, query.b.unwrap_or(query.a));
     let pair = PairView::at(a, b, 0.0);
-    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.at });
+    tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.moment() });
     outline::tell(&pair, tracer);
     let v = pair.local_vector(a.velocity - b.velocity);
     let hit = if matches!(outcome, Outcome::Hit { .. }) { sweep.entered() } else { None };

@@ -12,6 +12,7 @@
 
 use std::cmp::Ordering;
 
+use crate::collision::algorithm::motion;
 use crate::collision::certified::rounding::{DOT_ERROR, GAP_ERROR, TAME};
 use crate::collision::{Pair, Query};
 use crate::geometry::{Body, DVec2, Feature, Hull, Pose, Side, Turn};
@@ -24,8 +25,6 @@ pub(crate) struct PairView<'s> {
     pub(crate) a: &'s Body,
     /// Body B.
     pub(crate) b: &'s Body,
-    /// The moment, with both angles in the world.
-    pub(crate) at: Moment,
     /// A's frame to the world.
     frame: Pose,
     /// B's frame to A's frame.
@@ -59,13 +58,12 @@ impl<'s> PairView<'s> {
     #[inline]
     pub(crate) fn start(query: &Query<'s>, algorithm: &'static str, tracer: &mut impl Tracer) -> Self {
         let pair = Self::of(query);
-        tracer.record(|| Event::Started { algorithm, at: pair.at });
+        tracer.record(|| Event::Started { algorithm, at: pair.moment() });
         pair
     }
 
     /// The pair at time `t` in [0, 1].
     pub(crate) fn at(a: &'s Body, b: &'s Body, t: f64) -> Self {
-        let at = Moment { time: t, angle_a: a.angle_at(t), angle_b: b.angle_at(t) };
         let certified = Pair::at(a, b, t);
         let (frame, angle) = (certified.pose(Side::A), certified.turn);
         let rotation = certified.b_rotation.rounded();
@@ -76,7 +74,17 @@ impl<'s> PairView<'s> {
             let apart = (b.position - a.position) + (b.velocity - a.velocity) * t;
             frame.rotation.undo(apart)
         };
-        Self { a, b, at, frame, b_frame: Pose { position, rotation }, angle, certified }
+        Self { a, b, frame, b_frame: Pose { position, rotation }, angle, certified }
+    }
+
+    /// The moment's time.
+    pub(crate) fn time(&self) -> f64 {
+        self.certified.time
+    }
+
+    /// The moment, with both angles in the world, as events tell it.
+    pub(crate) fn moment(&self) -> Moment {
+        motion::moment(self.a, self.b, self.time())
     }
 
     /// One of the bodies.
@@ -112,7 +120,7 @@ impl<'s> PairView<'s> {
     /// Infinite where numbers are so large or small that there is none.
     pub(crate) fn gap_error(&self) -> f64 {
         let placed = (self.b.position - self.a.position).abs()
-            + ((self.b.velocity - self.a.velocity) * self.at.time).abs();
+            + ((self.b.velocity - self.a.velocity) * self.time()).abs();
         let reaches = self.hull(Side::A).reach + self.hull(Side::B).reach;
         let size = placed.x + placed.y + reaches + self.radius();
         if TAME.contains(&size) { GAP_ERROR * size } else { f64::INFINITY }

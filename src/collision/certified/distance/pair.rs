@@ -43,8 +43,6 @@ pub struct Pair<'s> {
     pub(crate) scale: f64,
     /// Whether the scene needs no scaling.
     tame: bool,
-    /// Whether a matrix multiplies either core, so that the doubles of its vertices have tails.
-    multiplied: bool,
     /// Angle of A's frame in the world.
     pub(crate) frame: Turn,
     /// Angle of B in A's frame.
@@ -116,7 +114,6 @@ impl<'s> Pair<'s> {
             b,
             time: t,
             tame,
-            multiplied: a.shape.hull.is_multiplied() || b.shape.hull.is_multiplied(),
             scale,
             frame,
             turn,
@@ -196,10 +193,10 @@ impl<'s> Pair<'s> {
         self.tame
     }
 
-    /// Whether a matrix multiplies either core.
+    /// Whether a matrix multiplies either core, so that the doubles of its vertices have tails.
     #[inline]
     pub(crate) fn is_multiplied(&self) -> bool {
-        self.multiplied
+        self.a.shape.hull.is_multiplied() || self.b.shape.hull.is_multiplied()
     }
 
     /// 1 / scale, exactly: a product with it is a quotient by a power of two.

@@ -98,12 +98,10 @@ impl MovingPair<'_> {
             until = span.to;
             report(span);
         });
-        match found.outcome {
-            Outcome::Unresolved { reason: Reason::WithinRounding, .. } => {
-                self.the_other_way_round(limits, until, report).unwrap_or(found)
-            }
-            _ => found,
+        if matches!(found.outcome, Outcome::Unresolved { reason: Reason::WithinRounding, .. }) {
+            return self.the_other_way_round(limits, until, report).unwrap_or(found);
         }
+        found
     }
 
     /// The first contact with A called A.

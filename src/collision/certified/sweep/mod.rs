@@ -75,29 +75,27 @@ impl<'s> Sweep<'s> {
     /// ```
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
-        match self.in_order() {
-            open @ Outcome::Unresolved { .. } => self.the_other_way_round().unwrap_or(open),
-            decided => decided,
-        }
+        let outcome = self.entry().outcome(&self.pair);
+        if matches!(outcome, Outcome::Unresolved { .. }) { self.by_other_means(outcome) } else { outcome }
     }
 
-    /// When and how the bodies meet first, with A called A.
-    #[inline]
-    fn in_order(&self) -> Outcome {
-        match self.entry().outcome(&self.pair) {
-            open @ Outcome::Unresolved { .. } => impact::by_axes(self.pair.a, self.pair.b).unwrap_or(open),
-            decided => decided,
-        }
+    /// What the ray leaves open: axes may decide it, or the bodies called the other way round.
+    #[cold]
+    fn by_other_means(&self, open: Outcome) -> Outcome {
+        let decided = impact::by_axes(self.pair.a, self.pair.b);
+        decided.or_else(|| self.the_other_way_round()).unwrap_or(open)
     }
 
     /// What can be decided with B called A: whatever can be with A called A is decided there as well, so that
     /// both ways round are judged alike.
     #[cold]
     fn the_other_way_round(&self) -> Option<Outcome> {
-        match Sweep::new(self.pair.b, self.pair.a).in_order() {
-            Outcome::Unresolved { .. } => None,
-            decided => Some(decided.swapped()),
-        }
+        let other = Sweep::new(self.pair.b, self.pair.a);
+        let decided = match other.entry().outcome(&other.pair) {
+            Outcome::Unresolved { .. } => impact::by_axes(other.pair.a, other.pair.b),
+            decided => Some(decided),
+        };
+        decided.map(Outcome::swapped)
     }
 
     /// The edge or vertex of B ⊖ A through which the ray's line enters it, now or at any other time; None
