@@ -84,9 +84,9 @@ fn is_at_rest(query: &Query, relative: DVec2) -> bool {
 #[inline]
 fn arc(side: Side, body: &Body, linear: f64, tracer: &mut impl Tracer) -> f64 {
     let stretch = body.shape.stretch();
-    let far = |v: &DVec2| length(*v) * stretch;
+    let far = |v: &DVec2| length(*v);
     let reach = body.shape.vertices.iter().map(far).fold(0.0, f64::max);
-    let radius = reach + body.shape.radius;
+    let radius = reach * stretch + body.shape.radius;
     let arc = body.spin.arc(radius);
     tracer.record(|| {
         let theta = body.spin.radians().abs();

@@ -151,6 +151,7 @@ impl Placing {
 }
 
 /// From a vertex as written to the world's axes at time `t`: the shape's matrix, and then the turn.
+#[inline]
 fn rotation(body: &Body, t: f64) -> Rotation<Ball> {
     let turn = Turn::at(body.angle, body.spin, t).rotation_in_balls();
     if body.shape.is_as_written() {

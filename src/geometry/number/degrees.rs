@@ -68,39 +68,49 @@ impl Turn {
     pub(crate) const NONE: Self = Self { quarters: 0, whole: 0, rest: Dd::ZERO, error: 0.0 };
 
     /// The turn at time t: `angle` + `spin` · `t`.
+    #[inline]
     #[must_use]
     pub(crate) fn at(angle: Angle, spin: Angle, t: f64) -> Self {
-        let still = t == 0.0 || spin.is_zero();
-        match (angle, spin) {
-            (Angle::Degrees(a), _) if still => Self::of_two(a, 0.0),
-            (Angle::Degrees(a), Angle::Degrees(w)) => {
-                let (p, e, lost) = exact_product(w, t);
-                let mut turn = Self::sum(&[a, p, e]);
-                turn.error += lost;
-                turn
-            }
-            _ => Self::mixed(&[(angle, 1.0), (spin, if still { 0.0 } else { t })]),
-        }
+        let (Angle::Degrees(a), Angle::Degrees(w)) = (angle, spin) else {
+            return Self::mixed(&[(angle, 1.0), (spin, t)]);
+        };
+        if w == 0.0 || t == 0.0 { Self::of_two(a, 0.0) } else { Self::turning(a, w, t) }
+    }
+
+    /// The sum a + w t, exactly.
+    fn turning(a: f64, w: f64, t: f64) -> Self {
+        let (p, e, lost) = exact_product(w, t);
+        let mut turn = Self::sum(&[a, p, e]);
+        turn.error += lost;
+        turn
     }
 
     /// The angle of `to` less the angle of `from`, both at `t`; each is (angle, spin).
+    #[inline]
     #[must_use]
     pub(crate) fn between(from: (Angle, Angle), to: (Angle, Angle), t: f64) -> Self {
-        let still = t == 0.0 || (from.1.is_zero() && to.1.is_zero());
-        match (from, to) {
-            ((Angle::Degrees(a), _), (Angle::Degrees(b), _)) if still => Self::of_two(b, -a),
-            ((Angle::Degrees(a), Angle::Degrees(v)), (Angle::Degrees(b), Angle::Degrees(w))) => {
-                let (p, e, lost_p) = exact_product(w, t);
-                let (q, f, lost_q) = exact_product(v, t);
-                let mut turn = Self::sum(&[b, -a, p, -q, e, -f]);
-                turn.error += lost_p + lost_q;
-                turn
-            }
-            _ => {
-                let t = if still { 0.0 } else { t };
-                Self::mixed(&[(to.0, 1.0), (from.0, -1.0), (to.1, t), (from.1, -t)])
-            }
+        let (Angle::Degrees(a), Angle::Degrees(v)) = from else { return Self::between_mixed(from, to, t) };
+        let (Angle::Degrees(b), Angle::Degrees(w)) = to else { return Self::between_mixed(from, to, t) };
+        if t == 0.0 || (v == 0.0 && w == 0.0) {
+            Self::of_two(b, -a)
+        } else {
+            Self::turning_apart([a, b], [v, w], t)
         }
+    }
+
+    /// The sum b − a + (w − v) t, exactly.
+    fn turning_apart([a, b]: [f64; 2], [v, w]: [f64; 2], t: f64) -> Self {
+        let (p, e, lost_p) = exact_product(w, t);
+        let (q, f, lost_q) = exact_product(v, t);
+        let mut turn = Self::sum(&[b, -a, p, -q, e, -f]);
+        turn.error += lost_p + lost_q;
+        turn
+    }
+
+    /// [`Self::between`] where not all is in degrees.
+    #[cold]
+    fn between_mixed(from: (Angle, Angle), to: (Angle, Angle), t: f64) -> Self {
+        Self::mixed(&[(to.0, 1.0), (from.0, -1.0), (to.1, t), (from.1, -t)])
     }
 
     /// A sum of at most four angles times numbers; equal radians of opposite sign leave nothing.

@@ -62,6 +62,7 @@ impl Shape {
     }
 
     /// At least by how much the matrix makes a vector longer: 1 exactly where there is none.
+    #[inline]
     pub(crate) fn stretch(&self) -> f64 {
         if self.is_as_written() {
             return 1.0;

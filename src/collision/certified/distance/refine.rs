@@ -41,6 +41,7 @@ pub(crate) fn along_edge(pair: &Pair, DifferenceEdge { source, edge, vertex }: D
         }
         Side::B => {
             let (d, size) = apart_seen_from_b(pair, [vertex, edge]);
+            let d = if pair.is_multiplied() { with_tails_seen_from_b(pair, [vertex, edge], d) } else { d };
             let d = d.components();
             let core = -combined(x, d[0], y, d[1]);
             Measured {
@@ -93,7 +94,9 @@ impl Long {
 /// Vertex j of B less vertex i of A in A's frame, within the pair's placing error.
 #[inline]
 pub(crate) fn between(pair: &Pair, vertices: [usize; 2]) -> [Dd; 2] {
-    apart(pair, vertices).components()
+    let apart = apart(pair, vertices);
+    let apart = if pair.is_multiplied() { with_tails(pair, vertices, apart) } else { apart };
+    apart.components()
 }
 
 /// `w_j − v_i` as two vectors, upper and lower halves, so that x and y share SIMD lanes.
@@ -111,19 +114,25 @@ fn apart(pair: &Pair, [i, j]: [usize; 2]) -> Long {
     let (s, g) = two_sum(p, r);
     let (t, h) = two_sum(DVec2::new(x.hi, y.hi), -v);
     let (u, k) = two_sum(s, t);
-    let mut low = ((e + f) + (q * cos.lo + across * sin.lo)) + ((g + h) + (k + DVec2::new(x.lo, y.lo)));
-    if pair.is_multiplied() {
-        let (v, q) = tails(pair, [i, j]);
-        low += (q * cos.hi + perp(q) * sin.hi) - v;
-    }
+    let low = ((e + f) + (q * cos.lo + across * sin.lo)) + ((g + h) + (k + DVec2::new(x.lo, y.lo)));
     let (hi, lo) = two_sum(u, low);
     Long { hi, lo }
 }
 
-/// What the doubles of vertices i of A and j of B leave out, each in its body's frame.
+/// `w_j − v_i` in A's frame with what the doubles of both vertices leave out.
 #[cold]
-fn tails(pair: &Pair, [i, j]: [usize; 2]) -> (DVec2, DVec2) {
-    (pair.hull(Side::A).vertex_tail(i), pair.hull(Side::B).vertex_tail(j))
+fn with_tails(pair: &Pair, [i, j]: [usize; 2], apart: Long) -> Long {
+    let (a, b) = (pair.hull(Side::A).vertex_tail(i), pair.hull(Side::B).vertex_tail(j));
+    let (hi, lo) = two_sum(apart.hi, apart.lo + (pair.vector_from_b(b) - a));
+    Long { hi, lo }
+}
+
+/// `w_j − v_i` in B's frame with what the doubles of both vertices leave out.
+#[cold]
+fn with_tails_seen_from_b(pair: &Pair, [i, j]: [usize; 2], apart: Long) -> Long {
+    let (a, b) = (pair.hull(Side::A).vertex_tail(i), pair.hull(Side::B).vertex_tail(j));
+    let (hi, lo) = two_sum(apart.hi, apart.lo + (b - pair.vector_to_b(a)));
+    Long { hi, lo }
 }
 
 /// `w_j − v_i` in B's frame, and the 1-norm of what was turned.
@@ -132,16 +141,14 @@ fn apart_seen_from_b(pair: &Pair, [i, j]: [usize; 2]) -> (Long, f64) {
     let (v, q) = (pair.hull(Side::A).vertices[i], pair.hull(Side::B).vertices[j]);
     let (Rotation { cos, sin }, [x, y]) = (pair.b_rotation, pair.center_tailed);
     let (s, g) = two_sum(DVec2::new(x.hi, y.hi), -v);
-    let (tail_v, tail_q) =
-        if pair.is_multiplied() { tails(pair, [i, j]) } else { (DVec2::ZERO, DVec2::ZERO) };
-    let (from, low) = two_sum(s, g + (DVec2::new(x.lo, y.lo) - tail_v));
+    let (from, low) = two_sum(s, g + DVec2::new(x.lo, y.lo));
     let (across, across_low) = (-perp(from), -perp(low));
     let (p, e) = two_product(from, DVec2::splat(cos.hi));
     let (r, f) = two_product(across, DVec2::splat(sin.hi));
     let (s, g) = two_sum(p, r);
     let (u, k) = two_sum(s, q);
     let lower = (low * cos.hi + from * cos.lo) + (across_low * sin.hi + across * sin.lo);
-    let (hi, lo) = two_sum(u, ((e + f) + (lower + tail_q)) + (g + k));
+    let (hi, lo) = two_sum(u, ((e + f) + lower) + (g + k));
     (Long { hi, lo }, from.x.abs() + from.y.abs())
 }
 

@@ -223,21 +223,25 @@ fn vertex(pair: &Pair, facing: DifferenceEdge) -> [Dd; 2] {
     let (Rotation { cos, sin }, c) = (pair.b_rotation, pair.center_tailed);
     let (cx, cy) = (two_product(cos.hi, q.x), two_product(cos.hi, q.y));
     let (sx, sy) = (two_product(sin.hi, q.x), two_product(sin.hi, q.y));
-    let mut tail = DVec2::ZERO;
-    if pair.is_multiplied() {
-        let q = pair.hull(Side::B).vertex_tail(j);
-        tail = pair.b_rotation.rounded().apply(q) - pair.hull(Side::A).vertex_tail(i);
-    }
     let sum = |(p, e): (f64, f64), (r, f): (f64, f64), c: Dd, v: f64, low: f64| {
         let (s, g) = two_sum(p, r);
         let (s, h) = two_sum(s, c.hi);
         let (hi, k) = two_sum(s, -v);
         Dd { hi, lo: ((e + f) + (g + h)) + ((k + c.lo) + low) }
     };
-    [
-        sum(cx, (-sy.0, -sy.1), c[0], v.x, (cos.lo * q.x - sin.lo * q.y) + tail.x),
-        sum(sx, cy, c[1], v.y, (sin.lo * q.x + cos.lo * q.y) + tail.y),
-    ]
+    let apart = [
+        sum(cx, (-sy.0, -sy.1), c[0], v.x, cos.lo * q.x - sin.lo * q.y),
+        sum(sx, cy, c[1], v.y, sin.lo * q.x + cos.lo * q.y),
+    ];
+    if pair.is_multiplied() { with_tails(pair, [i, j], apart) } else { apart }
+}
+
+/// A vertex of B ⊖ A with what the doubles of its vertices leave out.
+#[cold]
+fn with_tails(pair: &Pair, [i, j]: [usize; 2], [x, y]: [Dd; 2]) -> [Dd; 2] {
+    let (a, b) = (pair.hull(Side::A).vertex_tail(i), pair.hull(Side::B).vertex_tail(j));
+    let tail = pair.vector_from_b(b) - a;
+    [Dd { lo: x.lo + tail.x, ..x }, Dd { lo: y.lo + tail.y, ..y }]
 }
 
 /// The dot product n · x, with a low half that is not rounded off the high one.
