@@ -5,13 +5,14 @@
 
 use roxmltree::Document;
 use serde_json::{Map, Value, json};
+use tracefig::drawing::Item;
 use tracefig::figure::layer::{LAYERS, Shows};
 use tracefig::figure::{draw, plan};
 use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Explain, Scene, Source, open_text, read};
 
 /// Names that a formula, markup, XML or a value of a text would trip over, and ordinary ones.
-const SETTABLE: [&str; 51] = [
+const SETTABLE: [&str; 52] = [
     "crate_1",
     "the crate",
     "100%",
@@ -28,6 +29,7 @@ const SETTABLE: [&str; 51] = [
     r"a\$b\",
     r"\\",
     "^2",
+    "10^",
     "x^2",
     "#1",
     "~",
@@ -137,6 +139,23 @@ fn scene(text: &str, kept: &[Vec<bool>]) -> Scene {
     scene
 }
 
+/// A name as markup of words.
+fn as_markup(name: &str) -> String {
+    name.replace('$', r"\$")
+}
+
+/// The markup of the first line in the group of a name.
+fn said(items: &[Item], group: &str) -> String {
+    let found = items.iter().find_map(|item| match item {
+        Item::Group(found) if found.name == group => found.items.first(),
+        _ => None,
+    });
+    match found {
+        Some(Item::Text(text)) => text.line.markup.clone(),
+        _ => String::new(),
+    }
+}
+
 #[test]
 fn every_name_is_set_as_it_is_and_read_in_the_words_of_the_figure() {
     let Some(Writer::One(write)) = format("svg").map(|f| f.write) else { panic!("no SVG") };
@@ -153,6 +172,14 @@ fn every_name_is_set_as_it_is_and_read_in_the_words_of_the_figure() {
             if i % questions().len() != q {
                 continue;
             }
+            let mut bare = scene.clone();
+            bare.panels.clear();
+            let figure = plan(&bare).map(|plan| draw(&plan, plan.theme, "bare"));
+            let captions = said(&figure.unwrap().drawing.items, "caption");
+            assert!(
+                captions.contains(&as_markup(name)) && captions.contains(&as_markup(other)),
+                "{captions}"
+            );
             if i % 7 != 0 {
                 scene.panels.truncate(1);
                 scene.panels[0].layers.as_mut().unwrap().truncate(1);

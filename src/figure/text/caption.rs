@@ -68,7 +68,11 @@ fn with_powers(words: &str) -> String {
     for piece in pieces {
         let end = piece.find(|c: char| c != '−' && !c.is_ascii_digit()).unwrap_or(piece.len());
         let (exponent, rest) = piece.split_at(end);
-        text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]);
+        match exponent {
+            // A name may hold it, too.
+            "" => text.extend(["10^", piece]),
+            _ => text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]),
+        }
     }
     text
 }
