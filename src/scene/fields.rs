@@ -198,7 +198,11 @@ pub(super) static PANEL: TableRows = TableRows {
     fields: &[
         may("title", Holds::Text, "title above the panel"),
         may("space", Holds::Word { what: "space", known: space_words }, "what it shows; default \"world\""),
-        may("frame", Holds::Text, "the shape in whose frame it is drawn, for space = \"body\""),
+        may(
+            "frame",
+            Holds::Text,
+            "the shape in whose frame it is drawn, and with which it moves, for space = \"body\"",
+        ),
         may("time", Holds::Moment, "its moment; default: the query's"),
         may(
             "step",
