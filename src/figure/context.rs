@@ -130,7 +130,7 @@ impl Context<'_> {
             Space::World | Space::Configuration => None,
         });
         match frame {
-            Some((name, _)) => format!("${letter}_{{{}/{}}}$", own.term(), Name(&name.value).term()),
+            Some((name, _)) => format!("${letter}_{{{}/{}}}$", own.script(), Name(&name.value).script()),
             None => format!("${}$", own.below(letter)),
         }
     }

@@ -6,6 +6,12 @@
 
 use crate::typeset::escaped;
 
+/// Letters of a script at most: a longer one is wider than what it stands at, and is cut in its middle. Names
+/// of one scene differ mostly at an end.
+const SCRIPT: usize = 12;
+/// Letters that stay of a name that is cut, before and after the cut.
+const KEPT: [usize; 2] = [6, 4];
+
 /// A body's name, to be set in type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Name<'n>(pub(crate) &'n str);
@@ -41,13 +47,26 @@ impl Name<'_> {
         format!(r"\text{{{}}}", escaped(&words.join(" ")))
     }
 
+    /// The name as a term within a script, in LaTeX: a long one without its middle.
+    #[must_use]
+    pub(crate) fn script(self) -> String {
+        let letters: Vec<char> = self.0.chars().collect();
+        if letters.len() <= SCRIPT {
+            return self.term();
+        }
+        let [head, tail] = KEPT;
+        let head: String = letters.iter().take(head).collect();
+        let tail: String = letters.iter().skip(letters.len() - tail).collect();
+        Name(&format!("{}…{}", head.trim_end(), tail.trim_start())).term()
+    }
+
     /// The name as the script of a letter, in LaTeX: `v_A`, `v_{\text{bullet}}`.
     #[must_use]
     pub(crate) fn below(self, letter: &str) -> String {
         if self.0.len() == 1 && self.is_symbol() {
             format!("{letter}_{}", self.0)
         } else {
-            format!("{letter}_{{{}}}", self.term())
+            format!("{letter}_{{{}}}", self.script())
         }
     }
 
@@ -58,7 +77,7 @@ impl Name<'_> {
         if self.is_symbol() {
             format!("{}_{number}", self.term().to_lowercase())
         } else {
-            format!("p_{{{},{number}}}", self.term())
+            format!("p_{{{},{number}}}", self.script())
         }
     }
 }
@@ -98,6 +117,8 @@ mod tests {
         assert_eq!(Name("A").below("v"), "v_A");
         assert_eq!(Name("bullet").below("v"), r"v_{\text{bullet}}");
         assert_eq!(Name("B").point(2), "b_2");
+        assert_eq!(Name("the crate 12").below("v"), r"v_{\text{the crate 12}}");
+        assert_eq!(Name("the left crate 12").below("v"), r"v_{\text{the le…e 12}}");
         assert_eq!(Name("100%").point(1), r"p_{\text{100\%},1}");
     }
 

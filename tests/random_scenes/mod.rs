@@ -14,8 +14,45 @@ fn number(count: usize) -> f64 {
     f64::from(u32::try_from(count).unwrap())
 }
 
+/// Letters of the scripts that the fonts have, each with the accents that its names are written with.
+const SCRIPTS: [&str; 5] = [
+    "abcdefghijklmnopqrstuvwxyz",
+    "WMABCDEFGHIJKLNOPQRSTUVXYZ0123456789",
+    "äöüßéèêñçåøæőůžščřłğışţ",
+    "αβγδεζηθικλμνξοπρστυφχψωάέήίόύώ",
+    "абвгдежзийклмнопрстуфхцчшщъыьэюя",
+];
+/// Letters of the longest name.
+const LONGEST_NAME: usize = 24;
+
+/// A name of one to 24 letters: one letter in a third of all cases, else one word or some.
+fn name(r: &mut Random) -> String {
+    if r.below(3) == 0 {
+        return r.one_of(&["A", "B", "P", "q", "Ж", "ß"]).to_owned();
+    }
+    let letters: Vec<char> = r.one_of(&SCRIPTS).chars().collect();
+    let (count, words) = (1 + r.below(LONGEST_NAME), r.below(3) > 0);
+    let mut text = String::new();
+    let mut since_space = 0;
+    for i in 0..count {
+        let breaks = words && since_space > 2 && i + 2 < count && r.below(4) == 0;
+        since_space = if breaks { 0 } else { since_space + 1 };
+        text.push(if breaks { ' ' } else { letters[r.below(letters.len())] });
+    }
+    text
+}
+
+/// Names of two bodies: in a quarter of all cases of one length, which are easily swapped.
+fn names(r: &mut Random) -> [String; 2] {
+    let a = name(r);
+    let alike = format!("{}2", &a[..a.len() - a.chars().next_back().map_or(0, char::len_utf8)]);
+    let b = if r.below(4) == 0 { alike } else { name(r) };
+    let b = if a == b { format!("{b}2") } else { b };
+    [a, b]
+}
+
 fn shape(r: &mut Random, name: &str, x: f64, moves: bool, turns: bool) -> String {
-    let mut text = format!("[shapes.{name}]\n");
+    let mut text = format!("[shapes.\"{name}\"]\n");
     let kind = r.one_of(&["circle", "box", "polygon", "capsule", "aabb"]);
     let kind = if turns && kind == "aabb" { "box" } else { kind };
     let _ = writeln!(text, "kind = \"{kind}\"");
@@ -81,13 +118,15 @@ pub(crate) fn scene_text(seed: u64) -> String {
     let moves = ["linear-sweep", "time-of-impact", "motion-bound"].contains(&kind);
     let turns = ["time-of-impact", "motion-bound"].contains(&kind);
     let near = r.quarter(0, 4);
-    let mut text = shape(&mut r, "A", -near - 0.5, moves, turns);
-    text += &shape(&mut r, "B", near + 0.5, moves, turns);
-    let of = if ["bounds", "motion-bound"].contains(&kind) { "[\"A\"]" } else { "[\"A\", \"B\"]" };
+    let [a, b] = names(&mut r);
+    let mut text = shape(&mut r, &a, -near - 0.5, moves, turns);
+    text += &shape(&mut r, &b, near + 0.5, moves, turns);
+    let two = !["bounds", "motion-bound"].contains(&kind);
+    let of = if two { format!("[\"{a}\", \"{b}\"]") } else { format!("[\"{a}\"]") };
     let _ = write!(text, "[query]\nkind = \"{kind}\"\nof = {of}\n");
     let panels = 1 + r.below(3);
     for _ in 0..panels {
-        let configuration = of.contains('B') && r.below(3) == 0;
+        let configuration = two && r.below(3) == 0;
         let space = if configuration { "configuration" } else { "world" };
         let _ =
             write!(text, "[[panels]]\nspace = \"{space}\"\nlayers = [{}]\n", layers(&mut r, configuration));

@@ -5,8 +5,8 @@
 //! thing that it could name as to its own, or nearer, without a leader line.
 //!
 //! `TRACEFIG_SCENES=10000 cargo test --test scenes label_faults -- --nocapture` runs as many scenes as one
-//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves pictures there, to be
-//! looked at: of every figure with a fault, and of the first twenty.
+//! likes and prints what went wrong; with `TRACEFIG_PICTURES=FOLDER` it also leaves the scene and the picture
+//! there, to be looked at: of every figure with a fault, and of the first twenty.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 #![expect(clippy::cast_precision_loss, reason = "counts of scenes and vertices")]
@@ -28,13 +28,14 @@ use random_scenes::{fed, scene_text};
 /// Scenes of a usual run; few enough for a debug build.
 const SCENES: u64 = 100;
 /// Faults a figure on average, at most.
-const LIMIT: f64 = 0.05;
+const LIMIT: f64 = 0.02;
 
-fn leave_picture(seed: u64, drawing: &Drawing) {
+fn leave_picture(seed: u64, text: &str, drawing: &Drawing) {
     let Some(folder) = std::env::var_os("TRACEFIG_PICTURES") else { return };
     let Some(Writer::One(write)) = format("png").map(|f| f.write) else { return };
     let bytes = write(drawing, &Options { scale: 1.0, ..Options::default() }).unwrap();
     std::fs::write(Path::new(&folder).join(format!("{seed}.png")), bytes).unwrap();
+    std::fs::write(Path::new(&folder).join(format!("{seed}.toml")), text).unwrap();
 }
 
 fn word(fault: &LabelFault) -> String {
@@ -55,7 +56,7 @@ fn labels_on_random_scenes_have_next_to_no_faults() {
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "random");
         if seed < 20 || !figure.faults().is_empty() {
-            leave_picture(seed, &figure.drawing);
+            leave_picture(seed, &text, &figure.drawing);
         }
         figures += 1.0;
         labels += figure.panels.iter().map(|p| p.placed.len()).sum::<usize>();

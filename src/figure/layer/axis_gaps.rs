@@ -179,7 +179,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
         ["h.A.y", "D.y", "h.B.y", "centers.y"]
     };
     let half = Pen::highlighted(role);
-    let [h, k] = Side::BOTH.map(|side| format!("h_{{{},{name}}}", context.named(side).term()));
+    let [h, k] = Side::BOTH.map(|side| format!("h_{{{},{name}}}", context.named(side).script()));
     let [c, d] = Side::BOTH.map(|side| context.named(side).below("c"));
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];

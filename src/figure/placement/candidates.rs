@@ -32,17 +32,13 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
     }
     let mut all = Vec::new();
     for folds in 0..=sought.folds.len() {
-        let more = w.folded * small(folds);
+        let fold = folds.checked_sub(1).and_then(|i| sought.folds.get(i));
+        let more = fold.map_or(0.0, |fold| fold.reluctance(w));
         let found = offered(&sought.anchor, sought.size(folds), things, frame, w);
         let found = found.into_iter().map(|c| Candidate { folds, reluctance: c.reluctance + more, ..c });
         all.extend(led(found, things, w));
     }
     if all.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { all }
-}
-
-/// A small count as a number.
-fn small(count: usize) -> f64 {
-    u32::try_from(count).map_or(f64::INFINITY, f64::from)
 }
 
 /// The places for a label of a size, by what it belongs to.
@@ -180,11 +176,12 @@ fn toward(at: Point, gap: f64, (dx, dy): (f64, f64), (w, h): (f64, f64)) -> Rect
     about(near + Offset::new(0.5 * dx * w, 0.5 * dy * h), (w, h))
 }
 
-/// On four rings about a point, in eight directions; best on the `preferred` side where there is one.
+/// On five rings about a point, in eight directions; best on the `preferred` side where there is one.
 fn around(at: Point, clear: f64, preferred: Option<Offset>, size: (f64, f64), w: &Places) -> Vec<Candidate> {
-    let mut all = Vec::with_capacity(4 * DIRECTIONS.len());
+    let mut all = Vec::with_capacity(5 * DIRECTIONS.len());
     let [first, second] = near_rings(w);
-    for (gap, more) in [first, second, (w.third_gap, w.third_ring), (w.far_gap, w.far_ring)] {
+    let [third, far] = [(w.third_gap, w.third_ring), (w.far_gap, w.far_ring)];
+    for (gap, more) in [first, second, third, far, (w.last_gap, w.last_ring)] {
         for (&(dx, dy), &usual) in DIRECTIONS.iter().zip(&w.around) {
             let rect = toward(at, clear + gap, (dx, dy), size);
             let own = preferred.map_or(usual, |u| {
@@ -228,6 +225,7 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
     if best == Best::Middle {
         let mut all = sides(&ALONG.map(|t| (at(t), n)), size, w.other_side, w);
         all.extend(beyond(from, to, u, size, w));
+        all.extend(about_short(from, to, size, w));
         return all;
     }
     let ahead = |(gap, reluctance)| {
@@ -252,7 +250,18 @@ fn beside(from: Point, to: Point, offset: f64, size: (f64, f64), w: &Places) -> 
     let other = if offset == 0.0 { w.other_side } else { w.inner_side };
     let mut all = sides(&ALONG.map(|t| (a + (b - a) * t, n)), size, other, w);
     all.extend(beyond(a, b, u, size, w));
+    all.extend(about_short(a, b, size, w));
     all
+}
+
+/// Around a line that is shorter than its label, as around a point: more reluctantly than beside it.
+fn about_short(from: Point, to: Point, size: (f64, f64), w: &Places) -> Vec<Candidate> {
+    let length = (to - from).length();
+    if length > size.0 {
+        return Vec::new();
+    }
+    let about = around(from + (to - from) * 0.5, 0.5 * length, None, size, w);
+    about.into_iter().map(|c| Candidate { reluctance: c.reluctance + w.about_short, ..c }).collect()
 }
 
 /// Beyond the ends of a line from `a` to `b`, in its direction `u`.

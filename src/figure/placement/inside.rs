@@ -73,32 +73,38 @@ fn crosses(rect: &Rect, line: &[Point]) -> bool {
 fn outside(things: &Things, avoid: &[&[Point]], size: (f64, f64), w: &Places) -> Vec<Candidate> {
     let Some(own) = &things.own else { return Vec::new() };
     let Some(bounds) = bounds(own.points().iter().copied()) else { return Vec::new() };
-    let place = |rect: Rect, rank: f64| {
-        let reluctance = w.outside + w.outside_next * rank + shared(&rect, avoid, w);
-        Candidate::new(rect, reluctance)
+    let place = |rect: Rect, rank: f64, off: f64| {
+        Candidate::new(rect, w.outside + w.outside_next * rank + off + shared(&rect, avoid, w))
     };
-    let mut all = Vec::with_capacity(OUTSIDE.len() + w.beside_area);
+    let [near, far] = w.area_rings;
+    let rings = [(w.area_room, 0.0), (near, w.area_ring), (far, 2.0 * w.area_ring)];
+    let mut all = Vec::new();
     for (rank, direction) in (0_u8..).map(f64::from).zip(OUTSIDE) {
         let (dx, dy) = DIRECTIONS[direction];
         let Some(u) = Offset::new(dx, dy).unit() else { continue };
         let far = own.points().iter().map(|&p| (p - bounds.center()).dot(u)).fold(0.0, f64::max);
-        let far = far + w.area_room + reach(u, size);
-        all.push(place(touching(own, bounds.center(), u * far, size, w), rank));
+        let far = far + reach(u, size);
+        for (room, off) in rings {
+            let rect = touching(own, bounds.center(), u * (far + room), size, room);
+            all.push(place(rect, rank, off));
+        }
     }
     for (p, normal) in along(own.points(), w.beside_area) {
         for n in [normal, -normal] {
-            let rect = about(p + n * (w.area_room + reach(n, size)), size);
-            if own.distance(&rect) > w.area_room - FINE {
-                all.push(place(rect, w.off_eight));
+            for (room, off) in rings {
+                let rect = about(p + n * (room + reach(n, size)), size);
+                if own.distance(&rect) > room - FINE {
+                    all.push(place(rect, w.off_eight, off));
+                }
             }
         }
     }
     all
 }
 
-/// A box that comes from far off towards the middle of an area, where it first touches: `far` is where it
-/// certainly does not.
-fn touching(own: &Thing, middle: Point, far: Offset, size: (f64, f64), w: &Places) -> Rect {
+/// A box that comes from far off towards the middle of an area, where it is first as near as `room`: `far` is
+/// where it certainly is not.
+fn touching(own: &Thing, middle: Point, far: Offset, size: (f64, f64), room: f64) -> Rect {
     let (mut near, mut off) = (0.0, 1.0);
     while (off - near) * far.length() > FINE {
         let half = 0.5 * (near + off);
@@ -106,7 +112,7 @@ fn touching(own: &Thing, middle: Point, far: Offset, size: (f64, f64), w: &Place
         if half <= near || off <= half {
             break;
         }
-        let apart = own.distance(&about(middle + far * half, size)) > w.area_room;
+        let apart = own.distance(&about(middle + far * half, size)) > room;
         (near, off) = if apart { (near, half) } else { (half, off) };
     }
     about(middle + far * off, size)
@@ -167,7 +173,7 @@ mod tests {
         let thing = Thing::new(Kind::Area, tiny.clone(), 0.0).unwrap();
         for place in offered(&tiny, &[]) {
             assert!(!crosses(&place.rect, &tiny));
-            assert!(thing.distance(&place.rect) < W.area_room + 2.0 * FINE, "{place:?}");
+            assert!(thing.distance(&place.rect) < W.area_rings[1] + 2.0 * FINE, "{place:?}");
         }
     }
 }

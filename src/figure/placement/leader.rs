@@ -16,6 +16,9 @@ pub(super) const LONGEST: f64 = 40.0;
 /// Length of a leader line below which it is not seen to be one, page pixels.
 const SHORTEST: f64 = 5.0;
 
+/// The least depth of the dot in an area, page pixels: beside its line, not on it.
+const SHALLOW: f64 = 3.0;
+
 /// A line from what a label belongs to.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Leader {
@@ -67,10 +70,12 @@ fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     let u = (near - aim).unit()?;
     // The spot may be deeper inside than it has to be.
     let border = own.crossing(aim, near).unwrap_or(aim);
+    let to = near + u * -w.leader_room;
+    // Of a label far off it reaches in only so far that the dot is seen to be inside.
+    let depth = depth.min((LONGEST - (to - border).length()).max(SHALLOW));
     let shallow = border + u * -depth;
     let alone = |p: Point| !things.avoid().iter().any(|other| contains(other, p));
     let from = if (border - aim).length() > depth && alone(shallow) { shallow } else { aim };
-    let to = near + u * -w.leader_room;
     let seen = (to - border).dot(u) >= 0.5 * SHORTEST;
     seen.then_some(Leader { from, to, dot: true, border: border + u * w.leader_room })
 }

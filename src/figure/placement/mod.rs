@@ -36,6 +36,8 @@ use crate::figure::sketch::{Anchor, Obstacle, Rank};
 use crate::scene::LabelPlace;
 use crate::typeset::Line;
 
+use weights::Places;
+
 pub use faults::LabelFault;
 pub(crate) use faults::faults;
 pub(crate) use leader::Leader;
@@ -49,8 +51,8 @@ pub(crate) struct Sought {
     pub(crate) key: &'static str,
     /// Its lines, set, from the top.
     pub(crate) lines: Vec<Arc<Line>>,
-    /// Other ways to break it into lines, from the fewest.
-    pub(crate) folds: Vec<Vec<Arc<Line>>>,
+    /// Other ways to break it into lines.
+    pub(crate) folds: Vec<Fold>,
     /// What it belongs to, in the panel's space.
     pub(crate) anchor: Anchor,
     /// Its colour.
@@ -65,16 +67,33 @@ pub(crate) struct Sought {
     pub(crate) span: Range<usize>,
 }
 
+/// A way to break a label into lines.
+#[derive(Clone, Debug)]
+pub(crate) struct Fold {
+    /// The lines, set, from the top.
+    pub(crate) lines: Vec<Arc<Line>>,
+    /// Whether words are broken.
+    pub(crate) in_words: bool,
+}
+
+impl Fold {
+    /// How little a label likes to be broken so.
+    fn reluctance(&self, w: &Places) -> f64 {
+        let lines = u32::try_from(self.lines.len()).map_or(f64::INFINITY, f64::from);
+        w.folded * lines + if self.in_words { w.broken } else { 0.0 }
+    }
+}
+
 /// Room between two lines of a label, page pixels.
 const LEADING: f64 = 6.0;
 
 impl Sought {
-    /// Its lines, folded so many times.
+    /// Its lines: its own, or those of a way to break it, from 1.
     fn folded(&self, folds: usize) -> &[Arc<Line>] {
-        folds.checked_sub(1).and_then(|i| self.folds.get(i)).unwrap_or(&self.lines)
+        folds.checked_sub(1).and_then(|i| self.folds.get(i)).map_or(&self.lines, |fold| &fold.lines)
     }
 
-    /// Width and height in page pixels, folded so many times.
+    /// Width and height in page pixels of its own lines, or of those of a way to break it, from 1.
     fn size(&self, folds: usize) -> (f64, f64) {
         let lines = self.folded(folds);
         let width = lines.iter().map(|l| l.width).fold(0.0, f64::max);

@@ -9,6 +9,7 @@ use crate::figure::sketch::{Anchor, Corner, Obstacle};
 
 use super::candidates::{candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
+use super::pole::contains;
 use super::things::{Thing, Things};
 use super::weights::{TUNED, Weights};
 use super::{Candidate, LEADING, Labelled, Placed, Sought};
@@ -108,14 +109,14 @@ fn steady(cost: f64) -> f64 {
     (PARTS * cost).round() / PARTS
 }
 
-/// Two layers may name the same thing: it is named once. What the view cuts off is not named, and a text that
-/// shows nothing names nothing.
+/// Two layers may name the same thing, or a body and a point in it: it is named once. What the view cuts off
+/// is not named, and a text that shows nothing names nothing.
 fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Sought> {
     let home = |s: &Sought| home(&s.anchor, frame, &weights.places);
     let same = |a: &Sought, b: &Sought| {
         let text = |s: &Sought| s.lines.iter().map(|l| l.markup.clone()).collect::<Vec<_>>();
-        let apart = home(a) - home(b);
-        a.key == b.key && text(a) == text(b) && apart.length() < weights.search.same_thing
+        let near = |a, b| (home(a) - home(b)).length() < weights.search.same_thing;
+        text(a) == text(b) && (near(a, b) || marks(a, b, frame) || marks(b, a, frame))
     };
     let mut kept: Vec<Sought> = Vec::new();
     for one in sought {
@@ -128,6 +129,17 @@ fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Soug
         }
     }
     kept
+}
+
+/// Whether a label is of a point within the area of another one, as of a body's origin.
+fn marks(point: &Sought, area: &Sought, frame: &Frame) -> bool {
+    match (&point.anchor, &area.anchor) {
+        (Anchor::Point { at, .. }, Anchor::Inside { area }) => {
+            let area: Vec<Point> = area.iter().map(|&p| frame.page(p)).collect();
+            contains(&area, frame.page(*at))
+        }
+        _ => false,
+    }
 }
 
 impl Choices<'_> {

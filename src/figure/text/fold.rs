@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::figure::placement::Fold;
 use crate::typeset::{Line, Style, wrap};
 
 /// A name that is shorter than this, in ems, stays on one line: a word of eight letters.
@@ -11,17 +12,31 @@ const MOST: usize = 3;
 /// Lines are as short as they can be up to this, in ems.
 const STEP: f64 = 0.25;
 
-/// The ways to set a line on two lines and on three, broken at spaces; none where it has no space, or is
-/// short.
-pub(super) fn folds(line: &Line, style: Style) -> Vec<Vec<Arc<Line>>> {
-    let mut all: Vec<Vec<Arc<Line>>> = Vec::new();
+/// A word of more letters than this may be broken where it has no space.
+const LONG: usize = 9;
+
+/// The ways to set a line on two lines and on three, broken at spaces, and where a word is long, in words
+/// too; none where it is short.
+pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
     if line.width < SHORT * style.size {
-        return all;
+        return Vec::new();
     }
-    let set = |width: f64| wrap(&line.markup, style, width).unwrap_or_default();
+    let kept = narrow(&line.markup, line.width, style).into_iter();
+    let mut all: Vec<Fold> = kept.map(|lines| Fold { lines, in_words: false }).collect();
+    if let Some(broken) = broken(&line.markup) {
+        let cut = narrow(&broken, line.width, style).into_iter();
+        all.extend(cut.map(|lines| Fold { lines, in_words: true }));
+    }
+    all
+}
+
+/// A text on two lines and on three, each as narrow as it can be; `width` is that of the whole.
+fn narrow(markup: &str, width: f64, style: Style) -> Vec<Vec<Arc<Line>>> {
+    let mut all: Vec<Vec<Arc<Line>>> = Vec::new();
+    let set = |width: f64| wrap(markup, style, width).unwrap_or_default();
     for most in 2..=MOST {
         // The least width that keeps to so many lines.
-        let (mut narrow, mut wide) = (0.0, line.width);
+        let (mut narrow, mut wide) = (0.0, width);
         while wide - narrow > STEP * style.size {
             let middle = 0.5 * (narrow + wide);
             if set(middle).len() <= most { wide = middle } else { narrow = middle }
@@ -34,29 +49,56 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Vec<Arc<Line>>> {
     all
 }
 
+/// A text with a space in the middle of each long word that is no formula; none where no word is long.
+fn broken(markup: &str) -> Option<String> {
+    let split = |word: &str| {
+        let count = word.chars().count();
+        let whole = count <= LONG || word.contains(['$', '\\']);
+        let middle = word.char_indices().nth(count.div_ceil(2)).filter(|_| !whole)?.0;
+        Some(format!("{} {}", &word[..middle], &word[middle..]))
+    };
+    let words: Vec<&str> = markup.split(' ').collect();
+    let cut: Vec<Option<String>> = words.iter().map(|word| split(word)).collect();
+    let any = cut.iter().any(Option::is_some);
+    let whole = cut.into_iter().zip(words).map(|(cut, word)| cut.unwrap_or_else(|| word.to_owned()));
+    any.then(|| whole.collect::<Vec<_>>().join(" "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::typeset::typeset;
 
-    fn widths(markup: &str) -> Vec<Vec<f64>> {
+    /// The widths of the lines of each way, of those that break in words or of those that do not.
+    fn widths(markup: &str, in_words: bool) -> Vec<Vec<f64>> {
         let style = Style::regular(17.0);
         let folds = folds(&typeset(markup, style).unwrap(), style);
-        folds.iter().map(|lines| lines.iter().map(|line| line.width).collect()).collect()
+        let folds = folds.iter().filter(|fold| fold.in_words == in_words);
+        folds.map(|fold| fold.lines.iter().map(|line| line.width).collect()).collect()
     }
 
     #[test]
     fn a_long_name_is_folded_at_its_spaces_into_lines_of_like_width() {
         let whole = typeset("the left crate (dynamic)", Style::regular(17.0)).unwrap().width;
-        let [two, three] = &widths("the left crate (dynamic)")[..] else { panic!("two ways") };
+        let [two, three] = &widths("the left crate (dynamic)", false)[..] else { panic!("two ways") };
         assert!(two.len() == 2 && three.len() == 3);
         assert!(two.iter().all(|&w| w < 0.65 * whole) && three.iter().all(|&w| w < 0.5 * whole));
-        assert_eq!(widths(r"ground plane $\ominus$ crate").len(), 2);
+        assert_eq!(widths(r"ground plane $\ominus$ crate", false).len(), 2);
     }
 
     #[test]
     fn a_name_that_is_short_or_one_word_has_one_line() {
-        assert!(widths("a b c").is_empty() && widths("unbreakableletters").is_empty());
-        assert_eq!(widths("unbreakable letters").len(), 1, "two words make two lines at most");
+        assert!(widths("a b c", false).is_empty() && widths("unbreakableletters", false).is_empty());
+        assert_eq!(widths("unbreakable letters", false).len(), 1, "two words make two lines at most");
+    }
+
+    #[test]
+    fn a_long_word_may_be_broken_and_a_formula_never() {
+        let whole = typeset("unbreakableletters", Style::regular(17.0)).unwrap().width;
+        let [two] = &widths("unbreakableletters", true)[..] else { panic!("one way") };
+        assert!(two.len() == 2 && two.iter().all(|&w| w < 0.6 * whole));
+        assert!(widths(r"$\text{unbreakableletters}$", true).is_empty());
+        assert_eq!(widths(r"unbreakableletters $\ominus$ crate", true).len(), 2);
+        assert!(widths("the left crate (dynamic)", true).is_empty());
     }
 }

@@ -64,7 +64,7 @@ impl Wording<'_> {
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
         let folds = match &lines[..] {
-            [line] if label.rank == Rank::Name => folds(line, style),
+            [line] if matches!(label.rank, Rank::Name | Rank::Point) => folds(line, style),
             _ => Vec::new(),
         };
         Ok(Some(Sought {

@@ -8,7 +8,7 @@ super::numbers! {
         stroke_room: f64 = 2.0;
         /// Touching an outline, vector or dimension of something else.
         /// Twice: 0 + 31 labels, one fault more; half: 1 + 18 labels, two faults fewer.
-        stroke: f64 = 14.0;
+        stroke: f64 = 18.0;
         /// Each page pixel of such a stroke inside the label.
         /// Twice: 0 + 23 labels, one fault more; half: 0 + 8 labels.
         stroke_px: f64 = 0.5;
@@ -75,7 +75,7 @@ super::numbers! {
         close: f64 = 4.0;
         /// A stroke under a leader line.
         /// Twice: nothing; half: 0 + 9 labels.
-        leader: f64 = 8.0;
+        leader: f64 = 3.0;
         /// A label or another leader line under a leader line.
         under: f64 = 40.0;
         /// Standing as near to another thing as to its own, or nearer, without a leader line.

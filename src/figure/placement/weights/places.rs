@@ -12,26 +12,32 @@ super::numbers! {
         /// Room on the third ring, page pixels.
         /// Twice: 1 + 38 labels, one fault more; half: 0 + 27 labels.
         third_gap: f64 = 16.0;
-        /// Room on the last ring, whose places have a leader line, page pixels.
+        /// Room on the fourth ring, whose places have a leader line, page pixels.
         /// Twice: 0 + 8 labels; half: 1 + 20 labels.
         far_gap: f64 = 27.0;
+        /// Room on the last ring about a point, as far as a leader line goes, page pixels.
+        last_gap: f64 = 38.0;
         /// Reluctance to stand on the second ring.
         /// Twice: 6 + 116 labels; half: 9 + 168 labels.
         second_ring: f64 = 3.0;
         /// Reluctance to stand on the third ring.
         /// Twice: 0 + 15 labels; half: 8 + 80 labels.
         third_ring: f64 = 7.0;
-        /// Reluctance to stand on the last ring.
+        /// Reluctance to stand on the fourth ring.
         /// Twice: 0 + 7 labels; half: 0 + 19 labels.
         far_ring: f64 = 16.0;
+        /// Reluctance to stand on the last ring.
+        last_ring: f64 = 19.0;
         /// A label farther from its point than this share of `far_gap` gets a leader line.
         /// Twice: 0 + 9 labels; half: 0 + 10 labels.
         led: f64 = 0.7;
         /// Room between either end of a leader line and what it joins, page pixels.
         /// Twice and half: nothing that the survey sees, which looks at labels and not at leader lines.
         leader_room: f64 = 2.0;
-        /// Reluctance of a name to be broken once more.
-        folded: f64 = 1.5;
+        /// Reluctance of a name to be broken into lines, for each line.
+        folded: f64 = 1.0;
+        /// Reluctance of a name to be broken in its words.
+        broken: f64 = 7.0;
         /// Reluctance to have a leader line where a label stands near its thing, but as near to another one.
         lead: f64 = 5.0;
         /// How far a leader line reaches into an area, page pixels.
@@ -68,6 +74,8 @@ super::numbers! {
         /// Reluctance to stand beyond an end of a line instead of beside it.
         /// Twice: 0 + 84 labels; half: 3 + 41 labels.
         beyond_end: f64 = 3.0;
+        /// Reluctance to stand around a line that is shorter than its label, instead of beside it.
+        about_short: f64 = 8.0;
         /// Room beyond an end of a line, in gaps.
         /// Twice: 3 + 321 labels, two faults fewer; half: 2 + 282 labels, three faults more.
         beyond_gaps: f64 = 2.0;
@@ -118,6 +126,10 @@ super::numbers! {
         /// Reluctance to take each next of the eight directions about an area, from the upper right.
         /// Twice: 0 + 40 labels; half: 0 + 28 labels.
         outside_next: f64 = 0.3;
+        /// Room between an area and a name that stands off it, with a leader line, page pixels.
+        area_rings: [f64; 2] = [19.5, 31.0];
+        /// Reluctance to stand on the first of these rings; on the second, twice as much.
+        area_ring: f64 = 4.0;
         /// How many points along its area's line a name may stand beside, besides the eight directions.
         beside_area: usize = 12;
         /// Reluctance to stand beside one of those points, in steps of `outside_next`.
