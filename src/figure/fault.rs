@@ -247,20 +247,9 @@ mod tests {
     use super::*;
     use crate::scene::{ERRORS, Ink, Source, message};
 
-    /// Everything but what scenes and labels say of themselves, with its message and its help.
-    #[expect(clippy::too_many_lines, reason = "a table of messages")]
-    fn all() -> Vec<(Fault, &'static str, &'static str)> {
+    /// What an answer lacks, with its message; no help is needed.
+    fn notes() -> Vec<(Fault, &'static str, &'static str)> {
         vec![
-            (
-                Fault::NoSuchStep { step: 9, took: 3 },
-                "expected a step of the algorithm, got 9: it took 3",
-                "",
-            ),
-            (
-                Fault::NoHit,
-                "the panel shows the moment of a hit or a miss, but the question is not for one",
-                "",
-            ),
             (
                 Fault::OtherMoment {
                     shown: "the closest approach",
@@ -281,6 +270,27 @@ mod tests {
                 "",
             ),
             (
+                Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
+                "a dash stands for `{=time}`: the answer is a miss",
+                "",
+            ),
+        ]
+    }
+
+    /// Everything else but what scenes and labels say of themselves, with its message and its help.
+    fn others() -> Vec<(Fault, &'static str, &'static str)> {
+        vec![
+            (
+                Fault::NoSuchStep { step: 9, took: 3 },
+                "expected a step of the algorithm, got 9: it took 3",
+                "",
+            ),
+            (
+                Fault::NoHit,
+                "the panel shows the moment of a hit or a miss, but the question is not for one",
+                "",
+            ),
+            (
                 Fault::UnsuitedLayer { layer: "one", shows: "the world" },
                 "the layer `one` shows the world, and the panel another space",
                 "",
@@ -289,11 +299,6 @@ mod tests {
                 Fault::UnfedLayer { layer: "one", needs: "a hit" },
                 "this scene can't feed the layer `one`",
                 "it needs a hit",
-            ),
-            (
-                Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
-                "a dash stands for `{=time}`: the answer is a miss",
-                "",
             ),
             (
                 Fault::BadName { name: "木".to_owned(), reason: "no glyph".to_owned() },
@@ -324,9 +329,15 @@ mod tests {
     }
 
     #[test]
+    fn what_an_answer_lacks_is_a_note() {
+        assert!(notes().iter().all(|(fault, ..)| fault.severity() == Severity::Note));
+        assert!(others().iter().all(|(fault, ..)| fault.severity() != Severity::Note));
+    }
+
+    #[test]
     fn every_fault_says_what_is_wrong_and_what_would_help_under_a_listed_code() {
         let source = Source::new("s.toml", "title = 1");
-        for (fault, text, help) in all() {
+        for (fault, text, help) in notes().into_iter().chain(others()) {
             assert_eq!((fault.to_string().as_str(), fault.help().unwrap_or_default().as_str()), (text, help));
             assert!(ERRORS.iter().any(|row| row.code == fault.code()), "{} is in no list", fault.code());
             let shown = message(&source, &Problem::new(fault.clone(), 8..9), Severity::Warning, Ink::Plain);

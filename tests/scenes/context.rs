@@ -1,6 +1,6 @@
 //! Bodies that the query is not about are context: drawn muted beside the others, asked nothing.
 
-#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may panic wherever it is")]
 
 use tracefig::drawing::{Group, Item, Role};
 use tracefig::figure::{Figure, draw, plan};
@@ -113,8 +113,9 @@ fn context_may_carry_a_panel_and_no_option_asks_about_it() {
         problems[0].fault.to_string(),
         "`of`: expected a shape of the query, got `bird`, which is context"
     );
-    let many: String = (0..63).map(|i| format!("[shapes.x{i}]\nkind = 'circle'\nradius = 1\n")).collect();
-    let text = format!("{PAIR}{many}[query]\nkind = 'separation'\nof = ['A', 'B']\n");
+    let many: Vec<String> = (0..63).map(|i| format!("[shapes.x{i}]\nkind = 'circle'\nradius = 1")).collect();
+    let many = many.join("\n");
+    let text = format!("{PAIR}{many}\n[query]\nkind = 'separation'\nof = ['A', 'B']\n");
     let refused = open_text("s.toml", &text).unwrap_err();
     assert_eq!(refused.problems[0].fault.to_string(), "`shapes`: expected at most 64 shapes, got 65");
 }
