@@ -4,7 +4,7 @@
 //! Many of the pairs touch exactly, by construction in numbers of a few bits: there the separation is 0 both
 //! ways round, and a rounding more or less would be seen.
 
-#![expect(clippy::unwrap_used, clippy::panic, clippy::expect_used, reason = "a test fails by panicking")]
+#![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
 use tracefig::collision::{Answer, MovingPair, Outcome, Pair, QueryKind, Separation, Sweep};
 use tracefig::geometry::shape::FieldValue;
