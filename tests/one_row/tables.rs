@@ -125,6 +125,8 @@ fn layers() -> Vec<Table> {
             ("radii", "figure/text/values.rs", "a value"),
             ("separation", "figure/text/values.rs", "a value"),
             ("closest", "scene", "a part of an answer, a word for a moment"),
+            ("expected", "scene", "a key of a query and of the top of a scene"),
+            ("normal", "figure/layer/expected.rs", "a part of the drawing"),
             ("normal", "scene/expected.rs", "a part of what is expected"),
             ("separation", "scene/expected.rs", "a part of what is expected"),
             ("normal", "scene/fields.rs", "a part of what is expected"),

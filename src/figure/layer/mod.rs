@@ -14,6 +14,7 @@ mod clamp;
 mod closest;
 mod contact;
 mod difference;
+mod expected;
 mod fed;
 mod frame;
 mod ghosts;
@@ -96,6 +97,7 @@ pub static LAYERS: &[Layer] = &[
     normal::LAYER,
     contact::LAYER,
     approach::LAYER,
+    expected::LAYER,
     bounds::LAYER,
     half_extents::LAYER,
     clamp::LAYER,

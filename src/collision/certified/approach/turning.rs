@@ -21,11 +21,11 @@ use crate::geometry::{Dd, Side};
 
 /// Moments besides the start at which the separation is looked at first. Each minimum that they miss costs
 /// another walk.
-const SAMPLES: u32 = 8;
+const SAMPLES: u32 = 4;
 
 /// How exactly the moment is looked for, in radians of turning and in parts of the motion: the separation is
-/// off by half of its square times the reach, less than a rounding.
-const MOMENT: f64 = 1e-9;
+/// off by half of its square times the reach, about a rounding.
+const MOMENT: f64 = 1e-8;
 
 /// Margins between the separation found and the one that is proved, as parts of the pair's size: 1.5e-11,
 /// 2.3e-10, 6e-8, 1.5e-5 and 4e-3. The first is wide enough for doubles, and for axes that last.

@@ -118,7 +118,7 @@ const OF_THE_HIT: &[&str] = &["ghosts", "contact", "sweep", "ray", "velocity", "
 
 /// Layers that a moment does not change: a constant of the scene, what its author wrote, or what is of
 /// another moment.
-const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach"];
+const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach", "expected"];
 
 /// A path or a label of a panel: the layer, the part and the places; or the key, the text and nothing.
 type Thing = (String, String, Vec<Point>);

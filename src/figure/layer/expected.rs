@@ -1,0 +1,129 @@
+//! What someone else answered, beside our answer: both pairs of closest points, both normals, and the bodies
+//! at the time that was expected.
+
+use crate::collision::{Answer, Expected, Outcome, Separation};
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch};
+use crate::figure::text::number;
+use crate::geometry::DVec2;
+
+use super::ghosts::ghost;
+use super::{Fed, LabelKey, Layer, Options, Shows};
+
+/// Drawn length of the normals, world units.
+const NORMAL: f64 = 1.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "expected",
+    about: "what someone else answered (`[query] expected`), and our normal and closest points beside it",
+    shows: Shows::World,
+    options: &[],
+    labels: &[
+        LabelKey { key: "A'", about: "the first body at the time expected" },
+        LabelKey { key: "B'", about: "the second body at the time expected" },
+        LabelKey { key: "expected", about: "the separation and the time expected" },
+        LabelKey { key: "n", about: "our normal" },
+        LabelKey { key: "n'", about: "the normal expected" },
+    ],
+    needs: "`expected` in `[query]`, and a panel in the world's frame",
+    fed: |context, _| {
+        let given = context.scene.query.expected.is_some() && context.moving_frame().is_none();
+        Fed::by_the_scene(given)
+    },
+    draw,
+};
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(theirs) = context.scene.query.expected else { return };
+    let role = options.role(Role::Now);
+    bodies(sketch, context, options, &theirs);
+    let ours = ours(context);
+    if let Some(ours) = &ours {
+        sketch.part("ours").line(ours.points[0], ours.points[1], Pen::dimension(Role::Translation));
+        sketch.part("ours").marker(ours.points[0], Marker::Disc, Role::Translation, MARKER);
+        sketch.part("ours").marker(ours.points[1], Marker::Square, Role::Translation, MARKER);
+    }
+    if let Some([p, q]) = theirs.points {
+        sketch.part("expected").line(p, q, Pen::dimension(role));
+        sketch.part("expected").marker(p, Marker::Disc, role, MARKER);
+        sketch.part("expected").marker(q, Marker::Square, role, MARKER);
+    }
+    let from = theirs.points.map(|[p, _]| p).or(ours.map(|ours| ours.points[0]));
+    if let (Some(n), Some(from)) = (theirs.normal, from) {
+        normal(sketch, from, *n, ("n'", "$n'$", role));
+        if let Some(ours) = &ours {
+            normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
+        }
+    }
+    if let Some(from) = from {
+        let lines = words(&theirs);
+        sketch.label(Label { lines, ..Label::new("expected", "", Anchor::point(from), role) });
+    }
+}
+
+/// The bodies at the time expected, where they are elsewhere then.
+fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Expected) {
+    let Some(time) = theirs.time.filter(|time| (0.0..=1.0).contains(time)) else { return };
+    for side in context.sides() {
+        let elsewhere = context.pose(side, time) != context.pose(side, context.time);
+        if let Some(outline) = context.outline(side, time).filter(|_| elsewhere) {
+            ghost(sketch, context, options, side, &outline);
+        }
+    }
+}
+
+/// The pair of our answer: at its moment, at the first contact, or at the closest approach.
+fn ours(context: &Context) -> Option<Separation> {
+    let run = context.run();
+    match &run.answer {
+        Answer::Impact(impact) if impact.outcome == Outcome::Miss => {
+            context.separation_at(context.closest()?.time)?.separation().copied()
+        }
+        _ => run.separation().copied(),
+    }
+}
+
+/// Draws a normal with its name.
+fn normal(sketch: &mut Sketch, from: DVec2, n: DVec2, (key, text, role): (&'static str, &str, Role)) {
+    let tip = from + n * NORMAL;
+    sketch.part("normal").arrow(from, tip, Pen::vector(role));
+    sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
+}
+
+/// What is expected in lines of a label.
+fn words(theirs: &Expected) -> Vec<String> {
+    let separation = theirs.separation.map(|s| format!("expected $s = {}$", number(s)));
+    let time = theirs.time.map(|t| format!("expected $t = {}$", number(t)));
+    separation.into_iter().chain(time).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn both_answers_stand_side_by_side() {
+        let text = |expected: &str| {
+            format!(
+                "[shapes.A]\nkind = 'circle'\nradius = 1\n[shapes.B]\nkind = 'circle'\nradius = 1\n\
+                 position = [4, 0]\n[query]\nkind = 'separation'\nof = ['A', 'B']\n{expected}\n\
+                 [[panels]]\nlayers = ['shapes', 'expected']"
+            )
+        };
+        let given =
+            "expected = { separation = 2.25, normal = [0, 1], points = { A = [1, 0.5], B = [3, 0] } }";
+        let scene = open_text("s.toml", &text(given)).unwrap().scene;
+        let plan_of = plan(&scene).unwrap();
+        let figure = draw(&plan_of, plan_of.theme, "s");
+        let labels = labels(&figure);
+        assert!(labels.contains_key("n") && labels.contains_key("n'"), "{labels:?}");
+        assert_eq!(labels["expected"].1, 2.25);
+        let counts = ["ours", "expected", "normal"].map(|part| paths(&figure.drawing.items, part).len());
+        assert!(counts[0] >= 3 && counts[0] == counts[1] && counts[2] >= 2, "{counts:?}");
+        let silent = open_text("s.toml", &text("")).unwrap().scene;
+        assert!(plan(&silent).is_err(), "nothing is expected");
+    }
+}
