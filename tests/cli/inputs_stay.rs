@@ -180,7 +180,7 @@ fn what_is_no_regular_file_is_neither_replaced_nor_followed() {
     fs::write(here.join("theirs"), "theirs").unwrap();
     let places: [&dyn Fn(&Path); 3] =
         [&|path| symlink("theirs", path).unwrap(), &|path| symlink("/dev/zero", path).unwrap(), &|path| {
-            pipe(path)
+            pipe(path);
         }];
     for make in places {
         make(&here.join("s.svg"));

@@ -118,7 +118,7 @@ fn work_goes_on_though_nobody_reads_and_the_exit_status_tells_of_all() {
     for i in 0..40 {
         std::fs::write(folder.path().join(format!("s{i:02}.toml")), drawn()).unwrap();
     }
-    let there = || names(folder.path()).iter().filter(|name| name.ends_with(".svg")).count();
+    let there = || names(folder.path()).len() - 40;
     assert_eq!(unread(folder.path(), &["render", ".", "--format", "svg", "--threads", "1"]), Some(0));
     assert_eq!(there(), 40);
     std::fs::remove_file(folder.path().join("s39.svg")).unwrap();

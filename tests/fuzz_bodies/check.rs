@@ -2,7 +2,9 @@
 
 use std::sync::OnceLock;
 
-use tracefig::drift::{Rendered, Stamp, compare, compare_and_show, metadata, triptych, what_moved};
+use tracefig::drift::{
+    Rendered, Stamp, compare, compare_and_show, metadata, text_chunk, triptych, what_moved,
+};
 use tracefig::figure::{draw, plan};
 use tracefig::output::{FORMATS, Format, Options, Writer};
 use tracefig::scene::open_text;
@@ -26,7 +28,7 @@ fn figures() -> &'static [(&'static Format, Vec<u8>)] {
         let mut drawing = draw(&plan, plan.theme, "fuzz").drawing;
         drawing.metadata =
             metadata("00", "\"answer\":{\"separation\":1.5},\"trace\":[[\"e\",[\"x\"],[1],[2]]]");
-        drawing.hash = "00 0.0.0".to_owned();
+        drawing.hash = text_chunk("00");
         let options = Options { scale: SCALE, ..Options::default() };
         let written = |format: &'static Format| {
             let bytes = match format.write {
