@@ -4,19 +4,18 @@
 //! resort. Lengths are page pixels of the page as it is, and do not shrink with it.
 //!
 //! They were tuned by eye and by count on the committed figures, which must have no fault at all, and on the
-//! random scenes of `tests/scenes/label_faults.rs`, which may have five in a hundred figures. Each doc says
-//! what a number alone does at twice and at half: how many labels of the figures + of 1,000 random scenes
-//! move, and how many faults there are more or fewer than the five that those scenes have as tuned. The
-//! figures have 185 labels, the scenes 5,440. The survey in `tests.rs` counted them and can be run again, in
-//! some minutes:
+//! random scenes of `tests/scenes/label_faults.rs`, whose names have 1 to 24 letters and which may have two
+//! faults in a hundred figures. Each doc says what a number alone does at twice and at half: how many labels
+//! of the figures + of 60 random scenes move, and how many faults there are more or fewer than the three that
+//! those scenes have as tuned. The figures have 185 labels, the scenes 300. The survey in `tests.rs` counted
+//! them and can be run again, in some minutes:
 //!
 //! ```text
-//! TRACEFIG_SCENES=1000 CARGO_PROFILE_TEST_OPT_LEVEL=2 cargo test --lib placement::weights -- --nocapture
+//! TRACEFIG_SCENES=60 cargo test --release --lib placement::weights -- --nocapture
 //! ```
 //!
-//! Few numbers make faults. `nudge` and `cheapest` make twelve and eight at half, where a label in trouble
-//! finds no way out; `spill` is part of what a fault is; the others make three at most and choose among
-//! places that the survey finds as good, where the eye decides.
+//! Few numbers make faults: `spill` is part of what a fault is, and the others make one or two, or none, and
+//! choose among places that the survey finds as good, where the eye decides.
 
 mod costs;
 mod places;
