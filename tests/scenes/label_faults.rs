@@ -27,8 +27,9 @@ use random_scenes::{fed, scene_text};
 
 /// Scenes of a usual run; few enough for a debug build.
 const SCENES: u64 = 100;
-/// Faults a figure on average, at most.
-const LIMIT: f64 = 0.02;
+/// Faults a figure on average, at most. Most are long names among the many lines of a narrow panel; none may
+/// be two names at each other's things.
+const LIMIT: f64 = 0.08;
 
 fn leave_picture(seed: u64, text: &str, drawing: &Drawing) {
     let Some(folder) = std::env::var_os("TRACEFIG_PICTURES") else { return };
@@ -61,6 +62,7 @@ fn labels_on_random_scenes_have_next_to_no_faults() {
         figures += 1.0;
         labels += figure.panels.iter().map(|p| p.placed.len()).sum::<usize>();
         for fault in figure.faults() {
+            assert!(!matches!(fault, LabelFault::Swapped { .. }), "seed {seed}: {fault}\n{text}");
             found += 1.0;
             let times = kinds.entry(word(&fault)).or_default();
             *times += 1;
