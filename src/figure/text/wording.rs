@@ -8,7 +8,7 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::name::Name;
 use crate::figure::placement::Sought;
-use crate::figure::sketch::{Rank, Request};
+use crate::figure::sketch::{Anchor, Rank, Request};
 use crate::figure::standing::standing;
 use crate::scene;
 use crate::typeset::{Style, TypesetError, typeset};
@@ -64,7 +64,9 @@ impl Wording<'_> {
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
         let folds = match &lines[..] {
-            [line] if matches!(label.rank, Rank::Name | Rank::Point) => folds(line, style),
+            [line] if label.rank == Rank::Point || matches!(label.anchor, Anchor::Inside { .. }) => {
+                folds(line, style)
+            }
             _ => Vec::new(),
         };
         Ok(Some(Sought {
