@@ -17,11 +17,11 @@ use crate::trace::{Event, Moment, Tracer};
 ///
 /// ```
 /// use tracefig::collision::{ALGORITHMS, Query, QueryKind, closest_approach};
-/// use tracefig::geometry::{Body, DVec2, Degrees, Shape, shape::FieldValue};
+/// use tracefig::geometry::{Angle, Body, DVec2, Shape, shape::FieldValue};
 /// let disc = Shape::of_kind("circle", &[("radius", FieldValue::Number(1.0))]).unwrap();
 /// let at = |x, y, speed| Body {
-///     shape: disc.clone(), position: DVec2::new(x, y), angle: Degrees(0.0),
-///     velocity: DVec2::new(speed, 0.0), spin: Degrees(0.0),
+///     shape: disc.clone(), position: DVec2::new(x, y), angle: Angle::ZERO,
+///     velocity: DVec2::new(speed, 0.0), spin: Angle::ZERO,
 /// };
 /// let (a, b) = (at(-2.0, 0.0, 8.0), at(0.0, 3.0, 0.0));
 /// let query = Query {

@@ -6,7 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
+    Anchor, LARGE_MARKER, Label, Marker, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
 use crate::geometry::{DVec2, Side};
 
@@ -54,9 +54,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("copies").weight(Weight::Light);
         for vertex in vertices(context) {
             let copy = outline_b.turned_about(b).moved(vertex - b);
-            for run in runs_outside(&copy.sampled(), &outline_a.sampled()) {
-                sketch.stroke(&Outline::polyline(&run), Pen::ghost(Role::B));
-            }
+            sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
         }
     }
     sketch.part("grown-edges");
@@ -73,62 +71,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("b", text, Anchor::point(b), Role::B).rank(Rank::Point));
 }
 
-/// The parts of a line that a convex area does not hide: A lies over the copies, and its name on no dots.
-fn runs_outside(line: &[DVec2], area: &[DVec2]) -> Vec<Vec<DVec2>> {
-    let (mut runs, mut run): (Vec<Vec<DVec2>>, Vec<DVec2>) =
-        (Vec::new(), line.first().copied().into_iter().collect());
-    for pair in line.windows(2) {
-        let (p, d) = (pair[0], pair[1] - pair[0]);
-        if let Some((from, to)) = within(p, d, area) {
-            run.push(p + d * from);
-            runs.push(std::mem::replace(&mut run, vec![p + d * to]));
-        }
-        run.push(pair[1]);
-    }
-    runs.push(run);
-    runs.retain(|run| run.windows(2).any(|pair| pair[0] != pair[1]));
-    runs
-}
-
-/// The part of the way from `p` along `d` that lies within a convex area, counter-clockwise, as parts of the
-/// way; none where it is outside, or only touches.
-fn within(p: DVec2, d: DVec2, area: &[DVec2]) -> Option<(f64, f64)> {
-    let (mut from, mut to) = (0.0_f64, 1.0_f64);
-    for edge in area.windows(2) {
-        let along = edge[1] - edge[0];
-        let (off, rise) = (along.perp_dot(p - edge[0]), along.perp_dot(d));
-        if rise == 0.0 && off <= 0.0 {
-            return None;
-        }
-        let t = -off / rise;
-        (from, to) = match rise {
-            _ if rise > 0.0 => (from.max(t), to),
-            _ if rise < 0.0 => (from, to.min(t)),
-            _ => (from, to),
-        };
-    }
-    (from < to).then_some((from, to))
-}
-
 /// The vertices of A's core, in the world.
 fn vertices(context: &Context) -> Vec<DVec2> {
     let Some(body) = context.body(Side::A) else { return Vec::new() };
     body.shape.core.iter().filter_map(|&i| context.vertex(Side::A, i, context.time)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_line_is_hidden_where_it_runs_through_the_area_and_nowhere_else() {
-        let square =
-            [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 0.0)].map(|(x, y)| DVec2::new(x, y));
-        let p = DVec2::new;
-        let runs = runs_outside(&[p(-1.0, 1.0), p(3.0, 1.0), p(3.0, 3.0)], &square);
-        assert_eq!(runs, [vec![p(-1.0, 1.0), p(0.0, 1.0)], vec![p(2.0, 1.0), p(3.0, 1.0), p(3.0, 3.0)]]);
-        assert!(runs_outside(&[p(0.5, 0.5), p(1.5, 1.0)], &square).is_empty());
-        let beside = [p(-1.0, 0.0), p(3.0, 0.0), p(3.0, -1.0)];
-        assert_eq!(runs_outside(&beside, &square), [beside.to_vec()], "along an edge");
-    }
 }

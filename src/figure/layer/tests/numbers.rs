@@ -134,6 +134,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
     let round = |s: Side| context.body(s).filter(|b| b.shape.radius > 0.0).map(|b| b.shape.radius);
     Some(match (layer, key) {
         ("separation" | "closest", "d") => separation(scene, time).separation.abs(),
+        ("separation", "distance") if line.starts_with("depth") => -separation(scene, time).separation,
         ("separation", "p" | "distance") => separation(scene, time).separation,
         ("approach", "d") if line.starts_with("$t") => context.closest().unwrap().time,
         ("approach", "d") => least(scene, context.closest().unwrap().time),
