@@ -77,7 +77,7 @@ fn names_order_and_bytes_do_not_depend_on_the_number_of_threads() {
     let lines = lines.join("\n");
     let (one, first) = drawn(&lines, &["--threads", "1"]);
     let (many, second) = drawn(&lines, &["--threads", "3"]);
-    let expected: String = (0..12).map(|i| format!("{i}.svg\n")).collect();
+    let expected = (0..12).map(|i| format!("{i}.svg")).collect::<Vec<_>>().join("\n") + "\n";
     assert_eq!((one.out.as_str(), many.out.as_str()), (expected.as_str(), expected.as_str()));
     for name in expected.lines() {
         let read = |folder: &TempDir| std::fs::read(folder.path().join(name)).unwrap();
