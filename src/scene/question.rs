@@ -10,7 +10,7 @@ use super::body;
 use super::checked::{Checked, as_list, as_text, check};
 use super::expected;
 use super::fields::QUERY;
-use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_VERTICES};
+use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_RATIO, MAX_STEPS_OF_VERTICES};
 use super::node::Node;
 use super::problem::{Fault, Problems};
 
@@ -141,7 +141,24 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
             fits = false;
         }
     }
-    fits
+    fits && of_one_scale(bodies, table, p)
+}
+
+/// Whether the sizes of two shapes are near enough each other for bounds to be proved.
+fn of_one_scale(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> bool {
+    let &[(_, a), (name, b)] = bodies else { return true };
+    let vertices = |body: &Body| body.shape.vertices.iter().flat_map(|v| v.to_array()).collect::<Vec<_>>();
+    let sizes = [vertices(a), vertices(b), vec![a.shape.radius, b.shape.radius]].concat();
+    let sizes = || sizes.iter().map(|x| x.abs()).filter(|&x| x > 0.0);
+    let (least, largest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+    // Halves of the exponent each, as the ratio itself may overflow.
+    if least == f64::INFINITY || libm::sqrt(largest) / libm::sqrt(least) <= libm::sqrt(MAX_RATIO) {
+        return true;
+    }
+    let ratio = "sizes of both shapes span at most a factor of 1e100";
+    let reason = format!("expected that {ratio}, got {least:e} and {largest:e}");
+    p.add(Fault::UnsuitedShape { body: name.to_owned(), reason }, &span_of(table, "of"));
+    false
 }
 
 /// The algorithm asked for, or the first that takes the query.
@@ -182,5 +199,29 @@ fn kinds(query: &Query<'_>) -> String {
     match query.b {
         Some(b) => format!("{} and {}", query.a.shape.kind, b.shape.kind),
         None => query.a.shape.kind.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Explain, Source, read};
+
+    /// The codes of what is wrong with the query of a box and a sliver, of half a width `sliver`, `far` apart.
+    fn codes(sliver: f64, far: f64) -> Vec<&'static str> {
+        let text = format!(
+            "shapes.A = {{ kind = \"box\", half_extents = [1, 1] }}
+             shapes.B = {{ kind = \"box\", half_extents = [{sliver:e}, 1], position = [{far:e}, 0] }}
+             query = {{ kind = \"separation\", of = [\"A\", \"B\"] }}"
+        );
+        let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
+        wrong.iter().map(|problem| problem.fault.code()).collect()
+    }
+
+    #[test]
+    fn sizes_whose_products_underflow_are_refused_and_distances_are_not() {
+        assert_eq!(codes(1e-99, 3.0), [""; 0]);
+        assert_eq!(codes(1e-101, 3.0), ["unsuited-shape"]);
+        assert_eq!(codes(5e-324, 3.0), ["unsuited-shape"]);
+        assert_eq!(codes(1.0, 1e200), [""; 0]);
     }
 }

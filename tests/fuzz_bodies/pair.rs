@@ -5,7 +5,8 @@ use tracefig::scene::{answer_json, open_text, solve};
 
 use super::choices::Choices;
 
-/// Two orders of a pair have the same verdict, and bounds that both can be true of one number.
+/// Two orders of a pair have the same verdict, unless one of them ran out of steps, and bounds that both can be true
+/// of one number. Separations of hits are of two moments, each the last that its order proved free.
 pub(crate) fn holds(bytes: &[u8]) {
     let kinds = ["separation", "overlap", "linear-sweep", "time-of-impact"];
     let text = Choices::new(bytes).question(&kinds);
@@ -15,11 +16,16 @@ pub(crate) fn holds(bytes: &[u8]) {
         Some(answer_json(scene.query.kind, &solve(&scene)))
     };
     let (Some(one), Some(other)) = (answer(&text), answer(&swapped)) else { return };
+    let gave_up = |answer: &Value| answer["reason"] == "iteration-limit";
+    if gave_up(&one) || gave_up(&other) {
+        return;
+    }
     for verdict in ["outcome", "overlap"] {
         assert_eq!(one[verdict], other[verdict], "{verdict} of\n{text}{one}\n{other}");
     }
-    for bounds in ["separation_bounds", "time_bounds"] {
-        if let (Some([a, b]), Some([c, d])) = (ends(&one[bounds]), ends(&other[bounds])) {
+    let both = ["time_bounds", "separation_bounds"];
+    for bounds in &both[..if one["outcome"] == "hit" { 1 } else { 2 }] {
+        if let (Some([a, b]), Some([c, d])) = (ends(&one[*bounds]), ends(&other[*bounds])) {
             assert!(a <= d && c <= b, "{bounds} of\n{text}{one}\n{other}");
         }
     }
