@@ -3,7 +3,7 @@
 use std::ops::{Range, RangeInclusive};
 
 use crate::collision::{ALGORITHMS, Algorithm, Bodies, Motion, QUERIES, Query, Question, Shapes, When};
-use crate::geometry::Body;
+use crate::geometry::{Body, DVec2};
 
 use super::SceneQuery;
 use super::body;
@@ -141,24 +141,40 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
             fits = false;
         }
     }
-    fits && of_one_scale(bodies, table, p)
+    fits && of_one_scale(question, bodies, table, p)
 }
 
-/// Whether the sizes of two shapes are near enough each other for bounds to be proved.
-fn of_one_scale(bodies: &[(&str, &Body)], table: &Checked<'_>, p: &mut Problems) -> bool {
+/// Whether the sizes of two shapes are near enough each other for bounds to be proved, and where the question
+/// is about a motion their distance and speed too.
+fn of_one_scale(
+    question: &Question,
+    bodies: &[(&str, &Body)],
+    table: &Checked<'_>,
+    p: &mut Problems,
+) -> bool {
     let &[(_, a), (name, b)] = bodies else { return true };
-    let vertices = |body: &Body| body.shape.vertices.iter().flat_map(|v| v.to_array()).collect::<Vec<_>>();
-    let sizes = [vertices(a), vertices(b), vec![a.shape.radius, b.shape.radius]].concat();
-    let sizes = || sizes.iter().map(|x| x.abs()).filter(|&x| x > 0.0);
-    let (least, largest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
+    let vertices = [a, b].into_iter().flat_map(|body| &body.shape.vertices).copied();
+    let moved = [b.position - a.position, b.velocity - a.velocity];
+    let moved = if question.when == When::OverTheMotion { moved } else { [DVec2::ZERO; 2] };
+    let radii = [a.shape.radius, b.shape.radius];
+    let largest = vertices.chain(moved).map(|v| v.abs().max_element()).chain(radii).fold(0.0, f64::max);
+    let sizes = [a, b].into_iter().flat_map(edges).chain(radii);
+    let least = sizes.filter(|&x| x > 0.0).fold(f64::INFINITY, f64::min);
     // Halves of the exponent each, as the ratio itself may overflow.
     if least == f64::INFINITY || libm::sqrt(largest) / libm::sqrt(least) <= libm::sqrt(MAX_RATIO) {
         return true;
     }
-    let ratio = "sizes of both shapes span at most a factor of 1e100";
+    let ratio = "sizes of the two shapes, and distance and speed of a motion, span at most a factor of 1e100";
     let reason = format!("expected that {ratio}, got {least:e} and {largest:e}");
     p.add(Fault::UnsuitedShape { body: name.to_owned(), reason }, &span_of(table, "of"));
     false
+}
+
+/// The larger component of each edge of a body's core, in world units.
+fn edges(body: &Body) -> impl Iterator<Item = f64> {
+    let core = body.shape.core.iter().filter_map(|&i| body.shape.vertices.get(i));
+    let next = core.clone().cycle().skip(1);
+    core.zip(next).map(|(p, q)| (*q - *p).abs().max_element())
 }
 
 /// The algorithm asked for, or the first that takes the query.
@@ -204,24 +220,28 @@ fn kinds(query: &Query<'_>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::{Explain, Source, read};
+    use crate::collision::QueryKind;
+    use crate::scene::{Source, read};
 
-    /// The codes of what is wrong with the query of a box and a sliver, of half a width `sliver`, `far` apart.
-    fn codes(sliver: f64, far: f64) -> Vec<&'static str> {
+    /// The codes of what is wrong with a query of a box and a sliver, of half a width `sliver`, `far` apart.
+    fn codes(kind: &str, sliver: f64, far: f64) -> Vec<&'static str> {
         let text = format!(
             "shapes.A = {{ kind = \"box\", half_extents = [1, 1] }}
              shapes.B = {{ kind = \"box\", half_extents = [{sliver:e}, 1], position = [{far:e}, 0] }}
-             query = {{ kind = \"separation\", of = [\"A\", \"B\"] }}"
+             query = {{ kind = \"{kind}\", of = [\"A\", \"B\"] }}"
         );
         let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
         wrong.iter().map(|problem| problem.fault.code()).collect()
     }
 
     #[test]
-    fn sizes_whose_products_underflow_are_refused_and_distances_are_not() {
-        assert_eq!(codes(1e-99, 3.0), [""; 0]);
-        assert_eq!(codes(1e-101, 3.0), ["unsuited-shape"]);
-        assert_eq!(codes(5e-324, 3.0), ["unsuited-shape"]);
-        assert_eq!(codes(1.0, 1e200), [""; 0]);
+    fn sizes_whose_products_underflow_are_refused() {
+        let [still, moving] = [QueryKind::Separation, QueryKind::LinearSweep].map(QueryKind::word);
+        assert_eq!(codes(still, 1e-99, 3.0), [""; 0]);
+        assert_eq!(codes(still, 1e-101, 3.0), ["unsuited-shape"]);
+        assert_eq!(codes(moving, 5e-324, 3.0), ["unsuited-shape"]);
+        assert_eq!(codes(still, 1.0, 1e200), [""; 0]);
+        assert_eq!(codes(moving, 1.0, 1e99), [""; 0]);
+        assert_eq!(codes(moving, 1.0, 1e145), ["unsuited-shape"]);
     }
 }

@@ -5,8 +5,8 @@ use tracefig::scene::{answer_json, open_text, solve};
 
 use super::choices::Choices;
 
-/// Two orders of a pair have the same verdict, unless one of them ran out of steps, and bounds that both can be true
-/// of one number. Separations of hits are of two moments, each the last that its order proved free.
+/// Two orders of a pair have the same verdict, unless one of them ran out of steps, and bounds that both can
+/// be true of one number. Separations of hits are of two moments, each the last that its order proved free.
 pub(crate) fn holds(bytes: &[u8]) {
     let kinds = ["separation", "overlap", "linear-sweep", "time-of-impact"];
     let text = Choices::new(bytes).question(&kinds);
