@@ -266,16 +266,17 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
         ("a large page", page("light") + &both, None),
         ("a large page of hatching", page("print") + &world("'shapes'"), None),
         ("large pages of hatching", page("print") + &world(&"'shapes',".repeat(9)), Some("over-limit")),
+        ("sizes of 1e98", BOXES.replace("[1, 0.6]", "[1e98, 6e97]") + &world("'shapes', 'separation'"), None),
         ("sizes of 1e9", BOXES.replace("[1, 0.6]", "[1e9, 6e8]") + &both, None),
         (
             "sizes of 1e299",
             BOXES.replace("[1, 0.6]", "[1e299, 6e298]") + &world("'shapes', 'separation'"),
-            None,
+            Some("unsuited-shape"),
         ),
         (
             "sizes of 5e-324",
             BOXES.replace("[1, 0.6]", "[5e-324, 5e-324]") + &world("'shapes', 'separation'"),
-            None,
+            Some("unsuited-shape"),
         ),
     ];
     for degrees in ["1e10", "1e22"] {
@@ -289,9 +290,13 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
     all.extend(labels());
     // Dashes beyond the page count, as every viewer of the SVG walks them.
     let far_too_near = Some("over-limit");
-    for (view, fate) in
-        [("1e-300", None), ("1e-9", far_too_near), ("2e-3", far_too_near), ("2e-2", None), ("1e9", None)]
-    {
+    for (view, fate) in [
+        ("1e-300", far_too_near),
+        ("1e-9", far_too_near),
+        ("2e-3", far_too_near),
+        ("2e-2", None),
+        ("1e9", None),
+    ] {
         all.push(("seen in light", near("light", view), fate));
         all.push(("seen in print", near("print", view), fate));
     }
