@@ -62,10 +62,8 @@ fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     let best = things.remote.first().map(|&(_, room)| room).filter(|&room| room > 0.0)?;
     let depth = w.leader_depth.min(0.5 * best);
     let spots = things.remote.iter().filter(|&&(_, room)| room >= depth).map(|&(p, _)| p);
-    let aim = spots.min_by(|&p, &q| {
-        let far = |p: Point| (nearest_in(rect, p) - p).length();
-        far(p).total_cmp(&far(q))
-    })?;
+    let far = spots.map(|p| ((nearest_in(rect, p) - p).length(), p));
+    let (_, aim) = far.min_by(|(p, _), (q, _)| p.total_cmp(q))?;
     let near = nearest_in(rect, aim);
     let u = (near - aim).unit()?;
     // The spot may be deeper inside than it has to be.
