@@ -15,6 +15,9 @@ const STEP: f64 = 0.25;
 /// A word of more letters than this may be broken where it has no space.
 const LONG: usize = 9;
 
+/// Signs after which a word is broken rather than between two letters.
+const JOINTS: [char; 5] = ['-', '_', '/', '.', ':'];
+
 /// The ways to set a line on two lines and on three, broken at spaces, and where a word is long, in words
 /// too; none where it is short.
 pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
@@ -49,19 +52,28 @@ fn narrow(markup: &str, width: f64, style: Style) -> Vec<Vec<Arc<Line>>> {
     all
 }
 
-/// A text with a space in the middle of each long word that is no formula; none where no word is long.
+/// A text with a space in each long word that is no formula; none where no word is long.
 fn broken(markup: &str) -> Option<String> {
     let split = |word: &str| {
-        let count = word.chars().count();
-        let whole = count <= LONG || word.contains(['$', '\\']);
-        let middle = word.char_indices().nth(count.div_ceil(2)).filter(|_| !whole)?.0;
-        Some(format!("{} {}", &word[..middle], &word[middle..]))
+        let long = word.chars().count() > LONG && !word.contains(['$', '\\']);
+        let at = long.then(|| break_of(word))?;
+        Some(format!("{} {}", &word[..at], &word[at..]))
     };
     let words: Vec<&str> = markup.split(' ').collect();
     let cut: Vec<Option<String>> = words.iter().map(|word| split(word)).collect();
     let any = cut.iter().any(Option::is_some);
     let whole = cut.into_iter().zip(words).map(|(cut, word)| cut.unwrap_or_else(|| word.to_owned()));
     any.then(|| whole.collect::<Vec<_>>().join(" "))
+}
+
+/// Where a word is broken, in bytes: after the joint that is nearest to its middle, else in the middle.
+fn break_of(word: &str) -> usize {
+    let middle = word.chars().count().div_ceil(2);
+    let places = word.char_indices().enumerate().skip(1);
+    let joints = places.clone().filter(|&(_, (at, _))| word[..at].ends_with(JOINTS));
+    let joint = joints.min_by_key(|(count, _)| count.abs_diff(middle));
+    let place = joint.or_else(|| places.clone().find(|&(count, _)| count == middle));
+    place.map_or(word.len(), |(_, (at, _))| at)
 }
 
 #[cfg(test)]
@@ -90,6 +102,14 @@ mod tests {
     fn a_name_that_is_short_or_one_word_has_one_line() {
         assert!(widths("a b c", false).is_empty() && widths("unbreakableletters", false).is_empty());
         assert_eq!(widths("unbreakable letters", false).len(), 1, "two words make two lines at most");
+    }
+
+    #[test]
+    fn a_word_is_broken_at_a_joint_where_it_has_one() {
+        assert_eq!(broken("Windrad-Rotorblatt").unwrap(), "Windrad- Rotorblatt");
+        assert_eq!(broken("crate_of_the_player").unwrap(), "crate_of_ the_player");
+        assert_eq!(broken("unbreakableletters").unwrap(), "unbreakab leletters");
+        assert_eq!(broken("short-one"), None);
     }
 
     #[test]
