@@ -137,16 +137,11 @@ fn along(line: &[Point], count: usize) -> Vec<(Point, Offset)> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::pole::tests::square;
     use super::super::things::Kind;
     use super::*;
 
     const W: &Places = &Places::TUNED;
-
-    fn square(x0: f64, y0: f64, side: f64) -> Vec<Point> {
-        [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
-            .map(|(x, y)| Point::new(x0 + side * x, y0 + side * y))
-            .to_vec()
-    }
 
     /// The places of a name of 12 × 12 in one area among others.
     fn offered(area: &[Point], others: &[Vec<Point>]) -> Vec<Candidate> {

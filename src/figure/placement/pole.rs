@@ -121,12 +121,13 @@ pub(super) fn contains(line: &[Point], p: Point) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
 
     const W: &Places = &Places::TUNED;
 
-    fn square(x0: f64, y0: f64, side: f64) -> Vec<Point> {
+    /// A square by its upper left vertex and its side, page pixels.
+    pub(in super::super) fn square(x0: f64, y0: f64, side: f64) -> Vec<Point> {
         [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
             .map(|(x, y)| Point::new(x0 + side * x, y0 + side * y))
             .to_vec()

@@ -115,9 +115,8 @@ fn circles(
     let than = if distance_squared < radii_squared { "<" } else { ">=" };
     let then = if early_out { "; that settles it, without a root" } else { "" };
     format!(
-        "Centres and radii, squared: |{} - {}|^2 = {} {than} (r1 + r2)^2 = ({} + {})^2 = {}{then}.",
-        names.quoted(Side::A),
-        names.quoted(Side::B),
+        "Centres and radii, squared: {}^2 = {} {than} (r1 + r2)^2 = ({} + {})^2 = {}{then}.",
+        centers_apart(names),
         number(distance_squared),
         number(r),
         number(q),
@@ -125,11 +124,15 @@ fn circles(
     )
 }
 
+/// The distance of two circles' centres, as the article writes it.
+fn centers_apart(names: &Names) -> String {
+    format!("|{} - {}|", names.quoted(Side::A), names.quoted(Side::B))
+}
+
 fn penetration(names: &Names, p: f64, direction: DVec2, vector: DVec2) -> String {
     format!(
-        "p = |{} - {}| - (r1 + r2) = {}, N = {} from {} to {}, P = N p = {}.",
-        names.quoted(Side::A),
-        names.quoted(Side::B),
+        "p = {} - (r1 + r2) = {}, N = {} from {} to {}, P = N p = {}.",
+        centers_apart(names),
         number(p),
         point(direction),
         names.quoted(Side::B),
