@@ -210,7 +210,7 @@ impl Files {
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
     fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
-        fingerprint(&file.source.text, &format.key(theme, &self.options()))
+        fingerprint(&file.meaning, &format.key(theme, &self.options()))
     }
 
     /// The files of a scene, or the message of what is wrong.

@@ -41,7 +41,7 @@ pub struct Stamp {
     pub facts: Option<Value>,
 }
 
-/// Hash of a scene's text and of the options that its bytes depend on: 32 hexadecimal digits of FNV-1a
+/// Hash of what a scene says and of the options that its bytes depend on: 32 hexadecimal digits of FNV-1a
 /// (Fowler, Noll, Vo, IETF draft-eastlake-fnv) in 128 bits. It finds changes; it does not withstand someone
 /// who looks for a clash.
 ///

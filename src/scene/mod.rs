@@ -9,6 +9,7 @@ mod fields;
 mod json;
 mod labels;
 pub mod limits;
+mod meaning;
 mod message;
 mod moment;
 mod node;

@@ -6,10 +6,13 @@ use std::io::Read;
 use std::path::Path;
 
 use super::limits::MAX_FILE_BYTES;
+use super::meaning::meaning;
 use super::message::{Ink, Severity, message_at};
+use super::node::Node;
 use super::problem::{Explain, Fault, Problem};
+use super::read::from_tree;
 use super::source::{Source, Syntax};
-use super::{Scene, json, read};
+use super::{Scene, json};
 
 /// A scene and the text that it was read from.
 #[derive(Clone, Debug)]
@@ -18,6 +21,9 @@ pub struct SceneFile {
     pub source: Source,
     /// What it says.
     pub scene: Scene,
+    /// What it says as one text, the same however the file is written: comments, blanks, the order of keys
+    /// and the language are not in it, nor is what is not read, as the `id`.
+    pub meaning: String,
 }
 
 /// A scene that can't be answered or drawn, with all the reasons.
@@ -134,8 +140,16 @@ pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refus
 /// ```
 pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {
     let source = Source::new(name, text.strip_prefix('\u{feff}').unwrap_or(text));
-    match read(&source) {
-        Ok(scene) => Ok(SceneFile { source, scene }),
+    checked(source, Source::tree)
+}
+
+/// A source with the scene that its tree says.
+pub(super) fn checked(
+    source: Source,
+    tree: impl FnOnce(&Source) -> Result<Node, Vec<Problem>>,
+) -> Result<SceneFile, Box<Refused>> {
+    match tree(&source).and_then(|root| Ok((from_tree(&root)?, meaning(&root)))) {
+        Ok((scene, meaning)) => Ok(SceneFile { source, scene, meaning }),
         Err(problems) => Err(Box::new(Refused { source, problems })),
     }
 }

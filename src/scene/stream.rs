@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::limits::MAX_FILE_BYTES;
 use super::node::{Node, NodeValue};
+use super::open::checked;
 use super::problem::{Fault, Problem};
 use super::source::Source;
 use super::visible::brief;
@@ -81,11 +82,7 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
 /// ```
 pub fn open_jsonl_line(text: &str, line: usize) -> Result<SceneFile, Box<Refused>> {
     let source = Source::json_line("<stdin>", text, line);
-    let read = held(&source).and_then(|()| source.tree()).and_then(|root| read::from_tree(&root));
-    match read {
-        Ok(scene) => Ok(SceneFile { source, scene }),
-        Err(problems) => Err(Box::new(Refused { source, problems })),
-    }
+    checked(source, |source| held(source).and_then(|()| source.tree()))
 }
 
 /// The `id` of a line of a JSONL stream as a name: a text as it is, a number as it is written; `None` for

@@ -211,3 +211,25 @@ fn standard_input_has_no_figure_to_check() {
         ran.err
     );
 }
+
+#[test]
+fn a_scene_that_is_only_written_otherwise_is_not_stale() {
+    let folder = folder_with("s.toml", &drawn());
+    let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));
+    let svg = ["s.toml", "--format", "svg"];
+    assert_eq!(run(&[&["render"][..], &svg].concat()).code, Some(0));
+    let otherwise = [
+        format!("# who drew this\n{}\n# the end\n", drawn()),
+        drawn().replace("kind = \"circle\"\nradius = 1\n", "radius = 1.0\nkind = 'circle' # round\n"),
+    ];
+    for text in otherwise {
+        assert_ne!(text, drawn());
+        fs::write(folder.path().join("s.toml"), text).unwrap();
+        let ran = run(&[&["check"][..], &svg].concat());
+        assert_eq!((ran.code, ran.out.as_str()), (Some(0), "1 identical, 0 changed, 0 missing\n"));
+        assert_eq!(run(&[&["render", "--skip-unchanged"][..], &svg].concat()).out, "", "nothing is drawn");
+    }
+    fs::write(folder.path().join("s.toml"), drawn().replace("Two circles", "2 circles")).unwrap();
+    let ran = run(&[&["check"][..], &svg].concat());
+    assert!(ran.code == Some(1) && ran.out.starts_with("stale     s.svg\n"), "{}", ran.out);
+}
