@@ -204,12 +204,21 @@ pub enum Event {
         /// The support direction that follows.
         direction: DVec2,
     },
-    /// EPA expanded its polytope.
+    /// EPA looked beyond the edge of its polytope that is nearest to the origin.
     PolytopeExpanded {
         /// Vertices of the polytope, counter-clockwise, in B ⊖ A.
         vertices: Vec<DVec2>,
         /// Distance of the nearest edge from the origin.
         nearest: f64,
+        /// Index in `vertices` of the vertex at which the nearest edge begins.
+        edge: usize,
+        /// Outward unit normal of that edge: the direction of the search.
+        normal: DVec2,
+        /// The vertex w of B ⊖ A that is farthest along it.
+        support: DVec2,
+        /// How far that vertex is beyond the edge's line. Where it is not above 0 the search ends: the edge
+        /// is one of B ⊖ A.
+        beyond: f64,
     },
     /// The ray from the origin along the relative velocity was held against an edge or vertex disc of B ⊖ A.
     RayClipped {

@@ -239,6 +239,7 @@ fn gjk_comes_closer_and_the_polytope_grows_until_the_depth_is_found() {
         (gjk.traced)(&query(QueryKind::Separation, &a, &b), &mut trace);
         let core = separation(gjk, &a, &b).separation + a.shape.radius + b.shape.radius;
         let (mut closest, mut nearest) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut grown = Vec::new();
         for event in &trace.events {
             match event {
                 Event::SimplexUpdated { closest: v, .. } => {
@@ -248,6 +249,7 @@ fn gjk_comes_closer_and_the_polytope_grows_until_the_depth_is_found() {
                 Event::PolytopeExpanded { nearest: d, .. } => {
                     assert!(*d >= nearest - slack, "seed {seed}: {:?}", trace.events);
                     nearest = *d;
+                    grown.push(event);
                 }
                 _ => {}
             }
@@ -255,8 +257,32 @@ fn gjk_comes_closer_and_the_polytope_grows_until_the_depth_is_found() {
         let found = if nearest == f64::NEG_INFINITY { closest } else { -nearest };
         assert!((found - core).abs() <= slack, "seed {seed}: {found} {core} {:?}", trace.events);
         expanded += u32::from(nearest > 0.0);
+        grows_by_what_it_tells(seed, &grown, slack);
     }
     assert!(expanded > 300, "{expanded}");
+}
+
+/// Each polytope is the one before, split at its nearest edge by the vertex told as beyond it; the last has
+/// none beyond.
+fn grows_by_what_it_tells(seed: u64, grown: &[&Event], slack: f64) {
+    for (k, event) in grown.iter().enumerate() {
+        let Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } = event else {
+            continue;
+        };
+        let n = vertices.len();
+        let [p, q] = [vertices[*edge], vertices[(edge + 1) % n]];
+        assert!((normal.length() - 1.0).abs() < 1e-14 && (q - p).dot(*normal).abs() <= slack, "seed {seed}");
+        assert!((normal.dot(p) - nearest).abs() <= slack, "seed {seed}: {event:?}");
+        assert!((normal.dot(*support) - nearest - beyond).abs() <= slack, "seed {seed}: {event:?}");
+        let Some(Event::PolytopeExpanded { vertices: next, .. }) = grown.get(k + 1) else {
+            assert!(*beyond <= 0.0, "seed {seed}: it stopped before {event:?}");
+            continue;
+        };
+        assert!(*beyond > 0.0, "seed {seed}: it went on after {event:?}");
+        let mut split = vertices.clone();
+        split.insert(edge + 1, *support);
+        assert_eq!(&split, next, "seed {seed}");
+    }
 }
 
 #[test]

@@ -38,16 +38,21 @@ pub(crate) fn expand(pair: &PairView, simplex: &[Vertex], tracer: &mut impl Trac
     let mut polytope = Polytope::from_simplex(pair, simplex)?;
     loop {
         let (edge, outward, distance) = polytope.nearest();
+        let (p, q) = polytope.ends(edge);
+        let w = Vertex::farthest(pair, outward);
+        let is_end = w.is(&p) || w.is(&q);
         tracer.record(|| Event::PolytopeExpanded {
             vertices: polytope.vertices[..polytope.count]
                 .iter()
                 .map(|v| pair.world_vector(v.point))
                 .collect(),
             nearest: distance,
+            edge,
+            normal: pair.world_vector(outward),
+            support: pair.world_vector(w.point),
+            beyond: if is_end { 0.0 } else { w.point.dot(outward) - distance },
         });
-        let (p, q) = polytope.ends(edge);
-        let w = Vertex::farthest(pair, outward);
-        if w.is(&p) || w.is(&q) || w.point.dot(outward) <= distance {
+        if is_end || w.point.dot(outward) <= distance {
             return Some([p, q]);
         }
         if polytope.vertices[..polytope.count].iter().any(|v| v.is(&w)) || !polytope.insert(edge, w) {

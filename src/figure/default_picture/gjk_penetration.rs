@@ -1,4 +1,4 @@
-//! Bodies that overlap, and the last simplex or polytope in B ⊖ A around the origin.
+//! Bodies that overlap, and the last polytope in B ⊖ A around the origin.
 
 use crate::trace::Event;
 
@@ -20,6 +20,6 @@ layers = [
 [[panels]]
 title = "Configuration space, last step"
 space = "configuration"
-layers = ["axes", "difference", "simplex", "origin"]
+layers = ["axes", "difference", "polytope", "origin"]
 "#,
 };

@@ -24,6 +24,7 @@ mod normal;
 mod note;
 pub(crate) mod options;
 mod origin;
+mod polytope;
 mod projection;
 mod radii;
 mod ray;
@@ -120,6 +121,7 @@ pub static LAYERS: &[Layer] = &[
     arc::LAYER,
     projection::LAYER,
     simplex::LAYER,
+    polytope::LAYER,
     note::LAYER,
 ];
 

@@ -82,7 +82,9 @@ pub fn sentence(event: &Event, names: &Names) -> String {
             format!("{} separates them by {}: no need to look further.", point(*normal), number(*gap))
         }
         Event::SimplexUpdated { vertices, closest, direction } => simplex(vertices, *closest, *direction),
-        Event::PolytopeExpanded { vertices, nearest } => polytope(vertices, *nearest),
+        Event::PolytopeExpanded { vertices, nearest, normal, support, beyond, .. } => {
+            polytope(vertices, *nearest, [*normal, *support], *beyond)
+        }
         Event::RayClipped { source, from, to, outcome, time } => {
             ray(names, *source, [*from, *to], *outcome, *time)
         }
@@ -257,12 +259,19 @@ fn simplex(vertices: &[DVec2], closest: DVec2, direction: DVec2) -> String {
     )
 }
 
-fn polytope(vertices: &[DVec2], nearest: f64) -> String {
+/// A step of EPA: the polytope, its nearest edge, and the vertex beyond that.
+fn polytope(vertices: &[DVec2], nearest: f64, [normal, support]: [DVec2; 2], beyond: f64) -> String {
+    let then = if beyond > 0.0 {
+        format!("farthest there is {}, {} beyond it: it splits the edge", point(support), number(beyond))
+    } else {
+        "no vertex is beyond it: it is the way out".to_owned()
+    };
     format!(
-        "The polytope has {} vertices, {}; its nearest edge is {} from the origin.",
+        "The polytope has {} vertices, {}; its nearest edge is {} from the origin along {}; {then}.",
         vertices.len(),
         points(vertices),
-        number(nearest)
+        number(nearest),
+        point(normal)
     )
 }
 

@@ -1,0 +1,172 @@
+//! One step of EPA on B ⊖ A: the polytope, its edge nearest to the origin with its distance d, the direction
+//! n in which the search looks past that edge, and the vertex w that it finds there and that splits the edge.
+//!
+//! The dashed line is the supporting line of B ⊖ A along n: nothing of B ⊖ A is beyond it. At the last step
+//! it is the line of the nearest edge itself, so that no way out is shorter, and the search stops.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+};
+use crate::figure::text::number;
+use crate::geometry::{DVec2, perp};
+use crate::trace::Event;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+
+/// Opacity of the polytope's fill: it lies on the difference, which is filled too.
+const FILL: f64 = 0.12;
+
+/// How far the supporting line reaches past the nearest edge and past w, page pixels.
+const PAST: f64 = 34.0;
+
+/// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
+const READABLE: [f64; 2] = [24.0, 48.0];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "polytope",
+    about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
+    shows: Shows::Configuration,
+    options: &[OptionSpec {
+        name: "step",
+        takes: Takes::Number,
+        default: "the last",
+        about: "which polytope, from 1",
+    }],
+    labels: &[
+        LabelKey { key: "d", about: "distance of the nearest edge from the origin" },
+        LabelKey { key: "n", about: "the direction in which it looks for a vertex" },
+        LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
+        LabelKey { key: "stop", about: "at the last step, why it stops" },
+    ],
+    needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
+    fed: |context, options| {
+        let some = context.run().events().any(|e| matches!(e, Event::SimplexUpdated { .. }));
+        Fed::by_the_answer(shown(context, options).is_some(), some)
+    },
+    draw,
+};
+
+/// A polytope that the algorithm told, in configuration space.
+struct Step {
+    /// Its vertices, counter-clockwise.
+    vertices: Vec<DVec2>,
+    /// The ends of the edge nearest to the origin.
+    edge: [DVec2; 2],
+    /// Distance of that edge from the origin.
+    distance: f64,
+    /// Its outward unit normal.
+    normal: DVec2,
+    /// The vertex of B ⊖ A beyond the edge that is farthest along the normal; `None` where none is beyond.
+    beyond: Option<DVec2>,
+}
+
+/// The step that the scene wants; else the last.
+fn shown(context: &Context, options: &Options) -> Option<Step> {
+    let run = context.run();
+    let count = run.events().filter(|e| matches!(e, Event::PolytopeExpanded { .. })).count();
+    let wanted = options.number("step").unwrap_or(number_of(count));
+    let mut step = 0;
+    run.find_told(|event| match event {
+        Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } => {
+            step += 1;
+            let ends = [vertices.get(*edge)?, vertices.get((edge + 1) % vertices.len())?].map(|p| *p);
+            let beyond = (*beyond > 0.0).then_some(*support);
+            let found =
+                Step { vertices: vertices.clone(), edge: ends, distance: *nearest, normal: *normal, beyond };
+            (number_of(step) == wanted).then_some(found)
+        }
+        _ => None,
+    })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(step) = shown(context, options) else { return };
+    let role = options.role(Role::Now);
+    let outline = Outline::polygon(&step.vertices);
+    sketch.part("polytope").area(&outline, Some(Wash::faint(role, FILL)), Some(Pen::vector(role)));
+    let foot = step.normal * step.distance;
+    supporting_line(sketch, &step, foot);
+    sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
+    for &vertex in &step.vertices {
+        sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);
+    }
+    sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, Pen::highlighted(Role::Translation));
+    let beside = Anchor::middle(DVec2::ZERO, foot);
+    let d = format!("$d = {}$", number(step.distance));
+    sketch.label(Label::new("d", d, beside, Role::Translation));
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    let tip = foot + step.normal * 1.0_f64.max(least).min(most);
+    sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(foot, tip), Role::Ink));
+    match step.beyond {
+        Some(w) => {
+            sketch.part("next").marker(w, Marker::RingedDisc, role, MARKER);
+            sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+        }
+        None => {
+            let [p, q] = step.edge;
+            let stop =
+                Label::new("stop", "nothing beyond", Anchor::Beside { from: p, to: q, offset: 0.0 }, role);
+            sketch.label(stop.rank(Rank::Word).size(Size::Note));
+        }
+    }
+}
+
+/// Draws the line through w square to the normal, past w and past the normal's line; through the nearest edge
+/// itself where no vertex is beyond.
+fn supporting_line(sketch: &mut Sketch, step: &Step, foot: DVec2) {
+    let along = perp(step.normal);
+    let past = sketch.px(PAST);
+    let pen = Pen::construction(Role::Muted);
+    sketch.part("supporting-line").weight(Weight::Light);
+    let Some(w) = step.beyond else {
+        let [p, q] = step.edge;
+        let out = (q - p).normalize_or_zero() * past;
+        sketch.line(p, p - out, pen).line(q, q + out, pen);
+        return;
+    };
+    let onto = |p: DVec2| along.dot(p - w);
+    let of = [0.0, onto(foot)];
+    let (lo, hi) = (of[0].min(of[1]) - past, of[0].max(of[1]) + past);
+    sketch.line(w + along * lo, w + along * hi, pen);
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::open_text;
+    use crate::trace::Event;
+
+    /// A step of the polytope of two polygons, and how many steps there are; `step` from 1.
+    fn step(step: usize) -> (Figure, usize) {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon',
+                vertices = [[-2, -1.5], [1, -2.5], [2.5, 0], [1, 2], [-1.5, 1]] }}
+            shapes.B = {{ kind = 'polygon', vertices = [[0, 0], [4, -1], [5, 2], [2, 4], [-1, 3]] }}
+            query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
+            panels = [{{ space = 'configuration', layers = [{{ layer = 'polytope', step = {step} }}] }}]"
+        );
+        let scene = open_text("epa", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let steps = plan.own_run().events().filter(|e| matches!(e, Event::PolytopeExpanded { .. })).count();
+        (draw(&plan, plan.theme, "epa"), steps)
+    }
+
+    #[test]
+    fn the_distance_written_is_the_one_drawn_and_only_the_last_step_stops() {
+        let (_, steps) = step(1);
+        assert_eq!(steps, 3);
+        for k in 1..=steps {
+            let (figure, _) = step(k);
+            let labels = labels(&figure);
+            let drawn = lines(&figure, "distance")[0] / figure.panels[0].frame.scale;
+            assert!((drawn - labels["d"].1).abs() < 0.005, "step {k}: {drawn} is not {:?}", labels["d"]);
+            assert_eq!(labels.contains_key("stop"), k == steps, "step {k}");
+            assert_eq!(labels.contains_key("w"), k < steps, "step {k}");
+            assert_eq!(paths(&figure.drawing.items, "vertices").len(), k + 2);
+        }
+    }
+}
