@@ -37,6 +37,7 @@ pub(crate) struct MeasuredEdge {
 }
 
 /// x · scale for a power of two, as [`scaled`].
+#[inline]
 pub(crate) fn rescaled(x: Ball, scale: f64) -> Ball {
     let value = scaled(x.value, scale);
     if x.radius == 0.0 { value } else { value.widen((x.radius * scale).next_up()) }
@@ -74,9 +75,16 @@ impl<'p, 's> BallPair<'p, 's> {
         Self { pair, center, rotation: pair.turn.rotation_in_balls() }
     }
 
+    /// A vector of a hull in the units of the pair.
+    #[inline]
+    fn rescaled(&self, [x, y]: Vec2) -> Vec2 {
+        let scale = self.pair.scale;
+        [rescaled(x, scale), rescaled(y, scale)]
+    }
+
     /// A vertex of a core, in A's frame.
     pub(crate) fn vertex(&self, side: Side, k: usize) -> Vec2 {
-        let local = self.pair.hull(side).vertex_in_balls(k).map(|x| rescaled(x, self.pair.scale));
+        let local = self.rescaled(self.pair.hull(side).vertex_in_balls(k));
         match side {
             Side::A => local,
             Side::B => {
@@ -88,7 +96,7 @@ impl<'p, 's> BallPair<'p, 's> {
 
     /// Edge k of a core as a vector, in A's frame.
     pub(crate) fn edge(&self, side: Side, k: usize) -> Vec2 {
-        let along = self.pair.hull(side).edge_in_balls(k).map(|x| rescaled(x, self.pair.scale));
+        let along = self.rescaled(self.pair.hull(side).edge_in_balls(k));
         match side {
             Side::A => along,
             Side::B => self.rotation.apply(along),
