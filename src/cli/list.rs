@@ -6,6 +6,7 @@ use std::io::{self, Write as _};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
+use tracefig::drawing::Role;
 use tracefig::figure::default_picture::{PICTURES, Picture};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
@@ -48,6 +49,12 @@ static TOPICS: &[Topic] = &[
         group: "",
         title: "Pictures of answers, where a scene has no panels; the first that fits is drawn",
         rows: pictures,
+    },
+    Topic {
+        name: "roles",
+        group: "",
+        title: "Roles: colours of a theme, and of words, as `{a|the box}`",
+        rows: roles,
     },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
@@ -205,6 +212,11 @@ fn pictures() -> Vec<(String, String)> {
 
 fn themes() -> Vec<(String, String)> {
     THEMES.iter().map(|t| (t.name.to_owned(), t.about.to_owned())).collect()
+}
+
+fn roles() -> Vec<(String, String)> {
+    let of_words = |role| if Role::OF_WORDS.contains(&role) { "" } else { " (not for words)" };
+    Role::ALL.map(|r| (r.name().to_owned(), format!("{}{}", r.about(), of_words(r)))).to_vec()
 }
 
 fn formats() -> Vec<(String, String)> {

@@ -37,7 +37,31 @@ impl Role {
         Self::Background,
     ];
 
-    /// The word for it in themes and custom properties, as in `--tracefig-a`.
+    /// The roles that words may wear, as in `{a|the box}`: those whose colours can be read on the page.
+    pub const OF_WORDS: [Self; 7] =
+        [Self::A, Self::B, Self::Difference, Self::Now, Self::Translation, Self::Ink, Self::Muted];
+
+    /// What plays it, in a line.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::drawing::Role::Grid.about(), "grid lines");
+    /// ```
+    #[must_use]
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::A => "the first body, A",
+            Self::B => "the second body, B",
+            Self::Difference => "the Minkowski difference",
+            Self::Now => "what is new at the step shown",
+            Self::Translation => "the minimum translation, the separation",
+            Self::Ink => "text and main lines",
+            Self::Muted => "secondary lines and notes",
+            Self::Grid => "grid lines",
+            Self::Background => "the page",
+        }
+    }
+
+    /// The word for it in themes, in markup and in custom properties, as in `--tracefig-a`.
     ///
     /// ```
     /// assert_eq!(tracefig::drawing::Role::Translation.name(), "translation");

@@ -1,20 +1,18 @@
 //! A plan to a display list: layers, labels, titles, caption.
 
-use std::sync::Arc;
-
-use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke, Text};
-use crate::typeset::Line;
+use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke};
 
 use super::describe;
 use super::fault::{Fault, Problem};
 use super::layer::is_key;
+use super::lettering::{Lettering, lettered};
 use super::page::{Page, type_size};
 use super::panel::PanelPlan;
 use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
 use super::plan::Plan;
 use super::runs::Run;
 use super::sketch::{Request, Sketched};
-use super::text::{Wording, plain};
+use super::text::{Across, Wording, plain};
 use super::theme::{Side, Theme};
 
 /// How far a label's halo reaches, page pixels.
@@ -86,10 +84,12 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     for panel in &plan.panels {
         let (group, labelled) = draw_panel(plan, theme, &panels);
         items.push(Item::Group(group));
-        items.extend(panel.title.as_ref().map(|line| title(line, &labelled, theme)));
+        items.extend(panel.title.as_ref().map(|text| title(text, &labelled, theme)));
         panels.push(labelled);
     }
-    items.push(caption(plan, theme));
+    let Page { headline, headline_step, caption, step, .. } = plan.page;
+    items.push(across("headline", &plan.headline, (headline, headline_step), theme));
+    items.push(across("caption", &plan.caption, (caption, step), theme));
     let dark = theme.dark.map(|Side { colors, fill_opacity }| Dark {
         colors: Role::ALL.into_iter().zip(colors).collect(),
         fill_opacity,
@@ -129,7 +129,8 @@ pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec
     let context = panel.context(plan.scene, &plan.runs);
     let sketched = panel.sketch(&context, theme);
     let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
-    let wording = Wording { context: &context, type_size: &size, is_key };
+    let marked = !theme.counts_on_color();
+    let wording = Wording { context: &context, type_size: &size, is_key, marked };
     // A text that can't be set was said by the plan.
     let set =
         |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();
@@ -157,14 +158,13 @@ fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labell
     (group, labelled)
 }
 
-/// The long alternative text; with the caption where the page has no room for it.
+/// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
     let long = describe::long(plan.scene, run, &panels);
-    match &plan.caption_words {
-        Some(words) if plan.caption.is_empty() => format!("{long} {words}"),
-        _ => long,
-    }
+    let headline = plan.headline.words.as_deref();
+    let caption = plan.caption.words.as_deref().filter(|_| plan.caption.lines.len() == 0);
+    headline.into_iter().chain([long.as_str()]).chain(caption).collect::<Vec<_>>().join(" ")
 }
 
 /// A layer without the parts that it began and drew nothing in.
@@ -188,35 +188,32 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
             }
         }
         let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
-        one.items.extend(label.lines.iter().map(|(origin, line)| {
-            Item::Text(Text { line: Arc::clone(line), origin: *origin, paint: theme.paint(label.role), halo })
-        }));
+        one.items.extend(
+            label.lines.iter().flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo))),
+        );
         group.items.push(Item::Group(one));
     }
     Item::Group(group)
 }
 
-/// A line of text in ink, its baseline beginning at `origin`.
-fn text(line: &Line, origin: Point, theme: &Theme) -> Item {
-    Item::Text(Text { line: Arc::new(line.clone()), origin, paint: theme.paint(Role::Ink), halo: None })
-}
-
 /// The title over a panel.
-fn title(line: &Line, panel: &Labelled, theme: &Theme) -> Item {
+fn title(text: &Lettering, panel: &Labelled, theme: &Theme) -> Item {
     let at = Page::title_baseline(&panel.frame.panel);
     let mut group = Group::new("title");
-    group.items.push(text(line, Point::new(at.x - 0.5 * line.width, at.y), theme));
+    for line in text.of(theme) {
+        let origin = Point::new(at.x - 0.5 * line.width, at.y);
+        group.items.extend(lettered(line, origin, Role::Ink, (theme, None)));
+    }
     Item::Group(group)
 }
 
-/// The caption below the panels.
-fn caption(plan: &Plan, theme: &Theme) -> Item {
-    let mut group = Group::new("caption");
-    group.label.clone_from(&plan.caption_words);
-    let mut at = plan.page.caption;
-    for line in &plan.caption {
-        group.items.push(text(line, at, theme));
-        at.y += plan.page.step;
+/// A text across the page: its first baseline begins at `at`, and the others follow by `step` pixels.
+fn across(name: &str, text: &Across, (mut at, step): (Point, f64), theme: &Theme) -> Item {
+    let mut group = Group::new(name);
+    group.label.clone_from(&text.words);
+    for line in text.lines.of(theme) {
+        group.items.extend(lettered(line, at, Role::Ink, (theme, None)));
+        at.y += step;
     }
     Item::Group(group)
 }

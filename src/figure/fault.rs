@@ -86,9 +86,11 @@ pub enum Fault {
         /// Why not, in the typesetter's words.
         reason: String,
     },
-    /// A warning: the page has no room for the caption, which is left out.
-    CaptionDropped {
-        /// How many lines the caption takes.
+    /// A warning: the page has no room for the caption or the headline, which is left out.
+    TextDropped {
+        /// Which of the two.
+        what: &'static str,
+        /// How many lines it takes.
         lines: usize,
         /// How many lines the page has room for.
         room: usize,
@@ -121,7 +123,7 @@ impl Fault {
     /// use tracefig::{figure::Fault, scene::Severity};
     /// let fault = Fault::NothingToDraw { layer: "contact", why: "the answer is a miss" };
     /// assert_eq!(fault.severity(), Severity::Note);
-    /// assert_eq!(Fault::CaptionDropped { lines: 9, room: 4 }.severity(), Severity::Warning);
+    /// assert_eq!(Fault::TextDropped { what: "caption", lines: 9, room: 4 }.severity(), Severity::Warning);
     /// ```
     #[must_use]
     pub fn severity(&self) -> Severity {
@@ -130,7 +132,7 @@ impl Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. } => Severity::Note,
-            Self::CaptionDropped { .. } | Self::LabelClash(_) => Severity::Warning,
+            Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
             _ => Severity::Error,
         }
     }
@@ -148,7 +150,7 @@ impl Explain for Fault {
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
-            Self::CaptionDropped { .. } => codes::CAPTION_DROPPED.code,
+            Self::TextDropped { .. } => codes::CAPTION_DROPPED.code,
             Self::OffPage { .. } => codes::OFF_PAGE.code,
             Self::LabelClash(_) => codes::LABEL_CLASH.code,
         }
@@ -158,7 +160,7 @@ impl Explain for Fault {
         match self {
             Self::Scene(fault) => fault.help(),
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
-            Self::CaptionDropped { .. } => Some(
+            Self::TextDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
             ),
             Self::BadName { .. } => Some(
@@ -210,8 +212,8 @@ impl fmt::Display for Fault {
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, reason } => write!(f, "the name `{name}` can't be typeset: {reason}"),
             Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
-            Self::CaptionDropped { lines, room } => {
-                write!(f, "the caption takes {lines} lines and the page has room for {room}: it is left out")
+            Self::TextDropped { what, lines, room } => {
+                write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
             }
             Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
             Self::LabelClash(fault) => fault.fmt(f),
@@ -311,7 +313,7 @@ mod tests {
                 "",
             ),
             (
-                Fault::CaptionDropped { lines: 9, room: 4 },
+                Fault::TextDropped { what: "caption", lines: 9, room: 4 },
                 "the caption takes 9 lines and the page has room for 4: it is left out",
                 "it stays in the alternative text; a larger canvas or a shorter text shows it",
             ),

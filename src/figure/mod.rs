@@ -13,6 +13,7 @@ mod draw;
 mod fault;
 mod frame;
 pub mod layer;
+mod lettering;
 mod limits;
 mod moving_frame;
 mod name;

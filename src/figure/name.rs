@@ -4,7 +4,7 @@
 //! *θ*. Everything else is upright words, spelled as the scene spells it, in scripts too: v with the script
 //! bullet.
 
-use crate::typeset::escaped;
+use crate::typeset::{as_markup, escaped};
 
 /// Letters of a script at most: a longer one is wider than what it stands at, and is cut in its middle. Names
 /// of one scene differ mostly at an end.
@@ -82,12 +82,6 @@ impl Name<'_> {
     }
 }
 
-/// Plain text as markup: a dollar sign is written `\$`.
-#[must_use]
-pub(crate) fn as_markup(text: &str) -> String {
-    text.replace('$', r"\$")
-}
-
 /// Whether a letter is a prime, as a keyboard or as print has it.
 fn is_prime(c: char) -> bool {
     matches!(c, '\'' | '′')
@@ -114,6 +108,7 @@ mod tests {
         assert_eq!(Name("A′").primed(1), "$A''$");
         assert_eq!(Name("crate_1").primed(1), "crate_1′");
         assert_eq!(Name("$5").primed(0), r"\$5");
+        assert_eq!(Name("{a|b}").primed(1), r"\{a|b}′");
         assert_eq!(Name("A").below("v"), "v_A");
         assert_eq!(Name("bullet").below("v"), r"v_{\text{bullet}}");
         assert_eq!(Name("B").point(2), "b_2");
@@ -124,8 +119,10 @@ mod tests {
 
     #[test]
     fn every_form_of_every_name_that_the_faces_have_can_be_set() {
-        let names =
-            ["A", "θ''", "crate_1", "a b", "A&B", "{x}", "}", r"\", r"a\$b", r"\frac", "^2", "~#", "é'"];
+        let names = [
+            "A", "θ''", "crate_1", "a b", "A&B", "{x}", "{a|x", r"\{b|x}", "}", r"\", r"a\$b", r"\frac",
+            "^2", "~#", "é'",
+        ];
         for name in names.map(Name) {
             let forms = [
                 name.primed(0),

@@ -1,4 +1,4 @@
-//! The page: cells of panels, titles above them, a caption below.
+//! The page: a headline, cells of panels, titles above them, a caption below.
 //!
 //! On 960 × 540 a panel reaches from y = 44 (20 without titles) to 476 and the caption has two lines below.
 //! Other pages keep these margins and give the rest to the panels, in the arrangement of rows that leaves
@@ -33,6 +33,17 @@ const USUAL: (f64, f64) = (960.0, 540.0);
 const SMALLEST_TYPE: f64 = 11.0;
 /// How much wider than high a panel looks best: what lies beyond it in width counts for nothing.
 const WIDE: f64 = 1.2;
+/// Type size of the headline, on the usual page, page pixels an em.
+pub(crate) const HEADLINE_SIZE: f64 = 19.0;
+/// From one baseline of the headline to the next, in ems: headings stand closer than text.
+const HEADLINE_STEP: f64 = 1.25;
+/// Height of the capitals of a headline, in ems.
+const CAPITALS: f64 = 0.66;
+/// From the last baseline of the headline down to what is below, in ems: a gap that is wider than that
+/// between its lines.
+const HEADLINE_DROP: f64 = 0.9;
+/// The share of the page's height that a headline may take; a longer one is left to the alternative text.
+const HEADLINE_SHARE: f64 = 0.17;
 /// The share of the page's height that a caption may take; a longer one is left to the alternative text.
 const CAPTION_SHARE: f64 = 0.34;
 
@@ -47,6 +58,10 @@ pub(crate) struct Page {
     pub(crate) cells: Vec<Rect>,
     /// Lines between panels, page pixels.
     pub(crate) rules: Vec<(Point, Point)>,
+    /// Left end of the first baseline of the headline, page pixels.
+    pub(crate) headline: Point,
+    /// From one baseline of the headline to the next, page pixels.
+    pub(crate) headline_step: f64,
     /// Left end of the first baseline of the caption, page pixels.
     pub(crate) caption: Point,
     /// From one baseline of the caption to the next, page pixels.
@@ -56,9 +71,14 @@ pub(crate) struct Page {
 }
 
 impl Page {
-    /// Cells for `panels` panels, `titled` or not, above a caption of `lines` lines on a page of `width` ×
-    /// `height` pixels.
-    pub(crate) fn new(width: f64, height: f64, panels: usize, titled: bool, lines: usize) -> Self {
+    /// Cells for `panels` panels, `titled` or not, between a headline of `head` lines and a caption of
+    /// `lines` lines on a page of `width` × `height` pixels.
+    pub(crate) fn new(
+        (width, height): (f64, f64),
+        panels: usize,
+        titled: bool,
+        (head, lines): (usize, usize),
+    ) -> Self {
         let margin = margin(width, height);
         let k = margin / MARGIN;
         let step = caption_step(width, height);
@@ -66,8 +86,8 @@ impl Page {
             0 => BOTTOM * k,
             _ => k * (CAPTION - 2.0 * CAPTION_STEP) + step * count(lines.max(2)),
         };
-        let body =
-            Rect { x0: margin, y0: TOP * k, x1: width - margin, y1: (height - foot).max(TOP * k + 1.0) };
+        let top = TOP * k + headline_height(width, height, head);
+        let body = Rect { x0: margin, y0: top, x1: width - margin, y1: (height - foot).max(top + 1.0) };
         let columns = columns(&body, panels, titled, margin);
         let rows = panels.max(1).div_ceil(columns);
         let size = cell(&body, columns, rows, titled, margin);
@@ -82,7 +102,16 @@ impl Page {
         }
         let rules = rules(&cells, columns, margin, titled);
         let caption = Point::new(margin, body.y1 + CAPTION_DROP * k.max(LEAST_DROP));
-        Self { width, height, cells, rules, caption, step, measure: width - 2.0 * margin }
+        let em = type_size(width, height, HEADLINE_SIZE);
+        let headline = Point::new(margin, TOP * k + CAPITALS * em);
+        let (headline_step, measure) = (HEADLINE_STEP * em, width - 2.0 * margin);
+        Self { width, height, cells, rules, headline, headline_step, caption, step, measure }
+    }
+
+    /// The most lines of headline that a page takes.
+    pub(crate) fn headline_lines(width: f64, height: f64) -> usize {
+        let fits = |lines: &usize| headline_height(width, height, *lines) < HEADLINE_SHARE * height;
+        (1..).take_while(fits).count()
     }
 
     /// The most lines of caption that a page takes.
@@ -113,6 +142,13 @@ pub(crate) fn type_size(width: f64, height: f64, size: f64) -> f64 {
 /// The width of a line that is one pixel wide on the usual page; thinner on small pages.
 pub(crate) fn unit(width: f64, height: f64) -> f64 {
     libm::sqrt((width / USUAL.0).min(height / USUAL.1).min(1.0))
+}
+
+/// What a headline of so many lines takes from the panels, page pixels.
+fn headline_height(width: f64, height: f64, lines: usize) -> f64 {
+    let em = type_size(width, height, HEADLINE_SIZE);
+    let between = HEADLINE_STEP * count(lines.saturating_sub(1));
+    if lines == 0 { 0.0 } else { (CAPITALS + between + HEADLINE_DROP) * em }
 }
 
 /// From one baseline of the caption to the next on a page, page pixels.
@@ -175,21 +211,31 @@ mod tests {
 
     #[test]
     fn the_usual_page_is_that_of_the_storyboard() {
-        let one = Page::new(960.0, 540.0, 1, false, 2);
+        let one = Page::new((960.0, 540.0), 1, false, (0, 2));
         assert_eq!(one.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 476.0 }]);
-        let two = Page::new(960.0, 540.0, 2, true, 1);
+        let two = Page::new((960.0, 540.0), 2, true, (0, 1));
         assert_eq!(two.cells[0], Rect { x0: 24.0, y0: 44.0, x1: 468.0, y1: 476.0 });
         assert_eq!(two.cells[1], Rect { x0: 492.0, y0: 44.0, x1: 936.0, y1: 476.0 });
         assert_eq!(Page::title_baseline(&two.cells[0]).y, 32.0);
-        let three = Page::new(960.0, 540.0, 3, true, 2);
+        let three = Page::new((960.0, 540.0), 3, true, (0, 2));
         assert_eq!(three.cells[2].width(), 288.0);
+    }
+
+    #[test]
+    fn a_headline_takes_its_lines_from_the_panels_and_a_page_takes_few() {
+        let top = |head| Page::new((960.0, 540.0), 1, false, (head, 2)).cells[0].y0;
+        assert!(top(1) > top(0) + 19.0 && (top(2) - top(1) - 1.25 * 19.0).abs() < 1e-9);
+        let page = Page::new((960.0, 540.0), 1, false, (2, 2));
+        assert!(page.headline.y + page.headline_step < page.cells[0].y0);
+        assert_eq!(Page::headline_lines(960.0, 540.0), 3);
+        assert!(Page::headline_lines(320.0, 180.0) < 3);
     }
 
     #[test]
     fn panels_lie_on_every_page_without_touching() {
         for (w, h) in [(320.0, 180.0), (960.0, 540.0), (540.0, 960.0), (4096.0, 4096.0), (320.0, 4096.0)] {
             for panels in 1..=6 {
-                let page = Page::new(w, h, panels, true, 2);
+                let page = Page::new((w, h), panels, true, (1, 2));
                 assert_eq!(page.cells.len(), panels);
                 for (i, cell) in page.cells.iter().enumerate() {
                     assert!(

@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::scene::{Panel, Scene};
-use crate::typeset::Line;
 
 use super::context::{Context, Moment};
 use super::frame::Frame;
 use super::layer::{LabelKey, Layer, Options};
+use super::lettering::Lettering;
 use super::page::unit;
 use super::runs::Runs;
 use super::sketch::{Request, Sketch, Sketched};
@@ -27,7 +27,7 @@ pub(crate) struct PanelPlan<'s> {
     /// The labels of layers that this answer has nothing for: a scene may speak of them.
     pub(crate) unwritten: Vec<&'static LabelKey>,
     /// The title, set in type.
-    pub(crate) title: Option<Line>,
+    pub(crate) title: Option<Lettering>,
     /// Where its space lies on the page.
     pub(crate) frame: Frame,
 }

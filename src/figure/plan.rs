@@ -6,7 +6,6 @@
 use std::sync::Arc;
 
 use crate::scene::{self, Scene};
-use crate::typeset::Line;
 
 use super::budget::Budget;
 use super::default_picture;
@@ -18,7 +17,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{caption, caption_of_words, caption_words, check_texts, label_key};
+use super::text::{Across, Block, across, caption_of_words, check_texts, label_key};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -36,10 +35,10 @@ pub struct Plan<'s> {
     pub(crate) runs: Runs,
     /// The panels, in the order of the scene.
     pub(crate) panels: Vec<PanelPlan<'s>>,
-    /// The lines of the caption; none where the page has no room for it.
-    pub(crate) caption: Vec<Line>,
-    /// The caption in words, its values filled in.
-    pub(crate) caption_words: Option<String>,
+    /// What the figure claims, above the panels.
+    pub(crate) headline: Across,
+    /// What leads through the figure, below the panels.
+    pub(crate) caption: Across,
     /// Where things lie on the page.
     pub(crate) page: Page,
     /// What should be better, with its place in the scene.
@@ -97,15 +96,16 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
     let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
     let first = panels.first().map(|panel| panel.context(scene, &runs));
-    let mut caption =
-        first.as_ref().map_or_else(Vec::new, |first| caption(first, &mut problems, &mut warnings));
-    let own = scene.panels.is_empty() && scene.caption.is_none();
-    let own = own.then(|| sentence(scene, &runs.own(scene, scene.query.time)));
-    if let Some(words) = &own {
-        caption = caption_of_words(scene, words);
+    let mut set = |block| {
+        first.as_ref().map(|first| across(block, first, (&mut problems, &mut warnings))).unwrap_or_default()
+    };
+    let (headline, mut caption) = (set(Block::Headline), set(Block::Caption));
+    if scene.panels.is_empty() && scene.caption.is_none() {
+        caption = caption_of_words(scene, sentence(scene, &runs.own(scene, scene.query.time)));
     }
     let titled = panels.iter().any(|p| p.title.is_some());
-    let page = Page::new(scene.canvas.width, scene.canvas.height, count, titled, caption.len());
+    let size = (scene.canvas.width, scene.canvas.height);
+    let page = Page::new(size, count, titled, (headline.lines.len(), caption.lines.len()));
     if panels.len() == count {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
@@ -116,9 +116,7 @@ pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if problems.is_empty() {
-        let given = panels.first().and_then(|panel| caption_words(&panel.context(scene, &runs)));
-        let caption_words = given.or(own.filter(|_| !caption.is_empty()));
-        return Ok(Plan { scene, theme, runs, panels, caption, caption_words, page, warnings });
+        return Ok(Plan { scene, theme, runs, panels, headline, caption, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();

@@ -64,7 +64,7 @@ impl<'s> Resolver<'_, 's> {
         let title = source.title.as_ref().and_then(|t| {
             let size = type_size(scene.canvas.width, scene.canvas.height, 13.0);
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
-                typeset(text, Style::semibold(size))
+                typeset(text, Style::semibold(size)).map(|line| vec![line])
             })
         });
         let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());

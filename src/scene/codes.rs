@@ -50,7 +50,7 @@ codes! {
     NOT_IN_ANSWER = "not-in-answer",
         "note: a layer or a moment that this answer lacks, as the contact where it is a miss";
     BAD_MARKUP = "bad-markup", "a text whose formula can't be typeset";
-    CAPTION_DROPPED = "caption-dropped", "warning: the caption has more lines than the page has room for";
+    CAPTION_DROPPED = "caption-dropped", "warning: a text has more lines than the page has room for";
     OFF_PAGE = "off-page", "a panel shows places so far outside that no page reaches there";
     LABEL_CLASH = "label-clash", "warning: a label found no free place";
     INTERNAL = "internal", "a bug of tracefig";

@@ -101,7 +101,8 @@ pub(super) static ROOT: TableRows = TableRows {
     header: "(top)",
     place: "the scene",
     fields: &[
-        may("title", Holds::Text, "title of the figure"),
+        may("title", Holds::Text, "title of the figure, for those who do not see it"),
+        may("headline", Holds::Text, "the claim of the figure, a sentence above the panels"),
         may("caption", Holds::Text, "caption below the figure"),
         must(
             "shapes",

@@ -64,6 +64,8 @@ pub struct Spanned<T> {
 pub struct Scene {
     /// Title of the figure, as markup; none stands over it where it is `None`.
     pub title: Option<Spanned<String>>,
+    /// What the figure claims, in a sentence above its panels, as markup.
+    pub headline: Option<Spanned<String>>,
     /// Caption below the figure, as markup.
     pub caption: Option<Spanned<String>>,
     /// Bodies with their names, in file order: those of the query, and others as context.

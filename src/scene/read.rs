@@ -47,6 +47,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
     let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
     Some(Scene {
         title: top.text("title"),
+        headline: top.text("headline"),
         caption: top.text("caption"),
         shapes: shapes?,
         query: query?,

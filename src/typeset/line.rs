@@ -1,6 +1,7 @@
 //! What typesetting gives: a line of placed glyphs and rules, in page pixels.
 
 use std::fmt;
+use std::ops::Range;
 
 /// How words and formulas are set.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,6 +92,19 @@ pub struct Rule {
     pub height: f64,
 }
 
+/// A stretch of a line that wears a role.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tint {
+    /// The word of the role, as markup names it.
+    pub role: String,
+    /// The glyphs that wear it, by their place in [`Line::glyphs`].
+    pub glyphs: Range<usize>,
+    /// The rules that wear it, by their place in [`Line::rules`].
+    pub rules: Range<usize>,
+    /// Page pixels from the line's start to the beginning and to the end of the stretch.
+    pub x: [f64; 2],
+}
+
 /// A line of text: glyphs and rules with the extent that they need, baseline at y = 0, y down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Line {
@@ -100,6 +114,8 @@ pub struct Line {
     pub glyphs: Vec<PlacedGlyph>,
     /// Fraction bars and the roofs of roots.
     pub rules: Vec<Rule>,
+    /// The stretches that wear a role, left to right.
+    pub tints: Vec<Tint>,
     /// Advance width in page pixels.
     pub width: f64,
     /// Page pixels above the baseline that belong to the line: its ink, and the letters' x-height at least.
@@ -112,6 +128,36 @@ impl Line {
     /// A line without anything on it, as high as one.
     pub(super) fn empty(markup: &str, style: Style) -> Self {
         Self { markup: markup.to_owned(), ascent: 0.5 * style.size, ..Self::default() }
+    }
+
+    /// The line cut where the role changes: each stretch with the word of its role and the distance of its
+    /// start from the line's, in page pixels.
+    pub(crate) fn stretches(&self) -> Vec<(Option<&str>, f64, Self)> {
+        let mut all = Vec::new();
+        let (mut glyphs, mut rules, mut x) = (0, 0, 0.0);
+        for tint in &self.tints {
+            let before = self.stretch(glyphs..tint.glyphs.start, rules..tint.rules.start, [x, tint.x[0]]);
+            let worn = self.stretch(tint.glyphs.clone(), tint.rules.clone(), tint.x);
+            all.push((None, x, before));
+            all.push((Some(tint.role.as_str()), tint.x[0], worn));
+            (glyphs, rules, x) = (tint.glyphs.end, tint.rules.end, tint.x[1]);
+        }
+        let (glyphs, rules) = (glyphs..self.glyphs.len(), rules..self.rules.len());
+        all.push((None, x, self.stretch(glyphs, rules, [x, self.width])));
+        all.retain(|(.., line)| !line.glyphs.is_empty() || !line.rules.is_empty());
+        all
+    }
+
+    /// A part of the line, as a line that begins where the part does.
+    fn stretch(&self, glyphs: Range<usize>, rules: Range<usize>, [from, to]: [f64; 2]) -> Self {
+        Self {
+            markup: self.markup.clone(),
+            glyphs: self.glyphs[glyphs].iter().map(|g| PlacedGlyph { x: g.x - from, ..*g }).collect(),
+            rules: self.rules[rules].iter().map(|r| Rule { x: r.x - from, ..*r }).collect(),
+            tints: Vec::new(),
+            width: to - from,
+            ..*self
+        }
     }
 
     /// Ascent and descent together, in page pixels.

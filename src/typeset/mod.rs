@@ -1,7 +1,8 @@
 //! Words and `$…$` formulas to runs of glyphs with their extents.
 //!
 //! Markup is plain text in which `$…$` holds LaTeX maths and `\$` is a dollar sign; `\text{…}` in a formula
-//! is words again. [`typeset`] sets it on
+//! is words again. `{a|the red box}` are words that wear a role: they are semibold, and the line's [`Tint`]
+//! says where they are. [`typeset`] sets it on
 //! one [`Line`], [`wrap`] breaks it into lines. A line is placed with its baseline's left end at the origin
 //! of its own frame, x right, y down, in page pixels; whoever draws it adds the place.
 //!
@@ -18,10 +19,10 @@ mod vec_accent;
 mod words;
 
 pub(crate) use inner_words::{escaped, group, unescaped};
-pub(crate) use markup::{Piece, characters, ends_in_formula, pieces};
+pub(crate) use markup::{Piece, as_markup, characters, ends_in_formula, pieces};
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
-pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, TypesetError, Weight};
+pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, Tint, TypesetError, Weight};
 
 use paragraph::Newlines;
 

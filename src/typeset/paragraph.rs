@@ -3,7 +3,7 @@
 //! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
 //! count as one, those at the ends of a line as none.
 
-use super::line::{Line, PlacedGlyph, Rule, Style, TypesetError};
+use super::line::{Line, PlacedGlyph, Rule, Style, Tint, TypesetError};
 use super::markup::{Piece, characters, pieces};
 use super::{formula, words};
 
@@ -38,9 +38,11 @@ pub(super) fn lines(
         match piece {
             Piece::Formula(offset, latex) => {
                 let set = formula::set(latex, offset, style.size)?;
-                setter.chunk.append(Draft { glyphs: set.glyphs, rules: set.rules, width: set.width });
+                setter.put(set.glyphs, set.rules, set.width);
             }
             Piece::Words(offset, text) => setter.words(offset, text)?,
+            Piece::Role(_, role) => setter.role = Some(role),
+            Piece::Plain => setter.role = None,
         }
     }
     setter.end_chunk();
@@ -55,6 +57,8 @@ struct Draft {
     glyphs: Vec<PlacedGlyph>,
     /// The rules so far, from the draft's start.
     rules: Vec<Rule>,
+    /// The stretches so far that wear a role.
+    tints: Vec<Tint>,
     /// The advance width so far, in page pixels.
     width: f64,
 }
@@ -66,6 +70,19 @@ impl Draft {
 
     fn append(&mut self, other: Self) {
         let x = self.width;
+        let (glyphs, rules) = (self.glyphs.len(), self.rules.len());
+        for Tint { role, glyphs: g, rules: r, x: [from, to] } in other.tints {
+            let (g, r) = (glyphs + g.start..glyphs + g.end, rules + r.start..rules + r.end);
+            match self.tints.last_mut() {
+                // Nothing that is seen lies between the words of one stretch.
+                Some(last)
+                    if last.role == role && last.glyphs.end == g.start && last.rules.end == r.start =>
+                {
+                    (last.glyphs.end, last.rules.end, last.x[1]) = (g.end, r.end, x + to);
+                }
+                _ => self.tints.push(Tint { role, glyphs: g, rules: r, x: [x + from, x + to] }),
+            }
+        }
         self.glyphs.extend(other.glyphs.into_iter().map(|g| PlacedGlyph { x: x + g.x, ..g }));
         self.rules.extend(other.rules.into_iter().map(|r| Rule { x: x + r.x, ..r }));
         self.width += other.width;
@@ -83,15 +100,17 @@ impl Draft {
             ascent = ascent.max(-r.y);
             descent = descent.max(r.y + r.height);
         }
-        let Self { glyphs, rules, width } = self;
-        Line { markup: markup.to_owned(), glyphs, rules, width, ascent, descent }
+        let Self { glyphs, rules, tints, width } = self;
+        Line { markup: markup.to_owned(), glyphs, rules, tints, width, ascent, descent }
     }
 }
 
 /// Lines, a line being filled, and the chunk without a break being set.
-struct Setter {
+struct Setter<'m> {
     /// How words are set.
     style: Style,
+    /// The role that is worn at this place of the markup.
+    role: Option<&'m str>,
     /// What newlines mean.
     newlines: Newlines,
     /// Page pixels that a line may take.
@@ -106,10 +125,11 @@ struct Setter {
     chunk: Draft,
 }
 
-impl Setter {
+impl Setter<'_> {
     fn new() -> Self {
         Self {
             style: Style::regular(0.0),
+            role: None,
             newlines: Newlines::Spaces,
             width: f64::INFINITY,
             space: 0.0,
@@ -131,10 +151,22 @@ impl Setter {
                 continue;
             }
             let word = std::iter::from_fn(|| rest.next_if(|&(_, c)| !c.is_ascii_whitespace()));
-            let set = words::set(word, self.style)?;
-            self.chunk.append(Draft { glyphs: set.glyphs, rules: Vec::new(), width: set.width });
+            let style = if self.role.is_some() { Style::semibold(self.style.size) } else { self.style };
+            let set = words::set(word, style)?;
+            self.put(set.glyphs, Vec::new(), set.width);
         }
         Ok(())
+    }
+
+    /// Adds what is set to the chunk, in the role that is worn.
+    fn put(&mut self, glyphs: Vec<PlacedGlyph>, rules: Vec<Rule>, width: f64) {
+        let tint = self.role.map(|role| Tint {
+            role: role.to_owned(),
+            glyphs: 0..glyphs.len(),
+            rules: 0..rules.len(),
+            x: [0.0, width],
+        });
+        self.chunk.append(Draft { glyphs, rules, tints: tint.into_iter().collect(), width });
     }
 
     /// Adds the chunk to the line, or to the next one where it does not fit.
@@ -185,7 +217,10 @@ mod tests {
 
     #[test]
     fn any_text_is_set_or_refused_at_a_place_inside_it() {
-        const PARTS: [&str; 40] = [
+        const PARTS: [&str; 43] = [
+            "{a|",
+            "{x-y|",
+            "\\{b|",
             "$",
             "\\",
             "{",
@@ -252,6 +287,34 @@ mod tests {
         let narrow = wrap("a $x$.", style, 1.0).unwrap();
         assert_eq!(narrow.len(), 2);
         assert_eq!(narrow[1].glyphs.len(), 2);
+    }
+
+    #[test]
+    fn words_in_a_role_are_semibold_and_cut_out_of_the_line_with_their_formula() {
+        let style = Style::regular(14.0);
+        let line = typeset(r"see {a|the red box $\frac{A}{2}$} there", style).unwrap();
+        let plain = typeset(r"see there", style).unwrap();
+        assert!(plain.tints.is_empty() && plain.stretches().len() == 1);
+        let [tint] = &line.tints[..] else { panic!("one stretch: {:?}", line.tints) };
+        assert_eq!((tint.role.as_str(), tint.rules.clone()), ("a", 0..1));
+        let stretches = line.stretches();
+        let roles: Vec<_> = stretches.iter().map(|(role, ..)| *role).collect();
+        assert_eq!(roles, [None, Some("a"), None]);
+        for (_, x, part) in &stretches {
+            assert!(part.glyphs.iter().all(|g| g.x >= -1e-9 && g.x < part.width), "{x}: {part:?}");
+        }
+        let put_back: Vec<_> = stretches
+            .iter()
+            .flat_map(|(_, x, part)| part.glyphs.iter().map(move |g| (g.glyph, x + g.x)))
+            .collect();
+        assert_eq!(put_back.len(), line.glyphs.len());
+        let stays = |(now, before): (&(_, f64), &PlacedGlyph)| {
+            now.0 == before.glyph && (now.1 - before.x).abs() < 1e-9
+        };
+        assert!(put_back.iter().zip(&line.glyphs).all(stays));
+        assert!(line.glyphs[3..12].iter().all(|g| g.glyph.face == crate::typeset::Face::Semibold));
+        let lines = wrap("see {a|the red box} there", style, 50.0).unwrap();
+        assert!(lines.len() > 2 && lines.iter().filter(|l| !l.tints.is_empty()).count() >= 2);
     }
 
     #[test]

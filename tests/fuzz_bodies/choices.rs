@@ -46,6 +46,7 @@ const PIECES: &[&str] = &[
     "{",
     "}",
     "{=separation}",
+    "{a|the box $A$}",
     "{=time}",
     "{=D.x}",
     "$\\frac{1}{2}$",

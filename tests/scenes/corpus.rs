@@ -7,6 +7,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use tracefig::drawing::Role;
 use tracefig::figure::layer::LAYERS;
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
@@ -86,6 +87,7 @@ fn words() -> BTreeSet<String> {
         words.extend(layer.labels.iter().map(|key| key.key.to_owned()));
         words.extend(COMMON.iter().chain(layer.options).flat_map(words_of_option));
     }
+    words.extend(Role::OF_WORDS.map(|role| format!("{{{}|", role.name())));
     words.extend(THEMES.iter().map(|theme| theme.name.to_owned()));
     words
 }

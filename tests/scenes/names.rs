@@ -12,7 +12,7 @@ use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Explain, Scene, Source, open_text, read};
 
 /// Names that a formula, markup, XML or a value of a text would trip over, and ordinary ones.
-const SETTABLE: [&str; 52] = [
+const SETTABLE: [&str; 54] = [
     "crate_1",
     "the crate",
     "100%",
@@ -23,6 +23,8 @@ const SETTABLE: [&str; 52] = [
     r"back\slash",
     "tile_2",
     "{=time}",
+    "{a|b}",
+    "{b|",
     "{=",
     "$x$",
     r"\$",

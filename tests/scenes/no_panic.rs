@@ -122,6 +122,8 @@ const PIECES: &[&str] = &[
     "[labels]\n",
     "$\\frac{1}{0}$",
     "{=time}",
+    "{a|the {=time} box} $x$",
+    "{b|",
     "{=D.x}",
     "layers = []\n",
     "kind = 'circle'\n",

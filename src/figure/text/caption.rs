@@ -1,26 +1,68 @@
-//! The caption, broken into lines, and its words for readers who do not see it.
+//! Headline and caption, broken into lines, and their words for readers who do not see it.
 //!
 //! A text that can't be set is told with its place before anything is drawn.
 
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
-use crate::figure::name::as_markup;
-use crate::figure::page::{CAPTION_SIZE, Page, type_size};
+use crate::figure::lettering::Lettering;
+use crate::figure::page::{CAPTION_SIZE, HEADLINE_SIZE, Page, type_size};
 use crate::scene::{Scene, Spanned};
-use crate::typeset::{Line, Style, TypesetError, wrap};
+use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
 
 use super::fill::fill;
 use super::plain;
-use super::wording::{bad_markup, no_value};
+use super::wording::{bad_markup, bad_role, no_value};
+
+/// A text that stands across the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Block {
+    /// The claim of the figure, above the panels.
+    Headline,
+    /// What leads through the figure, below the panels.
+    Caption,
+}
+
+impl Block {
+    /// What messages call it.
+    fn name(self) -> &'static str {
+        match self {
+            Self::Headline => "headline",
+            Self::Caption => "caption",
+        }
+    }
+
+    /// The text of the scene for it.
+    fn of(self, scene: &Scene) -> Option<&Spanned<String>> {
+        match self {
+            Self::Headline => scene.headline.as_ref(),
+            Self::Caption => scene.caption.as_ref(),
+        }
+    }
+
+    /// How it is set, how wide its lines are in page pixels, and how many the page takes.
+    fn room(self, scene: &Scene) -> (Style, f64, usize) {
+        let (width, height) = (scene.canvas.width, scene.canvas.height);
+        let measure = Page::new((width, height), 1, false, (0, 2)).measure;
+        let style = match self {
+            Self::Headline => Style::semibold(type_size(width, height, HEADLINE_SIZE)),
+            Self::Caption => Style::regular(type_size(width, height, CAPTION_SIZE)),
+        };
+        let most = match self {
+            Self::Headline => Page::headline_lines(width, height),
+            Self::Caption => Page::caption_lines(width, height),
+        };
+        (style, measure, most)
+    }
+}
 
 /// A text of the scene, filled and set by `typeset`; `None`, with the reason in `problems`, where it can't
 /// be. What the answer lacks for it is in `notes`.
-pub(crate) fn set<T>(
+pub(crate) fn set(
     text: &Spanned<String>,
     context: &Context,
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
-    typeset: impl Fn(&str) -> Result<T, TypesetError>,
-) -> Option<T> {
+    typeset: impl Fn(&str) -> Result<Vec<Line>, TypesetError>,
+) -> Option<Lettering> {
     let filled = match fill(&text.value, context, &text.span) {
         Ok((filled, lacking)) => {
             notes.extend(lacking.into_iter().map(|value| no_value(value, context, &text.span)));
@@ -31,34 +73,50 @@ pub(crate) fn set<T>(
             return None;
         }
     };
-    typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
-}
-
-/// The lines of the caption; none where the page has no room for all of them, which is a warning. Its values
-/// are those of `context`, the first panel's.
-pub(crate) fn caption(
-    context: &Context,
-    problems: &mut Vec<Problem>,
-    warnings: &mut Vec<Problem>,
-) -> Vec<Line> {
-    let Some(text) = &context.scene.caption else { return Vec::new() };
-    let (style, measure, most) = room(context.scene);
-    let lines = set(text, context, (problems, warnings), |t| wrap(t, style, measure)).unwrap_or_default();
-    if lines.len() > most {
-        let fault = Fault::CaptionDropped { lines: lines.len(), room: most };
-        warnings.push(Problem::new(fault, text.span.clone()));
-        return Vec::new();
+    if let Some(problem) = bad_role(&filled, &text.span) {
+        problems.push(problem);
+        return None;
     }
-    lines
+    let set = Lettering::new(&filled, typeset);
+    set.map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
-/// The lines of a caption in `words` of ours; none where the page has no room for it, or the font a letter.
-pub(crate) fn caption_of_words(scene: &Scene, words: &str) -> Vec<Line> {
-    let (style, measure, most) = room(scene);
-    wrap(&with_powers(&as_markup(words)), style, measure)
-        .ok()
-        .filter(|lines| lines.len() <= most)
-        .unwrap_or_default()
+/// A text across the page, set.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Across {
+    /// Its lines; none where there is no text, or no room for it on the page.
+    pub(crate) lines: Lettering,
+    /// Its plain words; `None` where there is no text.
+    pub(crate) words: Option<String>,
+}
+
+/// A text across the page; without lines where the page has no room for all of them, which is a warning. Its
+/// values are those of `context`, the first panel's.
+pub(crate) fn across(
+    block: Block,
+    context: &Context,
+    (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
+) -> Across {
+    let Some(text) = block.of(context.scene) else { return Across::default() };
+    let (style, measure, room) = block.room(context.scene);
+    let lines = set(text, context, (problems, warnings), |t| wrap(t, style, measure)).unwrap_or_default();
+    let filled = fill(&text.value, context, &text.span).ok();
+    let words = filled.map(|(filled, _)| plain(&filled));
+    if lines.len() <= room {
+        return Across { lines, words };
+    }
+    let fault = Fault::TextDropped { what: block.name(), lines: lines.len(), room };
+    warnings.push(Problem::new(fault, text.span.clone()));
+    Across { lines: Lettering::default(), words }
+}
+
+/// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
+pub(crate) fn caption_of_words(scene: &Scene, words: String) -> Across {
+    let (style, measure, room) = Block::Caption.room(scene);
+    let set = Lettering::new(&with_powers(&as_markup(&words)), |t| wrap(t, style, measure));
+    set.ok()
+        .filter(|lines| lines.len() <= room)
+        .map_or_else(Across::default, |lines| Across { lines, words: Some(words) })
 }
 
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.
@@ -75,19 +133,6 @@ fn with_powers(words: &str) -> String {
         }
     }
     text
-}
-
-/// How a caption is set, how wide its lines are in page pixels, and how many the page takes.
-fn room(scene: &Scene) -> (Style, f64, usize) {
-    let (width, height) = (scene.canvas.width, scene.canvas.height);
-    let measure = Page::new(width, height, 1, false, 2).measure;
-    (Style::regular(type_size(width, height, CAPTION_SIZE)), measure, Page::caption_lines(width, height))
-}
-
-/// The caption in plain words, with the values of `context`; `None` without a caption.
-pub(crate) fn caption_words(context: &Context) -> Option<String> {
-    let text = context.scene.caption.as_ref()?;
-    Some(plain(&fill(&text.value, context, &text.span).ok()?.0))
 }
 
 #[cfg(test)]

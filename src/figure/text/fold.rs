@@ -55,7 +55,7 @@ fn narrow(markup: &str, width: f64, style: Style) -> Vec<Vec<Arc<Line>>> {
 /// A text with a space in each long word that is no formula; none where no word is long.
 fn broken(markup: &str) -> Option<String> {
     let split = |word: &str| {
-        let long = word.chars().count() > LONG && !word.contains(['$', '\\']);
+        let long = word.chars().count() > LONG && !word.contains(['$', '\\', '{', '|', '}']);
         let at = long.then(|| break_of(word))?;
         Some(format!("{} {}", &word[..at], &word[at..]))
     };
@@ -110,6 +110,7 @@ mod tests {
         assert_eq!(broken("crate_of_the_player").unwrap(), "crate_of_ the_player");
         assert_eq!(broken("unbreakableletters").unwrap(), "unbreakab leletters");
         assert_eq!(broken("short-one"), None);
+        assert_eq!(broken("{translation|wide}"), None, "the word of a role stays whole");
     }
 
     #[test]

@@ -1,9 +1,9 @@
 //! Everything that a figure says in letters, from the scene's markup to lines that are set.
 //!
 //! `{=name}` in a text stands for a value of the answer ([`values`]), a [`quantity`] written as a
-//! [`number`](number::number) of three significant digits at most ([`fill`](fill::fill)). The [`caption`] is
-//! broken into lines, a label gets its [`wording`], and [`plain`](plain::plain) reads markup out in words for
-//! the alternative text.
+//! [`number`](number::number) of three significant digits at most ([`fill`](fill::fill)). Headline and
+//! [`caption`] are broken into lines, a label gets its [`wording`], and [`plain`](plain::plain) reads markup
+//! out in words for the alternative text.
 
 mod caption;
 mod fill;
@@ -15,7 +15,7 @@ mod quantity;
 mod values;
 mod wording;
 
-pub(crate) use caption::{caption, caption_of_words, caption_words, set};
+pub(crate) use caption::{Across, Block, across, caption_of_words, set};
 pub(crate) use number::{in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;

@@ -46,13 +46,14 @@ const COMMANDS: [(&str, &str); 40] = [
     ("degree", "°"),
 ];
 
-/// Markup without its dollars, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`. What is no markup,
-/// as a formula without an end, is read as it stands.
+/// Markup without its dollars and roles, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`. What is no
+/// markup, as a formula without an end, is read as it stands.
 #[must_use]
 pub(crate) fn plain(markup: &str) -> String {
     let words = |text| characters(0, text).map(|(_, c)| c).collect::<String>();
     let Ok(pieces) = pieces(markup) else { return words(markup) };
     let read = pieces.into_iter().map(|piece| match piece {
+        Piece::Role(..) | Piece::Plain => String::new(),
         Piece::Words(_, text) => words(text),
         Piece::Formula(_, latex) => squeezed(&read(latex)).trim().to_owned(),
     });
@@ -157,6 +158,7 @@ mod tests {
         assert_eq!(plain(r"$x_{\min}$"), "x_min");
         assert_eq!(plain(r"$v_{\text{left\-crate\_1}} \ne 0$"), "v_left-crate_1 ≠ 0");
         assert_eq!(plain("costs $5"), "costs $5");
+        assert_eq!(plain(r"{a|the red box} and {difference|$B \ominus A$}"), "the red box and B ⊖ A");
     }
 
     #[test]

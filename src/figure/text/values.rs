@@ -302,7 +302,7 @@ mod tests {
             _ => None,
         });
         let first = steps.next().unwrap();
-        assert_eq!(plan.caption_words, Some(in_words(&rounded(first, first))));
+        assert_eq!(plan.caption.words, Some(in_words(&rounded(first, first))));
     }
 
     #[test]

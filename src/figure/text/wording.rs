@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::figure::budget::Budget;
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
+use crate::figure::lettering::{role_words, unknown, with_markers};
 use crate::figure::name::Name;
 use crate::figure::placement::Sought;
 use crate::figure::sketch::{Anchor, Rank, Request};
@@ -25,6 +26,8 @@ pub(crate) struct Wording<'w> {
     pub(crate) type_size: &'w dyn Fn(f64) -> f64,
     /// Whether some layer has a label of a key.
     pub(crate) is_key: IsKey,
+    /// Whether the words of a note that wear a role have its marker before them.
+    pub(crate) marked: bool,
 }
 
 impl Wording<'_> {
@@ -60,6 +63,12 @@ impl Wording<'_> {
             }
             let (filled, values) = fill(line, self.context, &place)?;
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
+            if let Some(problem) = bad_role(&filled, &place) {
+                return Err(problem);
+            }
+            // What stands at its thing needs no marker of it.
+            let marked = self.marked && label.rank == Rank::Note;
+            let filled = if marked { with_markers(&filled) } else { filled };
             typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
@@ -118,7 +127,7 @@ pub(crate) fn check_texts<'r>(
     (budget, is_key): (&mut Budget, IsKey),
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Result<(), scene::Problem> {
-    let wording = Wording { context, type_size: &|px| px, is_key };
+    let wording = Wording { context, type_size: &|px| px, is_key, marked: false };
     for (request, span) in requests {
         match wording.set(request, span, notes) {
             Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
@@ -132,6 +141,13 @@ pub(crate) fn check_texts<'r>(
 /// A value that a text at `at` names and this answer lacks.
 pub(crate) fn no_value(value: String, context: &Context, at: &Range<usize>) -> Problem {
     Problem::new(Fault::NoValue { value, why: standing(&context.run().answer) }, at.clone())
+}
+
+/// What is wrong with the roles that words of a text at `at` wear, if anything is.
+pub(crate) fn bad_role(markup: &str, at: &Range<usize>) -> Option<Problem> {
+    let known = role_words();
+    let fault = scene::Fault::UnknownWord { what: "role", got: unknown(markup)?.to_owned(), known };
+    Some(Problem::new(fault.into(), at.clone()))
 }
 
 /// A text that can't be typeset: `markup` is the text with its values filled in.

@@ -63,6 +63,12 @@ impl Theme {
         Paint::role(role, self.color(role))
     }
 
+    /// Whether it tells roles by colour; one that has patterns is also for readers without.
+    #[must_use]
+    pub(crate) fn counts_on_color(&self) -> bool {
+        self.patterns.is_empty()
+    }
+
     /// The pattern on the fills of a role; `None` for a plain fill.
     #[must_use]
     pub(crate) fn pattern(&self, role: Role) -> Option<PatternKind> {
