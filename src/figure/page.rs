@@ -110,8 +110,11 @@ impl Page {
 
     /// The most lines of headline that a page takes.
     pub(crate) fn headline_lines(width: f64, height: f64) -> usize {
-        let fits = |lines: &usize| headline_height(width, height, *lines) < HEADLINE_SHARE * height;
-        (1..).take_while(fits).count()
+        let mut lines = 0;
+        while headline_height(width, height, lines + 1) < HEADLINE_SHARE * height {
+            lines += 1;
+        }
+        lines
     }
 
     /// The most lines of caption that a page takes.
