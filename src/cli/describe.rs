@@ -4,11 +4,12 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 
 use clap::Args;
-use tracefig::figure::{draw, plan};
+use tracefig::figure::{draw, plan, plan_in};
 use tracefig::scene::{Refused, visible};
 
 use super::console::Console;
 use super::inputs::single;
+use super::themes::OwnThemes;
 use super::{Runs, Status};
 
 /// Options of `describe`.
@@ -20,13 +21,20 @@ pub(crate) struct Describe {
 
 impl Runs for Describe {
     fn run(self, console: &mut Console) -> io::Result<Status> {
-        let file = match single(&self.scene).open() {
+        let input = single(&self.scene);
+        let file = match input.open() {
             Ok(file) => file,
             Err(refused) => return console.refuse(&refused),
         };
-        let plan = match plan(&file.scene) {
+        let refused = |problems| Refused { source: file.source.clone(), problems };
+        let own = match OwnThemes::default().of(&file, &input) {
+            Ok(own) => own,
+            Err(problem) => return console.refuse(&refused(vec![problem])),
+        };
+        let planned = own.as_ref().map_or_else(|| plan(&file.scene), |own| plan_in(&file.scene, &own.theme));
+        let plan = match planned {
             Ok(plan) => plan,
-            Err(problems) => return console.refuse(&Refused { source: file.source.clone(), problems }),
+            Err(problems) => return console.refuse(&refused(problems)),
         };
         let drawing = draw(&plan, plan.theme, "figure").drawing;
         let line = |text: &str| visible(&text.replace('\n', " ")).into_owned();

@@ -10,10 +10,9 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
-use tracefig::figure::theme::{self, Theme};
-use tracefig::figure::{Fault, Figure, draw, off_page, plan};
+use tracefig::figure::theme;
+use tracefig::figure::{Fault, Figure, draw, off_page, plan, plan_in};
 use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, format};
-use tracefig::scene::limits::MAX_FILE_BYTES;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
 use super::Status;
@@ -21,6 +20,7 @@ use super::console::Console;
 use super::inputs::{Input, inputs, whole_folders};
 use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
 use super::regular::read_regular;
+use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
 use super::timings::Timings;
 
 /// The formats that are written where none is asked for, separated by commas.
@@ -50,6 +50,9 @@ pub(crate) struct Files {
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
     png: String,
+    /// Colours of a theme file that readers can't tell apart are warnings, not errors
+    #[arg(long)]
+    allow_similar: bool,
     /// A label that finds no free place, and a layer or moment that the answer lacks, are errors
     #[arg(long)]
     strict: bool,
@@ -57,6 +60,9 @@ pub(crate) struct Files {
     /// processors
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
+    /// The theme files that scenes name, as far as they were read.
+    #[arg(skip)]
+    own_themes: OwnThemes,
 }
 
 /// Largest scale: a page of the usual size then has 2²⁵ dots, half of what an image may have.
@@ -67,44 +73,6 @@ fn scale(text: &str) -> Result<f64, String> {
     let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
     let scale: f64 = text.parse().map_err(|_| expected())?;
     if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
-}
-
-/// A theme of the house, or one from a file.
-#[derive(Clone)]
-struct ChosenTheme {
-    /// The word for it; for a file the stem of its name.
-    name: String,
-    /// The colours.
-    theme: Theme,
-    /// What tells it apart in a hash: the name, or the file's text.
-    key: String,
-    /// The file; `None` for one of the house.
-    file: Option<PathBuf>,
-}
-
-/// A theme as written on the command line: the word for one of the house, or a file.
-fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
-    if let Some(known) = theme::find(text) {
-        return Ok(ChosenTheme {
-            name: text.to_owned(),
-            theme: known.clone(),
-            key: text.to_owned(),
-            file: None,
-        });
-    }
-    let path = Path::new(text);
-    if path.extension().is_none_or(|e| e != "toml") {
-        let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
-        return Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")));
-    }
-    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| e.to_string())?;
-    if bytes.len() > MAX_FILE_BYTES {
-        return Err(format!("expected at most {MAX_FILE_BYTES} bytes"));
-    }
-    let key = String::from_utf8(bytes).map_err(|e| e.to_string())?;
-    let theme = theme::parse(&key).map_err(|e| e.to_string())?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(ChosenTheme { name, theme, key, file: Some(path.to_owned()) })
 }
 
 /// One file, ready to be written.
@@ -192,7 +160,9 @@ impl Files {
     /// options.
     pub(crate) fn is_current(&self, job: &Job) -> bool {
         let Ok(file) = job.input.open() else { return false };
-        let own = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
+        let word = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
+        let Ok(own) = self.own_theme(&file, job) else { return false };
+        let own = own.as_ref().map_or(word, |own| &own.key);
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
             let theme = self.chosen(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
@@ -206,6 +176,12 @@ impl Files {
     /// The theme of that name, where it was asked for.
     fn chosen(&self, name: Option<&str>) -> Option<&ChosenTheme> {
         self.theme.iter().find(|chosen| Some(chosen.name.as_str()) == name)
+    }
+
+    /// The theme of the file that a scene names, where it is drawn in its own.
+    fn own_theme(&self, file: &SceneFile, job: &Job) -> Result<Option<Arc<ChosenTheme>>, Problem<Fault>> {
+        let is_drawn = job.files.iter().any(|planned| planned.theme.is_none());
+        if is_drawn { self.own_themes.of(file, &job.input) } else { Ok(None) }
     }
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
@@ -224,13 +200,19 @@ impl Files {
         let file = job.input.open().map_err(|refused| refused.render(ink))?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
-        let plan = plan(&file.scene).map_err(refuse)?;
+        let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
+        let plan = match &own {
+            Some(own) => plan_in(&file.scene, &own.theme),
+            None if self.theme.is_empty() => plan(&file.scene),
+            None => plan_in(&file.scene, &self.theme[0].theme),
+        };
+        let plan = plan.map_err(refuse)?;
         timings.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
         for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
             let Some(first) = same_theme.first() else { continue };
-            let chosen = self.chosen(first.theme.as_deref());
+            let chosen = self.chosen(first.theme.as_deref()).or(own.as_deref());
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
             timings.lap("draw");
@@ -240,6 +222,13 @@ impl Files {
             if files.is_empty() {
                 // Labels stand at the same places in every theme.
                 warn(&file, &warnings, ink, messages);
+            }
+            if let Some(chosen) = chosen {
+                let told = unfit(&file.source.name, chosen, &drawing, self.allow_similar);
+                if !told.is_empty() && !self.allow_similar {
+                    return Err(told);
+                }
+                messages.push_str(&told);
             }
             // Drawing a plan says which events are shown.
             let facts = facts(&plan);

@@ -24,6 +24,7 @@ mod report;
 mod reports;
 mod solve;
 mod stream;
+mod themes;
 mod timings;
 mod trace;
 

@@ -67,6 +67,11 @@ pub struct Drawing {
     pub desc: String,
     /// The page's colour, opaque.
     pub background: Paint,
+    /// The colour of words around the drawing, as those of a page that shows it.
+    pub ink: Color,
+    /// The colours of words by role, of roles whose words have another colour than their lines, here or in
+    /// the dark.
+    pub words: Vec<(Role, Color)>,
     /// Opacity of the fills of areas; a page that sets other colours may set another one too.
     pub fill_opacity: f64,
     /// The other colours of an "auto" theme; none for a fixed theme.
@@ -84,6 +89,10 @@ pub struct Drawing {
 pub struct Dark {
     /// The colours by role.
     pub colors: Vec<(Role, Color)>,
+    /// The colour of words around the drawing.
+    pub ink: Color,
+    /// The colours of words by role, of the same roles as [`Drawing::words`].
+    pub words: Vec<(Role, Color)>,
     /// The opacity that takes the place of [`Drawing::fill_opacity`].
     pub fill_opacity: f64,
 }

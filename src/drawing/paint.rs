@@ -107,6 +107,14 @@ impl Color {
     }
 }
 
+impl std::fmt::Display for Color {
+    /// Writes it as a theme file does, `#RRGGBB`.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { r, g, b } = self;
+        write!(f, "#{r:02X}{g:02X}{b:02X}")
+    }
+}
+
 /// A colour in its role.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Paint {

@@ -67,6 +67,8 @@ mod tests {
             title: String::new(),
             desc: String::new(),
             background: theme.paint(Role::Background),
+            ink: theme.color(Role::Ink),
+            words: Vec::new(),
             fill_opacity: 0.14,
             dark: None,
             metadata: String::new(),

@@ -90,9 +90,12 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let Page { headline, headline_step, caption, step, .. } = plan.page;
     items.push(across("headline", &plan.headline, (headline, headline_step), theme));
     items.push(across("caption", &plan.caption, (caption, step), theme));
-    let dark = theme.dark.map(|Side { colors, fill_opacity }| Dark {
-        colors: Role::ALL.into_iter().zip(colors).collect(),
-        fill_opacity,
+    let shaded = |side: Side| theme.shaded().map(|role| (role, side.word_color(role))).collect();
+    let dark = theme.dark.map(|side| Dark {
+        colors: Role::ALL.into_iter().zip(side.colors).collect(),
+        ink: side.word_color(Role::Ink),
+        words: shaded(side),
+        fill_opacity: side.fill_opacity,
     });
     let mut warnings = plan.warnings.clone();
     warnings.extend(panels.iter().flat_map(faults).map(|fault| {
@@ -106,6 +109,8 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         title: describe::short(plan.scene, &run),
         desc: description(plan, &run),
         background: theme.paint(Role::Background),
+        ink: theme.word_color(Role::Ink),
+        words: shaded(theme.light()),
         fill_opacity: theme.fill_opacity,
         dark,
         metadata: String::new(),

@@ -79,6 +79,13 @@ pub enum Fault {
         /// Which letter, in the typesetter's words.
         reason: String,
     },
+    /// A theme file that can't be read, or is no theme.
+    BadTheme {
+        /// The name in the scene.
+        name: String,
+        /// Why not.
+        reason: String,
+    },
     /// A text that can't be typeset.
     BadMarkup {
         /// The text, its values filled in.
@@ -151,6 +158,7 @@ impl Explain for Fault {
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
             Self::TextDropped { .. } => codes::CAPTION_DROPPED.code,
+            Self::BadTheme { .. } => codes::BAD_THEME.code,
             Self::OffPage { .. } => codes::OFF_PAGE.code,
             Self::LabelClash(_) => codes::LABEL_CLASH.code,
         }
@@ -183,6 +191,7 @@ impl Explain for Fault {
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. }
             | Self::UnsuitedLayer { .. }
+            | Self::BadTheme { .. }
             | Self::BadMarkup { .. } => None,
         }
     }
@@ -211,6 +220,7 @@ impl fmt::Display for Fault {
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, reason } => write!(f, "the name `{name}` can't be typeset: {reason}"),
+            Self::BadTheme { name, reason } => write!(f, "the theme `{name}` can't be used: {reason}"),
             Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
             Self::TextDropped { what, lines, room } => {
                 write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
@@ -306,6 +316,11 @@ mod tests {
                 Fault::BadName { name: "木".to_owned(), reason: "no glyph".to_owned() },
                 "the name `木` can't be typeset: no glyph",
                 "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text",
+            ),
+            (
+                Fault::BadTheme { name: "own.toml".to_owned(), reason: "it is a folder".to_owned() },
+                "the theme `own.toml` can't be used: it is a folder",
+                "",
             ),
             (
                 Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },

@@ -58,7 +58,7 @@ pub(crate) fn lettered(
 ) -> Vec<Item> {
     let text = |line, x: f64, role, halo| {
         let origin = Point::new(origin.x + x, origin.y);
-        Item::Text(Text { line, origin, paint: theme.paint(role), halo })
+        Item::Text(Text { line, origin, paint: theme.word_paint(role), halo })
     };
     if line.tints.is_empty() {
         return vec![text(Arc::clone(line), 0.0, role, halo)];

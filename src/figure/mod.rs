@@ -43,4 +43,4 @@ pub use fault::{Fault, off_page};
 pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};
-pub use plan::{Plan, plan};
+pub use plan::{Plan, plan, plan_in};

@@ -30,7 +30,7 @@ pub struct Plan<'s> {
     /// The scene that the figure shows.
     pub scene: &'s Scene,
     /// The theme that the scene asks for, or the default.
-    pub theme: &'static Theme,
+    pub theme: &'s Theme,
     /// The algorithm runs that the figure needed so far.
     pub(crate) runs: Runs,
     /// The panels, in the order of the scene.
@@ -59,12 +59,12 @@ impl Plan<'_> {
     }
 }
 
-/// Resolves what a scene asks to show.
+/// Resolves what a scene asks to show, in the theme of the house that it names.
 ///
 /// # Errors
 ///
 /// Everything that is wrong with its panels, layers, options, labels, texts and theme, in the order of the
-/// scene.
+/// scene. A theme file is not read here: [`plan_in`] takes its theme.
 ///
 /// ```
 /// use tracefig::{figure::{draw, plan}, scene::{Source, read}};
@@ -86,9 +86,42 @@ impl Plan<'_> {
 /// assert!(figure.faults().is_empty());
 /// ```
 pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
-    let runs = Runs::default();
     let mut problems = Vec::new();
     let theme = theme_of(scene, &mut problems);
+    resolve(scene, theme, problems)
+}
+
+/// Resolves what a scene asks to show, in a theme of the caller's, whichever the scene names.
+///
+/// # Errors
+///
+/// Everything that is wrong with the scene's panels, layers, options, labels and texts, in its order; a
+/// theme by a name that the house does not have is wrong here too.
+///
+/// ```
+/// use tracefig::{figure::{draw, plan_in, theme}, scene::{Source, read}};
+/// let text = "canvas.theme = 'brand.toml'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///             query = { kind = 'bounds', of = ['A'] }\n[[panels]]\nlayers = ['shapes']";
+/// let scene = read(&Source::new("circle.toml", text)).unwrap();
+/// let brand = theme::parse("[colors]\nbackground = '#FFF8E7'").unwrap();
+/// let plan = plan_in(&scene, &brand).unwrap();
+/// assert_eq!(draw(&plan, plan.theme, "circle").drawing.background.color.to_string(), "#FFF8E7");
+/// ```
+pub fn plan_in<'s>(scene: &'s Scene, theme: &'s Theme) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
+    let mut problems = Vec::new();
+    if !scene.canvas.theme.as_ref().is_some_and(|asked| theme::is_file(&asked.value)) {
+        theme_of(scene, &mut problems);
+    }
+    resolve(scene, theme, problems)
+}
+
+/// Resolves what a scene asks to show; `problems` are those of its theme.
+fn resolve<'s>(
+    scene: &'s Scene,
+    theme: &'s Theme,
+    mut problems: Vec<Problem>,
+) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
+    let runs = Runs::default();
     let sheets = default_picture::sheets(scene, &runs, &mut problems);
     let count = sheets.len();
     let mut resolver = Resolver { scene, runs: &runs, problems, notes: Vec::new() };
@@ -144,6 +177,12 @@ fn say(
 /// The theme that the scene asks for; the default where it does not say, or names one that there is not.
 fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
     let Some(asked) = &scene.canvas.theme else { return &THEMES[0] };
+    if theme::is_file(&asked.value) {
+        let reason = "it is a file, which this command does not read".to_owned();
+        let fault = Fault::BadTheme { name: asked.value.clone(), reason };
+        problems.push(Problem::new(fault, asked.span.clone()));
+        return &THEMES[0];
+    }
     theme::find(&asked.value).unwrap_or_else(|| {
         let known = THEMES.iter().map(|t| t.name.to_owned()).collect();
         let fault = scene::Fault::UnknownWord { what: "theme", got: asked.value.clone(), known };

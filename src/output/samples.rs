@@ -73,6 +73,8 @@ pub(super) fn everything() -> Drawing {
         title: "Circle against box".into(),
         desc: "A box A and a circle B <apart> & \"alone\".".into(),
         background: paint(Role::Background),
+        ink: paint(Role::Ink).color,
+        words: Vec::new(),
         fill_opacity: 0.14,
         dark: None,
         metadata: "{\"version\":1,\"hash\":\"00ff\"}".into(),

@@ -5,7 +5,7 @@
 use super::samples::everything;
 use super::svg::{Sheet, document};
 use super::*;
-use crate::drawing::{Item, Point, Role, Text};
+use crate::drawing::{Color, Dark, Item, Point, Role, Text};
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sizes of test images")]
 /// Pixels of a document by resvg.
@@ -58,10 +58,15 @@ fn svg_and_png_show_the_same() {
 #[test]
 fn without_its_style_sheet_an_svg_has_the_same_pixels() {
     let mut drawing = everything();
-    let colors = vec![(Role::A, crate::drawing::Color::hex(0xFF_6B_57))];
-    drawing.dark = Some(crate::drawing::Dark { colors, fill_opacity: 0.2 });
+    let colors = vec![(Role::A, Color::hex(0xFF_6B_57))];
+    let words = vec![(Role::Translation, Color::hex(0xC0_D0_FF))];
+    drawing.words.clone_from(&words);
+    drawing.dark = Some(Dark { colors, ink: Color::hex(0xE8_EA_ED), words, fill_opacity: 0.2 });
     let (with, without) = (document(&drawing, Sheet::Inside), document(&drawing, Sheet::Absent));
     assert_ne!(with, without);
+    let words = ".sample-words-translation{fill:var(--tracefig-words-translation,\
+                 var(--tracefig-translation,#0b5fcc))}";
+    assert!(with.contains(words) && with.contains(",#c0d0ff))}"), "words follow the page, and the dark");
     assert_eq!(witness(&with, 1.0), witness(&without, 1.0));
 }
 

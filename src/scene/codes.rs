@@ -49,6 +49,7 @@ codes! {
     UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";
     NOT_IN_ANSWER = "not-in-answer",
         "note: a layer or a moment that this answer lacks, as the contact where it is a miss";
+    BAD_THEME = "bad-theme", "a theme file that can't be read, or is no theme";
     BAD_MARKUP = "bad-markup", "a text whose formula can't be typeset";
     CAPTION_DROPPED = "caption-dropped", "warning: a text has more lines than the page has room for";
     OFF_PAGE = "off-page", "a panel shows places so far outside that no page reaches there";

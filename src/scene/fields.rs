@@ -237,7 +237,11 @@ pub(super) static CANVAS: TableRows = TableRows {
     fields: &[
         may("width", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 960"),
         may("height", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 540"),
-        may("theme", Holds::Text, "name of the theme; default \"light\""),
+        may(
+            "theme",
+            Holds::Text,
+            "name of the theme, or a theme file from the scene's folder; default \"light\"",
+        ),
     ],
 };
 

@@ -15,6 +15,7 @@ mod render;
 mod render_jsonl;
 mod report;
 mod streams;
+mod themes;
 #[cfg(unix)]
 mod whole_files;
 

@@ -213,25 +213,6 @@ fn timings_name_the_stages() {
 }
 
 #[test]
-fn a_theme_of_ones_own_colours_the_figure_and_is_refused_when_readers_cannot_tell_it() {
-    let folder = tempfile::tempdir().unwrap();
-    std::fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n")
-        .unwrap();
-    std::fs::write(folder.path().join("pale.toml"), "[colors]\nink = \"#EEEEEE\"\n").unwrap();
-    let figure = concat!(env!("CARGO_MANIFEST_DIR"), "/figures/01-penetration.toml");
-    let render = |theme: &str| {
-        run(tracefig(folder.path()).args(["render", figure, "--format", "svg", "-o", ".", "--theme", theme]))
-    };
-    assert_eq!(render("slides.toml,print").code, Some(0));
-    let svg = std::fs::read_to_string(folder.path().join("01-penetration.slides.svg")).unwrap();
-    assert!(svg.to_uppercase().contains("#FF6650"));
-    let refused = render("pale.toml");
-    assert_eq!(refused.code, Some(2));
-    assert!(refused.err.contains("ink and background: contrast"), "{}", refused.err);
-    assert_eq!(render("sepia").code, Some(2));
-}
-
-#[test]
 fn auto_in_the_dark_is_the_dark_theme() {
     let folder = folder_with("s.toml", &drawn());
     let rules = |theme: &str, media: &str| {

@@ -20,6 +20,7 @@ pub(super) const THEME: Theme = Theme {
     name: "dark",
     about: "light lines on a dark page",
     colors: COLORS,
+    words: COLORS,
     fill_opacity: 0.2,
     pattern_opacity: 0.0,
     patterns: &[],

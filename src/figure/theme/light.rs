@@ -20,6 +20,7 @@ pub(super) const THEME: Theme = Theme {
     name: "light",
     about: "dark lines on white",
     colors: COLORS,
+    words: COLORS,
     fill_opacity: 0.14,
     pattern_opacity: 0.0,
     patterns: &[],

@@ -4,15 +4,19 @@
 //! The role decides the colour everywhere, so that a reader learns it once. [`contrast`] and [`vision`]
 //! measure what a theme promises; tests refuse a theme that does not keep it.
 
+mod adapted;
 mod auto;
 pub mod contrast;
 mod dark;
+mod fitness;
 mod light;
+mod nearest;
 mod print;
 mod user;
 pub mod vision;
 
-pub use user::{Shortcoming, ThemeError, parse};
+pub use fitness::{Measure, Shortcoming, remedies, shortcomings};
+pub use user::{ThemeError, is_file, parse};
 
 use crate::drawing::{Color, Paint, PatternKind, Role};
 
@@ -25,6 +29,9 @@ pub struct Theme {
     pub about: &'static str,
     /// The colours, in the order of [`Role::ALL`].
     pub colors: [Color; 9],
+    /// The colours of words, in the order of [`Role::ALL`]: the same, or a shade of them where they are too
+    /// pale to read.
+    pub words: [Color; 9],
     /// Opacity of the fill of areas, from 0 to 1.
     pub fill_opacity: f64,
     /// Opacity of the pattern on fills, from 0 to 1.
@@ -40,8 +47,23 @@ pub struct Theme {
 pub struct Side {
     /// The colours, in the order of [`Role::ALL`].
     pub colors: [Color; 9],
+    /// The colours of words, in the order of [`Role::ALL`]: the same, or a shade of them where they are too
+    /// pale to read.
+    pub words: [Color; 9],
     /// Opacity of the fill of areas, from 0 to 1.
     pub fill_opacity: f64,
+}
+
+impl Side {
+    /// The colour of a role's words.
+    pub(crate) fn word_color(&self, role: Role) -> Color {
+        self.words[index(role)]
+    }
+}
+
+/// The place of a role in [`Role::ALL`].
+fn index(role: Role) -> usize {
+    Role::ALL.iter().position(|&r| r == role).unwrap_or(0)
 }
 
 impl Theme {
@@ -53,11 +75,24 @@ impl Theme {
     /// ```
     #[must_use]
     pub fn color(&self, role: Role) -> Color {
-        let index = Role::ALL.iter().position(|&r| r == role).unwrap_or(0);
-        self.colors[index]
+        self.colors[index(role)]
     }
 
-    /// The opaque paint of a role.
+    /// The colour of a role's words: its own, or a shade of it that is readable on the page.
+    ///
+    /// ```
+    /// use tracefig::{drawing::Role, figure::theme::{self, contrast::contrast}};
+    /// let theme = theme::parse("[colors]\na = \"#E69F00\"").unwrap();
+    /// let page = theme.color(Role::Background);
+    /// assert!(contrast(theme.color(Role::A), page) < 3.0, "an orange line");
+    /// assert!(contrast(theme.word_color(Role::A), page) >= 4.5, "a darker orange for its name");
+    /// ```
+    #[must_use]
+    pub fn word_color(&self, role: Role) -> Color {
+        self.words[index(role)]
+    }
+
+    /// The opaque paint of a role's lines and markers.
     #[must_use]
     pub(crate) fn paint(&self, role: Role) -> Paint {
         Paint::role(role, self.color(role))
@@ -67,6 +102,28 @@ impl Theme {
     #[must_use]
     pub(crate) fn counts_on_color(&self) -> bool {
         self.patterns.is_empty()
+    }
+
+    /// The opaque paint of a role's words.
+    #[must_use]
+    pub(crate) fn word_paint(&self, role: Role) -> Paint {
+        Paint::role(role, self.word_color(role))
+    }
+
+    /// The light side, or the only one.
+    pub(crate) fn light(&self) -> Side {
+        Side { colors: self.colors, words: self.words, fill_opacity: self.fill_opacity }
+    }
+
+    /// The light side, or the only one; the dark side where the theme follows the reader's system.
+    pub(crate) fn sides(&self) -> impl Iterator<Item = Side> {
+        [Some(self.light()), self.dark].into_iter().flatten()
+    }
+
+    /// The roles whose words have another colour than their lines, on one side at least.
+    pub(crate) fn shaded(&self) -> impl Iterator<Item = Role> {
+        let shaded = |i: usize| self.sides().any(|side| side.words[i] != side.colors[i]);
+        Role::ALL.into_iter().enumerate().filter(move |&(i, _)| shaded(i)).map(|(_, role)| role)
     }
 
     /// The pattern on the fills of a role; `None` for a plain fill.

@@ -20,6 +20,7 @@ pub(super) const THEME: Theme = Theme {
     name: "print",
     about: "for paper, also in grey: A hatched, B dotted",
     colors: COLORS,
+    words: COLORS,
     fill_opacity: 0.1,
     pattern_opacity: 0.35,
     patterns: &[(Role::A, PatternKind::Hatch), (Role::B, PatternKind::Dots)],

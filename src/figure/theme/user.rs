@@ -1,35 +1,34 @@
-//! A theme that a user wrote as a TOML file, held to the limits that the themes of the house keep.
+//! A theme that a user wrote as a TOML file.
 //!
 //! ```toml
-//! based_on = "dark"          # what is not given is taken from here; light unless given
+//! based_on = "dark"          # what is not given is taken from here
 //! fill_opacity = 0.25
 //!
 //! [colors]
 //! a = "#FF6650"
 //! background = "#101010"
+//!
+//! [dark]                     # with it, the theme follows the reader's system
+//! a = "#FFB0A0"
 //! ```
+//!
+//! What is not given is moved out of the way of what is ([`adapted`](super::adapted)); whether readers can
+//! tell the given colours apart is asked of each figure ([`fitness`](super::fitness)).
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::path::Path;
 
 use serde::Deserialize;
 
 use crate::drawing::{Color, Role};
 
-use super::contrast::{blend, contrast};
-use super::vision::worst_difference;
-use super::{THEMES, Theme, find};
+use super::adapted::adapted;
+use super::contrast::contrast;
+use super::{Side, THEMES, Theme, find, index};
 
-/// The least contrast of text against what lies under it (WCAG 2.2, level AA).
-const TEXT_CONTRAST: f64 = 4.5;
-/// The least ΔE2000 of shape A and shape B for the worst of four visions.
-const BODIES_APART: f64 = 20.0;
-/// The least ΔE2000 of any other two roles; dashes, markers and shapes tell them apart besides.
-const ROLES_APART: f64 = 9.0;
-
-/// The roles that colour lines and words.
-const SPEAKING: [Role; 7] =
-    [Role::A, Role::B, Role::Difference, Role::Now, Role::Translation, Role::Ink, Role::Muted];
+/// `#RRGGBB` by the word of its role, as written.
+type Written = BTreeMap<String, String>;
 
 /// A theme file, as written.
 #[derive(Deserialize)]
@@ -39,22 +38,11 @@ struct File {
     based_on: Option<String>,
     /// Opacity of areas, from 0 to 1.
     fill_opacity: Option<f64>,
+    /// The colours, or those of the light side.
     #[serde(default)]
-    /// `#RRGGBB` by the word of its role.
-    colors: BTreeMap<String, String>,
-}
-
-/// A pair of roles whose colours are too near each other.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Shortcoming {
-    /// The measure: `contrast` or `ΔE2000`.
-    pub measure: &'static str,
-    /// The two roles whose colours were compared.
-    pub roles: [Role; 2],
-    /// The value of the measure.
-    pub value: f64,
-    /// The least value that would do.
-    pub limit: f64,
+    colors: Written,
+    /// The colours for readers whose system is dark.
+    dark: Option<Written>,
 }
 
 /// Why a theme file is refused.
@@ -66,7 +54,7 @@ pub enum ThemeError {
     UnknownBase(String),
     /// A colour is given to a role that there is not.
     UnknownRole(String),
-    /// A colour is not written `#RRGGBB`.
+    /// A colour is not written `#RRGGBB` or `#RGB`.
     NotAColor {
         /// The role that it is given to.
         role: String,
@@ -75,8 +63,6 @@ pub enum ThemeError {
     },
     /// The opacity of areas is not from 0 to 1.
     FillOpacity(f64),
-    /// The colours can't be read or told apart.
-    Unfit(Vec<Shortcoming>),
 }
 
 impl fmt::Display for ThemeError {
@@ -92,91 +78,111 @@ impl fmt::Display for ThemeError {
                 write!(f, "colors: expected one of {}, got `{name}`", names.join(", "))
             }
             Self::NotAColor { role, written } => {
-                write!(f, "colors.{role}: expected `#RRGGBB`, got `{written}`")
+                write!(f, "colors.{role}: expected `#RRGGBB` or `#RGB`, got `{written}`")
             }
             Self::FillOpacity(value) => write!(f, "fill_opacity: expected 0 to 1, got {value}"),
-            Self::Unfit(all) => {
-                f.write_str("colours that readers can't tell apart:")?;
-                for Shortcoming { measure, roles: [p, q], value, limit } in all {
-                    write!(f, "\n  {} and {}: {measure} {value:.1}, at least {limit}", p.name(), q.name())?;
-                }
-                Ok(())
-            }
         }
     }
 }
 
 impl std::error::Error for ThemeError {}
 
+/// Whether a theme of this name is a file and none of the house.
+///
+/// ```
+/// use tracefig::figure::theme::is_file;
+/// assert!(is_file("brand.toml") && !is_file("dark"));
+/// ```
+#[must_use]
+pub fn is_file(name: &str) -> bool {
+    Path::new(name).extension().is_some_and(|extension| extension == "toml")
+}
+
 /// Reads the text of a theme file into a theme of the name `user`.
+///
+/// What the file does not give is taken from the theme that it is based on; without one, from that of the
+/// house whose page is as light or dark as the file's.
 ///
 /// # Errors
 ///
-/// A [`ThemeError`] where the text is not such a file, or its colours fall short of the limits.
+/// A [`ThemeError`] where the text is not such a file.
 ///
 /// ```
 /// use tracefig::drawing::{Color, Role};
 /// use tracefig::figure::theme;
 /// let theme = theme::parse("[colors]\na = \"#9A1620\"").unwrap();
 /// assert_eq!(theme.color(Role::A), Color::hex(0x9A1620));
-/// assert!(theme::parse("[colors]\nink = \"#EEEEEE\"").is_err());
+/// assert!(theme::parse("[colors]\nink = \"black\"").is_err());
 /// ```
 pub fn parse(text: &str) -> Result<Theme, ThemeError> {
     let file: File = toml::from_str(text).map_err(|e| ThemeError::Malformed(e.to_string()))?;
-    let base = file.based_on.unwrap_or_else(|| THEMES[0].name.to_owned());
-    let mut theme = find(&base).cloned().ok_or(ThemeError::UnknownBase(base))?;
-    theme.name = "user";
-    theme.about = "from a file";
+    let given = colors(file.colors)?;
+    let base = match file.based_on {
+        Some(name) => find(&name).ok_or(ThemeError::UnknownBase(name))?,
+        None => base(given[index(Role::Background)]),
+    };
+    let mut theme = Theme { name: "user", about: "from a file", ..base.clone() };
     if let Some(opacity) = file.fill_opacity {
         if !(0.0..=1.0).contains(&opacity) {
             return Err(ThemeError::FillOpacity(opacity));
         }
         theme.fill_opacity = opacity;
+        theme.dark = theme.dark.map(|dark| Side { fill_opacity: opacity, ..dark });
     }
-    for (role, written) in file.colors {
-        let Some(index) = Role::ALL.iter().position(|r| r.name() == role) else {
+    let Theme { colors: own, words, fill_opacity, .. } = theme;
+    let light = with(Side { colors: own, words, fill_opacity }, &given);
+    (theme.colors, theme.words) = (light.colors, light.words);
+    if let Some(written) = file.dark {
+        let given = colors(written)?;
+        let other = theme.dark.or_else(|| THEMES.iter().find_map(|theme| theme.dark));
+        let opacity = |dark: Side| file.fill_opacity.unwrap_or(dark.fill_opacity);
+        theme.dark = other.map(|dark| with(Side { fill_opacity: opacity(dark), ..dark }, &given));
+    }
+    Ok(theme)
+}
+
+/// The colours that are given, in the order of [`Role::ALL`].
+fn colors(written: Written) -> Result<[Option<Color>; 9], ThemeError> {
+    let mut colors = [None; 9];
+    for (role, written) in written {
+        let Some(known) = Role::ALL.into_iter().find(|r| r.name() == role) else {
             return Err(ThemeError::UnknownRole(role));
         };
-        theme.colors[index] = color(&written).ok_or(ThemeError::NotAColor { role, written })?;
+        colors[index(known)] = Some(color(&written).ok_or(ThemeError::NotAColor { role, written })?);
     }
-    let short = shortcomings(&theme);
-    if short.is_empty() { Ok(theme) } else { Err(ThemeError::Unfit(short)) }
+    Ok(colors)
 }
 
-/// The colour of `#RRGGBB`; `None` for anything else.
+/// A side with the given colours in place of its own, and the others out of their way.
+fn with(mut side: Side, given: &[Option<Color>; 9]) -> Side {
+    for (own, given) in side.colors.iter_mut().zip(given) {
+        *own = given.unwrap_or(*own);
+    }
+    adapted(side, |role| given[index(role)].is_some())
+}
+
+/// The theme of the house that is taken for a page of this colour where the file names none; the default
+/// where it has no page of its own.
+fn base(page: Option<Color>) -> &'static Theme {
+    let is_dark = |page: Color| contrast(page, Color::hex(0xFF_FFFF)) > contrast(page, Color::hex(0));
+    let alike = |theme: &&Theme| page.is_some_and(|p| is_dark(p) == is_dark(theme.color(Role::Background)));
+    THEMES.iter().find(alike).unwrap_or(&THEMES[0])
+}
+
+/// The colour of `#RRGGBB` or `#RGB`; `None` for anything else.
 fn color(written: &str) -> Option<Color> {
-    let digits =
-        written.strip_prefix('#').filter(|d| d.len() == 6 && d.bytes().all(|b| b.is_ascii_hexdigit()))?;
-    u32::from_str_radix(digits, 16).ok().map(Color::hex)
-}
-
-/// Everything in which a theme falls short of the limits; empty for a fit one.
-pub(crate) fn shortcomings(theme: &Theme) -> Vec<Shortcoming> {
-    let mut all = Vec::new();
-    let mut hold = |measure, roles, value: f64, limit| {
-        if value < limit {
-            all.push(Shortcoming { measure, roles, value, limit });
-        }
-    };
-    let page = theme.color(Role::Background);
-    for role in SPEAKING {
-        hold("contrast", [role, Role::Background], contrast(theme.color(role), page), TEXT_CONTRAST);
+    let digits = written.strip_prefix('#').filter(|d| d.bytes().all(|b| b.is_ascii_hexdigit()))?;
+    let rgb = u32::from_str_radix(digits, 16).ok()?;
+    match digits.len() {
+        6 => Some(Color::hex(rgb)),
+        3 => Some(Color::hex([rgb >> 8, rgb >> 4, rgb].iter().fold(0, |all, d| all << 8 | (d & 15) * 17))),
+        _ => None,
     }
-    for role in [Role::A, Role::B, Role::Difference] {
-        let fill = blend(theme.color(role), theme.fill_opacity, page);
-        hold("contrast", [Role::Ink, role], contrast(theme.color(Role::Ink), fill), TEXT_CONTRAST);
-    }
-    for (i, &p) in SPEAKING.iter().enumerate() {
-        for &q in &SPEAKING[i + 1..] {
-            let limit = if [p, q] == [Role::A, Role::B] { BODIES_APART } else { ROLES_APART };
-            hold("ΔE2000", [p, q], worst_difference(theme.color(p), theme.color(q)), limit);
-        }
-    }
-    all
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::vision::worst_difference;
     use super::*;
 
     #[test]
@@ -184,17 +190,45 @@ mod tests {
         let said = |text: &str| parse(text).unwrap_err().to_string();
         assert!(said("based_on = \"lite\"").contains("light, dark, print, auto, got `lite`"));
         assert!(said("[colors]\nc = \"#000000\"").contains("got `c`"));
-        assert!(said("[colors]\na = \"red\"").contains("`#RRGGBB`, got `red`"));
+        assert!(said("[dark]\nc = \"#000000\"").contains("got `c`"));
+        for written in ["red", "#12345", "#+123", "123456", "#1234567", ""] {
+            let text = format!("[colors]\na = {written:?}");
+            assert!(said(&text).contains(&format!("`#RGB`, got `{written}`")), "{}", said(&text));
+        }
         assert!(said("colour = 1").contains("colour"));
         assert!(said("fill_opacity = 2.0").contains("0 to 1"));
-        assert!(said("[colors]\na = \"#00856F\"").contains("a and b: ΔE2000 0.0"));
-        assert!(said("[colors]\nmuted = \"#C0C0C0\"").contains("muted and background: contrast 1.8"));
     }
 
     #[test]
-    fn the_themes_of_the_house_keep_the_limits_too() {
-        for theme in THEMES {
-            assert_eq!(shortcomings(theme), [], "{}", theme.name);
-        }
+    fn three_digits_stand_for_six() {
+        let theme = parse("[colors]\na = '#1b9'").unwrap();
+        assert_eq!(theme.color(Role::A), Color::hex(0x11_BB99));
+    }
+
+    #[test]
+    fn a_dark_page_alone_makes_a_dark_theme() {
+        let on = |page: &str| parse(&format!("[colors]\nbackground = '{page}'")).unwrap();
+        assert_eq!(on("#101010").color(Role::Ink), find("dark").unwrap().color(Role::Ink));
+        assert_eq!(on("#FFF8E7").color(Role::Ink), find("light").unwrap().color(Role::Ink));
+    }
+
+    #[test]
+    fn what_is_not_given_moves_out_of_the_way_of_what_is() {
+        let theme = parse("[colors]\na = '#0B5FCC'\nb = '#7FB2F0'").unwrap();
+        let apart = |p, q| worst_difference(theme.color(p), theme.color(q));
+        let house = &THEMES[0];
+        assert!(worst_difference(house.color(Role::Translation), theme.color(Role::A)) < 1.0);
+        assert!(apart(Role::Translation, Role::A) >= 9.0 && apart(Role::Translation, Role::B) >= 9.0);
+        assert_eq!(theme.color(Role::Now), house.color(Role::Now), "in nobody's way");
+        assert_eq!(parse("").unwrap().colors, house.colors);
+    }
+
+    #[test]
+    fn a_dark_side_is_a_theme_that_follows_the_reader() {
+        let theme = parse("[colors]\na = '#9A1620'\n[dark]\na = '#FFB0A0'").unwrap();
+        let dark = theme.dark.unwrap();
+        assert_eq!(dark.colors[0], Color::hex(0xFF_B0A0));
+        assert_eq!(dark.colors[8], find("dark").unwrap().color(Role::Background));
+        assert_eq!(theme.color(Role::A), Color::hex(0x9A_1620));
     }
 }

@@ -28,6 +28,8 @@ impl Seen {
             title: String::new(),
             desc: String::new(),
             background: WHITE,
+            ink: BLACK.color,
+            words: Vec::new(),
             fill_opacity: 0.14,
             dark: None,
             metadata: String::new(),

@@ -14,7 +14,7 @@ use std::collections::BTreeSet;
 
 use super::xml::Xml;
 use super::{Depends, Format, Options, OutputError, Reader, Writer, number};
-use crate::drawing::{Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Stroke};
+use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Stroke};
 use style::Property;
 
 /// The row of the table.
@@ -56,6 +56,7 @@ pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
         ids: BTreeSet::new(),
         clips: Vec::new(),
         fill_opacity: drawing.fill_opacity,
+        words: drawing.words.clone(),
     };
     document.open(drawing);
     if sheet == Sheet::Inside {
@@ -93,6 +94,8 @@ struct Document {
     clips: Vec<Rect>,
     /// Opacity of the fills of areas.
     fill_opacity: f64,
+    /// The roles whose words have a colour of their own, with that colour.
+    words: Vec<(Role, Color)>,
 }
 
 impl Document {

@@ -15,8 +15,10 @@ use crate::typeset::Glyph;
 /// A property that takes a colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Property {
-    /// The colour of an area or of glyphs.
+    /// The colour of an area, and of glyphs that are as dark as their role's lines.
     Fill,
+    /// The colour of glyphs where their role's own is too pale to read.
+    Words,
     /// A fill as faint as the theme's areas, whose opacity a page may set too.
     Area,
     /// The colour of a line.
@@ -31,10 +33,16 @@ impl Property {
         if paint.opacity < 1.0 && paint.opacity == fill_opacity { Self::Area } else { Self::Fill }
     }
 
+    /// Whether the glyphs of a role are a [`Property::Fill`] or [`Property::Words`].
+    pub(super) fn of_words(paint: &Paint, words: &[(Role, Color)]) -> Self {
+        if words.iter().any(|&(role, _)| paint.role == Some(role)) { Self::Words } else { Self::Fill }
+    }
+
     /// The word for it in a class; the most frequent ones are letters.
     fn class(self) -> &'static str {
         match self {
             Self::Fill => "f",
+            Self::Words => "words",
             Self::Stroke => "s",
             Self::Area => "area",
             Self::Halo => "halo",
@@ -51,12 +59,15 @@ pub(super) struct Used {
     paints: BTreeSet<(Role, Property, [u8; 3])>,
     /// Opacity of the fills of areas.
     fill_opacity: f64,
+    /// The roles whose words have a colour of their own, with that colour.
+    words: Vec<(Role, Color)>,
 }
 
 impl Used {
     /// All that a drawing uses.
     pub(super) fn by(drawing: &Drawing) -> Self {
-        let mut used = Self { fill_opacity: drawing.fill_opacity, ..Self::default() };
+        let words = drawing.words.clone();
+        let mut used = Self { fill_opacity: drawing.fill_opacity, words, ..Self::default() };
         used.paint(Property::Fill, Some(&drawing.background));
         used.items(&drawing.items);
         used
@@ -74,7 +85,7 @@ impl Used {
                     self.paint(Property::Stroke, path.pattern.as_ref().map(|p| &p.paint));
                 }
                 Item::Text(text) => {
-                    self.paint(Property::Fill, Some(&text.paint));
+                    self.paint(Property::of_words(&text.paint, &self.words), Some(&text.paint));
                     let halo = text.halo.as_ref().map(|h| &h.paint);
                     self.paint(Property::Halo, halo);
                     let inked = text.line.glyphs.iter().map(|g| g.glyph);
@@ -103,7 +114,8 @@ impl Document {
         if let Some(dark) = dark {
             sheet.push_str("@media (prefers-color-scheme:dark){");
             for &(role, property, _) in &used.paints {
-                if let Some(&(_, color)) = dark.colors.iter().find(|(r, _)| *r == role) {
+                let colors = if property == Property::Words { &dark.words } else { &dark.colors };
+                if let Some(&(_, color)) = colors.iter().find(|(r, _)| *r == role) {
                     self.rule(&mut sheet, role, property, color, dark.fill_opacity);
                 }
             }
@@ -121,17 +133,23 @@ impl Document {
         sheet.push('{');
         let names: &[&str] = match property {
             Property::Halo => &["fill", "stroke"],
-            Property::Fill | Property::Area => &["fill"],
+            Property::Fill | Property::Area | Property::Words => &["fill"],
             Property::Stroke => &["stroke"],
         };
+        // Words follow a page that sets their role's colour alone.
+        let variables: &[&str] = if property == Property::Words { &["words-", ""] } else { &[""] };
         for (i, name) in names.iter().enumerate() {
             sheet.push_str(if i > 0 { ";" } else { "" });
             sheet.push_str(name);
-            sheet.push_str(":var(--tracefig-");
-            sheet.push_str(role.name());
-            sheet.push(',');
+            sheet.push(':');
+            for variable in variables {
+                sheet.push_str("var(--tracefig-");
+                sheet.push_str(variable);
+                sheet.push_str(role.name());
+                sheet.push(',');
+            }
             hex(sheet, color);
-            sheet.push(')');
+            sheet.extend(variables.iter().map(|_| ')'));
         }
         if property == Property::Area {
             sheet.push_str(";fill-opacity:var(--tracefig-fill-opacity,");
@@ -171,7 +189,7 @@ pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: &[(Property, O
 /// A colour attribute, and the opacity where it is not 1.
 pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
     let names: &[(&str, &str)] = match property {
-        Property::Fill | Property::Area => &[("fill", "fill-opacity")],
+        Property::Fill | Property::Area | Property::Words => &[("fill", "fill-opacity")],
         Property::Stroke => &[("stroke", "stroke-opacity")],
         Property::Halo => &[("fill", "fill-opacity"), ("stroke", "stroke-opacity")],
     };

@@ -58,7 +58,8 @@ impl Document {
     }
 
     fn fill(&mut self, text: &Text) {
-        style::class_attribute(&mut self.xml, &self.prefix, &[(Property::Fill, text.paint.role)]);
+        let property = Property::of_words(&text.paint, &self.words);
+        style::class_attribute(&mut self.xml, &self.prefix, &[(property, text.paint.role)]);
         style::paint(&mut self.xml, Property::Fill, &text.paint);
     }
 

@@ -99,6 +99,8 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
         title: chart.title.clone(),
         desc: describe(chart),
         background: Paint::role(Role::Background, color(Role::Background)),
+        ink: color(Role::Ink),
+        words: Vec::new(),
         fill_opacity: 1.0,
         dark: None,
         metadata: String::new(),

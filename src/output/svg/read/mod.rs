@@ -17,7 +17,7 @@ use svgtypes::FuncIRI;
 use super::super::Stamped;
 use super::super::picture::{Picture, TooMuch, Unread};
 use crate::drawing::{
-    Contour, Drawing, Group, Item, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
+    Color, Contour, Drawing, Group, Item, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
 };
 use effort::{Effort, MOST_LENGTH, MOST_PIECES};
 use path_data::{Map, contour};
@@ -87,6 +87,8 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         title: text("title"),
         desc: text("desc"),
         background: Style::default().inside(page)?.fill?,
+        ink: Color::hex(0),
+        words: Vec::new(),
         fill_opacity: 1.0,
         dark: None,
         metadata: String::new(),

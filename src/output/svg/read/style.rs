@@ -68,14 +68,14 @@ impl Style {
         let mut style = self.clone();
         let classes = node.attribute("class").unwrap_or_default();
         for (name, kinds, slot) in [
-            ("fill", ["-f-", "-area-", "-halo-"], &mut style.fill),
-            ("stroke", ["-s-", "-halo-", "-halo-"], &mut style.stroke),
+            ("fill", &["-f-", "-area-", "-words-", "-halo-"][..], &mut style.fill),
+            ("stroke", &["-s-", "-halo-"][..], &mut style.stroke),
         ] {
             if let Some(written) = node.attribute(name) {
                 let opacity = format!("{name}-opacity");
                 let opacity =
                     if node.has_attribute(opacity.as_str()) { number(node, &opacity)? } else { 1.0 };
-                let role = role(classes, &kinds);
+                let role = role(classes, kinds);
                 *slot = match written {
                     "none" => None,
                     _ => Some(Paint { role, color: color(written)?, opacity }),

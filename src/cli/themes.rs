@@ -1,0 +1,128 @@
+//! Themes as commands take them: words for those of the house, and files, named on the command line or in a
+//! scene.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use tracefig::drawing::Drawing;
+use tracefig::figure::Fault;
+use tracefig::figure::theme::{self, Theme, remedies, shortcomings};
+use tracefig::scene::limits::MAX_FILE_BYTES;
+use tracefig::scene::{Problem, SceneFile, visible};
+
+use super::inputs::Input;
+use super::regular::read_regular;
+
+/// A theme of the house, or one from a file.
+#[derive(Clone)]
+pub(crate) struct ChosenTheme {
+    /// The word for it; for a file the stem of its name.
+    pub(crate) name: String,
+    /// The colours.
+    pub(crate) theme: Theme,
+    /// What tells it apart in a hash: the name, or the file's text.
+    pub(crate) key: String,
+    /// The file; `None` for one of the house.
+    pub(crate) file: Option<PathBuf>,
+}
+
+/// A theme as written on the command line: the word for one of the house, or a file.
+pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
+    if let Some(known) = theme::find(text) {
+        let (name, key) = (text.to_owned(), text.to_owned());
+        return Ok(ChosenTheme { name, theme: known.clone(), key, file: None });
+    }
+    if theme::is_file(text) {
+        return from_file(Path::new(text));
+    }
+    let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
+    Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")))
+}
+
+/// The theme in a file.
+fn from_file(path: &Path) -> Result<ChosenTheme, String> {
+    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| e.to_string())?;
+    if bytes.len() > MAX_FILE_BYTES {
+        return Err(format!("expected at most {MAX_FILE_BYTES} bytes"));
+    }
+    let key = String::from_utf8(bytes).map_err(|e| e.to_string())?;
+    let theme = theme::parse(&key).map_err(|e| e.to_string())?;
+    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    Ok(ChosenTheme { name, theme, key, file: Some(path.to_owned()) })
+}
+
+/// The theme files that scenes name, each read once.
+#[derive(Default)]
+pub(crate) struct OwnThemes(Mutex<BTreeMap<PathBuf, Arc<ChosenTheme>>>);
+
+impl Clone for OwnThemes {
+    fn clone(&self) -> Self {
+        Self::default()
+    }
+}
+
+impl OwnThemes {
+    /// The theme of the file that a scene names, from the folder that the scene lies in or, where it comes
+    /// from standard input, from the working directory; `None` where it names none, or one of the house.
+    ///
+    /// # Errors
+    /// Where the file can't be read or is no theme, with the place in the scene.
+    pub(crate) fn of(
+        &self,
+        file: &SceneFile,
+        input: &Input,
+    ) -> Result<Option<Arc<ChosenTheme>>, Problem<Fault>> {
+        let Some(asked) = file.scene.canvas.theme.as_ref().filter(|t| theme::is_file(&t.value)) else {
+            return Ok(None);
+        };
+        let refuse = |reason: String| {
+            let fault = Fault::BadTheme { name: asked.value.clone(), reason };
+            Problem::new(fault, asked.span.clone())
+        };
+        let named = Path::new(&asked.value);
+        if named.has_root() || named.is_absolute() {
+            return Err(refuse("expected a path from the scene's own folder".to_owned()));
+        }
+        let folder = match input {
+            Input::File(path) => path.parent().unwrap_or(Path::new("")),
+            Input::Stdin | Input::Line { .. } => Path::new(""),
+        };
+        let path = folder.join(named);
+        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(theme) = known.get(&path) {
+            return Ok(Some(Arc::clone(theme)));
+        }
+        let theme = Arc::new(from_file(&path).map_err(refuse)?);
+        known.insert(path, Arc::clone(&theme));
+        Ok(Some(theme))
+    }
+}
+
+/// What readers can't tell apart in a drawing with a theme of a user's own, in lines; empty for a fit one.
+/// `allowed` says that they are warnings, without the colours that would pass.
+pub(crate) fn unfit(scene: &str, chosen: &ChosenTheme, drawing: &Drawing, allowed: bool) -> String {
+    let mut lines = String::new();
+    if chosen.file.is_none() {
+        return lines;
+    }
+    let (scene, name) = (visible(scene), visible(&chosen.name));
+    for short in shortcomings(&chosen.theme, drawing) {
+        if allowed {
+            let _ = writeln!(lines, "warning: {scene}, theme {name}: {short}");
+            continue;
+        }
+        let _ = write!(lines, "error: {scene}, theme {name}: {short}");
+        let near = remedies(&chosen.theme, drawing, &short);
+        let near: Vec<_> = near.iter().map(|(role, color)| format!("{} {color}", role.name())).collect();
+        if !near.is_empty() {
+            let _ = write!(lines, "; nearest that passes: {}", near.join(", or "));
+        }
+        lines.push('\n');
+    }
+    if !allowed && !lines.is_empty() {
+        lines.push_str("help: `--allow-similar` draws it all the same\n");
+    }
+    lines
+}

@@ -1,0 +1,145 @@
+//! Theme files: named on the command line and in scenes, and what of their colours is refused.
+
+#![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
+
+use std::fs;
+use std::path::Path;
+
+use crate::render::drawn;
+use crate::{Ran, folder_with, run, run_on, tracefig};
+
+/// Colours that people bring for two bodies: the pairs of matplotlib's default cycle, of Okabe and Ito, of
+/// Tableau 10.
+const PAIRS: [[&str; 2]; 7] = [
+    ["#1f77b4", "#ff7f0e"],
+    ["#1f77b4", "#d62728"],
+    ["#0072B2", "#D55E00"],
+    ["#E69F00", "#56B4E9"],
+    ["#4E79A7", "#F28E2B"],
+    ["#4E79A7", "#E15759"],
+    ["#76B7B2", "#E15759"],
+];
+
+fn render(folder: &Path, arguments: &[&str]) -> Ran {
+    run(tracefig(folder).arg("render").args(arguments))
+}
+
+fn svg(folder: &Path, name: &str) -> String {
+    fs::read_to_string(folder.join(name)).unwrap().to_lowercase()
+}
+
+/// The committed figures that use most roles.
+fn figures() -> Vec<String> {
+    ["01-penetration", "04-minkowski-difference", "05-linear-sweep", "06-advancement"]
+        .map(|stem| format!("{}/figures/{stem}.toml", env!("CARGO_MANIFEST_DIR")))
+        .into()
+}
+
+#[test]
+fn the_palettes_that_people_bring_draw_every_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let scenes = figures();
+    for page in ["#FFFFFF", "#12161C"] {
+        for [a, b] in PAIRS {
+            let theme = format!("[colors]\na = '{a}'\nb = '{b}'\nbackground = '{page}'\n");
+            fs::write(folder.path().join("own.toml"), theme).unwrap();
+            let mut arguments = vec!["--format", "svg", "-o", "out", "--theme", "own.toml"];
+            arguments.extend(scenes.iter().map(String::as_str));
+            let ran = render(folder.path(), &arguments);
+            assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""), "{a} {b} on {page}");
+            let svg = svg(folder.path(), "out/01-penetration.svg");
+            assert!(svg.contains(&a.to_lowercase()) && svg.contains(&b.to_lowercase()), "as given");
+        }
+    }
+}
+
+#[test]
+fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    let alike = "[colors]\na = '#ff7f0e'\nb = '#d62728'\ndifference = '#ff7f0e'\n";
+    fs::write(folder.path().join("own.toml"), alike).unwrap();
+    let own = |figure: &str, more: &[&str]| {
+        let figure = format!("{}/figures/{figure}.toml", env!("CARGO_MANIFEST_DIR"));
+        let usual = ["--format", "svg", "-o", ".", "--theme", "own.toml", figure.as_str()];
+        render(folder.path(), &[&usual, more].concat())
+    };
+    assert_eq!(own("02-bounding-box", &[]).code, Some(0), "there is no B and no difference in it");
+    let refused = own("01-penetration", &[]);
+    assert_eq!(refused.code, Some(1));
+    let lines: Vec<_> = refused.err.lines().collect();
+    assert_eq!(lines.len(), 2, "{}", refused.err);
+    let (said, near) = lines[0].split_once("; nearest that passes: ").unwrap();
+    assert!(said.ends_with("theme own: a #FF7F0E is too near b #D62728: ΔE2000 14.4, at least 20"), "{said}");
+    // What is named passes, and nothing else was wrong.
+    let color = near.split([' ', ',']).find(|word| word.starts_with('#')).unwrap();
+    let mended = format!("[colors]\na = '{color}'\nb = '#d62728'\n");
+    fs::write(folder.path().join("own.toml"), mended).unwrap();
+    assert_eq!(own("01-penetration", &[]).err, "");
+    fs::write(folder.path().join("own.toml"), alike).unwrap();
+    let allowed = own("01-penetration", &["--allow-similar"]);
+    assert_eq!(allowed.code, Some(0));
+    assert!(allowed.err.starts_with("warning: ") && allowed.err.lines().count() == 1, "{}", allowed.err);
+}
+
+#[test]
+fn a_theme_file_is_one_of_several_themes_and_what_is_no_theme_is_usage() {
+    let folder = folder_with("s.toml", &drawn());
+    fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n").unwrap();
+    fs::write(folder.path().join("wrong.toml"), "[colors]\nink = \"black\"\n").unwrap();
+    let with = |theme: &str| render(folder.path(), &["s.toml", "--format", "svg", "--theme", theme]);
+    assert_eq!(with("slides.toml,print").code, Some(0));
+    assert!(svg(folder.path(), "s.slides.svg").contains("#ff6650"));
+    let refused = with("wrong.toml");
+    assert_eq!(refused.code, Some(2));
+    assert!(refused.err.contains("colors.ink: expected `#RRGGBB` or `#RGB`, got `black`"), "{}", refused.err);
+    assert_eq!(with("sepia").code, Some(2));
+}
+
+#[test]
+fn a_scene_names_a_theme_file_of_its_own_folder() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    fs::create_dir(here.join("docs")).unwrap();
+    let named = |theme: &str| format!("canvas.theme = \"{theme}\"\n{}", drawn());
+    fs::write(here.join("docs/brand.toml"), "[colors]\na = \"#ff6650\"\n").unwrap();
+    fs::write(here.join("docs/s.toml"), named("brand.toml")).unwrap();
+    let ran = render(here, &["docs/s.toml", "--format", "svg"]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert!(svg(here, "docs/s.svg").contains("#ff6650"));
+    let current = ["docs/s.toml", "--format", "svg", "--skip-unchanged"];
+    assert_eq!(render(here, &current).out, "", "as it was");
+    fs::write(here.join("docs/brand.toml"), "[colors]\na = \"#ff6651\"\n").unwrap();
+    assert_eq!(render(here, &current).out, "docs/s.svg\n", "another theme, another figure");
+    assert_eq!(run(tracefig(here).args(["describe", "docs/s.toml"])).code, Some(0));
+    // A theme that was asked for is in place of the scene's own, which need not be there.
+    fs::remove_file(here.join("docs/brand.toml")).unwrap();
+    assert_eq!(render(here, &["docs/s.toml", "--format", "svg", "--theme", "dark"]).code, Some(0));
+    let lost = render(here, &["docs/s.toml", "--format", "svg"]);
+    assert_eq!(lost.code, Some(1));
+    let told = "error[bad-theme]: the theme `brand.toml` can't be used: ";
+    assert!(lost.err.starts_with(told) && lost.err.contains("--> docs/s.toml:1:16"), "{}", lost.err);
+}
+
+#[test]
+fn a_theme_of_a_scene_is_a_file_by_a_path_from_there() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    fs::write(here.join("brand.toml"), "[colors]\na = \"#ff6650\"\n").unwrap();
+    let absolute = here.join("brand.toml").display().to_string();
+    fs::create_dir(here.join("folder.toml")).unwrap();
+    for (theme, why) in [
+        (absolute.as_str(), "expected a path from the scene's own folder"),
+        ("folder.toml", "it is a folder, not a regular file"),
+        ("s.toml", "unknown field"),
+    ] {
+        fs::write(here.join("own.toml"), format!("canvas.theme = \"{theme}\"\n{}", drawn())).unwrap();
+        let ran = render(here, &["own.toml", "--format", "svg"]);
+        assert!(ran.code == Some(1) && ran.err.contains(why), "{theme}: {}", ran.err);
+    }
+    // A line of a stream names one of the working directory.
+    let line = "{\"canvas\": {\"theme\": \"brand.toml\"}, \"query\": {\"kind\": \"bounds\", \"of\": [\"A\"]}, \
+                \"shapes\": {\"A\": {\"kind\": \"circle\", \"radius\": 1}}}\n";
+    let ran = run_on(tracefig(here).args(["render", "--jsonl", "--format", "svg"]), line);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    assert!(svg(here, "line-1.svg").contains("#ff6650"));
+}
