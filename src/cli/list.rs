@@ -169,6 +169,9 @@ fn takes(takes: Takes) -> String {
     match takes {
         Takes::Flag => "true or false".to_owned(),
         Takes::Number => "a number".to_owned(),
+        Takes::Positive => "a number above 0".to_owned(),
+        Takes::Point => "[x, y]".to_owned(),
+        Takes::Counts => "a whole number from 0, or a list of them".to_owned(),
         Takes::Word(words) => words.join(" | "),
         Takes::Words(words) => format!("some of {}", words.join(", ")),
         Takes::Bodies => "names of shapes".to_owned(),

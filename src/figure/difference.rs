@@ -23,6 +23,8 @@ pub(crate) struct Edge {
     pub(crate) source: Side,
     /// The number of the edge on that body, in the file's order.
     pub(crate) index: usize,
+    /// The number of the supporting vertex of the other body.
+    pub(crate) vertex: usize,
     /// Start, in configuration space, counter-clockwise.
     pub(crate) from: DVec2,
     /// End, in configuration space.
@@ -55,12 +57,12 @@ impl Difference {
         for event in events {
             match *event {
                 Event::Started { .. } if !found.is_empty() || center.is_some() => break,
-                Event::DifferenceEdgeFound { source, edge, from, to, normal, distance, .. } => {
+                Event::DifferenceEdgeFound { source, edge, vertex, from, to, normal, distance } => {
                     // A segment's two edges, there and back, bear one number.
                     let normals = known.entry((source == Side::B, edge)).or_default();
                     if !normals.iter().any(|n| n.dot(normal) > 0.0) {
                         normals.push(normal);
-                        found.push(Edge { source, index: edge, from, to, normal, distance });
+                        found.push(Edge { source, index: edge, vertex, from, to, normal, distance });
                     }
                 }
                 Event::DifferenceRounded { center: c, radius: r } => (center, radius) = (c, r),

@@ -128,7 +128,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/theme", &["drawing"]),
     ("figure/page", &["drawing"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
-    ("figure/sketch", &["geometry", "drawing", "figure/frame", "figure/limits", "figure/theme"]),
+    ("figure/sketch", &["geometry", "typeset", "drawing", "figure/frame", "figure/limits", "figure/theme"]),
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
     ("figure/runs", &["trace", "collision", "scene", "figure/limits", "figure/question"]),
     ("figure/moving_frame", &["geometry", "collision"]),

@@ -185,7 +185,9 @@ impl<'b> Choices<'b> {
             }
             let value = match option.takes {
                 Takes::Flag => (*self.of(&["true", "false"])).to_owned(),
-                Takes::Number => self.number(),
+                Takes::Number | Takes::Positive => self.number(),
+                Takes::Point => format!("[{}, {}]", self.number(), self.number()),
+                Takes::Counts => (*self.of(&["0", "[0, 2]", "1", "[]", "[7, 1]"])).to_owned(),
                 Takes::Word(words) => format!("{:?}", self.of(words)),
                 Takes::Words(words) => format!("[{:?}, {:?}]", self.of(words), self.of(words)),
                 Takes::Bodies => (*self.of(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""])).to_owned(),

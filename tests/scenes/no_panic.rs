@@ -199,7 +199,9 @@ fn layer(r: &mut Random, layer: &Layer) -> String {
         }
         let value = match option.takes {
             Takes::Flag => r.pick(&["true", "false"]).to_string(),
-            Takes::Number => number(r),
+            Takes::Number | Takes::Positive => number(r),
+            Takes::Point => format!("[{}, {}]", number(r), number(r)),
+            Takes::Counts => r.pick(&["0", "[0, 2]", "1", "[]", "[7, 1]"]).to_string(),
             Takes::Word(words) => format!("{:?}", r.pick(words)),
             Takes::Words(words) => format!("[{:?}, {:?}]", r.pick(words), r.pick(words)),
             Takes::Bodies => r.pick(&["[\"A\"]", "[\"B\", \"A\"]", "\"B\""]).to_string(),

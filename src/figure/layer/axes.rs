@@ -1,16 +1,35 @@
-//! The two coordinate axes through the origin of the panel's space, as far as the panel shows.
+//! The two coordinate axes through the origin of the panel's space, as far as the panel shows; with `ticks`,
+//! numbers at round steps along its lower and left edge, outside of what the picture is about.
 
+use crate::drawing::{Point, Rect};
 use crate::figure::context::Context;
-use crate::figure::sketch::{Pen, Sketch, Weight};
+use crate::figure::sketch::{Pen, Sketch, Weight, Words};
 use crate::geometry::DVec2;
 
-use super::{Fed, Layer, Options, Shows};
+use super::grid::{Mark, STEP, marks};
+use super::ruler::Ruler;
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes};
+
+/// Length of the tick at a number, page pixels.
+const TICK: f64 = 4.0;
+/// Room between a tick and its number, and between the panel's edge and the number, page pixels.
+const GAP: f64 = 2.0;
+/// Room between two numbers of one axis, page pixels: at less, 1 and 2 read as 12.
+const ROOM: f64 = 10.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axes",
     about: "the coordinate axes of the panel's space, through its origin",
     shows: Shows::Anywhere,
-    options: &[],
+    options: &[
+        OptionSpec {
+            name: "ticks",
+            takes: Takes::Flag,
+            default: "false",
+            about: "numbers at round steps, along the panel's lower and left edge",
+        },
+        OptionSpec { about: "from one tick to the next, units of the panel's space", ..STEP },
+    ],
     labels: &[],
     needs: "nothing",
     fed: |_, _| Fed::Yes,
@@ -22,10 +41,138 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let p = DVec2::new(x, y);
         context.frame().map_or(p, |frame| frame.point(p))
     };
-    let (lo, hi) = sketch.visible();
     let pen = Pen { role: options.role(Pen::axis().role), ..Pen::axis() };
+    let (mut lo, hi) = sketch.visible();
+    let seen = lo.cmple(DVec2::ZERO) & hi.cmpge(DVec2::ZERO);
+    if options.flag("ticks", false) {
+        // An axis that ran through a number would be its minus sign.
+        lo += sketch.px(1.0) * ticks(sketch, context, options, pen);
+    }
     sketch.part("x-axis").weight(Weight::Background);
-    sketch.line(at(lo.x, 0.0), at(hi.x, 0.0), pen);
+    if seen.y {
+        sketch.line(at(lo.x, 0.0), at(hi.x, 0.0), pen);
+    }
     sketch.part("y-axis").weight(Weight::Background);
-    sketch.line(at(0.0, lo.y), at(0.0, hi.y), pen);
+    if seen.x {
+        sketch.line(at(0.0, lo.y), at(0.0, hi.y), pen);
+    }
+}
+
+/// Writes the numbers, and says how far they reach from the panel's left and lower edge, page pixels.
+fn ticks(sketch: &mut Sketch, context: &Context, options: &Options, pen: Pen) -> DVec2 {
+    let [x, y] = marks(sketch, context, options);
+    let panel = sketch.panel();
+    let row = x.and_then(|(ruler, marks)| lower(sketch, pen, ruler, &marks));
+    let column = y.and_then(|(ruler, marks)| left(sketch, pen, ruler, &marks, row));
+    let reach = |end: Option<f64>| end.map_or(0.0, |end| end + GAP);
+    DVec2::new(reach(column.map(|c| c.x1 - panel.x0)), reach(row.map(|r| panel.y1 - r.y0)))
+}
+
+/// A number at its place.
+struct Number {
+    /// The number, set in type.
+    line: Words,
+    /// Where its baseline begins on the page.
+    origin: Point,
+    /// Its mark on the page along the axis, page pixels; none for what all numbers share.
+    mark: Option<f64>,
+}
+
+impl Number {
+    /// Its box on the page, page pixels.
+    fn bounds(&self) -> Rect {
+        let (p, line) = (self.origin, &self.line);
+        Rect { x0: p.x, y0: p.y - line.ascent, x1: p.x + line.width, y1: p.y + line.descent }
+    }
+}
+
+/// Writes the numbers of the x-axis along the panel's lower edge, and says where.
+fn lower(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark]) -> Option<Rect> {
+    let panel = sketch.panel();
+    let lines = set(sketch, ruler, marks);
+    let descent = lines.iter().map(|(_, line)| line.descent).fold(0.0, f64::max);
+    let ascent = lines.iter().map(|(_, line)| line.ascent).fold(0.0, f64::max);
+    let wide = lines.iter().map(|(_, line)| line.width).fold(0.0, f64::max);
+    let baseline = panel.y1 - GAP - descent;
+    let mut numbers = shared(sketch, ruler, |line| Point::new(panel.x1 - line.width, baseline));
+    for (mark, line) in thinned(lines, marks, wide + ROOM) {
+        let origin = Point::new(mark.place - 0.5 * line.width, baseline);
+        numbers.push(Number { line, origin, mark: Some(mark.place) });
+    }
+    let top = baseline - ascent - GAP;
+    let tick = |x: f64| (Point::new(x, top), Point::new(x, top - TICK));
+    write(sketch.part("x-numbers"), pen, numbers, None, tick)
+}
+
+/// Writes the numbers of the y-axis along the panel's left edge, but over the `row` of the x-axis, and says
+/// where.
+fn left(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark], row: Option<Rect>) -> Option<Rect> {
+    let panel = sketch.panel();
+    let lines = set(sketch, ruler, marks);
+    let wide = lines.iter().map(|(_, line)| line.width).fold(0.0, f64::max);
+    let high = lines.iter().map(|(_, line)| line.ascent + line.descent).fold(0.0, f64::max);
+    let mut numbers = shared(sketch, ruler, |line| Point::new(panel.x0 + GAP, panel.y0 + GAP + line.ascent));
+    for (mark, line) in thinned(lines, marks, high + 0.6 * ROOM) {
+        let y = mark.place + 0.5 * (line.ascent - line.descent);
+        let origin = Point::new(panel.x0 + GAP + wide - line.width, y);
+        numbers.push(Number { line, origin, mark: Some(mark.place) });
+    }
+    let from = panel.x0 + wide + 2.0 * GAP;
+    let tick = |y: f64| (Point::new(from, y), Point::new(from + TICK, y));
+    let row = row.map(|row| Rect { x0: panel.x0, x1: panel.x1, ..row });
+    write(sketch.part("y-numbers"), pen, numbers, row, tick)
+}
+
+/// What all numbers share, at its place, where they share something.
+fn shared(sketch: &Sketch, ruler: Ruler, origin: impl Fn(&Words) -> Point) -> Vec<Number> {
+    let line = ruler.shared().text().and_then(|text| sketch.set(&text));
+    line.map(|line| Number { origin: origin(&line), line, mark: None }).into_iter().collect()
+}
+
+/// The numbers of marks, set in type.
+fn set(sketch: &Sketch, ruler: Ruler, marks: &[Mark]) -> Vec<(usize, Words)> {
+    let shared = ruler.shared();
+    let line = |(i, mark): (usize, &Mark)| Some((i, sketch.set(&ruler.text(mark.value, shared)?)?));
+    marks.iter().enumerate().filter_map(line).collect()
+}
+
+/// Numbers that stand `room` page pixels apart: all, or those of every second, fifth, tenth … mark, 0 among
+/// them.
+fn thinned(lines: Vec<(usize, Words)>, marks: &[Mark], room: f64) -> impl Iterator<Item = (Mark, Words)> {
+    let gap =
+        marks.windows(2).map(|pair| (pair[1].place - pair[0].place).abs()).fold(f64::INFINITY, f64::min);
+    let every =
+        std::iter::successors(Some(10.0), |e| Some(10.0 * e)).flat_map(|e| [0.1 * e, 0.2 * e, 0.5 * e]);
+    let every = every.take(30).find(|e| e * gap >= room).unwrap_or(f64::INFINITY);
+    let chosen = move |mark: &Mark| mark.number % every == 0.0;
+    let marks = marks.to_vec();
+    lines
+        .into_iter()
+        .filter_map(move |(i, line)| Some((*marks.get(i)?, line)))
+        .filter(move |(m, _)| chosen(m))
+}
+
+/// Writes numbers that are whole in the panel and over nothing that is written, each with its tick, and says
+/// where they stand.
+fn write(
+    sketch: &mut Sketch,
+    pen: Pen,
+    numbers: Vec<Number>,
+    taken: Option<Rect>,
+    tick: impl Fn(f64) -> (Point, Point),
+) -> Option<Rect> {
+    let panel = sketch.panel();
+    let mut written: Vec<Rect> = Vec::new();
+    let mut ticks = Vec::new();
+    for number in numbers {
+        let bounds = number.bounds();
+        let free = |other: &Rect| bounds.grown(0.5 * ROOM).intersection(*other).is_none();
+        if written.iter().chain(&taken).all(free) && panel.union(bounds) == panel {
+            ticks.extend(number.mark.map(&tick));
+            written.push(bounds);
+            sketch.write(&number.line, number.origin, pen.role);
+        }
+    }
+    sketch.quiet_lines(&ticks, pen);
+    written.into_iter().reduce(Rect::union)
 }

@@ -37,6 +37,10 @@ const NUMBER_GAP: f64 = 14.0;
 /// How far an edge that looks level rises over its length at most, page pixels.
 const LEVEL: f64 = 1.0;
 
+/// How far from a vertex an edge may begin that begins there, in parts of the largest coordinate: some
+/// roundings, and far below what is seen.
+const BEGINS: f64 = 1e-12;
+
 pub(super) const LAYER: Layer = Layer {
     name: "difference",
     about: "the Minkowski difference B ⊖ A, edges by source",
@@ -85,6 +89,54 @@ pub(super) const LAYER: Layer = Layer {
 /// B ⊖ A at a time, as the algorithm that tells of it found it.
 pub(super) fn difference(context: &Context, time: f64) -> Option<Difference> {
     Difference::of(context.difference_at(time)?.told(tells_shape))
+}
+
+/// A vertex of B ⊖ A and where it comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Origin {
+    /// Its place, in configuration space.
+    pub(super) at: DVec2,
+    /// The number of A's vertex.
+    pub(super) a: usize,
+    /// The number of B's vertex.
+    pub(super) b: usize,
+}
+
+impl Origin {
+    /// The number of a body's vertex.
+    pub(super) fn of(&self, side: Side) -> usize {
+        if side == Side::A { self.a } else { self.b }
+    }
+}
+
+/// The vertices of B ⊖ A at a time, each a vertex of B less a vertex of A: an edge of the one body begins
+/// there, and the other's supporting vertex is told with it.
+pub(super) fn origins(context: &Context, found: &Difference, time: f64) -> Vec<Origin> {
+    if found.edges.is_empty() {
+        let at = |at| Origin { at, a: 0, b: 0 };
+        return found.center.map(at).into_iter().collect();
+    }
+    let places = |side| {
+        let count = context.body(side).map_or(0, |body| body.shape.vertices.len());
+        (0..count).filter_map(|k| context.vertex(side, k, time)).collect::<Vec<_>>()
+    };
+    let [a, b] = Side::BOTH.map(places);
+    let of = |side| if side == Side::A { &a } else { &b };
+    let size = a.iter().chain(&b).map(|p| p.abs().max_element()).fold(0.0, f64::max);
+    let origin = |edge: &Edge| {
+        let other = if edge.source == Side::A { Side::B } else { Side::A };
+        let still = *of(other).get(edge.vertex)?;
+        let sought = if edge.source == Side::A { still - edge.from } else { still + edge.from };
+        let shape = &context.body(edge.source)?.shape;
+        let off = |k: usize| of(edge.source).get(k).map_or(f64::INFINITY, |p| p.distance(sought));
+        let nearest = |all: &[usize]| all.iter().copied().min_by(|&k, &l| off(k).total_cmp(&off(l)));
+        // An edge with vertices within it is told by one of its pieces.
+        let end = nearest(&shape.edge_ends(edge.index)?).filter(|&k| off(k) <= BEGINS * size);
+        let own = end.or_else(|| nearest(&shape.core))?;
+        let (a, b) = if edge.source == Side::A { (own, edge.vertex) } else { (edge.vertex, own) };
+        Some(Origin { at: edge.from, a, b })
+    };
+    found.edges.iter().filter_map(origin).collect()
 }
 
 /// An event that tells of the difference, or that another search for it begins.

@@ -13,21 +13,26 @@ mod bounds;
 mod clamp;
 mod closest;
 mod contact;
+mod coordinates;
 mod difference;
 mod expected;
+mod feature;
 mod fed;
 mod frame;
 mod ghosts;
+mod grid;
 mod grown;
 mod half_extents;
 mod normal;
 mod note;
 pub(crate) mod options;
 mod origin;
+mod point;
 mod polytope;
 mod projection;
 mod radii;
 mod ray;
+mod ruler;
 mod separation;
 mod shapes;
 mod simplex;
@@ -39,6 +44,7 @@ mod tests;
 mod tracks;
 mod translation;
 mod velocity;
+mod vertices;
 
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
@@ -93,6 +99,9 @@ const STEPS: &str = "steps";
 /// Every layer, in the order of `tracefig list`.
 pub static LAYERS: &[Layer] = &[
     shapes::LAYER,
+    vertices::LAYER,
+    feature::LAYER,
+    point::LAYER,
     ghosts::LAYER,
     separation::LAYER,
     normal::LAYER,
@@ -106,6 +115,7 @@ pub static LAYERS: &[Layer] = &[
     translation::LAYER,
     axis_gaps::LAYER,
     frame::LAYER,
+    grid::LAYER,
     axes::LAYER,
     grown::LAYER,
     difference::LAYER,

@@ -3,8 +3,14 @@
 use std::ops::Range;
 
 use crate::drawing::Role;
-use crate::geometry::Side;
+use crate::geometry::{DVec2, Side};
 use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
+
+/// The farthest a point of the reader's choice may lie from the origin along either axis.
+const FARTHEST: f64 = 1e100;
+
+/// The largest number of a vertex or an edge that is read: no scene has as many.
+const LARGEST_COUNT: f64 = 1e9;
 
 /// What values an option takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +19,12 @@ pub enum Takes {
     Flag,
     /// Any finite number.
     Number,
+    /// A number above 0.
+    Positive,
+    /// A point `[x, y]`.
+    Point,
+    /// Whole numbers from 0: a list, or one.
+    Counts,
     /// One of these words.
     Word(&'static [&'static str]),
     /// A list of these words, or one of them.
@@ -51,8 +63,12 @@ pub static COMMON: &[OptionSpec] = &[
 pub(crate) enum Setting {
     /// The value of a [`Takes::Flag`].
     Flag(bool),
-    /// The value of a [`Takes::Number`], or the time of a [`Takes::When`].
+    /// The value of a [`Takes::Number`] or [`Takes::Positive`], or the time of a [`Takes::When`].
     Number(f64),
+    /// The value of a [`Takes::Point`].
+    Point(DVec2),
+    /// The values of a [`Takes::Counts`].
+    Counts(Vec<usize>),
     /// The words or lines of an option that takes them; one where it takes a single word.
     Words(Vec<String>),
     /// The bodies of a [`Takes::Bodies`].
@@ -118,6 +134,18 @@ impl Options {
         if let Some(Setting::Number(x)) = self.get(name) { Some(*x) } else { None }
     }
 
+    /// A point, where the scene gave one.
+    #[must_use]
+    pub(crate) fn point(&self, name: &str) -> Option<DVec2> {
+        if let Some(Setting::Point(p)) = self.get(name) { Some(*p) } else { None }
+    }
+
+    /// Whole numbers, where the scene gave some.
+    #[must_use]
+    pub(crate) fn counts(&self, name: &str) -> Option<&[usize]> {
+        if let Some(Setting::Counts(counts)) = self.get(name) { Some(counts) } else { None }
+    }
+
     /// A word, or `default` where the scene does not say.
     #[must_use]
     pub(crate) fn word<'o>(&'o self, name: &str, default: &'o str) -> &'o str {
@@ -179,6 +207,22 @@ impl Reading<'_> {
         match (takes, value) {
             (Takes::Flag, Value::Bool(b)) => Ok(Setting::Flag(*b)),
             (Takes::Number, Value::Number(x)) => Ok(Setting::Number(*x)),
+            (Takes::Positive, Value::Number(x)) if *x > 0.0 => Ok(Setting::Number(*x)),
+            (Takes::Point, Value::List(list)) => match list[..] {
+                [Spanned { value: Value::Number(x), .. }, Spanned { value: Value::Number(y), .. }]
+                    if in_reach(x) && in_reach(y) =>
+                {
+                    Ok(Setting::Point(DVec2::new(x, y)))
+                }
+                _ => Err(self.wrong_type(&expected(takes), value, self.span)),
+            },
+            (Takes::Counts, Value::Number(_)) => {
+                self.count(value, self.span).map(|k| Setting::Counts(vec![k]))
+            }
+            (Takes::Counts, Value::List(list)) => {
+                let counts = list.iter().map(|item| self.count(&item.value, &item.span));
+                counts.collect::<Result<_, _>>().map(Setting::Counts)
+            }
             (Takes::When(_), Value::Number(t)) if (0.0..=1.0).contains(t) => Ok(Setting::Number(*t)),
             (Takes::Word(words) | Takes::Words(words) | Takes::When(words), Value::Text(word)) => {
                 self.one_of(words, word, self.span).map(|w| Setting::Words(vec![w]))
@@ -222,6 +266,16 @@ impl Reading<'_> {
             .collect()
     }
 
+    /// A whole number from 0.
+    fn count(&self, value: &Value, span: &Range<usize>) -> Result<usize, Problem> {
+        let whole = match value {
+            Value::Number(x) if (0.0..=LARGEST_COUNT).contains(x) && x.fract() == 0.0 => Some(*x),
+            _ => None,
+        };
+        let count = whole.and_then(|x| format!("{x}").parse().ok());
+        count.ok_or_else(|| self.wrong_type(&expected(Takes::Counts), value, span))
+    }
+
     /// A word, if it is one of those known.
     fn one_of(&self, words: &[&str], word: &str, span: &Range<usize>) -> Result<String, Problem> {
         if words.contains(&word) {
@@ -257,11 +311,19 @@ impl Reading<'_> {
     }
 }
 
+/// Whether a point may have this coordinate.
+fn in_reach(x: f64) -> bool {
+    x.abs() <= FARTHEST
+}
+
 /// What an option takes, in the words of a message.
 fn expected(takes: Takes) -> String {
     match takes {
         Takes::Flag => "true or false".to_owned(),
         Takes::Number => "a number".to_owned(),
+        Takes::Positive => "a number above 0".to_owned(),
+        Takes::Point => format!("two numbers [x, y] within ±{FARTHEST:e}"),
+        Takes::Counts => "a whole number from 0, or a list of them".to_owned(),
         Takes::Word(words) => format!("one of {}", quoted(words)),
         Takes::Words(words) => format!("a list of {}", quoted(words)),
         Takes::Bodies => "names of the query's shapes".to_owned(),

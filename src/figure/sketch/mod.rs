@@ -11,6 +11,7 @@ mod measure;
 mod outline;
 mod pen;
 mod round;
+mod words;
 
 use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Rect, Role, Stroke};
 use crate::figure::frame::Frame;
@@ -22,6 +23,7 @@ pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
 pub(crate) use marker::SPECK;
 pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
 pub(crate) use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash};
+pub(crate) use words::Words;
 
 /// The least length of a mark that can be read, page pixels: below, an arrow's head takes half of it.
 const SEEN: f64 = 14.0;

@@ -16,7 +16,7 @@ mod values;
 mod wording;
 
 pub(crate) use caption::{Across, Block, across, caption_of_words, set};
-pub(crate) use number::{in_words, number, rounded};
+pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};

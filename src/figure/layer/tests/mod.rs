@@ -2,6 +2,7 @@
 
 mod moments;
 mod numbers;
+mod reading;
 mod steps;
 
 use std::collections::BTreeMap;

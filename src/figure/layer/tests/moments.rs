@@ -120,6 +120,14 @@ const OF_THE_HIT: &[&str] = &["ghosts", "contact", "sweep", "ray", "velocity", "
 /// another moment.
 const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach", "expected"];
 
+/// A layer as a scene asks for it.
+fn asked(layer: &str) -> String {
+    match layer {
+        "point" => "{ layer = 'point', of = 'A', at = [0.5, 0.25], coordinates = true }".to_owned(),
+        _ => format!("'{layer}'"),
+    }
+}
+
 /// A path or a label of a panel: the layer, the part and the places; or the key, the text and nothing.
 type Thing = (String, String, Vec<Point>);
 
@@ -230,7 +238,7 @@ fn every_layer_shows_what_the_bodies_are_at_the_panels_moment() {
             let space = if layer.shows == Shows::Configuration { "configuration" } else { "world" };
             for when in ["time = 0.3", "time = 0.05", "time = 'hit'", "time = 'end'", "step = 2"] {
                 let panel = format!("space = '{space}', {when}");
-                let moving = scene(bodies, &panel, &format!("'{}'", layer.name), VIEW);
+                let moving = scene(bodies, &panel, &asked(layer.name), VIEW);
                 let Some(plan) = plan(&moving).ok().filter(|plan| plan.warnings.is_empty()) else { continue };
                 let context = plan.panels[0].context(&moving, &plan.runs);
                 let (time, against) = (context.time, context.estimate());
@@ -304,7 +312,7 @@ fn a_frame_that_goes_straight_shows_what_a_world_does_that_goes_with_it() {
         {
             for when in ["time = 0.3", "time = 'hit'", "step = 2"] {
                 let panel = format!("space = 'body', frame = 'A', {when}");
-                let moving = scene(bodies, &panel, &format!("'{}'", layer.name), VIEW);
+                let moving = scene(bodies, &panel, &asked(layer.name), VIEW);
                 let mut resting = moving.clone();
                 let v = resting.shapes[0].1.velocity;
                 resting.shapes.iter_mut().for_each(|(_, body)| body.velocity -= v);

@@ -1,0 +1,71 @@
+//! The coordinates of a point as a reader computes with them: `(2, −1.25)`.
+//!
+//! They are written as fine as the picture shows places, to half a page pixel, and in the panel's space, so
+//! that a grid and the numbers of the axes say the same.
+
+use crate::figure::context::Context;
+use crate::figure::sketch::Sketch;
+use crate::figure::text::in_math;
+use crate::geometry::DVec2;
+
+use super::ruler::{exponent, whole};
+
+/// How fine a coordinate is written, page pixels.
+const FINE: f64 = 0.5;
+/// Decimal exponents within which a coordinate is written without a power of ten.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// The coordinates of a point of the world (or of configuration space) in the panel's space, as markup.
+pub(super) fn coordinates(sketch: &Sketch, context: &Context, p: DVec2) -> String {
+    let (p, fine) = (context.in_space(p), sketch.px(FINE));
+    format!("$({}, {})$", coordinate(p.x, fine), coordinate(p.y, fine))
+}
+
+/// A coordinate as LaTeX, no coarser than `fine` and with as many digits as that takes.
+fn coordinate(x: f64, fine: f64) -> String {
+    let last = exponent(fine);
+    let size = exponent(x);
+    if x == 0.0 || size < last {
+        return "0".to_owned();
+    }
+    if !PLAIN.contains(&size) {
+        let digits = whole(f64::from(size - last).clamp(0.0, 12.0));
+        let text = format!("{x:.digits$e}");
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return in_math(&format!("{}e{power}", without_zeros(mantissa)));
+    }
+    let places = whole(f64::from(-last).clamp(0.0, 12.0));
+    let text = format!("{x:.places$}");
+    let short = without_zeros(&text);
+    if short == "-0" { "0".to_owned() } else { short.to_owned() }
+}
+
+/// Decimals without zeros at their end.
+fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_coordinate_is_as_fine_as_the_picture() {
+        let cases = [
+            (2.0, 0.01, "2"),
+            (-1.25, 0.01, "-1.25"),
+            (std::f64::consts::PI, 0.01, "3.14"),
+            (1234.5, 0.06, "1234.5"),
+            (1e-17, 0.01, "0"),
+            (-1e-17, 0.01, "0"),
+            (-0.004, 0.01, "0"),
+            (1e9, 0.01, "10^{9}"),
+            (1_000_000_001.25, 0.01, r"1.00000000125 \times 10^{9}"),
+            (2.5e-6, 1e-8, r"2.5 \times 10^{-6}"),
+            (1e300, 1e-300, "10^{300}"),
+        ];
+        for (x, fine, text) in cases {
+            assert_eq!(coordinate(x, fine), text, "{x} to {fine}");
+        }
+    }
+}

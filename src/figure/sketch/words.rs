@@ -1,0 +1,77 @@
+//! Lines and words at places of their own on the page: numbers of an axis, whose place is their meaning.
+
+use std::sync::Arc;
+
+use crate::drawing::{Contour, Halo, Item, Path, Point, Rect, Role, Segment, Text};
+use crate::geometry::DVec2;
+use crate::typeset::{Line, Style, typeset};
+
+use super::{Cover, Pen, Size, Sketch};
+
+/// How far the halo of words reaches, page pixels.
+const HALO: f64 = 2.5;
+/// The least size of letters, page pixels.
+const LEAST: f64 = 11.0;
+
+/// A line of words that is set, ready to be written anywhere.
+#[derive(Clone, Debug)]
+pub(crate) struct Words {
+    /// The glyphs of the line.
+    line: Arc<Line>,
+    /// How wide it is, page pixels.
+    pub(crate) width: f64,
+    /// How far it reaches above its baseline, page pixels.
+    pub(crate) ascent: f64,
+    /// How far it reaches below its baseline, page pixels.
+    pub(crate) descent: f64,
+}
+
+impl Sketch<'_> {
+    /// The panel on the page, page pixels.
+    #[must_use]
+    pub(crate) fn panel(&self) -> Rect {
+        self.frame.panel
+    }
+
+    /// Where a point of the panel's space lies on the page.
+    #[must_use]
+    pub(crate) fn page(&self, p: DVec2) -> Point {
+        self.frame.page(p)
+    }
+
+    /// Draws straight lines on the page that labels do not mind, as one path.
+    pub(crate) fn quiet_lines(&mut self, lines: &[(Point, Point)], pen: Pen) -> &mut Self {
+        if lines.is_empty() {
+            return self;
+        }
+        let ends = lines.iter().flat_map(|&(from, to)| [Segment::Move(from), Segment::Line(to)]);
+        let stroke = self.stroke_of(pen);
+        self.spend(lines.len());
+        self.push(Item::Path(Path::stroked(Contour::Segments(ends.collect()), stroke)))
+    }
+
+    /// Sets markup in the size of small notes; `None` where it can't be set.
+    #[must_use]
+    pub(crate) fn set(&self, markup: &str) -> Option<Words> {
+        let size = self.fitted(Size::Small.px()).max(LEAST);
+        let line = typeset(markup, Style::regular(size)).ok()?;
+        let (width, ascent, descent) = (line.width, line.ascent, line.descent);
+        Some(Words { line: Arc::new(line), width, ascent, descent })
+    }
+
+    /// Writes a line of text on the page, its baseline beginning at `origin`, and makes labels keep off it;
+    /// without effect where the scene turned this layer's labels off.
+    pub(crate) fn write(&mut self, words: &Words, origin: Point, role: Role) -> &mut Self {
+        if !self.labels {
+            return self;
+        }
+        let (top, bottom) = (origin.y - words.ascent, origin.y + words.descent);
+        for y in [top, 0.5 * (top + bottom), bottom] {
+            let (from, to) = (Point::new(origin.x, y), Point::new(origin.x + words.width, y));
+            self.keep_off(Cover::Stroke { from, to, half: 0.5 });
+        }
+        let halo = Some(Halo { paint: self.paint(Role::Background), width: HALO });
+        let paint = self.paint(role);
+        self.push(Item::Text(Text { line: Arc::clone(&words.line), origin, paint, halo }))
+    }
+}
