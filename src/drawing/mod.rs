@@ -61,8 +61,12 @@ pub struct Drawing {
     pub height: f64,
     /// Prefix of every id in an SVG: a letter, then letters, digits, `-` and `_`.
     pub id: String,
+    /// The language of the words of the scene, as `de` or `pt-BR`; none where it is not said.
+    pub lang: Option<String>,
     /// The title as plain text; the short alternative text.
     pub title: String,
+    /// Whether the title is of the scene, in its language; else it is ours, in English, as the long text is.
+    pub is_titled: bool,
     /// The long alternative text.
     pub desc: String,
     /// The page's colour, opaque.
@@ -82,6 +86,19 @@ pub struct Drawing {
     pub hash: String,
     /// Everything drawn, in painting order.
     pub items: Vec<Item>,
+}
+
+impl Drawing {
+    /// The language of words of ours.
+    pub(crate) const OWN_LANG: &'static str = "en";
+
+    /// The languages of the title and of the long text, where they are not that of the drawing.
+    pub(crate) fn languages_of_words(&self) -> [Option<&'static str>; 2] {
+        let is_own =
+            |lang: &str| lang.split('-').next().is_some_and(|of| of.eq_ignore_ascii_case(Self::OWN_LANG));
+        let other = self.lang.as_deref().is_some_and(|lang| !is_own(lang)).then_some(Self::OWN_LANG);
+        [other.filter(|_| !self.is_titled), other]
+    }
 }
 
 /// How a drawing looks for readers whose system is dark.

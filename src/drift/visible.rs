@@ -42,6 +42,8 @@ pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
         changes.add("gone".to_owned(), &element.name);
     }
     let mut lines = Vec::new();
+    let lang = |drawing: &Drawing| drawing.lang.clone().unwrap_or_default();
+    words("language", &lang(old), &lang(new), &mut lines);
     words("title", &old.title, &new.title, &mut lines);
     lines.extend(changes.lines());
     words("description", &old.desc, &new.desc, &mut lines);

@@ -17,7 +17,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, across, caption_of_words, check_texts, label_key};
+use super::text::{Across, Block, across, alternative, caption_of_words, check_texts, label_key};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -37,6 +37,8 @@ pub struct Plan<'s> {
     pub(crate) panels: Vec<PanelPlan<'s>>,
     /// What the figure claims, above the panels.
     pub(crate) headline: Across,
+    /// The short alternative text that the scene gives.
+    pub(crate) alt: Option<String>,
     /// What leads through the figure, below the panels.
     pub(crate) caption: Across,
     /// Where things lie on the page.
@@ -133,6 +135,7 @@ fn resolve<'s>(
         first.as_ref().map(|first| across(block, first, (&mut problems, &mut warnings))).unwrap_or_default()
     };
     let (headline, mut caption) = (set(Block::Headline), set(Block::Caption));
+    let alt = first.as_ref().and_then(|first| alternative(first, (&mut problems, &mut warnings)));
     if scene.panels.is_empty() && scene.caption.is_none() {
         caption = caption_of_words(scene, sentence(scene, &runs.own(scene, scene.query.time)));
     }
@@ -149,7 +152,7 @@ fn resolve<'s>(
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if problems.is_empty() {
-        return Ok(Plan { scene, theme, runs, panels, headline, caption, page, warnings });
+        return Ok(Plan { scene, theme, runs, panels, headline, alt, caption, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();

@@ -64,6 +64,10 @@ pub struct Spanned<T> {
 pub struct Scene {
     /// Title of the figure, as markup; none stands over it where it is `None`.
     pub title: Option<Spanned<String>>,
+    /// Short alternative text, as markup; without it one is made from title and answer.
+    pub alt: Option<Spanned<String>>,
+    /// Language that the texts are written in, as `de` or `pt-BR`.
+    pub lang: Option<Spanned<String>>,
     /// What the figure claims, in a sentence above its panels, as markup.
     pub headline: Option<Spanned<String>>,
     /// Caption below the figure, as markup.

@@ -6,7 +6,7 @@ use super::checked::{Checked, check, too_many};
 use super::fields::{CANVAS, ROOT};
 use super::limits::MAX_SHAPES;
 use super::node::{Node, NodeValue};
-use super::problem::{Problem, Problems};
+use super::problem::{Fault, Problem, Problems};
 use super::source::Source;
 use super::{Canvas, Scene, Spanned, body, labels, panels, question};
 
@@ -47,6 +47,8 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
     let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
     Some(Scene {
         title: top.text("title"),
+        alt: top.text("alt"),
+        lang: language(&top, p),
         headline: top.text("headline"),
         caption: top.text("caption"),
         shapes: shapes?,
@@ -64,6 +66,23 @@ fn bodies(top: &Checked<'_>, p: &mut Problems) -> Vec<body::Read> {
         too_many("`shapes`", MAX_SHAPES, "shapes", entries.len(), &key.span, p);
     }
     entries.iter().take(MAX_SHAPES).map(|(name, node)| body::read(name, node, p)).collect()
+}
+
+/// The language of the texts; what is no tag of one is told.
+fn language(top: &Checked<'_>, p: &mut Problems) -> Option<Spanned<String>> {
+    let lang = top.text("lang")?;
+    let mut parts = lang.value.split('-');
+    let first = parts.next().unwrap_or("");
+    let is_tag = (2..=8).contains(&first.len())
+        && first.bytes().all(|b| b.is_ascii_alphabetic())
+        && parts.all(|part| (1..=8).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_alphanumeric()));
+    if is_tag {
+        return Some(lang);
+    }
+    let expected = "the tag of a language, as \"de\" or \"pt-BR\"".to_owned();
+    let got = format!("\"{}\"", lang.value);
+    p.add(Fault::WrongType { key: "lang".to_owned(), expected, got }, &lang.span);
+    None
 }
 
 fn canvas(top: &Checked<'_>, p: &mut Problems) -> Canvas {

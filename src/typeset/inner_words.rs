@@ -59,7 +59,7 @@ pub(super) fn take(formula: &str, offset: usize) -> Result<Taken, TypesetError> 
         Taken { latex: String::with_capacity(formula.len()), words: Vec::new(), ends: Vec::new() };
     let mut rest = formula;
     while let Some(at) = rest.find('\\') {
-        taken.latex.push_str(&rest[..at]);
+        taken.latex.push_str(&signs(&rest[..at]));
         rest = &rest[at..];
         let Some((content, after)) = words_of(rest).filter(|(content, _)| !content.trim().is_empty()) else {
             // A command, or a backslash and the sign after it.
@@ -73,8 +73,15 @@ pub(super) fn take(formula: &str, offset: usize) -> Result<Taken, TypesetError> 
         taken.ends.push((taken.latex.len(), formula.len() - after.len()));
         rest = after;
     }
-    taken.latex.push_str(rest);
+    taken.latex.push_str(&signs(rest));
     Ok(taken)
+}
+
+/// A formula without texts, as the engine is given it. A comma in braces is a sign as any other, by which
+/// LaTeX writes a decimal comma; the engine takes it for punctuation, and so gets the quotation mark of the
+/// same form, which has as many bytes.
+fn signs(formula: &str) -> String {
+    formula.replace("{,}", "\u{201A}")
 }
 
 impl Taken {
@@ -191,6 +198,15 @@ mod tests {
         assert!(script.iter().all(|g| g.glyph.face == Face::Regular && g.y > 1.0 && g.size < 12.0));
         let end = script[5].x + 0.3 * script[5].size;
         assert!(line.glyphs[7].x > end, "{:?}", line.glyphs);
+    }
+
+    #[test]
+    fn a_comma_in_braces_is_part_of_a_number() {
+        let width = |markup| typeset(markup, Style::regular(16.0)).unwrap().width;
+        assert!((width("$2{,}5$") - width("$2.5$")).abs() < 1.0);
+        assert!(width("$2, 5$") > width("$2{,}5$") + 1.0);
+        let error = typeset(r"$2{,}5 + \foo$", Style::regular(16.0)).unwrap_err();
+        assert_eq!(error.offset, 9, "{error}");
     }
 
     #[test]

@@ -110,6 +110,26 @@ pub(crate) fn across(
     Across { lines: Lettering::default(), words }
 }
 
+/// The short alternative text that a scene gives, in plain words; `None`, with the reason in `problems`,
+/// where it gives none that can be read. Its values are those of `context`, the first panel's.
+pub(crate) fn alternative(
+    context: &Context,
+    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
+) -> Option<String> {
+    let text = context.scene.alt.as_ref()?;
+    // What can't be set in type can be said all the same.
+    match fill(&text.value, context, &text.span) {
+        Ok((filled, lacking)) => {
+            notes.extend(lacking.into_iter().map(|value| no_value(value, context, &text.span)));
+            Some(plain(&filled))
+        }
+        Err(problem) => {
+            problems.push(problem);
+            None
+        }
+    }
+}
+
 /// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
 pub(crate) fn caption_of_words(scene: &Scene, words: String) -> Across {
     let (style, measure, room) = Block::Caption.room(scene);

@@ -1,13 +1,15 @@
-//! Fills in the values of a text: `{=time}`, `{=separation}`, `{=D.x}` … in captions, labels and notes.
+//! Fills in the values of a text: `{=time}`, `{=separation:.3}`, `{=D.x}` … in captions, labels and notes.
 
 use std::ops::Range;
 
 use crate::figure::context::Context;
-use crate::figure::fault::Problem;
-use crate::scene::Fault;
+use crate::figure::fault::{Fault, Problem};
+use crate::scene;
 use crate::typeset::ends_in_formula;
 
-use super::number::{in_math, in_words, rounded};
+use super::decimal::Decimal;
+use super::digits::Digits;
+use super::number::{USUAL, in_math, in_words};
 use super::values::{VALUES, another_answer_has};
 
 /// What stands for a value that this answer lacks and another one has, in words and in formulas.
@@ -17,20 +19,25 @@ const LACKING: [&str; 2] = ["–", r"\text{–}"];
 /// dash stands for them. Braces alone belong to LaTeX.
 ///
 /// # Errors
-/// Where the query of this context has no such value, or the `{=` is not closed; `at` is the text's place in
-/// the scene.
+/// Where the query of this context has no such value, or its digits are asked for in no way that there is, or
+/// the `{=` is not closed; `at` is the text's place in the scene.
 pub(crate) fn fill(
     text: &str,
     context: &Context,
     at: &Range<usize>,
 ) -> Result<(String, Vec<String>), Problem> {
     let (mut out, mut lacking) = (String::with_capacity(text.len()), Vec::new());
+    let decimal = Decimal::of(context.scene);
     let mut rest = text;
     while let Some(start) = rest.find("{=") {
         let (before, from) = rest.split_at(start);
         out.push_str(before);
         let end = from.find('}').unwrap_or(from.len());
-        let name = &from[2..end];
+        let written = &from[2..end];
+        let (name, digits) = match written.split_once(':') {
+            None => (written, Some(USUAL)),
+            Some((name, asked)) => (name, Digits::asked(asked)),
+        };
         let quantity = VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(context));
         rest = from.get(end + 1..).unwrap_or("");
         let [in_text, in_formula] = LACKING;
@@ -40,11 +47,22 @@ pub(crate) fn fill(
                 lacking.push(name.to_owned());
                 continue;
             }
-            let fault = Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) };
+            let fault =
+                scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) };
             return Err(Problem::new(fault.into(), at.clone()));
         };
-        let number = rounded(quantity.lo, quantity.hi);
-        out.push_str(&if ends_in_formula(&out) { in_math(&number) } else { in_words(&number) });
+        let Some(digits) = digits else {
+            let reason =
+                "after the colon stands `.3` for three digits after the point, or `.3g` for three in all";
+            let fault = Fault::BadMarkup { markup: format!("{{={written}}}"), reason: reason.to_owned() };
+            return Err(Problem::new(fault, at.clone()));
+        };
+        let number = digits.of(quantity.lo, quantity.hi);
+        out.push_str(&if ends_in_formula(&out) {
+            decimal.in_latex(in_math(&number))
+        } else {
+            decimal.in_number(in_words(&number))
+        });
     }
     out.push_str(rest);
     Ok((out, lacking))
@@ -53,4 +71,83 @@ pub(crate) fn fill(
 /// The names of the values that this query has, in the order of the table.
 fn known(context: &Context) -> Vec<String> {
     VALUES.iter().filter(|v| (v.of)(context).is_some()).map(|v| v.name.to_owned()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::{Drawing, Item};
+    use crate::figure::{draw, plan};
+    use crate::scene::{Source, read};
+
+    /// The drawing of a ball that meets a wall at t = 0.343 and a bit, with the keys of a scene before it.
+    fn drawn(keys: &str) -> Result<Drawing, Vec<String>> {
+        let text = format!(
+            "{keys}
+            shapes.A = {{ kind = 'circle', radius = 1, velocity = [7, 0] }}
+            shapes.B = {{ kind = 'circle', radius = 1, position = [4.4, 0] }}
+            query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+            panels = [{{ time = 0, layers = ['shapes', 'separation'] }}]"
+        );
+        let scene = read(&Source::new("values.toml", &text)).unwrap();
+        let plan = plan(&scene).map_err(|all| all.iter().map(|p| p.fault.to_string()).collect::<Vec<_>>())?;
+        Ok(draw(&plan, plan.theme, "values").drawing)
+    }
+
+    /// The caption in words.
+    fn caption(keys: &str, text: &str) -> String {
+        let drawing = drawn(&format!("caption = '{text}'\n{keys}")).unwrap();
+        let mut groups = drawing.items.iter().filter_map(|item| match item {
+            Item::Group(group) if group.name == "caption" => group.label.clone(),
+            _ => None,
+        });
+        groups.next().unwrap()
+    }
+
+    /// Whether a text with that markup stands somewhere.
+    fn says(items: &[Item], markup: &str) -> bool {
+        items.iter().any(|item| match item {
+            Item::Group(group) => says(&group.items, markup),
+            Item::Text(text) => text.line.markup == markup,
+            Item::Path(_) => false,
+        })
+    }
+
+    #[test]
+    fn a_value_has_as_many_digits_as_are_asked_for_and_proved() {
+        assert_eq!(caption("", "{=time} {=time:.2} {=time:.5} {=time:.5g}"), "0.343 0.34 0.34286 0.34286");
+        assert_eq!(caption("", "{a|$t = {=time:.4}$}, {=hit.n.x:.2}"), "t = 0.3429, 1.00");
+        let most = caption("", "{=time:.99}");
+        assert!(most.starts_with("0.34285714285") && most.len() <= 14, "{most}");
+        let problems = drawn("caption = '{=time:3}'").unwrap_err();
+        assert!(problems[0].contains("`{=time:3}`") && problems[0].contains("`.3g`"), "{problems:?}");
+        let problems = drawn("caption = '{=tim:.3}'").unwrap_err();
+        assert!(problems[0].contains("unknown value `tim`"), "{problems:?}");
+    }
+
+    #[test]
+    fn numbers_of_texts_and_labels_follow_the_language_and_our_words_stay_english() {
+        assert_eq!(caption("lang = 'de'", "{=time}, $t = {=time}$"), "0,343, t = 0,343");
+        assert_eq!(caption("lang = 'de-CH'", "{=time}"), "0.343");
+        let drawing = drawn("lang = 'fr'\nheadline = 'Touche à {=time}.'").unwrap();
+        assert!(says(&drawing.items, "$d = 2{,}4$"));
+        assert!(drawing.desc.contains("t = 0.343"), "{}", drawing.desc);
+        assert_eq!(drawing.languages_of_words(), [Some("en"), Some("en")]);
+        assert!(says(&drawn("").unwrap().items, "$d = 2.4$"));
+    }
+
+    #[test]
+    fn a_scene_can_give_its_alternative_text_in_its_language() {
+        let drawing = drawn("lang = 'de'\nalt = 'Der {a|Ball} trifft bei $t = {=time:.2}$.'").unwrap();
+        assert_eq!(drawing.title, "Der Ball trifft bei t = 0,34.");
+        assert_eq!(drawing.languages_of_words(), [None, Some("en")]);
+        assert!(drawn("alt = '{=tim}'").is_err());
+        let british = drawn("lang = 'EN-gb'").unwrap();
+        assert_eq!(british.languages_of_words(), [None, None]);
+        assert!(
+            read(&Source::new("s.toml", "lang = 'german!'"))
+                .unwrap_err()
+                .iter()
+                .any(|p| { p.fault.to_string().contains("\"german!\"") })
+        );
+    }
 }

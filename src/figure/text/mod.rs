@@ -6,6 +6,8 @@
 //! out in words for the alternative text.
 
 mod caption;
+mod decimal;
+mod digits;
 mod fill;
 mod fold;
 mod number;
@@ -15,7 +17,7 @@ mod quantity;
 mod values;
 mod wording;
 
-pub(crate) use caption::{Across, Block, across, caption_of_words, set};
+pub(crate) use caption::{Across, Block, across, alternative, caption_of_words, set};
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;

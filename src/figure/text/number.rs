@@ -1,49 +1,20 @@
 //! Numbers as text: three significant digits at most, and no more than the bounds allow.
 
-/// Most significant digits of a number on a figure.
-const DIGITS: usize = 3;
-/// Decimal exponents within which a number is written without a power of ten.
-const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+use super::digits::Digits;
+
+/// The digits of a number on a figure where nobody asks for others.
+pub(crate) const USUAL: Digits = Digits::Significant(3);
 
 /// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
 #[must_use]
 pub(crate) fn rounded(lo: f64, hi: f64) -> String {
-    for digits in (1..=DIGITS).rev() {
-        let (p, q) = (significant(lo, digits), significant(hi, digits));
-        if p == q {
-            return p;
-        }
-    }
-    format!("{}…{}", significant(lo, DIGITS), significant(hi, DIGITS))
+    USUAL.of(lo, hi)
 }
 
 /// A double as LaTeX, to at most three significant digits.
 #[must_use]
 pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
-}
-
-/// A double to `digits` significant digits, without trailing zeros; with a power of ten where it is very
-/// large or small.
-fn significant(value: f64, digits: usize) -> String {
-    if value == 0.0 {
-        return "0".to_owned();
-    }
-    let scientific = format!("{value:.*e}", digits - 1);
-    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if !PLAIN.contains(&exponent) {
-        return format!("{}e{exponent}", without_zeros(mantissa));
-    }
-    // The scientific form has rounded already; printing it again with enough decimals does not round twice.
-    let rounded: f64 = scientific.parse().unwrap_or(value);
-    let decimals = usize::try_from(i32::try_from(digits).unwrap_or(0) - 1 - exponent).unwrap_or(0);
-    without_zeros(&format!("{rounded:.decimals$}")).to_owned()
-}
-
-/// Decimals without zeros at their end.
-fn without_zeros(text: &str) -> &str {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
 /// A number from [`rounded`] as LaTeX.

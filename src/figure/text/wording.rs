@@ -14,6 +14,7 @@ use crate::figure::standing::standing;
 use crate::scene;
 use crate::typeset::{Style, TypesetError, typeset};
 
+use super::decimal::Decimal;
 use super::fill::fill;
 use super::fold::folds;
 use super::overrides::{IsKey, overridden};
@@ -57,9 +58,11 @@ impl Wording<'_> {
         }
         let style = Style::regular((self.type_size)(label.size.px()));
         let is_given = own.is_some() || label.is_given;
+        let decimal = Decimal::of(self.context.scene);
         let mut set = |line: &String| {
             if !is_given {
-                return typeset(line, style).map(Arc::new).map_err(|e| self.unsettable(e, line, &place));
+                let own = decimal.in_formulas(line);
+                return typeset(&own, style).map(Arc::new).map_err(|e| self.unsettable(e, line, &place));
             }
             let (filled, values) = fill(line, self.context, &place)?;
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));

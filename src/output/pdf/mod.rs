@@ -66,7 +66,8 @@ fn file(drawing: &Drawing) -> Result<Vec<u8>, CompressError> {
     let [catalog, pages, page, drawn, resources, info] = std::array::from_fn(|_| free.bump());
     let forms: Vec<(Ref, &Form)> = content.forms.iter().map(|form| (free.bump(), form)).collect();
     let mut pdf = Pdf::with_settings(SETTINGS);
-    pdf.catalog(catalog).pages(pages).lang(TextStr("en"));
+    let lang = drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG);
+    pdf.catalog(catalog).pages(pages).lang(TextStr(lang));
     pdf.pages(pages).kids([page]).count(1);
     let [width, height] = [drawing.width, drawing.height].map(|length| hundredths(length * POINTS));
     let mut sheet = pdf.page(page);

@@ -54,8 +54,8 @@ pub struct Pixels {
 /// use tracefig::drawing::{Color, Drawing, Paint, Role};
 /// let background = Paint::role(Role::Background, Color::hex(0xFF8000));
 /// let drawing = Drawing {
-///     width: 3.0, height: 2.0, id: "x".into(), title: String::new(), desc: String::new(), background,
-///     ink: Color::hex(0), words: vec![], fill_opacity: 0.14, dark: None,
+///     width: 3.0, height: 2.0, id: "x".into(), lang: None, title: String::new(), is_titled: false,
+///     desc: String::new(), background, ink: Color::hex(0), words: vec![], fill_opacity: 0.14, dark: None,
 ///     metadata: String::new(), hash: String::new(), items: vec![],
 /// };
 /// let pixels = tracefig::output::rasterize(&drawing, 2.0).unwrap();

@@ -118,11 +118,19 @@ impl Document {
         // What most elements have; each says it otherwise where it differs.
         xml.attribute("fill", "none");
         xml.attribute("stroke-linejoin", "round");
+        if let Some(lang) = &drawing.lang {
+            xml.attribute("xml:lang", lang);
+        }
         xml.attribute("role", "img");
         xml.attribute("aria-labelledby", &format!("{title} {desc}"));
-        for (name, id, text) in [("title", title, &drawing.title), ("desc", desc, &drawing.desc)] {
+        let [of_title, of_desc] = drawing.languages_of_words();
+        let words = [("title", title, &drawing.title, of_title), ("desc", desc, &drawing.desc, of_desc)];
+        for (name, id, text, lang) in words {
             xml.start(name);
             xml.attribute("id", &id);
+            if let Some(lang) = lang {
+                xml.attribute("xml:lang", lang);
+            }
             xml.text(text);
             xml.end();
         }

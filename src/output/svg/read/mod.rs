@@ -11,7 +11,7 @@ mod style;
 
 use std::collections::BTreeMap;
 
-use roxmltree::{Document, Node};
+use roxmltree::{Document, NS_XML_URI, Node};
 use svgtypes::FuncIRI;
 
 use super::super::Stamped;
@@ -84,7 +84,9 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
     let drawing = Drawing {
         width: number(root, "width")?,
         height: number(root, "height")?,
+        lang: root.attribute((NS_XML_URI, "lang")).map(str::to_owned),
         title: text("title"),
+        is_titled: false,
         desc: text("desc"),
         background: Style::default().inside(page)?.fill?,
         ink: Color::hex(0),

@@ -1,0 +1,145 @@
+//! How many digits of a number are asked for: `.3` three after the point, `.3g` three in all.
+//!
+//! A number lies between its bounds. A digit that the two ends do not share is not proved, and is never
+//! written: the most digits at which both ends round to the same text are all there are.
+
+/// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
+const MOST: usize = 12;
+/// Decimal exponents within which a number is written without a power of ten.
+const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+
+/// How many digits of a number are written at most.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Digits {
+    /// Digits in all, without zeros at their end.
+    Significant(usize),
+    /// Digits after the point, zeros at their end included.
+    Decimals(usize),
+}
+
+impl Digits {
+    /// What a text asks for after the colon of `{=name:.3}`; `None` for anything else.
+    pub(crate) fn asked(text: &str) -> Option<Self> {
+        let digits = text.strip_prefix('.')?;
+        let (digits, kind): (_, fn(usize) -> Self) = match digits.strip_suffix('g') {
+            Some(digits) => (digits, Self::Significant),
+            None => (digits, Self::Decimals),
+        };
+        let is_number = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+        let asked = kind(is_number.then(|| digits.parse().ok())??);
+        (asked != Self::Significant(0)).then_some(asked)
+    }
+
+    /// A number lying in [lo, hi]: digits that the two ends do not share are left out. A minus is a hyphen,
+    /// and a power of ten is written `1.5e-9`.
+    #[must_use]
+    pub(crate) fn of(self, lo: f64, hi: f64) -> String {
+        let (most, least) = match self {
+            Self::Significant(most) => (most.min(MOST), 1),
+            Self::Decimals(most) => (most.min(decimals_within(lo.abs().max(hi.abs()))), 0),
+        };
+        for digits in (least..=most).rev() {
+            let (p, q) = (self.written(lo, digits), self.written(hi, digits));
+            if p == q {
+                return p;
+            }
+        }
+        format!("{}…{}", self.written(lo, most), self.written(hi, most))
+    }
+
+    /// A double to so many digits.
+    fn written(self, value: f64, digits: usize) -> String {
+        match self {
+            Self::Decimals(_) if exponent(value) < exponent_of(MOST) => {
+                let text = format!("{value:.digits$}");
+                let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+                if is_zero { text.trim_start_matches('-').to_owned() } else { text }
+            }
+            Self::Decimals(_) => significant(value, MOST),
+            Self::Significant(_) => significant(value, digits),
+        }
+    }
+}
+
+/// The decimal exponent of a double; 0 of 0.
+fn exponent(value: f64) -> i32 {
+    let scientific = format!("{value:e}");
+    scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// A count of digits as an exponent.
+fn exponent_of(digits: usize) -> i32 {
+    i32::try_from(digits).unwrap_or(i32::MAX)
+}
+
+/// Digits after the point that a number of a size has within the most in all.
+fn decimals_within(size: f64) -> usize {
+    usize::try_from(exponent_of(MOST).saturating_sub(1).saturating_sub(exponent(size))).unwrap_or(0)
+}
+
+/// A double to `digits` significant digits, without trailing zeros; with a power of ten where it is very
+/// large or small.
+fn significant(value: f64, digits: usize) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+    let Some((mantissa, exponent)) = scientific.split_once('e') else { return scientific };
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    let within = *PLAIN.start()..=*PLAIN.end().max(&(exponent_of(digits) - 1));
+    if !within.contains(&exponent) {
+        return format!("{}e{exponent}", without_zeros(mantissa));
+    }
+    // The scientific form has rounded already; printing it again with enough decimals does not round twice.
+    let rounded: f64 = scientific.parse().unwrap_or(value);
+    let decimals = usize::try_from(exponent_of(digits) - 1 - exponent).unwrap_or(0);
+    without_zeros(&format!("{rounded:.decimals$}")).to_owned()
+}
+
+/// Decimals without zeros at their end.
+fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_after_the_point_or_in_all_are_asked_for() {
+        assert_eq!(Digits::asked(".3"), Some(Digits::Decimals(3)));
+        assert_eq!(Digits::asked(".0"), Some(Digits::Decimals(0)));
+        assert_eq!(Digits::asked(".12g"), Some(Digits::Significant(12)));
+        for wrong in
+            ["", ".", "3", ".g", ".0g", ".3f", ".-1", ".+1", " .3", ".3 ", ".x", ".99999999999999999999"]
+        {
+            assert_eq!(Digits::asked(wrong), None, "{wrong:?}");
+        }
+    }
+
+    #[test]
+    fn decimals_keep_their_zeros_and_never_pass_the_bounds() {
+        let three = Digits::Decimals(3);
+        assert_eq!(three.of(0.5, 0.5), "0.500");
+        assert_eq!(three.of(0.499_999_999_999_999_94, 0.5), "0.500");
+        assert_eq!(three.of(-2.5, -2.5), "-2.500");
+        assert_eq!(three.of(-0.000_1, -0.000_1), "0.000");
+        assert_eq!(three.of(0.343_1, 0.343_9), "0.34", "0.343 and 0.344 differ");
+        assert_eq!(three.of(0.3, 0.6), "0…1".replace("0…1", "0.300…0.600"));
+        assert_eq!(Digits::Decimals(0).of(1234.4, 1234.4), "1234");
+        assert_eq!(Digits::Decimals(1).of(1_234_567.891, 1_234_567.891), "1234567.9");
+        assert_eq!(Digits::Decimals(300).of(0.1, 0.1), "0.100000000000", "twelve digits, one is a zero");
+        assert_eq!(
+            Digits::Decimals(2).of(1.234_567_890_123_45e20, 1.234_567_890_123_45e20),
+            "1.23456789012e20"
+        );
+    }
+
+    #[test]
+    fn significant_digits_are_at_most_those_that_both_ends_share() {
+        assert_eq!(Digits::Significant(5).of(0.308_487_2, 0.308_487_2), "0.30849");
+        assert_eq!(Digits::Significant(5).of(0.308_1, 0.308_4), "0.308");
+        assert_eq!(Digits::Significant(8).of(12_345_678.0, 12_345_678.0), "12345678");
+        assert_eq!(Digits::Significant(40).of(1.0 / 3.0, 1.0 / 3.0), "0.333333333333");
+    }
+}
