@@ -1,12 +1,16 @@
 //! HTML: one self-contained page with the figure, its alternative text and its numbers.
 //!
-//! The SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone,
+//! The page has the figure's colours, also in the dark where the figure follows the reader's system, and says
+//! so (`color-scheme`), so that scroll bars and what the browser draws before the page are of them too. The
+//! SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone,
 //! as what is drawn is for some only there. Nothing is loaded from elsewhere and nothing runs.
+
+use std::fmt::Write as _;
 
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
 use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
-use crate::drawing::Drawing;
+use crate::drawing::{Color, Dark, Drawing, Role};
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
@@ -28,12 +32,46 @@ fn stamp(bytes: &[u8]) -> Option<Stamped> {
     read::stamp(read::inside(bytes)?)
 }
 
+/// Whether words are lighter than the page, by the weights that ITU-R BT.601 gives to the bytes of a colour.
+fn is_dark(page: Color, ink: Color) -> bool {
+    let luma = |Color { r, g, b }: Color| 299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b);
+    luma(ink) > luma(page)
+}
+
+/// The colour schemes of the page, as CSS and `<meta>` name them.
+fn schemes(drawing: &Drawing) -> &'static str {
+    match &drawing.dark {
+        Some(_) => "light dark",
+        None if is_dark(drawing.background.color, drawing.ink) => "dark",
+        None => "light",
+    }
+}
+
+/// Appends a rule with the page's colours, which a host page may set as those of the figure.
+fn push_colors(out: &mut String, page: Color, ink: Color) {
+    let _ = write!(out, "background:var(--tracefig-background,{page});color:var(--tracefig-ink,{ink})");
+}
+
+/// Appends the style sheet of the page around the picture.
+fn push_style(out: &mut String, drawing: &Drawing) {
+    let _ = write!(out, "{STYLE}:root{{color-scheme:{};", schemes(drawing));
+    push_colors(out, drawing.background.color, drawing.ink);
+    out.push('}');
+    if let Some(Dark { colors, ink, .. }) = &drawing.dark {
+        let page = colors.iter().find(|(role, _)| *role == Role::Background);
+        out.push_str("@media (prefers-color-scheme:dark){:root{");
+        push_colors(out, page.map_or(drawing.background.color, |&(_, page)| page), *ink);
+        out.push_str("}}");
+    }
+}
+
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
     let mut out = String::from("<!DOCTYPE html>\n<html lang=\"");
     escape(&mut out, drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG));
     out.push_str("\">\n<head>\n<meta charset=\"utf-8\">\n");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
+    let _ = writeln!(out, "<meta name=\"color-scheme\" content=\"{}\">", schemes(drawing));
     // A page that asks for nothing says so: even a text that became markup could load and run nothing.
     out.push_str("<meta http-equiv=\"Content-Security-Policy\" ");
     out.push_str("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
@@ -41,7 +79,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     open(&mut out, "title", of_title);
     escape(&mut out, &drawing.title);
     out.push_str("</title>\n<style>");
-    out.push_str(STYLE);
+    push_style(&mut out, drawing);
     out.push_str("</style>\n</head>\n<body>\n<figure>\n");
     out.push_str(&document(drawing, Sheet::Inside));
     open(&mut out, "figcaption", of_desc);
@@ -63,6 +101,32 @@ fn open(out: &mut String, name: &str, lang: Option<&str>) {
 mod tests {
     use super::super::samples::everything;
     use super::*;
+    use crate::drawing::Paint;
+
+    fn page(drawing: &Drawing) -> String {
+        String::from_utf8(write(drawing, &Options::default()).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn the_page_has_the_colours_of_its_figure() {
+        let light = everything();
+        let [night, day] = [0x12_161C, 0xE8_EAED].map(Color::hex);
+        let (colors, words) = (vec![(Role::Background, night)], Vec::new());
+        let both = Dark { colors, ink: day, words, fill_opacity: 0.2 };
+        let dark = Drawing { background: Paint::role(Role::Background, night), ink: day, ..everything() };
+        let colors = "{background:var(--tracefig-background,#12161C);color:var(--tracefig-ink,#E8EAED)}";
+        let in_the_dark = format!("@media (prefers-color-scheme:dark){{:root{colors}}}");
+        for (drawing, schemes) in [
+            (&light, "light"),
+            (&dark, "dark"),
+            (&Drawing { dark: Some(both), ..everything() }, "light dark"),
+        ] {
+            let page = page(drawing);
+            assert!(page.contains(&format!("<meta name=\"color-scheme\" content=\"{schemes}\">")), "{page}");
+            assert!(page.contains(&format!(":root{{color-scheme:{schemes};background:")), "{page}");
+            assert_eq!(page.contains(&in_the_dark), drawing.dark.is_some());
+        }
+    }
 
     #[test]
     fn a_page_has_the_language_of_its_scene_and_words_of_ours_have_theirs() {
@@ -83,7 +147,7 @@ mod tests {
         let mut drawing = everything();
         drawing.title = "A & B</title><script>alert(1)</script>".into();
         drawing.desc = "</figcaption><img src=x onerror=alert(1)>".into();
-        let page = String::from_utf8(write(&drawing, &Options::default()).unwrap()).unwrap();
+        let page = page(&drawing);
         assert!(page.contains("<svg") && page.contains("A &amp; B&lt;/title&gt;"));
         assert!(!page.contains("<script") && !page.contains("<img"));
     }

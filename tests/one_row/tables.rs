@@ -81,7 +81,10 @@ fn outer() -> Vec<Table> {
             row: Some("THEME"),
             names: names(&mut tracefig::figure::theme::THEMES.iter().map(|t| t.name)),
             finds: is_name,
-            other_meanings: &[],
+            other_meanings: &[
+                ("light", "output/html.rs", "the colour scheme of a page"),
+                ("dark", "output/html.rs", "the colour scheme of a page"),
+            ],
         },
         Table {
             what: "command",

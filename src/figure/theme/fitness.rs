@@ -205,7 +205,7 @@ pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
 /// let drawing = draw(&plan, &pale, "circle").drawing;
 /// let short = &theme::shortcomings(&pale, &drawing)[0];
 /// let (role, color) = theme::remedies(&pale, &drawing, short)[0];
-/// assert_eq!((role.name(), color.to_string().as_str()), ("a", "#BFB501"));
+/// assert_eq!((role.name(), color.to_string().as_str()), ("a", "#C3BB1C"));
 /// ```
 #[must_use]
 pub fn remedies(theme: &Theme, drawing: &Drawing, short: &Shortcoming) -> Vec<(Role, Color)> {
