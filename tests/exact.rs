@@ -1,8 +1,8 @@
 //! Every answer against the exact one: cases of `tracefig-reference` from a seed, checked in 320 bits.
 //!
 //! `TRACEFIG_CASES_SEPARATION`, `TRACEFIG_CASES_IMPACT`, `TRACEFIG_CASES_LOGGED` and
-//! `TRACEFIG_CASES_LOGGED_IMPACT` raise the numbers, `TRACEFIG_SEED` changes the
-//! cases. A failure prints the scene, which `tracefig solve` reads as it stands.
+//! `TRACEFIG_CASES_LOGGED_IMPACT` and `TRACEFIG_CASES_CONTACT` raise the numbers, `TRACEFIG_SEED` changes
+//! the cases. A failure prints the scene, which `tracefig solve` reads as it stands.
 
 #![expect(
     clippy::expect_used,
@@ -248,4 +248,79 @@ fn pairs_of_an_engines_log_are_exact_within_their_bounds() {
 #[test]
 fn contacts_of_an_engines_log_are_the_first() {
     assert_right(Family::LoggedImpact, setting("TRACEFIG_CASES_LOGGED_IMPACT", 150));
+}
+
+/// Cases of a family asked for their contact, of which an algorithm takes this many; each is checked, and how
+/// many have so many points.
+fn contacts(family: Family, count: usize, mut each: impl FnMut(&Scene, &Json)) -> [usize; 3] {
+    let seed = setting("TRACEFIG_SEED", 1);
+    let mut points = [0; 3];
+    let cases = (0..).filter_map(|i| asking(&family.case(seed, i), "contact", "clip"));
+    for text in cases.take(count) {
+        let answer = tracefig::solve_jsonl_line(&text, 1).line;
+        let (scene, answer) = (Scene::parse(&text).expect("valid"), Json::parse(&answer).expect("valid"));
+        let found = answer.get("result").and_then(|result| result.get("contacts"));
+        points[found.expect("contacts").list().len()] += 1;
+        each(&scene, &answer);
+    }
+    points
+}
+
+#[test]
+fn points_of_contact_are_exact_within_their_bounds() {
+    let count = usize::try_from(setting("TRACEFIG_CASES_CONTACT", 2_000)).expect("a count");
+    for family in [Family::Separation, Family::Logged] {
+        let mut tally = Tally::default();
+        let points = contacts(family, count / 2, |scene, answer| {
+            let report = check(scene, answer);
+            tally.add(&scene.id.to_string(), &answer.to_string(), &report);
+        });
+        println!("{tally}\nwith 0, 1, 2 points: {points:?}");
+        assert!(points.iter().all(|&n| n * 50 > count), "{points:?}");
+        assert!(tally.failures.is_empty(), "{}", tally.told(SHOWN));
+    }
+}
+
+#[test]
+fn a_point_of_contact_left_out_moved_or_of_another_edge_would_be_caught() {
+    let spoil = |fault: &dyn Fn(&mut Json) -> Option<()>| {
+        let (mut planted, mut caught) = (0, 0);
+        contacts(Family::Separation, 600, |scene, answer| {
+            let mut result = answer.get("result").cloned().expect("a result");
+            if fault(&mut result).is_some() {
+                let mut spoilt = answer.clone();
+                spoilt.set("result", result);
+                planted += 1;
+                caught += usize::from(check(scene, &spoilt).faults.len() > check(scene, answer).faults.len());
+            }
+        });
+        assert!(planted > 100, "only {planted} answers to spoil");
+        (planted, caught)
+    };
+    let list = |result: &Json| result.get("contacts").map(|list| list.list().to_vec());
+    let (left_out, caught) = spoil(&|result| {
+        let mut points = list(result)?;
+        points.pop()?;
+        result.set("contacts", Json::List(points));
+        Some(())
+    });
+    assert!(caught * 100 > left_out * 90, "left out: {caught} of {left_out}");
+    let (moved, caught) = spoil(&|result| {
+        let mut points = list(result)?;
+        let [lo, hi] = points.first()?.pair_at("separation_bounds")?;
+        let by = 1e-9 * (1.0 + lo.abs());
+        points[0].set("separation_bounds", Json::from_pair([lo - 2.0 * by, hi.min(lo) - by]));
+        points[0].set("separation", Json::Number(lo - by));
+        result.set("contacts", Json::List(points));
+        Some(())
+    });
+    assert!(caught * 100 > moved * 95, "moved: {caught} of {moved}");
+    let (edges, caught) = spoil(&|result| {
+        let mut incident = result.get("incident")?.clone();
+        let edge = incident.number_at("edge")?;
+        incident.set("edge", Json::Number(if edge > 0.0 { edge - 1.0 } else { edge + 1.0 }));
+        result.set("incident", incident);
+        Some(())
+    });
+    assert!(caught * 100 > edges * 90, "edges: {caught} of {edges}");
 }

@@ -20,17 +20,20 @@ pub enum Kind {
     TimeOfImpact,
     /// How far a point of the body, or of two relative to each other, can move.
     MotionBound,
+    /// Where two bodies touch, by an edge clipped against another.
+    Contact,
 }
 
 impl Kind {
     /// All, with their words.
-    pub const ALL: [(Kind, &'static str); 6] = [
+    pub const ALL: [(Kind, &'static str); 7] = [
         (Kind::Bounds, "bounds"),
         (Kind::Overlap, "overlap"),
         (Kind::Separation, "separation"),
         (Kind::LinearSweep, "linear-sweep"),
         (Kind::TimeOfImpact, "time-of-impact"),
         (Kind::MotionBound, "motion-bound"),
+        (Kind::Contact, "contact"),
     ];
 
     /// Its word in a scene.

@@ -104,6 +104,7 @@ impl Ours {
         let nothing = Self { separation: None, time: None, contact: None };
         match answer {
             Answer::Separation(s) => of(s, None, query.time),
+            Answer::Contact(contact) => of(&contact.separation, None, query.time),
             Answer::Overlap(found) => Self { separation: Some(found.separation_bounds), ..nothing },
             Answer::Impact(impact) => match &impact.outcome {
                 Outcome::Hit { time, contact } => of(contact, Some(*time), time.lo),

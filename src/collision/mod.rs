@@ -9,13 +9,14 @@
 //! ```text
 //! query/       what can be asked: one kind of question a file, the table QUERIES
 //! algorithm/   who answers it: one algorithm a file, the table ALGORITHMS
-//! answer.rs    what comes back, and the names of its parts
+//! answer/      what comes back, and the names of its parts
 //! expected.rs  what someone else answered, and how far off that is
 //! size.rs      what the rounding of a pair is measured by
 //! certified/   distance/  how far apart a pair is at one moment
 //!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
 //!              impact/    when two bodies meet that turn: separating axes, contact after the last of them
 //!              approach/  how near two bodies came that do not meet
+//!              clip       where two bodies touch: an edge clipped against another
 //! feature.rs   an edge or a vertex of B ⊖ A, which both storeys speak of
 //! ```
 //!
@@ -28,7 +29,7 @@
 //! | see why a bound holds | `certified/rounding/`, a table of all |
 //! | add an algorithm | a file in `algorithm/` and its row in [`ALGORITHMS`] |
 //! | add a kind of question | a file in `query/` and its row in [`QUERIES`]; an algorithm that answers it |
-//! | add a kind of answer | a variant of [`Answer`] and its parts, in `answer.rs` |
+//! | add a kind of answer | a variant of [`Answer`] and its parts, in `answer/` |
 //! | tell something new | a variant of [`crate::trace::Event`], its sentence, and a layer that draws it |
 //!
 //! `tests/architecture/` holds the storeys apart, `tests/one_row/` that a file and a row are
@@ -46,7 +47,8 @@ mod tests;
 
 pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops, closest_approach};
 pub use answer::{
-    Answer, Bounds, ClosestApproach, Impact, MotionBound, Outcome, Overlap, Reason, Separation,
+    Answer, Bounds, ClosestApproach, Contact, ContactPoint, Impact, MotionBound, Outcome, Overlap, Reason,
+    Separation,
 };
 pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;

@@ -35,6 +35,7 @@ impl Run {
         use crate::collision::Outcome;
         match &self.answer {
             Answer::Separation(separation) => Some(separation),
+            Answer::Contact(contact) => Some(&contact.separation),
             Answer::Impact(impact) => match &impact.outcome {
                 Outcome::Hit { contact, .. } | Outcome::Overlapping { contact } => Some(contact),
                 Outcome::Miss | Outcome::Unresolved { .. } => None,

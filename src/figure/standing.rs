@@ -1,6 +1,6 @@
 //! How an answer turned out, in a clause: what a note gives as its reason.
 
-use crate::collision::{Answer, Outcome, Separation};
+use crate::collision::{Answer, Contact, Outcome};
 
 /// How an answer turned out, as "the answer is a miss".
 pub(crate) fn standing(answer: &Answer) -> &'static str {
@@ -11,9 +11,13 @@ pub(crate) fn standing(answer: &Answer) -> &'static str {
             Outcome::Overlapping { .. } => "the bodies overlap from the start",
             Outcome::Unresolved { .. } => "the answer is unresolved",
         },
-        Answer::Separation(Separation { bounds, .. }) if bounds.lo > 0.0 => "the bodies are apart",
-        Answer::Separation(Separation { bounds, .. }) if bounds.hi < 0.0 => "the bodies overlap",
-        Answer::Separation(_) => "the bodies touch",
+        Answer::Separation(separation) | Answer::Contact(Contact { separation, .. }) => {
+            match separation.bounds {
+                bounds if bounds.lo > 0.0 => "the bodies are apart",
+                bounds if bounds.hi < 0.0 => "the bodies overlap",
+                _ => "the bodies touch",
+            }
+        }
         Answer::Overlap(found) => match found.overlap {
             Some(true) => "the bodies overlap",
             Some(false) => "the bodies do not overlap",

@@ -13,6 +13,9 @@ use crate::geometry::{Enclosure, Feature, Names, Side};
 
 use super::node::number;
 
+/// The key of the body that a feature belongs to, by its letter.
+const BODY: &str = "body";
+
 /// The `result` of a query, in the order of fields of the format.
 ///
 /// ```
@@ -50,6 +53,14 @@ fn value(part: Part) -> Value {
         Part::Points([a, b]) => json!({ "A": value(Part::Point(a)), "B": value(Part::Point(b)) }),
         Part::Lengths([a, b]) => json!({ "A": a, "B": b }),
         Part::Features([a, b]) => json!({ "A": feature(a), "B": feature(b) }),
+        Part::Owned(side, f) => {
+            let mut owned = json!({ BODY: side.letter() });
+            if let (Value::Object(to), Value::Object(from)) = (&mut owned, feature(f)) {
+                to.extend(from);
+            }
+            owned
+        }
+        Part::Each(things) => Value::Array(things.into_iter().map(object).collect()),
     }
 }
 
@@ -80,8 +91,17 @@ pub(super) fn lines(result: &Value, names: &Names) -> String {
     let Value::Object(fields) = result else { return String::new() };
     let mut lines = String::new();
     for (key, value) in fields.iter().filter(|(key, _)| *key != "kind") {
-        // Writing to a text can't fail.
-        let _ = writeln!(lines, "  {:<18} {}", key.replace('_', " "), part(key, value, names));
+        let mut line = |name: &str, value: &Value| {
+            // Writing to a text can't fail.
+            let _ = writeln!(lines, "  {:<18} {}", name.replace('_', " "), part(key, value, names));
+        };
+        match value {
+            Value::Array(things) if things.iter().all(Value::is_object) => {
+                let one = key.strip_suffix('s').unwrap_or(key);
+                (1..).zip(things).for_each(|(k, thing)| line(&format!("{one} {k}"), thing));
+            }
+            _ => line(key, value),
+        }
     }
     lines
 }
@@ -107,6 +127,13 @@ fn words(value: &Value, names: &Names) -> String {
         Value::String(s) => s.clone(),
         Value::Array(items) => {
             format!("({})", items.iter().map(|item| words(item, names)).collect::<Vec<_>>().join(", "))
+        }
+        Value::Object(entries) if entries.contains_key(BODY) => {
+            let entry = |(key, value): (&String, &Value)| match value {
+                Value::String(letter) if key == BODY => whose(letter, names),
+                _ => format!("{key} {}", words(value, names)),
+            };
+            entries.iter().map(entry).collect::<Vec<_>>().join(" ")
         }
         Value::Object(entries) => {
             let entry = |(key, value): (&String, &Value)| {

@@ -312,6 +312,44 @@ pub enum Event {
         /// Every vertex at that distance from the origin.
         vertices: Vec<SupportVertex>,
     },
+    /// The edges were chosen that face each other in a contact, without the bodies' radii.
+    EdgesFaced {
+        /// The body of the reference edge, which the other body's edge is clipped against.
+        body: Side,
+        /// The reference edge.
+        reference: Feature,
+        /// The other body's edge, the incident one.
+        incident: Feature,
+        /// Where the reference edge starts in the world, counter-clockwise on its body.
+        from: DVec2,
+        /// Where it ends.
+        to: DVec2,
+        /// Its outward unit normal.
+        normal: DVec2,
+        /// The ends of the incident edge in the world, in the order in which they lie along the reference
+        /// edge.
+        ends: [DVec2; 2],
+    },
+    /// An end of the incident edge was cut off, at the plane through an end of the reference edge.
+    EdgeCut {
+        /// The end of the reference edge, in the world.
+        plane: DVec2,
+        /// The end that was cut off.
+        end: DVec2,
+        /// Where the incident edge ends now.
+        at: DVec2,
+    },
+    /// An end of what was left of the incident edge was held against the reference edge.
+    ContactFound {
+        /// The points of A and B over each other, in the world.
+        points: [DVec2; 2],
+        /// Their separation, world units: minus the depth.
+        separation: f64,
+        /// The features of A and B that carry them.
+        features: [Feature; 2],
+        /// Whether it is a point of contact: its separation is not above 0.
+        touches: bool,
+    },
     /// An algorithm ended.
     Finished {
         /// How it ended, in a short word for the story, as "hit" or "separating axis".

@@ -209,7 +209,7 @@ fn an_inner_row_forbids_what_the_outer_one_allows() {
     planted("collision/certified/sweep/ray.rs", "fn f() -> crate::collision::query::Query { loop {} }");
     planted("collision/certified/distance/pair.rs", "use super::super::super::algorithm::view;");
     planted("collision/feature.rs", "use crate::collision::answer::Outcome;");
-    planted("collision/answer.rs", "use crate::trace::Event;");
+    planted("collision/answer/mod.rs", "use crate::trace::Event;");
     fine("collision/algorithm/gjk.rs", "use crate::trace::Event; use crate::collision::query::Query;");
     fine("collision/certified/impact/search.rs", "use crate::collision::answer::Outcome;");
     fine("collision/mod.rs", "pub use algorithm::ALGORITHMS; use crate::collision::certified::sweep::Sweep;");

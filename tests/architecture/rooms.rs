@@ -76,6 +76,10 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/certified/impact",
         ],
     ),
+    (
+        "collision/certified/clip",
+        &["geometry", "collision/answer", "collision/feature", "collision/certified/distance"],
+    ),
     // The filters: each may use the base of its room and what lies below the room, none the room's searches.
     (
         "collision/certified/distance/filter",

@@ -41,20 +41,24 @@ pub enum Feature {
     Edge(usize),
 }
 
+impl Feature {
+    /// Reads it from an object with a vertex or an edge; None for any other.
+    #[must_use]
+    pub fn read(json: &Json) -> Option<Self> {
+        let whole =
+            |x: f64| (0..1_000_000).find(|i: &u32| f64::from(*i) == x).and_then(|i| usize::try_from(i).ok());
+        match (json.number_at("vertex"), json.number_at("edge")) {
+            (Some(i), None) => whole(i).map(Self::Vertex),
+            (None, Some(i)) => whole(i).map(Self::Edge),
+            _ => None,
+        }
+    }
+}
+
 impl Contact {
     /// Reads it from a `result`; None where a field is missing or of a wrong type.
     #[must_use]
     pub fn read(result: &Json) -> Option<Self> {
-        let feature = |json: &Json| {
-            let whole = |x: f64| {
-                (0..1_000_000).find(|i: &u32| f64::from(*i) == x).and_then(|i| usize::try_from(i).ok())
-            };
-            match (json.number_at("vertex"), json.number_at("edge")) {
-                (Some(i), None) => whole(i).map(Feature::Vertex),
-                (None, Some(i)) => whole(i).map(Feature::Edge),
-                _ => None,
-            }
-        };
         let (points, features) = (result.get("points")?, result.get("features")?);
         Some(Self {
             separation: result.number_at("separation")?,
@@ -62,7 +66,7 @@ impl Contact {
             normal: result.pair_at("normal")?,
             ties: result.number_at("ties"),
             points: [points.pair_at("A")?, points.pair_at("B")?],
-            features: [feature(features.get("A")?)?, feature(features.get("B")?)?],
+            features: [Feature::read(features.get("A")?)?, Feature::read(features.get("B")?)?],
         })
     }
 }
@@ -223,7 +227,7 @@ fn check_witnesses(report: &mut Report, setting: &Setting, pair: &[Placed; 2], c
 }
 
 /// World ends of a feature; a vertex twice.
-fn ends(body: &Placed, feature: Feature) -> Option<[Point; 2]> {
+pub(super) fn ends(body: &Placed, feature: Feature) -> Option<[Point; 2]> {
     match feature {
         Feature::Vertex(i) => body.vertices.get(i).map(|p| [*p, *p]),
         Feature::Edge(i) => body.edge(i).map(|ends| ends.map(|i| body.vertices[i])),
@@ -231,7 +235,7 @@ fn ends(body: &Placed, feature: Feature) -> Option<[Point; 2]> {
 }
 
 /// Distance of a point from a segment.
-fn distance_to([from, to]: [Point; 2], point: Point) -> Real {
+pub(super) fn distance_to([from, to]: [Point; 2], point: Point) -> Real {
     let (along, rest) = (to.minus(from), point.minus(from));
     let whole = along.dot(along);
     let t = rest.dot(along);

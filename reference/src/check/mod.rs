@@ -5,6 +5,7 @@
 //! S the scale of the scene.
 
 mod approach;
+mod clip;
 mod contact;
 mod extent;
 mod impact;
@@ -147,6 +148,10 @@ pub fn check(scene: &Scene, answer: &Json) -> Report {
         Kind::LinearSweep | Kind::TimeOfImpact => impact::check_impact(&mut report, scene, &setting, result),
         Kind::Bounds => extent::check_bounds(&mut report, scene, &setting, result),
         Kind::Overlap => extent::check_overlap(&mut report, scene, &setting, result),
+        Kind::Contact => {
+            let pair = setting.pair(&scene.bodies, Real::from(scene.time));
+            clip::check_clipped(&mut report, &setting, &pair, result);
+        }
         Kind::MotionBound => extent::check_motion_bound(&mut report, scene, result),
     }
     report

@@ -23,6 +23,7 @@ mod arc;
 mod candidate;
 mod circles;
 mod clamp;
+mod clip;
 mod closest_features;
 mod conservative_advancement;
 mod early_out;
@@ -167,6 +168,7 @@ pub static ALGORITHMS: &[Algorithm] = &[
     ray_clipping::ALGORITHM,
     swept_axis::ALGORITHM,
     conservative_advancement::ALGORITHM,
+    clip::ALGORITHM,
 ];
 
 /// The questions about two bodies at one moment.

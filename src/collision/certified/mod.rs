@@ -21,11 +21,13 @@
 //! # The rooms, and the doors to them
 //!
 //! [`distance`] proves the separation of a pair at one moment, [`sweep`] the first contact of bodies that do
-//! not turn, [`impact`] that of bodies that do, [`approach`] how near bodies come that never touch.
+//! not turn, [`impact`] that of bodies that do, [`approach`] how near bodies come that never touch, [`clip`]
+//! the points of contact of bodies that do.
 //! Algorithms come in by [`distance::certify`] and [`distance::Pair`], [`sweep::Sweep`],
-//! [`impact::MovingPair`] and [`approach::closest_approach`]; the modules behind them are this storey's own.
-//! Inside, `distance` uses none of the others, `impact` a ray from `sweep`, `sweep` the whole of `impact`
-//! where a ray is not enough, and `approach` the distances and the axes that are followed through time.
+//! [`impact::MovingPair`], [`approach::closest_approach`] and [`clip::clipped`]; the modules behind them are
+//! this storey's own. Inside, `distance` uses none of the others, `clip` only that, `impact` a ray from
+//! `sweep`, `sweep` the whole of `impact` where a ray is not enough, and `approach` the distances and the
+//! axes that are followed through time.
 //!
 //! # The letters
 //!
@@ -42,6 +44,7 @@
 //! ```
 
 pub(crate) mod approach;
+pub(crate) mod clip;
 pub(crate) mod distance;
 pub(crate) mod impact;
 pub(crate) mod rounding;

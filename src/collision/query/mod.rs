@@ -3,10 +3,11 @@
 //! A kind of question is one file of this folder, named as the kind is in a scene, and one row in
 //! [`QUERIES`]; what holds of every question of a kind stands in its row, so that no other room has to know
 //! the kinds by name. To add one: its variant of [`QueryKind`], its file, its row, and at least one algorithm
-//! that names the kind among those it answers. If none of the answers in `answer.rs` says what it found, a
+//! that names the kind among those it answers. If none of the answers in `answer/` says what it found, a
 //! variant of [`crate::collision::Answer`] too.
 
 mod bounds;
+mod contact;
 mod linear_sweep;
 mod motion_bound;
 mod overlap;
@@ -30,6 +31,8 @@ pub enum QueryKind {
     TimeOfImpact,
     /// How far any point of a body can move.
     MotionBound,
+    /// Where two bodies touch, and how deep at each place.
+    Contact,
 }
 
 /// How many bodies a question is about.
@@ -102,6 +105,7 @@ pub const QUERIES: &[Question] = &[
     linear_sweep::QUESTION,
     time_of_impact::QUESTION,
     motion_bound::QUESTION,
+    contact::QUESTION,
 ];
 
 /// [`QueryKind::question`] finds a row by the place of its kind.

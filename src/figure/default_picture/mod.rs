@@ -14,6 +14,7 @@ mod box_extents;
 mod circle_lengths;
 mod circle_penetration;
 mod clamped_circle;
+mod contact_points;
 mod early_hit;
 mod gjk_distance;
 mod gjk_penetration;
@@ -78,6 +79,7 @@ pub static PICTURES: &[Picture] = &[
     circle_lengths::PICTURE,
     box_extents::PICTURE,
     clamped_circle::PICTURE,
+    contact_points::PICTURE,
     axis_test::PICTURE,
     gjk_penetration::PICTURE,
     gjk_distance::PICTURE,
@@ -108,6 +110,7 @@ impl Case<'_> {
     fn overlaps(&self) -> bool {
         match &self.run.answer {
             Answer::Separation(found) => found.bounds.hi < 0.0,
+            Answer::Contact(found) => found.separation.bounds.hi < 0.0,
             Answer::Overlap(found) => found.overlap == Some(true),
             _ => false,
         }

@@ -1,6 +1,6 @@
 //! What came out, as a sentence.
 
-use crate::collision::{Answer, Impact, Outcome, Reason};
+use crate::collision::{Answer, Impact, Outcome, Reason, Separation};
 use crate::figure::runs::Run;
 use crate::geometry::Side;
 use crate::scene::Scene;
@@ -24,18 +24,13 @@ pub(super) fn result(scene: &Scene, run: &Run) -> String {
             Some(false) => format!("{a} and {b} do not overlap."),
             None => format!("rounding forbids to say whether {a} and {b} overlap."),
         },
-        Answer::Separation(s) => {
-            let (lo, hi) = (s.bounds.lo, s.bounds.hi);
-            if lo > 0.0 {
-                format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
-            } else if hi < 0.0 {
-                let depth = number(-hi, -lo);
-                format!(
-                    "{a} and {b} overlap; the shortest push that parts them is {depth} along {}.",
-                    point(*s.normal)
-                )
-            } else {
-                format!("{a} and {b} touch.")
+        Answer::Separation(s) => separation_in_words([a, b], s),
+        Answer::Contact(contact) => {
+            let apart = separation_in_words([a, b], &contact.separation);
+            match contact.found().count() {
+                0 => apart,
+                1 => format!("{apart} They touch at one point."),
+                _ => format!("{apart} They touch at two points."),
             }
         }
         Answer::Impact(impact) => impact_in_words([a, b], impact, run),
@@ -43,6 +38,22 @@ pub(super) fn result(scene: &Scene, run: &Run) -> String {
             let pair = if b.is_empty() { a.to_owned() } else { format!("{a} and {b}") };
             format!("no point of {pair} travels farther than {}.", value(found.bound))
         }
+    }
+}
+
+/// How the bodies named `a` and `b` stand.
+fn separation_in_words([a, b]: [&str; 2], s: &Separation) -> String {
+    let (lo, hi) = (s.bounds.lo, s.bounds.hi);
+    if lo > 0.0 {
+        format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
+    } else if hi < 0.0 {
+        let depth = number(-hi, -lo);
+        format!(
+            "{a} and {b} overlap; the shortest push that parts them is {depth} along {}.",
+            point(*s.normal)
+        )
+    } else {
+        format!("{a} and {b} touch.")
     }
 }
 

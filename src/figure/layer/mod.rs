@@ -11,6 +11,7 @@ mod axes;
 mod axis_gaps;
 mod bounds;
 mod clamp;
+mod clipping;
 mod closest;
 mod contact;
 mod coordinates;
@@ -106,6 +107,7 @@ pub static LAYERS: &[Layer] = &[
     separation::LAYER,
     normal::LAYER,
     contact::LAYER,
+    clipping::LAYER,
     approach::LAYER,
     expected::LAYER,
     bounds::LAYER,

@@ -3,6 +3,7 @@
 //! Numbers are cut to six significant digits, points are `(x, y)`, bodies have the names that the scene gives
 //! them. A step of an advancement opens a paragraph.
 
+mod clip;
 mod motion;
 mod words;
 
@@ -102,6 +103,13 @@ pub fn sentence(event: &Event, names: &Names) -> String {
         }
         Event::MotionBounded { body, radius, theta, arc, linear, vertices } => {
             motion(&names.quoted(*body), vertices, [*radius, *theta, *arc, *linear])
+        }
+        Event::EdgesFaced { body, reference, incident, from, to, normal, .. } => {
+            clip::faced(names, *body, [*reference, *incident], [*from, *to], *normal)
+        }
+        Event::EdgeCut { plane, end, at } => clip::cut(*plane, *end, *at),
+        Event::ContactFound { points, separation, touches, .. } => {
+            clip::found(names, *points, *separation, *touches)
         }
         Event::Finished { outcome } => format!("Done: {outcome}."),
     }

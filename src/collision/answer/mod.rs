@@ -7,7 +7,15 @@
 //! An answer also knows how it is written down: [`Answer::parts`] names its parts in the order of the format,
 //! so that whoever writes JSON or text needs to know kinds of values, not kinds of answers.
 
-use crate::geometry::{DVec2, Enclosure, Feature, UnitVector};
+mod contact;
+mod part;
+mod separation;
+
+use crate::geometry::{DVec2, Enclosure};
+
+pub use contact::{Contact, ContactPoint};
+pub(crate) use part::{Part, Parts};
+pub use separation::Separation;
 
 /// What a query found.
 ///
@@ -44,6 +52,8 @@ pub enum Answer {
     Impact(Impact),
     /// A length: to [`crate::collision::QueryKind::MotionBound`].
     MotionBound(MotionBound),
+    /// Points of contact: to [`crate::collision::QueryKind::Contact`].
+    Contact(Contact),
 }
 
 /// An axis-aligned bounding box in the world, rounded outward.
@@ -67,23 +77,6 @@ pub struct Overlap {
     /// Encloses the exact separation, world units; `hi` is infinite where the search ended at a separating
     /// axis.
     pub separation_bounds: Enclosure,
-}
-
-/// Signed separation with its witnesses. `p_B` − `p_A` = s n.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Separation {
-    /// World units; the distance apart, or minus the penetration depth.
-    pub separation: f64,
-    /// Encloses the exact separation, world units.
-    pub bounds: Enclosure,
-    /// Unit vector in the world, from A to B, along which B moves apart.
-    pub normal: UnitVector,
-    /// Directions with the same depth or distance within the bounds; 0 where all tie.
-    pub ties: u32,
-    /// Witness points on A and B, in the world.
-    pub points: [DVec2; 2],
-    /// The features of A and B that carry the witness points, numbered in the file's order.
-    pub features: [Feature; 2],
 }
 
 /// Why a time of impact was not decided.
@@ -155,32 +148,6 @@ pub struct MotionBound {
     pub bound: f64,
 }
 
-/// The value of one part of an answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Part {
-    /// One of the words that an answer can give.
-    Word(&'static str),
-    /// Yes, no, or None: rounding forbids a verdict.
-    Verdict(Option<bool>),
-    /// How many.
-    Count(usize),
-    /// A length in world units, or a time.
-    Number(f64),
-    /// What encloses a length or a time; an end may be infinite.
-    Interval(Enclosure),
-    /// A point or a vector in the world.
-    Point(DVec2),
-    /// A point of A and one of B, in the world.
-    Points([DVec2; 2]),
-    /// A feature of A and one of B.
-    Features([Feature; 2]),
-    /// A length of A and one of B, in world units or in units of S ε.
-    Lengths([f64; 2]),
-}
-
-/// The parts of an answer, each with its name in answers, in their order.
-pub(crate) type Parts = Vec<(&'static str, Part)>;
-
 impl Answer {
     /// Its parts, as `solve` writes them.
     pub(crate) fn parts(&self) -> Parts {
@@ -190,6 +157,7 @@ impl Answer {
             Self::Separation(separation) => separation.parts(),
             Self::Impact(impact) => impact.parts(),
             Self::MotionBound(MotionBound { bound }) => vec![("bound", Part::Number(*bound))],
+            Self::Contact(contact) => contact.parts(),
         }
     }
 }
@@ -238,50 +206,7 @@ impl Overlap {
 /// The verdict that a separation allows; touching counts as overlap.
 impl From<&Separation> for Overlap {
     fn from(s: &Separation) -> Self {
-        let overlap = if s.bounds.lo > 0.0 {
-            Some(false)
-        } else if s.bounds.hi <= 0.0 {
-            Some(true)
-        } else {
-            None
-        };
-        Self { overlap, separation_bounds: s.bounds }
-    }
-}
-
-impl Separation {
-    /// This separation, with the bodies called the other way round.
-    pub(crate) fn swapped(self) -> Self {
-        let ([p, q], [of_a, of_b]) = (self.points, self.features);
-        Self { normal: -self.normal, points: [q, p], features: [of_b, of_a], ..self }
-    }
-
-    /// A word for how the pair stands, as events tell it.
-    pub(crate) fn word(&self) -> &'static str {
-        if self.separation > 0.0 {
-            "apart"
-        } else if self.separation < 0.0 {
-            "overlapping"
-        } else {
-            "touching"
-        }
-    }
-
-    fn parts(&self) -> Parts {
-        let [separation, bounds] = self.measures();
-        let ties = ("ties", Part::Count(self.ties as usize));
-        let [points, features] = self.witnesses();
-        vec![separation, bounds, ("normal", Part::Point(*self.normal)), ties, points, features]
-    }
-
-    /// The signed distance and its bounds.
-    fn measures(&self) -> [(&'static str, Part); 2] {
-        [("separation", Part::Number(self.separation)), ("separation_bounds", Part::Interval(self.bounds))]
-    }
-
-    /// The witness points and their features.
-    fn witnesses(&self) -> [(&'static str, Part); 2] {
-        [("points", Part::Points(self.points)), ("features", Part::Features(self.features))]
+        Self { overlap: s.overlaps(), separation_bounds: s.bounds }
     }
 }
 

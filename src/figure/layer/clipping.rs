@@ -1,0 +1,254 @@
+//! Points of contact by clipping: the reference edge with its normal n, the planes through its ends, what
+//! they leave of the incident edge, and at each end of that the depth below the reference edge.
+//!
+//! What a plane cuts off is struck out with a cross. An end that lies above the reference edge is no contact:
+//! it has a marker that is not filled.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
+};
+use crate::figure::text::number;
+use crate::geometry::{DVec2, Side};
+use crate::trace::Event;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+
+/// How far a plane reaches past the reference edge and past the incident edge, page pixels.
+const PAST: f64 = 30.0;
+
+/// Width of the edges, page pixels: more than an outline, which lies under them.
+const EDGE: f64 = 4.5;
+
+/// The shortest and the longest that n is drawn, page pixels, where one unit of the world is less or more.
+const READABLE: [f64; 2] = [24.0, 48.0];
+
+/// The words of the option `show`, in the order in which a reader needs them.
+const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "clipping",
+    about: "points of contact: reference edge, side planes, what they cut off, depths",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "show",
+        takes: Takes::Words(&PARTS),
+        default: "all",
+        about: "which parts are drawn; without \"cut\" the incident edge is whole",
+    }],
+    labels: &[
+        LabelKey { key: "reference", about: "the reference edge" },
+        LabelKey { key: "incident", about: "the incident edge" },
+        LabelKey { key: "n", about: "the reference edge's normal" },
+        LabelKey { key: "d_1", about: "depth of the first contact along the reference edge" },
+        LabelKey { key: "d_2", about: "depth of the second contact" },
+        LabelKey { key: "no-contact", about: "an end above the reference edge" },
+    ],
+    needs: "a query for the contact",
+    fed: |context, _| {
+        let ever = context.scene.query.algorithm.kinds.contains(&crate::collision::QueryKind::Contact);
+        Fed::by_the_answer(shown(context).is_some(), ever)
+    },
+    draw,
+};
+
+/// What was clipped, in the world, at the bodies' surfaces.
+struct Clipping {
+    /// The body of the reference edge.
+    body: Side,
+    /// The reference edge, counter-clockwise.
+    reference: [DVec2; 2],
+    /// Its outward unit normal.
+    normal: DVec2,
+    /// The incident edge.
+    incident: [DVec2; 2],
+    /// Each end that was cut off, and where the edge ends instead.
+    cuts: Vec<[DVec2; 2]>,
+    /// Each end of what is left.
+    points: Vec<Point>,
+}
+
+/// An end of what is left of the incident edge.
+struct Point {
+    /// The point on the incident body.
+    at: DVec2,
+    /// The point of the reference edge's line over it.
+    over: DVec2,
+    /// Minus the depth.
+    separation: f64,
+    /// Whether it is a contact.
+    touches: bool,
+}
+
+/// What the algorithm told of the panel's moment; `None` where nothing was clipped.
+fn shown(context: &Context) -> Option<Clipping> {
+    let run = context.run();
+    let radius = |side: Side| context.body(side).map_or(0.0, |body| body.shape.radius);
+    let mut found = run.find_told(|event| match *event {
+        Event::EdgesFaced { body, from, to, normal, ends, .. } => {
+            let (out, inward) = (normal * radius(body), normal * radius(body.other()));
+            let (reference, incident) = ([from + out, to + out], ends.map(|end| end - inward));
+            Some(Clipping { body, reference, normal, incident, cuts: Vec::new(), points: Vec::new() })
+        }
+        _ => None,
+    })?;
+    let other = found.body.other();
+    let inward = found.normal * radius(other);
+    found.cuts = run
+        .told(|event| match *event {
+            Event::EdgeCut { end, at, .. } => Some([end - inward, at - inward]),
+            _ => None,
+        })
+        .collect();
+    found.points = run
+        .told(|event| match *event {
+            Event::ContactFound { points, separation, touches, .. } => {
+                let [over, at] = if other == Side::B { points } else { [points[1], points[0]] };
+                Some(Point { at, over, separation, touches })
+            }
+            _ => None,
+        })
+        .collect();
+    Some(found)
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(found) = shown(context) else { return };
+    let [edges, planes, cut, depths] = PARTS.map(|part| options.shows("show", part, true));
+    if planes {
+        side_planes(sketch, &found);
+    }
+    if edges {
+        let left = if cut { left(&found) } else { found.incident };
+        both_edges(sketch, &found, left, options);
+    }
+    if cut {
+        for [end, at] in &found.cuts {
+            sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
+            sketch.part("cut").marker(*at, of(found.body.other()), found.body.other().into(), MARKER);
+        }
+    }
+    if depths {
+        ends(sketch, &found, options);
+    }
+}
+
+/// The marker of a body's points.
+fn of(side: Side) -> Marker {
+    if side == Side::A { Marker::Disc } else { Marker::Square }
+}
+
+/// The incident edge without what was cut off.
+fn left(found: &Clipping) -> [DVec2; 2] {
+    found.incident.map(|end| found.cuts.iter().find(|[cut, _]| *cut == end).map_or(end, |[_, at]| *at))
+}
+
+/// Draws the lines through the ends of the reference edge, square to it.
+fn side_planes(sketch: &mut Sketch, found: &Clipping) {
+    let from = found.reference[0];
+    let heights = found.incident.map(|end| found.normal.dot(end - from));
+    let past = sketch.px(PAST);
+    let low = heights[0].min(heights[1]).min(0.0) - past;
+    let high = heights[0].max(heights[1]).max(0.0) + past;
+    for end in found.reference {
+        let (foot, top) = (end + found.normal * low, end + found.normal * high);
+        sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction(Role::Muted));
+    }
+}
+
+/// Draws both edges, the reference edge with its normal.
+fn both_edges(sketch: &mut Sketch, found: &Clipping, left: [DVec2; 2], options: &Options) {
+    let role = options.role(Role::Now);
+    let [p, q] = found.reference;
+    sketch.part("incident").line(left[0], left[1], Pen::highlighted(found.body.other().into()).width(EDGE));
+    let beside = Anchor::middle(left[0], left[1]);
+    let word = Label::new("incident", "incident edge", beside, found.body.other().into());
+    sketch.label(word.rank(Rank::Word).size(Size::Note));
+    sketch.part("reference").line(p, q, Pen::highlighted(role).width(EDGE));
+    let word = Label::new("reference", "reference edge", Anchor::middle(p, q), role);
+    sketch.label(word.rank(Rank::Word).size(Size::Note));
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    // Clear of the depths, which are at the incident edge's ends.
+    let middle = q + (p - q) * 0.2;
+    let tip = middle + found.normal * 1.0_f64.max(least).min(most);
+    sketch.part("reference-normal").arrow(middle, tip, Pen::vector(role));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(middle, tip), role));
+}
+
+/// Draws the ends of what is left, each contact with its depth.
+fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
+    let other = found.body.other();
+    let touching = found.points.iter().filter(|point| point.touches);
+    for ((point, key), k) in touching.zip(["d_1", "d_2"]).zip(1..) {
+        let role = options.role(Role::Translation);
+        sketch.part("depth").bar(point.over, point.at, 0.0, Pen::dimension(role).width(1.75));
+        sketch.part("contact-point").marker(point.at, of(other), other.into(), MARKER);
+        let text = format!("$d_{k} = {}$", number(-point.separation));
+        let inward = left_of(found.reference[0], found.reference[1]);
+        let anchor = if point.at == point.over {
+            Anchor::point_toward(point.at, inward)
+        } else {
+            Anchor::middle(point.over, point.at)
+        };
+        sketch.label(Label::new(key, text, anchor, role));
+    }
+    for point in found.points.iter().filter(|point| !point.touches) {
+        sketch.part("above").marker(point.at, Marker::HollowSquare, other.into(), LARGE_MARKER);
+        let label = Label::new("no-contact", "no contact", Anchor::point(point.at), Role::Muted);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::collision::Answer;
+    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::{open_text, solve};
+
+    /// Two bodies whose contact is clipped, B at a place, rounded by a radius.
+    fn clipped(place: &str, radius: f64) -> (Figure, Vec<f64>) {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[-2.5, -3], [2, -4], [3, 0], [-3, 2.5]] }}
+            shapes.B = {{ kind = 'box', half_extents = [2, 1], radius = {radius}, position = {place},
+                angle_deg = -20 }}
+            query = {{ kind = 'contact', of = ['A', 'B'] }}
+            panels = [{{ layers = ['shapes', 'clipping'] }}]"
+        );
+        let scene = open_text("clip", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let Answer::Contact(contact) = solve(&scene) else { panic!("a contact") };
+        (draw(&plan, plan.theme, "clip"), contact.found().map(|point| -point.separation).collect())
+    }
+
+    #[test]
+    fn each_depth_is_written_drawn_and_answered_alike() {
+        for (place, radius, contacts) in
+            [("[1, 1.5]", 0.0, 2), ("[2, 1]", 0.25, 2), ("[1.5, 1.5]", 0.5, 2), ("[4.5, -2]", 0.0, 1)]
+        {
+            let (figure, depths) = clipped(place, radius);
+            let drawn = lines(&figure, "depth");
+            let markers = paths(&figure.drawing.items, "contact-point").len();
+            assert_eq!((depths.len(), markers), (contacts, contacts), "{place}");
+            let labels = labels(&figure);
+            for (k, (depth, key)) in depths.iter().zip(["d_1", "d_2"]).enumerate() {
+                // A bar is a line and two ticks.
+                let length = drawn[3 * k] / figure.panels[0].frame.scale;
+                assert!((length - depth).abs() < 1e-9, "{place}: {length} is not {depth}");
+                assert!((labels[key].1 - depth).abs() < 0.006, "{place}: {:?} is not {depth}", labels[key]);
+            }
+        }
+    }
+
+    #[test]
+    fn bodies_apart_leave_nothing_to_clip_and_the_figure_says_why() {
+        let (figure, depths) = clipped("[1, 6]", 0.0);
+        assert!(depths.is_empty() && paths(&figure.drawing.items, "reference").is_empty());
+        assert!(
+            figure.warnings.iter().any(|w| w.fault.to_string().contains("apart")),
+            "{:?}",
+            figure.warnings
+        );
+    }
+}
