@@ -13,14 +13,15 @@ use tracefig::scene::visible;
 
 use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
-use super::files::{Drawn, Encoded, Files, tell_unplanned};
+use super::files::{Drawn, Encoded, Files};
 use super::inputs::shown;
-use super::jobs::{Job, Planned, Target, Unplanned, folders_of, inputs_of};
+use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
 use super::orphans::orphans;
 use super::parallel::in_order;
 use super::regular::read_regular;
 use super::render::cant_write;
 use super::reports::Places;
+use super::unplanned::{Unplanned, tell_unplanned};
 use super::{Runs, Status};
 
 /// Options of `check`.
@@ -70,24 +71,23 @@ impl Runs for Check {
             let message = "`check` compares files, and a scene from standard input has none: name its file";
             return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
         }
-        let jobs = match self.files.jobs(None) {
-            Ok(jobs) => jobs,
+        let plan = match self.files.plan(None) {
+            Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        let mut kept = inputs_of(&jobs);
-        self.files.theme_files().for_each(|path| kept.keep(path, "a theme of this run"));
-        let pictures = match self.places.planned(&jobs, kept, self.json) {
+        let jobs = &plan.jobs;
+        let pictures = match self.places.planned(jobs, inputs_of(jobs), self.json) {
             Ok(pictures) => pictures,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         let ink = console.ink();
         clear_leftovers(self.places.folder());
         if self.accept {
-            folders_of(&jobs).into_iter().for_each(clear_leftovers);
+            folders_of(jobs).into_iter().for_each(clear_leftovers);
         }
         let mut findings = Vec::new();
         in_order(
-            &jobs,
+            jobs,
             self.files.threads(),
             |job| self.compare_all(job, self.files.draw(job, ink), &pictures),
             |job, checked| -> io::Result<()> {
@@ -105,7 +105,7 @@ impl Runs for Check {
                 Ok(())
             },
         )?;
-        let orphans = orphans(&jobs, &self.files.folders());
+        let orphans = orphans(&plan);
         self.tell(&orphans, "", console)?;
         findings.extend(orphans);
         let failed = self.places.write(&findings, &mut console.out);
@@ -196,7 +196,7 @@ impl Check {
                 return checked.fail(&name, &format!("error: can't read {}: {error}\n", shown(path)));
             }
         };
-        let scale = self.files.scale();
+        let scale = encoded.scale;
         let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
         let (state, image) = compare_and_show(on_disk.as_deref(), rendered);
         let mut finding =
@@ -209,7 +209,7 @@ impl Check {
             }
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
-                finding.details = self.details(change, &old, file.format, encoded);
+                finding.details = Self::details(change, &old, file.format, encoded);
                 if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
                         .and_then(|()| write_whole(picture, &image));
@@ -231,23 +231,23 @@ impl Check {
     }
 
     /// How a file differs, in lines.
-    fn details(&self, change: &Change, old: &[u8], format: &Format, encoded: &Encoded) -> Vec<String> {
+    fn details(change: &Change, old: &[u8], format: &Format, encoded: &Encoded) -> Vec<String> {
         let mut lines = what_moved(format, old, &encoded.bytes);
         lines.push(change.to_string());
         if let Some(drift) = change.pixels() {
             lines.push(drift.under_tolerances());
-            let names = self.elements(drift, encoded);
+            let names = elements(drift, encoded);
             if !names.is_empty() {
                 lines.push(format!("in the changed area: {}", names.join(", ")));
             }
         }
         lines
     }
+}
 
-    /// Named elements in the changed area.
-    fn elements(&self, drift: &PixelDrift, encoded: &Encoded) -> Vec<String> {
-        let Some(area) = drift.area else { return Vec::new() };
-        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / self.files.scale());
-        elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
-    }
+/// Named elements in the changed area.
+fn elements(drift: &PixelDrift, encoded: &Encoded) -> Vec<String> {
+    let Some(area) = drift.area else { return Vec::new() };
+    let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.scale);
+    elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
 }

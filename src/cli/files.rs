@@ -1,9 +1,8 @@
-//! What `render` and `check` share: the scenes, the formats, the themes and the scale, and a scene's files as
-//! bytes.
+//! What `render` and `check` share: their options, and a scene's files as bytes.
 
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 use std::thread::available_parallelism;
 
 use clap::Args;
@@ -12,40 +11,42 @@ use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
 use tracefig::figure::theme;
 use tracefig::figure::{Fault, Figure, draw, off_page, plan, plan_in};
-use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, format};
+use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer};
+use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
-use super::Status;
-use super::console::Console;
-use super::inputs::{Input, inputs, whole_folders};
-use super::jobs::{Job, Planned, Target, Unplanned, Wanted, jobs};
+use super::inputs::{Input, find};
+use super::jobs::{Job, Planned, Target, jobs};
 use super::regular::read_regular;
+use super::settings::{Flags, Projects, Settings, usual_formats};
 use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
 use super::timings::Timings;
+use super::unplanned::Unplanned;
 
-/// The formats that are written where none is asked for, separated by commas.
-static USUAL_FORMATS: LazyLock<String> = LazyLock::new(|| {
-    let usual: Vec<&str> = FORMATS.iter().filter(|format| format.usual).map(|format| format.name).collect();
-    usual.join(",")
-});
+/// The help of `--format`.
+fn format_help() -> String {
+    let usual: Vec<&str> = usual_formats().iter().map(|format| format.name).collect();
+    format!("Formats, separated by commas; default: those of the project file, else {}", usual.join(","))
+}
 
 /// Which scenes, and how they are drawn.
 #[derive(Args)]
 pub(crate) struct Files {
-    /// Scene files or folders of them; `-` is standard input; none: all of figures/
+    /// Scene files, or folders, which are searched in depth; `-` is standard input; none: the scenes of the
+    /// project file `tracefig.toml`, else all of figures/
     #[arg(value_name = "SCENE")]
     scenes: Vec<PathBuf>,
-    /// Formats, separated by commas
-    #[arg(long, value_delimiter = ',', default_value = USUAL_FORMATS.as_str(), value_name = "FORMAT",
+    /// Formats, separated by commas; the help says which are usual, from the table.
+    #[arg(long, value_delimiter = ',', value_name = "FORMAT", help = format_help(),
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
     format: Vec<String>,
     /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files
-    /// are named STEM.THEME.EXT; default: each scene's own
+    /// are named STEM.THEME.EXT; default: those of the project file, else each scene's own
     #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
     theme: Vec<ChosenTheme>,
-    /// Dots of an image for each page pixel
-    #[arg(long, default_value_t = 2.0, value_parser = scale)]
-    scale: f64,
+    /// Dots of an image for each page pixel; default: what the project file says, else 2
+    #[arg(long, value_parser = scale)]
+    scale: Option<f64>,
     /// How a PNG is packed: fast, or small (slower, the same pixels)
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
@@ -65,9 +66,6 @@ pub(crate) struct Files {
     own_themes: OwnThemes,
 }
 
-/// Largest scale: a page of the usual size then has 2²⁵ dots, half of what an image may have.
-const MAX_SCALE: f64 = 8.0;
-
 /// A scale as written on the command line.
 fn scale(text: &str) -> Result<f64, String> {
     let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
@@ -81,6 +79,8 @@ pub(crate) struct Encoded {
     pub(crate) bytes: Vec<u8>,
     /// What it shows; shared by the formats of a theme.
     pub(crate) drawing: Arc<Drawing>,
+    /// Dots of an image for each page pixel.
+    pub(crate) scale: f64,
 }
 
 /// A scene's files, or what is wrong.
@@ -95,28 +95,35 @@ pub(crate) struct Drawn {
     pub(crate) timings: Timings,
 }
 
+/// What a run is to draw.
+pub(crate) struct Plan {
+    /// The scenes with their files.
+    pub(crate) jobs: Vec<Job>,
+    /// The folders that were searched for scenes.
+    pub(crate) folders: Vec<PathBuf>,
+    /// Whether the scenes are all that the project has.
+    pub(crate) is_whole: bool,
+    /// What was left alone, in a line; empty where nothing was.
+    pub(crate) left_alone: String,
+}
+
 impl Files {
-    /// What is to be drawn.
-    pub(crate) fn jobs(&self, folder: Option<&Path>) -> Result<Vec<Job>, Unplanned> {
-        let inputs = inputs(&self.scenes).map_err(Unplanned::Wrong)?;
-        let (formats, themes) = self.wanted()?;
-        jobs(inputs, &Wanted { folder, themes: &themes, formats: &formats })
+    /// What is to be drawn; `output` is where the command line wants the files.
+    pub(crate) fn plan(&self, output: Option<&Path>) -> Result<Plan, Unplanned> {
+        let found = find(&self.scenes)?;
+        let left_alone = found.left_alone();
+        let jobs = jobs(found.scenes, &mut Projects::new(&self.flags(output)))?;
+        Ok(Plan { jobs, folders: found.folders, is_whole: self.scenes.is_empty(), left_alone })
     }
 
-    /// The formats and the names of the themes, each once; the error is of two themes with one name.
-    pub(crate) fn wanted(&self) -> Result<(Vec<&'static Format>, Vec<String>), Unplanned> {
-        let mut formats: Vec<&'static Format> = self.format.iter().filter_map(|name| format(name)).collect();
-        dedup(&mut formats, |f| f.name);
-        for (i, theme) in self.theme.iter().enumerate() {
-            if self.theme[..i].iter().any(|other| other.name == theme.name && other.key != theme.key) {
-                let name = visible(&theme.name);
-                let message = format!("two themes are called `{name}`, and their files would be one");
-                return Err(Unplanned::Usage(message));
-            }
-        }
-        let mut themes: Vec<String> = self.theme.iter().map(|t| t.name.clone()).collect();
-        dedup(&mut themes, Clone::clone);
-        Ok((formats, themes))
+    /// How scenes of the working directory are drawn.
+    pub(crate) fn settings_here(&self, output: Option<&Path>) -> Result<Arc<Settings>, Unplanned> {
+        Projects::new(&self.flags(output)).settings(Path::new(""))
+    }
+
+    /// What the command line says of all scenes.
+    fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
+        Flags { output, formats: &self.format, themes: &self.theme, scale: self.scale }
     }
 
     /// Whether a scene is to come from standard input.
@@ -124,24 +131,9 @@ impl Files {
         self.scenes.iter().any(|scene| scene.as_os_str() == "-")
     }
 
-    /// The files of themes.
-    pub(crate) fn theme_files(&self) -> impl Iterator<Item = &Path> {
-        self.theme.iter().filter_map(|theme| theme.file.as_deref())
-    }
-
-    /// The folders that are meant as a whole.
-    pub(crate) fn folders(&self) -> Vec<PathBuf> {
-        whole_folders(&self.scenes)
-    }
-
     /// How many scenes are drawn at once.
     pub(crate) fn threads(&self) -> NonZeroUsize {
         self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
-    }
-
-    /// Dots of an image for each page pixel.
-    pub(crate) fn scale(&self) -> f64 {
-        self.scale
     }
 
     /// Reads, answers and draws one scene.
@@ -159,34 +151,36 @@ impl Files {
     /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these
     /// options.
     pub(crate) fn is_current(&self, job: &Job) -> bool {
-        let Ok(file) = job.input.open() else { return false };
+        let Ok(file) = opened(job) else { return false };
         let word = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
         let Ok(own) = self.own_theme(&file, job) else { return false };
         let own = own.as_ref().map_or(word, |own| &own.key);
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
-            let theme = self.chosen(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            let hash = self.hash(&file, planned.format, theme);
+            let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
+            let hash = self.hash(job, &file, planned.format, theme);
             let stamp =
                 read_regular(path, MOST_BYTES).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
             stamp.is_some_and(|stamp| stamp.is_of(&hash))
         })
     }
 
-    /// The theme of that name, where it was asked for.
-    fn chosen(&self, name: Option<&str>) -> Option<&ChosenTheme> {
-        self.theme.iter().find(|chosen| Some(chosen.name.as_str()) == name)
-    }
-
-    /// The theme of the file that a scene names, where it is drawn in its own.
+    /// The theme of the file that a scene names, or its project for it, where it is drawn in its own.
     fn own_theme(&self, file: &SceneFile, job: &Job) -> Result<Option<Arc<ChosenTheme>>, Problem<Fault>> {
         let is_drawn = job.files.iter().any(|planned| planned.theme.is_none());
-        if is_drawn { self.own_themes.of(file, &job.input) } else { Ok(None) }
+        match &job.settings.page_theme {
+            _ if !is_drawn => Ok(None),
+            // What a project says has no place in the scene.
+            Some(theme) if file.scene.canvas.theme.as_ref().is_some_and(|t| t.span.is_empty()) => {
+                Ok(Some(Arc::clone(theme)))
+            }
+            _ => self.own_themes.of(file, &job.input),
+        }
     }
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
-    fn hash(&self, file: &SceneFile, format: &Format, theme: &str) -> String {
-        fingerprint(&file.meaning, &format.key(theme, &self.options()))
+    fn hash(&self, job: &Job, file: &SceneFile, format: &Format, theme: &str) -> String {
+        fingerprint(&file.meaning, &format.key(theme, &self.options(job)))
     }
 
     /// The files of a scene, or the message of what is wrong.
@@ -197,14 +191,16 @@ impl Files {
         messages: &mut String,
         timings: &mut Timings,
     ) -> Result<Vec<Encoded>, String> {
-        let file = job.input.open().map_err(|refused| refused.render(ink))?;
+        let file = opened(job).map_err(|refused| refused.render(ink))?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
         let plan = match &own {
             Some(own) => plan_in(&file.scene, &own.theme),
-            None if self.theme.is_empty() => plan(&file.scene),
-            None => plan_in(&file.scene, &self.theme[0].theme),
+            None => match job.settings.themes.first() {
+                Some(first) => plan_in(&file.scene, &first.theme),
+                None => plan(&file.scene),
+            },
         };
         let plan = plan.map_err(refuse)?;
         timings.lap("plan");
@@ -212,7 +208,7 @@ impl Files {
         // The formats of a theme follow one another and share a drawing.
         for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
             let Some(first) = same_theme.first() else { continue };
-            let chosen = self.chosen(first.theme.as_deref()).or(own.as_deref());
+            let chosen = job.settings.theme(first.theme.as_deref()).or(own.as_deref());
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
             timings.lap("draw");
@@ -234,28 +230,33 @@ impl Files {
             let facts = facts(&plan);
             let mut all_bytes = Vec::new();
             for planned in same_theme {
-                let hash = self.hash(&file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));
+                let hash =
+                    self.hash(job, &file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
-                let encoded = self.encode(&drawing, planned.format);
+                let encoded = self.encode(job, &drawing, planned.format);
                 all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error, ink))?);
                 timings.lap(planned.format.name);
             }
             let drawing = Arc::new(drawing);
-            files.extend(all_bytes.into_iter().map(|bytes| Encoded { bytes, drawing: Arc::clone(&drawing) }));
+            files.extend(all_bytes.into_iter().map(|bytes| Encoded {
+                bytes,
+                drawing: Arc::clone(&drawing),
+                scale: job.settings.scale,
+            }));
         }
         Ok(files)
     }
 
     /// What is asked of the formats.
-    fn options(&self) -> Options {
+    fn options(&self, job: &Job) -> Options {
         let png = PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png);
-        Options { scale: self.scale, png: png.unwrap_or_default() }
+        Options { scale: job.settings.scale, png: png.unwrap_or_default() }
     }
 
     /// A drawing as a file.
-    fn encode(&self, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
-        let options = self.options();
+    fn encode(&self, job: &Job, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
+        let options = self.options(job);
         match format.write {
             Writer::One(write) => write(drawing, &options),
             Writer::Sequence(write) => write(&[drawing], &options),
@@ -298,29 +299,7 @@ fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError, ink: In
     format!("error: can't write {} as {}: {error}\n", visible(&file.source.name), planned.format.name)
 }
 
-/// Takes out items whose key an earlier one has.
-fn dedup<T, K: PartialEq>(items: &mut Vec<T>, key: impl Fn(&T) -> K) {
-    let mut seen = Vec::new();
-    items.retain(|item| {
-        let key = key(item);
-        let new = !seen.contains(&key);
-        if new {
-            seen.push(key);
-        }
-        new
-    });
-}
-
-/// Says why no file can be written.
-pub(crate) fn tell_unplanned(why: &Unplanned, console: &Console) -> Status {
-    match why {
-        Unplanned::Usage(message) => {
-            console.error(message);
-            Status::Usage
-        }
-        Unplanned::Wrong(message) => {
-            console.error(message);
-            Status::Wrong
-        }
-    }
+/// The scene of a job, on the page that its project gives it.
+fn opened(job: &Job) -> Result<SceneFile, Box<Refused>> {
+    job.input.open()?.with_canvas(&job.settings.canvas)
 }

@@ -3,9 +3,13 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use tracefig::scene::{Refused, SceneFile, open, open_jsonl_line, open_reader, visible};
+use tracefig::scene::{PROJECT_FILE, Refused, SceneFile, open, open_jsonl_line, open_reader, visible};
 
-/// The folder whose scenes are meant when none is named.
+use super::project::{OpenProject, nearest};
+use super::unplanned::Unplanned;
+use super::walk::walk;
+
+/// The folder whose scenes are meant when neither a command nor a project names any.
 const DEFAULT_FOLDER: &str = "figures";
 
 /// Where a scene comes from.
@@ -61,50 +65,102 @@ pub(crate) fn single(argument: &Path) -> Input {
     if argument.as_os_str() == "-" { Input::Stdin } else { Input::File(argument.to_owned()) }
 }
 
-/// The inputs that the arguments name, in their order; a folder stands for its scenes by name.
-pub(crate) fn inputs(arguments: &[PathBuf]) -> Result<Vec<Input>, String> {
-    if arguments.is_empty() {
-        let scenes =
-            folder(Path::new(DEFAULT_FOLDER)).map_err(|error| format!("no scene was given, and {error}"))?;
-        return Ok(scenes);
+/// A scene, and where it was found.
+#[derive(Clone, Debug)]
+pub(crate) struct Located {
+    /// The scene.
+    pub(crate) input: Input,
+    /// Its folder below the folder that was searched; empty where the scene itself was named.
+    pub(crate) below: PathBuf,
+}
+
+/// What the arguments of a command name.
+#[derive(Debug, Default)]
+pub(crate) struct Found {
+    /// The scenes, in the order of the arguments; a folder stands for its scenes by path.
+    pub(crate) scenes: Vec<Located>,
+    /// How many files of the folders end as a scene's do and are none.
+    pub(crate) others: usize,
+    /// The folders that were searched, each with those in it.
+    pub(crate) folders: Vec<PathBuf>,
+}
+
+impl Found {
+    /// What was left alone, in a line; empty where nothing was.
+    pub(crate) fn left_alone(&self) -> String {
+        match self.others {
+            0 => String::new(),
+            1 => "note: 1 file is no scene\n".to_owned(),
+            n => format!("note: {n} files are no scenes\n"),
+        }
     }
-    let mut found = Vec::new();
+}
+
+/// The scenes of the working directory's project, where none is named: what its file says, else
+/// [`DEFAULT_FOLDER`] beside it, or here without a project.
+pub(crate) fn default_scenes(project: Option<&OpenProject>) -> Vec<PathBuf> {
+    let named = project.map(OpenProject::scenes).unwrap_or_default();
+    if !named.is_empty() {
+        return named;
+    }
+    vec![project.map_or(Path::new(""), OpenProject::folder).join(DEFAULT_FOLDER)]
+}
+
+/// The scenes that the arguments name; without arguments, those of the project.
+///
+/// # Errors
+/// When a folder can't be read or has no scene, when standard input is to be read twice, or when the project
+/// file is none.
+pub(crate) fn find(arguments: &[PathBuf]) -> Result<Found, Unplanned> {
+    if !arguments.is_empty() {
+        return named(arguments).map_err(Unplanned::Wrong);
+    }
+    let project = nearest(Path::new(""))?;
+    let told = |error| match &project {
+        Some(project) => format!("{error}, which {} names", shown(&project.file)),
+        None => format!("no scene was given, and {error}"),
+    };
+    named(&default_scenes(project.as_ref())).map_err(|error| Unplanned::Wrong(told(error)))
+}
+
+fn named(arguments: &[PathBuf]) -> Result<Found, String> {
+    let mut found = Found::default();
     for argument in arguments {
-        if argument.as_os_str() == "-" {
-            if found.contains(&Input::Stdin) {
-                return Err("`-` is given twice, but standard input can be read only once".to_owned());
-            }
-            found.push(Input::Stdin);
-        } else if argument.is_dir() {
-            found.extend(folder(argument)?);
+        let input = single(argument);
+        if input == Input::Stdin && found.scenes.iter().any(|known| known.input == Input::Stdin) {
+            return Err("`-` is given twice, but standard input can be read only once".to_owned());
+        }
+        if argument.is_dir() {
+            folder(argument, &mut found)?;
+        } else if argument.file_name().is_some_and(|name| name == PROJECT_FILE) {
+            return Err(format!("{} is a project file and no scene", shown(argument)));
+        } else if is_missing_default(argument) {
+            return Err(format!("can't read the folder {}: there is none", shown(argument)));
         } else {
             // A missing file is told when it is opened, so that the others are still read.
-            found.push(Input::File(argument.clone()));
+            found.scenes.push(Located { input, below: PathBuf::new() });
         }
     }
     Ok(found)
 }
 
-/// The folders among the arguments; the usual one when there is no argument.
-pub(crate) fn whole_folders(arguments: &[PathBuf]) -> Vec<PathBuf> {
-    if arguments.is_empty() {
-        return vec![PathBuf::from(DEFAULT_FOLDER)];
-    }
-    arguments.iter().filter(|a| a.is_dir()).cloned().collect()
+/// Whether it is the usual folder, and there is none.
+fn is_missing_default(argument: &Path) -> bool {
+    argument.ends_with(DEFAULT_FOLDER) && !argument.exists()
 }
 
-/// The scenes of a folder, by name. What is neither a file nor a link is no scene, whatever its name: a pipe
-/// would keep the others waiting. A link that leads nowhere is told when it is opened.
-fn folder(path: &Path) -> Result<Vec<Input>, String> {
-    let entries = path.read_dir().map_err(|e| format!("can't read the folder {}: {e}", shown(path)))?;
-    let mut paths: Vec<PathBuf> = entries
-        .filter_map(|entry| entry.ok().map(|e| e.path()))
-        .filter(|p| p.extension().is_some_and(|e| e == "toml" || e == "json"))
-        .filter(|p| p.metadata().is_ok_and(|place| place.is_file()) || p.is_symlink() && !p.exists())
-        .collect();
-    paths.sort();
-    if paths.is_empty() {
+/// Adds the scenes of a folder.
+fn folder(path: &Path, found: &mut Found) -> Result<(), String> {
+    let walked = walk(path).map_err(|e| format!("can't read the folder {}: {e}", shown(path)))?;
+    if walked.scenes.is_empty() {
         return Err(format!("there is no scene (*.toml, *.json) in the folder {}", shown(path)));
     }
-    Ok(paths.into_iter().map(Input::File).collect())
+    found.others += walked.others;
+    found.folders.extend(walked.folders);
+    found.scenes.extend(walked.scenes.into_iter().map(|scene| {
+        let below = scene.parent().and_then(|folder| folder.strip_prefix(path).ok());
+        let below = below.map(Path::to_owned).unwrap_or_default();
+        Located { input: Input::File(scene), below }
+    }));
+    Ok(())
 }

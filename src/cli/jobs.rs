@@ -3,11 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use tracefig::output::Format;
 
-use super::inputs::{Input, shown};
+use super::inputs::{Input, Located, shown};
 use super::outputs::{Kept, one_name};
+use super::settings::{Destination, Projects, Settings};
+use super::unplanned::Unplanned;
 
 /// Where a file goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -36,34 +39,32 @@ pub(crate) struct Job {
     pub(crate) input: Input,
     /// What it becomes, theme by theme.
     pub(crate) files: Vec<Planned>,
-}
-
-/// What is asked of every scene.
-pub(crate) struct Wanted<'w> {
-    /// Where files go; `None` is beside the scene, `-` is standard output.
-    pub(crate) folder: Option<&'w Path>,
-    /// Names of themes; none is the scene's own.
-    pub(crate) themes: &'w [String],
-    /// What each theme is written as.
-    pub(crate) formats: &'w [&'static Format],
-}
-
-/// Why there is no plan.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) enum Unplanned {
-    /// The options contradict each other.
-    Usage(String),
-    /// The inputs are wrong: no scene, or two that would become one file.
-    Wrong(String),
+    /// How it is drawn.
+    pub(crate) settings: Arc<Settings>,
 }
 
 /// The files of all scenes, or why they can't all be written; nothing has been written then.
-pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, Unplanned> {
-    let jobs: Vec<Job> = inputs.into_iter().map(|input| job(input, wanted)).collect();
+pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
+    let planned = |scene: Located| {
+        let folder = match &scene.input {
+            Input::File(path) => path.parent().unwrap_or(Path::new("")),
+            Input::Stdin | Input::Line { .. } => Path::new(""),
+        };
+        let settings = projects.settings(folder)?;
+        Ok(job(scene, &settings))
+    };
+    let jobs: Vec<Job> = scenes.into_iter().map(planned).collect::<Result<_, _>>()?;
+    let count = |is: fn(&Destination) -> bool| {
+        jobs.iter().filter(|job| is(&job.settings.destination)).map(|job| job.files.len()).sum::<usize>()
+    };
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
     if to_stdout > 1 {
         let message =
             "standard output takes one file: give one scene, one `--format` and at most one `--theme`";
+        return Err(Unplanned::Usage(message.to_owned()));
+    }
+    if count(|destination| matches!(destination, Destination::File(_))) > 1 {
+        let message = "`-o` names one file: give one scene and at most one `--theme`, or a folder";
         return Err(Unplanned::Usage(message.to_owned()));
     }
     twins(&jobs)?;
@@ -72,46 +73,60 @@ pub(crate) fn jobs(inputs: Vec<Input>, wanted: &Wanted<'_>) -> Result<Vec<Job>, 
 }
 
 /// A scene and its files, whatever other scenes there are.
-pub(crate) fn job(input: Input, wanted: &Wanted<'_>) -> Job {
-    let files = files(&input, wanted);
-    Job { input, files }
+pub(crate) fn job(scene: Located, settings: &Arc<Settings>) -> Job {
+    let files = files(&scene, settings);
+    Job { input: scene.input, files, settings: Arc::clone(settings) }
 }
 
 /// The files of one scene.
-fn files(input: &Input, wanted: &Wanted<'_>) -> Vec<Planned> {
-    let themes: Vec<Option<&String>> =
-        if wanted.themes.is_empty() { vec![None] } else { wanted.themes.iter().map(Some).collect() };
+fn files(scene: &Located, settings: &Settings) -> Vec<Planned> {
+    let themes: Vec<Option<&str>> = if settings.themes.is_empty() {
+        vec![None]
+    } else {
+        settings.themes.iter().map(|theme| Some(theme.name.as_str())).collect()
+    };
     let mut files = Vec::new();
     for theme in themes {
-        for &format in wanted.formats {
-            let named = theme.filter(|_| wanted.themes.len() > 1);
-            let target = target(input, wanted.folder, named.map(String::as_str), format.name);
-            files.push(Planned { theme: theme.cloned(), format, target });
+        for &format in &settings.formats {
+            let named = theme.filter(|_| settings.themes.len() > 1);
+            let target = target(scene, settings, named, format.name);
+            let to_stdout = target == Target::Stdout;
+            files.push(Planned { theme: theme.map(str::to_owned), format, target });
+            // Of the formats that nobody asked for it takes the first.
+            if to_stdout && !settings.formats_asked {
+                break;
+            }
         }
     }
     files
 }
 
 /// Where a file of a scene goes.
-fn target(input: &Input, folder: Option<&Path>, theme: Option<&str>, extension: &str) -> Target {
-    if folder.is_some_and(|f| f.as_os_str() == "-") {
-        return Target::Stdout;
-    }
-    let (beside, stem) = match input {
-        // Beside standard input is standard output.
-        Input::Stdin if folder.is_none() => return Target::Stdout,
-        Input::Stdin => (Path::new("."), "stdin".into()),
+fn target(scene: &Located, settings: &Settings, theme: Option<&str>, extension: &str) -> Target {
+    let Located { input, below } = scene;
+    let (beside, stem): (&Path, OsString) = match input {
+        Input::Stdin => (Path::new(""), "stdin".into()),
         Input::Line { stem, .. } => (Path::new(""), stem.into()),
         Input::File(path) => {
             (path.parent().unwrap_or(Path::new("")), path.file_stem().unwrap_or_default().to_owned())
         }
     };
-    let mut name: OsString = stem;
+    let folder = match &settings.destination {
+        Destination::Stdout => return Target::Stdout,
+        Destination::File(path) => return Target::File(path.clone()),
+        // Beside standard input is standard output, whatever a project says.
+        Destination::Beside | Destination::Project(_) if *input == Input::Stdin => return Target::Stdout,
+        Destination::Beside => beside.to_owned(),
+        Destination::Folder(folder) | Destination::Project(folder) => {
+            folder.join(settings.within(input, below))
+        }
+    };
+    let mut name = stem;
     for part in theme.into_iter().chain([extension]) {
         name.push(".");
         name.push(part);
     }
-    Target::File(folder.unwrap_or(beside).join(name))
+    Target::File(folder.join(name))
 }
 
 /// The folders that files go to.
@@ -142,9 +157,31 @@ fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
     Ok(())
 }
 
+/// The settings of the scenes, each once.
+pub(crate) fn each_settings(jobs: &[Job]) -> Vec<&Arc<Settings>> {
+    let mut each: Vec<&Arc<Settings>> = Vec::new();
+    for job in jobs {
+        // Scenes of one project follow one another, mostly.
+        if !each.iter().rev().any(|known| Arc::ptr_eq(known, &job.settings)) {
+            each.push(&job.settings);
+        }
+    }
+    each
+}
+
 /// The files that a run reads, which it must not write.
 pub(crate) fn inputs_of(jobs: &[Job]) -> Kept {
     let mut kept = Kept::default();
+    let settings = each_settings(jobs);
+    let themes = |settings: &Arc<Settings>| {
+        settings.themes.iter().chain(settings.page_theme.as_deref()).cloned().collect::<Vec<_>>()
+    };
+    for theme in settings.iter().flat_map(|settings| themes(settings)) {
+        theme.file.iter().for_each(|path| kept.keep(path, "a theme of this run"));
+    }
+    for project in settings.iter().filter_map(|settings| settings.project.as_ref()) {
+        kept.keep(project, "the project file of this run");
+    }
     for job in jobs {
         if let Input::File(path) = &job.input {
             kept.keep(path, "a scene of this run");
@@ -171,15 +208,17 @@ fn inputs_stay(jobs: &[Job]) -> Result<(), Unplanned> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::inputs::single;
+    use super::super::settings::Flags;
+    use super::super::themes::chosen_theme;
     use super::*;
-    use tracefig::output::format;
 
     fn targets(scenes: &[&str], folder: Option<&str>, themes: &[&str]) -> Result<Vec<String>, Unplanned> {
-        let inputs = scenes.iter().map(|s| super::super::inputs::single(s.as_ref())).collect();
-        let themes: Vec<String> = themes.iter().map(|&t| t.to_owned()).collect();
-        let formats: Vec<_> = ["svg", "png"].into_iter().filter_map(format).collect();
-        let wanted = Wanted { folder: folder.map(Path::new), themes: &themes, formats: &formats };
-        let jobs = jobs(inputs, &wanted)?;
+        let located = |s: &&str| Located { input: single(s.as_ref()), below: PathBuf::new() };
+        let themes: Vec<_> = themes.iter().map(|t| chosen_theme(t).unwrap()).collect();
+        let formats = ["svg", "png"].map(str::to_owned);
+        let flags = Flags { output: folder.map(Path::new), formats: &formats, themes: &themes, scale: None };
+        let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())
     }
 
@@ -206,7 +245,7 @@ mod tests {
         assert!(targets(&["a/x.toml", "b/x.toml"], None, &[]).is_ok());
         let got = targets(&["a/x.toml", "b/x.json"], Some("out"), &[]).unwrap_err();
         let message = "a/x.toml and b/x.json would both become out/x.svg; nothing was written";
-        assert_eq!(got, Unplanned::Wrong(message.to_owned()));
+        assert!(matches!(got, Unplanned::Wrong(said) if said == message));
         assert!(targets(&["src/x.toml", "src/../src/x.json"], None, &[]).is_err());
     }
 

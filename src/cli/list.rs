@@ -13,10 +13,10 @@ use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
-use tracefig::scene::{ERRORS, Field, Holds, TABLES, schema, shape_rows, visible};
+use tracefig::scene::{ERRORS, Field, Holds, PROJECT_TABLES, TABLES, schema, shape_rows, visible};
 
 use super::console::Console;
-use super::inputs::inputs;
+use super::inputs::find;
 use super::{Runs, Status};
 
 /// A topic of `list`.
@@ -36,7 +36,12 @@ static TOPICS: &[Topic] = &[
     Topic { name: "shapes", group: "kinds", title: "Kinds of shape, and their fields", rows: shapes },
     Topic { name: "queries", group: "kinds", title: "Kinds of query", rows: queries },
     Topic { name: "algorithms", group: "", title: "Algorithms, and what they answer", rows: algorithms },
-    Topic { name: "fields", group: "", title: "Tables of a scene, and their keys", rows: fields },
+    Topic {
+        name: "fields",
+        group: "",
+        title: "Tables of a scene and of a project file, and their keys",
+        rows: fields,
+    },
     Topic { name: "layers", group: "", title: "Layers, and their options", rows: layers },
     Topic {
         name: "labels",
@@ -59,7 +64,7 @@ static TOPICS: &[Topic] = &[
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
     Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
-    Topic { name: "figures", group: "", title: "Scenes in figures/", rows: figures },
+    Topic { name: "figures", group: "", title: "Scenes of the project, or in figures/", rows: figures },
 ];
 
 /// The topic that is no table of lines but a JSON Schema, for editors; printed only when asked for.
@@ -152,7 +157,7 @@ fn algorithms() -> Vec<(String, String)> {
 
 fn fields() -> Vec<(String, String)> {
     let mut rows = Vec::new();
-    for table in TABLES {
+    for table in TABLES.iter().chain(&PROJECT_TABLES) {
         rows.push((table.header.to_owned(), String::new()));
         for row in table.fields {
             rows.push(field(row));
@@ -233,10 +238,15 @@ fn errors() -> Vec<(String, String)> {
 }
 
 fn figures() -> Vec<(String, String)> {
-    let Ok(inputs) = inputs(&[]) else { return Vec::new() };
+    let Ok(found) = find(&[]) else { return Vec::new() };
     let title = |input: &super::inputs::Input| match input.open() {
         Ok(file) => file.scene.title.map_or(String::new(), |t| t.value),
         Err(refused) => format!("({} in it)", refused.problems.len()),
     };
-    inputs.iter().map(|input| (input.shown(), visible(&title(input)).into_owned())).collect()
+    found
+        .scenes
+        .iter()
+        .map(|scene| &scene.input)
+        .map(|input| (input.shown(), visible(&title(input)).into_owned()))
+        .collect()
 }

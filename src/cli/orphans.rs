@@ -5,18 +5,20 @@ use std::path::{Path, PathBuf};
 
 use tracefig::drift::Stamp;
 use tracefig::drift::report::Finding;
-use tracefig::figure::theme::THEMES;
 use tracefig::output::{MOST_BYTES, format};
 
+use super::files::Plan;
 use super::inputs::Input;
-use super::jobs::Job;
+use super::jobs::{Job, Target, each_settings};
 use super::regular::read_regular;
+use super::settings::Destination;
+use super::walk::folders;
 
 /// The orphans in the folders that were checked as a whole, by name.
-pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
-    let scenes = names_of_files(jobs);
-    let mut found: Vec<PathBuf> = folders.iter().flat_map(|folder| files_of_ours(folder)).collect();
-    found.retain(|path| !scenes.contains(&path.with_extension("")));
+pub(crate) fn orphans(plan: &Plan) -> Vec<Finding> {
+    let scenes = names_of_files(&plan.jobs);
+    let mut found: Vec<PathBuf> = folders_of_figures(plan).iter().flat_map(|at| files_of_ours(at)).collect();
+    found.retain(|path| !has_scene(path, &scenes));
     found.sort();
     let finding = |path: PathBuf| Finding {
         file: path.display().to_string(),
@@ -25,6 +27,31 @@ pub(crate) fn orphans(jobs: &[Job], folders: &[PathBuf]) -> Vec<Finding> {
         picture: None,
     };
     found.into_iter().map(finding).collect()
+}
+
+/// The folders whose figures must all have a scene: those that were searched, and the output folder of a
+/// project all of whose scenes are known.
+fn folders_of_figures(plan: &Plan) -> BTreeSet<PathBuf> {
+    let mut all: BTreeSet<PathBuf> = plan.folders.iter().cloned().collect();
+    for settings in each_settings(&plan.jobs).into_iter().filter(|_| plan.is_whole) {
+        if let Destination::Project(folder) = &settings.destination {
+            all.extend(folders(folder).unwrap_or_default());
+        }
+    }
+    all
+}
+
+/// Whether a figure has a scene of its name, with or without the name of a theme after it, which may have
+/// dots in it: which themes are asked for differs from run to run.
+fn has_scene(path: &Path, scenes: &BTreeSet<PathBuf>) -> bool {
+    let mut stem = path.with_extension("");
+    while !scenes.contains(&stem) {
+        if stem.extension().is_none() {
+            return false;
+        }
+        stem.set_extension("");
+    }
+    true
 }
 
 /// The figures of ours in a folder.
@@ -40,22 +67,18 @@ fn is_ours(path: &Path) -> bool {
     read_regular(path, MOST_BYTES).is_ok_and(|bytes| Stamp::read(format, &bytes).is_some())
 }
 
-/// What the files of the scenes may be called, without the format's extension: STEM, and STEM.THEME for each
-/// theme of the house and each that was asked for.
+/// What the files of the scenes are called, without theme and extension: beside the scene and where they go.
 fn names_of_files(jobs: &[Job]) -> BTreeSet<PathBuf> {
-    let asked = jobs.iter().flat_map(|job| &job.files).filter_map(|file| file.theme.as_deref());
-    let themes: BTreeSet<&str> = THEMES.iter().map(|theme| theme.name).chain(asked).collect();
     let mut names = BTreeSet::new();
     for job in jobs {
-        let Input::File(path) = &job.input else { continue };
-        let stem = path.with_extension("");
-        for theme in &themes {
-            let mut name = stem.clone().into_os_string();
-            name.push(".");
-            name.push(theme);
-            names.insert(name.into());
-        }
-        names.insert(stem);
+        let Input::File(scene) = &job.input else { continue };
+        names.insert(scene.with_extension(""));
+        let folders = job.files.iter().filter_map(|file| match &file.target {
+            Target::File(path) => path.parent(),
+            Target::Stdout => None,
+        });
+        let stem = Path::new(scene.file_stem().unwrap_or_default());
+        names.extend(folders.map(|folder| folder.join(stem)));
     }
     names
 }

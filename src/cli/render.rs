@@ -8,12 +8,14 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
-use super::files::{Drawn, Encoded, Files, tell_unplanned};
+use super::files::{Drawn, Encoded, Files, Plan};
 use super::inputs::shown;
-use super::jobs::{Job, Target, Wanted, folders_of};
+use super::jobs::{Job, Target, folders_of};
 use super::parallel::in_order;
+use super::settings::Destination;
 use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
+use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
 
 /// Options of `render`.
@@ -22,8 +24,9 @@ pub(crate) struct Render {
     /// Which scenes, and how they are drawn.
     #[command(flatten)]
     files: Files,
-    /// Folder for the files, made if it is not there; `-` is standard output; default: beside each scene
-    #[arg(short, long, value_name = "DIR")]
+    /// Folder for the files, made if it is not there, or the one file to write, as x.svg; `-` is standard
+    /// output; default: the folder of the project file, else beside each scene
+    #[arg(short, long, value_name = "DIR|FILE")]
     output: Option<PathBuf>,
     /// Read a scene (as JSON) a line from standard input, as `solve` does; each becomes files named by its
     /// `id`, or `line-N` without one
@@ -73,11 +76,12 @@ impl Runs for Render {
         if self.jsonl {
             return self.stream(console);
         }
-        let jobs = match self.files.jobs(self.output.as_deref()) {
-            Ok(jobs) => jobs,
+        let Plan { jobs, left_alone, .. } = match self.files.plan(self.output.as_deref()) {
+            Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        if !self.makes_folder(console) {
+        Console::message(&left_alone);
+        if !makes_folders(folders_of(&jobs), console) {
             return Ok(Status::Wrong);
         }
         // Twins are looked for among all scenes, whichever share is drawn.
@@ -120,37 +124,29 @@ impl Runs for Render {
 }
 
 impl Render {
-    /// Makes the folder for the files, if one is named; whether it is there.
-    fn makes_folder(&self, console: &Console) -> bool {
-        let Some(folder) = self.output.as_deref().filter(|f| f.as_os_str() != "-") else { return true };
-        let made = std::fs::create_dir_all(folder);
-        if let Err(error) = &made {
-            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
-        }
-        made.is_ok()
-    }
-
     /// Draws a stream of scenes.
     fn stream(&self, console: &mut Console) -> io::Result<Status> {
-        let (formats, themes) = match self.files.wanted() {
-            Ok(wanted) => wanted,
+        let settings = match self.files.settings_here(self.output.as_deref()) {
+            Ok(settings) => settings,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        let folder = self.output.as_deref();
-        if folder.is_some_and(|folder| folder.as_os_str() == "-") {
-            console.error("standard output takes one file, and a stream becomes many");
-            return Ok(Status::Usage);
-        }
-        if !self.makes_folder(console) {
+        let folder = match &settings.destination {
+            Destination::Stdout | Destination::File(_) => {
+                console.error("a stream becomes many files: `-o` takes a folder");
+                return Ok(Status::Usage);
+            }
+            Destination::Beside => Path::new(""),
+            Destination::Folder(folder) | Destination::Project(folder) => folder,
+        };
+        if !makes_folders([folder], console) {
             return Ok(Status::Wrong);
         }
-        clear_leftovers(folder.unwrap_or(Path::new(".")));
-        let wanted = Wanted { folder, themes: &themes, formats: &formats };
+        clear_leftovers(folder);
         let ink = console.ink();
         let (mut status, mut timings) = (Status::Done, Timings::start());
         let mut stream = LinesToDraw::new(io::stdin().lock(), ink);
         loop {
-            let batch = match stream.next_batch(&wanted, self.files.threads()) {
+            let batch = match stream.next_batch(&settings, self.files.threads()) {
                 Ok(batch) if batch.is_empty() => break,
                 Ok(batch) => batch,
                 Err(error) => {
@@ -181,6 +177,18 @@ impl Render {
         }
         Ok(status)
     }
+}
+
+/// Makes the folders that files go to; whether all are there.
+fn makes_folders<'f>(folders: impl IntoIterator<Item = &'f Path>, console: &Console) -> bool {
+    let mut made = true;
+    for folder in folders.into_iter().filter(|folder| !folder.as_os_str().is_empty()) {
+        if let Err(error) = std::fs::create_dir_all(folder) {
+            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
+            made = false;
+        }
+    }
+    made
 }
 
 /// What became of a job.

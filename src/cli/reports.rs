@@ -14,10 +14,11 @@ use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
 
 use super::atomic_file::write_whole;
 use super::inputs::shown;
-use super::jobs::{Job, Target, Unplanned, folders_of};
+use super::jobs::{Job, Target, folders_of};
 use super::outputs::{Kept, one_name, write_report};
 use super::regular::read_regular;
 use super::render::cant_write;
+use super::unplanned::Unplanned;
 
 /// Options of `check` that say where findings go.
 #[derive(Args)]

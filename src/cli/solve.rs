@@ -7,14 +7,16 @@ use clap::Args;
 use tracefig::scene::{SceneFile, Solution, refuse_jsonl_line, refuse_long_jsonl_line, solve_jsonl_line};
 
 use super::console::Console;
-use super::inputs::inputs;
+use super::inputs::find;
 use super::lines::{Line, Lines};
+use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
 
 /// Options of `solve`.
 #[derive(Args)]
 pub(crate) struct Solve {
-    /// Scene files or folders of them; `-` is standard input; none: all of figures/
+    /// Scene files, or folders, which are searched in depth; `-` is standard input; none: the scenes of the
+    /// project file `tracefig.toml`, else all of figures/
     #[arg(value_name = "SCENE")]
     scenes: Vec<PathBuf>,
     /// A line of JSON for each scene
@@ -34,15 +36,13 @@ impl Runs for Solve {
 impl Solve {
     /// Answers scene by scene.
     fn each(&self, console: &mut Console) -> io::Result<Status> {
-        let inputs = match inputs(&self.scenes) {
-            Ok(inputs) => inputs,
-            Err(message) => {
-                console.error(&message);
-                return Ok(Status::Wrong);
-            }
+        let found = match find(&self.scenes) {
+            Ok(found) => found,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
+        Console::message(&found.left_alone());
         let mut status = Status::Done;
-        for input in &inputs {
+        for input in found.scenes.iter().map(|scene| &scene.input) {
             match input.open() {
                 Ok(file) if self.json => writeln!(console.out, "{}", json(&input.name(), &file))?,
                 Ok(file) => console.out.write_all(text(&input.shown(), &file).as_bytes())?,

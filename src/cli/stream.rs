@@ -6,14 +6,17 @@
 use std::collections::BTreeMap;
 use std::io::{self, Read};
 use std::num::NonZeroUsize;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 use tracefig::drift::fingerprint;
 use tracefig::scene::limits::MAX_FILE_BYTES;
 use tracefig::scene::{Ink, jsonl_name, refused_bytes, refused_length};
 
-use super::inputs::Input;
-use super::jobs::{Job, Wanted, job};
+use super::inputs::{Input, Located};
+use super::jobs::{Job, job};
 use super::lines::{Line, Lines};
+use super::settings::Settings;
 
 /// Lines of a batch for each thread: enough that none waits long for the slowest of them.
 const LINES_A_THREAD: usize = 8;
@@ -65,7 +68,7 @@ impl<R: Read> LinesToDraw<R> {
     /// Where the stream can't be read.
     pub(crate) fn next_batch(
         &mut self,
-        wanted: &Wanted<'_>,
+        settings: &Arc<Settings>,
         threads: NonZeroUsize,
     ) -> io::Result<Vec<Drawable>> {
         let (mut batch, mut bytes) = (Vec::new(), 0);
@@ -85,19 +88,20 @@ impl<R: Read> LinesToDraw<R> {
                 }
             };
             bytes += text.len();
-            batch.push(self.line(number, text, wanted));
+            batch.push(self.line(number, text, settings));
         }
         Ok(batch)
     }
 
     /// A line with the name of its files, unless an earlier one has it.
-    fn line(&mut self, number: usize, text: String, wanted: &Wanted<'_>) -> Drawable {
+    fn line(&mut self, number: usize, text: String, settings: &Arc<Settings>) -> Drawable {
         let stem = jsonl_name(&text).map_or_else(String::new, |id| safe(&id));
         let stem = if stem.is_empty() { format!("line-{number}") } else { stem };
         // Some file systems take capitals for small letters.
         let first = *self.names.entry(fingerprint(&stem.to_lowercase(), "name")).or_insert(number);
         if first == number {
-            return Drawable::Job(job(Input::Line { number, text, stem }, wanted));
+            let input = Input::Line { number, text, stem };
+            return Drawable::Job(job(Located { input, below: PathBuf::new() }, settings));
         }
         Drawable::Refused(format!(
             "error: <stdin>:{number} and <stdin>:{first} would both become {stem}; the first one stays\n"

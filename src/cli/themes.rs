@@ -16,7 +16,7 @@ use super::inputs::Input;
 use super::regular::read_regular;
 
 /// A theme of the house, or one from a file.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(crate) struct ChosenTheme {
     /// The word for it; for a file the stem of its name.
     pub(crate) name: String,
@@ -30,12 +30,17 @@ pub(crate) struct ChosenTheme {
 
 /// A theme as written on the command line: the word for one of the house, or a file.
 pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
+    theme_in(Path::new(""), text)
+}
+
+/// A theme by its word, or from a file whose path is relative to a folder.
+pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, String> {
     if let Some(known) = theme::find(text) {
         let (name, key) = (text.to_owned(), text.to_owned());
         return Ok(ChosenTheme { name, theme: known.clone(), key, file: None });
     }
     if theme::is_file(text) {
-        return from_file(Path::new(text));
+        return from_file(&folder.join(text));
     }
     let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
     Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")))
@@ -125,4 +130,20 @@ pub(crate) fn unfit(scene: &str, chosen: &ChosenTheme, drawing: &Drawing, allowe
         lines.push_str("help: `--allow-similar` draws it all the same\n");
     }
     lines
+}
+
+/// Each theme once; the error is of two with one name, whose files would be one.
+pub(crate) fn each_once(themes: &[ChosenTheme]) -> Result<Vec<ChosenTheme>, String> {
+    let mut once: Vec<ChosenTheme> = Vec::new();
+    for theme in themes {
+        match once.iter().find(|other| other.name == theme.name) {
+            Some(other) if other.key != theme.key => {
+                let name = visible(&theme.name);
+                return Err(format!("two themes are called `{name}`, and their files would be one"));
+            }
+            Some(_) => {}
+            None => once.push(theme.clone()),
+        }
+    }
+    Ok(once)
 }

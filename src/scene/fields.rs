@@ -7,7 +7,7 @@
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
-use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MAX_NUMBER, MIN_CANVAS};
+use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MAX_NUMBER, MAX_SCALE, MIN_CANVAS};
 
 /// What a key holds.
 #[derive(Clone, Copy, Debug)]
@@ -53,7 +53,7 @@ pub enum Holds {
     Layers,
     /// Tables by name; the words say of what.
     Tables(&'static str),
-    /// A list of tables; the words say of what.
+    /// A list; the words say of what.
     List(&'static str),
     /// A table with rows of its own.
     Table,
@@ -246,6 +246,40 @@ pub(super) static CANVAS: TableRows = TableRows {
         ),
     ],
 };
+
+/// The top of a project file.
+pub(super) static PROJECT: TableRows = TableRows {
+    header: "tracefig.toml",
+    place: "the project file",
+    fields: &[
+        may("render", Holds::Table, "which scenes are drawn, and how"),
+        may("canvas", Holds::Table, "the page of scenes that do not say otherwise: keys as in a scene"),
+    ],
+};
+
+/// Which scenes a project has, and how they are drawn; an option of the command line beats each.
+pub(super) static RENDER: TableRows = TableRows {
+    header: "[render]",
+    place: "`[render]`",
+    fields: &[
+        may(
+            "scenes",
+            Holds::List("files and folders"),
+            "folders are searched in depth; default [\"figures\"]",
+        ),
+        may("output", Holds::Text, "folder for the figures; default: beside each scene"),
+        may("formats", Holds::List("formats"), "what each scene is written as"),
+        may("themes", Holds::List("themes"), "words for themes, or theme files; default: each scene's own"),
+        may(
+            "scale",
+            Holds::Number { min: 0.0, max: MAX_SCALE },
+            "dots of an image for each page pixel; default 2",
+        ),
+    ],
+};
+
+/// The tables of a project file but its `[canvas]`, which is a scene's.
+pub static PROJECT_TABLES: [&TableRows; 2] = [&PROJECT, &RENDER];
 
 /// Every table of a scene but the fields of the kinds of shape.
 pub static TABLES: [&TableRows; 8] =

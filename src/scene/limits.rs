@@ -27,6 +27,8 @@ pub(crate) const MAX_LABELS: usize = 1_000;
 pub(crate) const MAX_OPTION_VALUES: usize = 1_000;
 /// Page pixels of a side of the canvas; at `--scale 2` 8192 dots.
 pub(crate) const MAX_CANVAS: f64 = 4096.0;
+/// Largest scale: a page of the usual size then has 2²⁵ dots, half of what an image may have.
+pub const MAX_SCALE: f64 = 8.0;
 /// Smallest side of the canvas that can hold a panel with its margins.
 pub(crate) const MIN_CANVAS: f64 = 100.0;
 /// Steps of an iterative algorithm; each leaves a few events of some 200 bytes in a trace.

@@ -10,6 +10,7 @@ mod inert;
 #[cfg(unix)]
 mod inputs_stay;
 mod jsonl;
+mod project;
 mod readme;
 mod render;
 mod render_jsonl;

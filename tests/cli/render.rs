@@ -88,8 +88,13 @@ fn a_dash_writes_the_one_file_to_standard_output() {
     assert!(svg.code == Some(0) && svg.out.starts_with("<svg"), "{}", svg.err);
     let piped = run_on(tracefig(folder.path()).args(["render", "-", "--format", "svg"]), drawn());
     assert!(piped.code == Some(0) && piped.out.starts_with("<svg"), "{}", piped.err);
-    let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-"]));
-    assert_eq!((ran.code, ran.out.as_str()), (Some(2), ""));
+    // Where nobody says, it is the first of the usual formats.
+    let usual = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-"]));
+    assert_eq!((usual.code, usual.out), (Some(0), svg.out));
+    let usual = run_on(tracefig(folder.path()).args(["render", "-"]), drawn());
+    assert_eq!((usual.code, usual.out), (Some(0), piped.out));
+    let two = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "-", "--format", "svg,png"]));
+    assert_eq!((two.code, two.out.as_str()), (Some(2), ""));
     assert_eq!(names(folder.path()), set(&["s.toml"]));
 }
 

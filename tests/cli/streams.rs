@@ -127,7 +127,7 @@ fn work_goes_on_though_nobody_reads_and_the_exit_status_tells_of_all() {
     let junit = std::fs::read_to_string(folder.path().join("junit.xml")).unwrap();
     assert!(junit.contains("tests=\"40\" failures=\"1\""), "{junit}");
     assert!(folder.path().join("summary.md").exists());
-    std::fs::write(folder.path().join("s39.toml"), "title = 1").unwrap();
+    std::fs::write(folder.path().join("s39.toml"), "shapes = 1").unwrap();
     assert_eq!(unread(folder.path(), &["solve", "."]), Some(1));
     assert_eq!(unread(folder.path(), &["render", ".", "--format", "svg"]), Some(1));
 }

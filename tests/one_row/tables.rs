@@ -95,6 +95,7 @@ fn outer() -> Vec<Table> {
             other_meanings: &[
                 ("trace", "drift/moved.rs", "a key of the metadata"),
                 ("describe", "report/files.rs", "`git describe`"),
+                ("render", "scene", "a table of a project file"),
             ],
         },
     ]

@@ -1,0 +1,250 @@
+//! How scenes are drawn: what the command line says, else their project file, else what is usual.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use tracefig::figure::theme;
+use tracefig::output::{FORMATS, Format, format};
+use tracefig::scene::limits::MAX_SCALE;
+use tracefig::scene::{CanvasDefaults, Fault, Spanned};
+
+use super::inputs::{Input, shown};
+use super::project::{OpenProject, nearest_file, real};
+use super::themes::{ChosenTheme, each_once, theme_in};
+use super::unplanned::Unplanned;
+
+/// Dots of an image for each page pixel, where nobody says: sharp on today's screens.
+const USUAL_SCALE: f64 = 2.0;
+
+/// What the command line says.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Flags<'c> {
+    /// Where files go.
+    pub(crate) output: Option<&'c Path>,
+    /// Words for formats; none where it does not say.
+    pub(crate) formats: &'c [String],
+    /// Themes; none where it does not say.
+    pub(crate) themes: &'c [ChosenTheme],
+    /// Dots of an image for each page pixel.
+    pub(crate) scale: Option<f64>,
+}
+
+/// Where files go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Destination {
+    /// Beside each scene.
+    Beside,
+    /// To standard output.
+    Stdout,
+    /// To the one file of this name.
+    File(PathBuf),
+    /// Into a folder that the command line names, as the tree of the searched folder.
+    Folder(PathBuf),
+    /// Into the folder of a project, as the trees of its folders of scenes.
+    Project(PathBuf),
+}
+
+/// How the scenes of one project are drawn, or those of none.
+#[derive(Clone, Debug)]
+pub(crate) struct Settings {
+    /// Where files go.
+    pub(crate) destination: Destination,
+    /// What each scene is written as.
+    pub(crate) formats: Vec<&'static Format>,
+    /// Whether the command line says which formats.
+    pub(crate) formats_asked: bool,
+    /// Themes; none is each scene's own.
+    pub(crate) themes: Vec<ChosenTheme>,
+    /// Dots of an image for each page pixel.
+    pub(crate) scale: f64,
+    /// The page of scenes that do not say otherwise.
+    pub(crate) canvas: CanvasDefaults,
+    /// The theme of that page, where it is a file.
+    pub(crate) page_theme: Option<Arc<ChosenTheme>>,
+    /// The project file, if there is one.
+    pub(crate) project: Option<PathBuf>,
+    /// The project's folders of scenes, by their real names.
+    trees: Vec<PathBuf>,
+}
+
+/// The formats that are written where nobody says which.
+pub(crate) fn usual_formats() -> Vec<&'static Format> {
+    FORMATS.iter().filter(|format| format.usual).collect()
+}
+
+impl Settings {
+    /// What the command line says, else the project.
+    ///
+    /// # Errors
+    /// When one of them contradicts itself, or the project names a format or theme that there is not.
+    pub(crate) fn new(flags: &Flags<'_>, project: Option<&OpenProject>) -> Result<Self, Unplanned> {
+        let known = project.map(FromProject::read).transpose()?.unwrap_or_default();
+        let destination = destination(flags.output, known.output);
+        let asked: Vec<_> = flags.formats.iter().filter_map(|name| format(name)).collect();
+        let formats_asked = !asked.is_empty();
+        let mut formats = match (&destination, formats_asked) {
+            (Destination::File(path), _) => vec![format_of(path, &asked)?],
+            (_, true) => asked,
+            (_, false) if known.formats.is_empty() => usual_formats(),
+            (_, false) => known.formats,
+        };
+        let mut seen = Vec::new();
+        formats.retain(|format| {
+            let new = !seen.contains(&format.name);
+            seen.push(format.name);
+            new
+        });
+        let themes = if flags.themes.is_empty() { &known.themes[..] } else { flags.themes };
+        Ok(Self {
+            destination,
+            formats,
+            formats_asked,
+            themes: each_once(themes).map_err(Unplanned::Usage)?,
+            scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
+            page_theme: known.page_theme,
+            canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
+            project: project.map(|project| project.file.clone()),
+            trees: project.iter().flat_map(|project| project.scenes()).map(|path| real(&path)).collect(),
+        })
+    }
+
+    /// The theme of that name, where it was asked for.
+    pub(crate) fn theme(&self, name: Option<&str>) -> Option<&ChosenTheme> {
+        self.themes.iter().find(|chosen| Some(chosen.name.as_str()) == name)
+    }
+
+    /// The folder of a scene's files within the output folder; `below` is where the scene was found below
+    /// the folder that was searched. In a project it is where the scene lies below a folder of its scenes,
+    /// however it was found, so that one scene has one place.
+    pub(crate) fn within(&self, input: &Input, below: &Path) -> PathBuf {
+        if let (Destination::Project(_), Input::File(path)) = (&self.destination, input) {
+            let folder = real(path.parent().unwrap_or(Path::new("")));
+            let trees = self.trees.iter().filter_map(|tree| folder.strip_prefix(tree).ok());
+            // The innermost of its folders.
+            if let Some(within) = trees.min_by_key(|within| within.components().count()) {
+                return within.to_owned();
+            }
+        }
+        below.to_owned()
+    }
+}
+
+/// Where files go, by the option of the command line, else by the project's.
+fn destination(flag: Option<&Path>, project: Option<PathBuf>) -> Destination {
+    match flag {
+        None => project.map_or(Destination::Beside, Destination::Project),
+        Some(path) if path.as_os_str() == "-" => Destination::Stdout,
+        Some(path) if named_format(path).is_some() && !path.is_dir() => Destination::File(path.to_owned()),
+        Some(path) => Destination::Folder(path.to_owned()),
+    }
+}
+
+/// The format whose files end as this one.
+fn named_format(path: &Path) -> Option<&'static Format> {
+    format(path.extension()?.to_str()?)
+}
+
+/// The format of the one file that is written, where those asked for do not contradict its name.
+fn format_of(path: &Path, asked: &[&'static Format]) -> Result<&'static Format, Unplanned> {
+    let named = named_format(path);
+    let other = asked.iter().find(|format| Some(format.name) != named.map(|named| named.name));
+    match (named, other) {
+        (Some(named), None) => Ok(named),
+        (_, other) => {
+            let name = other.map_or("", |format| format.name);
+            Err(Unplanned::Usage(format!("{} is no file of the format `{name}`", shown(path))))
+        }
+    }
+}
+
+/// The settings of each scene of a run, by the project that it belongs to.
+pub(crate) struct Projects<'f> {
+    /// What the command line says, which beats them all.
+    flags: &'f Flags<'f>,
+    /// The project file of each folder that was asked about.
+    files: BTreeMap<PathBuf, Option<PathBuf>>,
+    /// Settings by project file; those of none under `None`.
+    settings: BTreeMap<Option<PathBuf>, Arc<Settings>>,
+}
+
+impl<'f> Projects<'f> {
+    /// No project was read yet.
+    pub(crate) fn new(flags: &'f Flags<'f>) -> Self {
+        Self { flags, files: BTreeMap::new(), settings: BTreeMap::new() }
+    }
+
+    /// How scenes of a folder are drawn.
+    ///
+    /// # Errors
+    /// When the project file is none, or the command line contradicts itself.
+    pub(crate) fn settings(&mut self, folder: &Path) -> Result<Arc<Settings>, Unplanned> {
+        let file = self.files.entry(folder.to_owned()).or_insert_with(|| nearest_file(folder)).clone();
+        if let Some(known) = self.settings.get(&file) {
+            return Ok(Arc::clone(known));
+        }
+        let open = file.clone().map(OpenProject::read).transpose()?;
+        let settings = Arc::new(Settings::new(self.flags, open.as_ref())?);
+        self.settings.insert(file, Arc::clone(&settings));
+        Ok(settings)
+    }
+}
+
+/// What a project file says of formats, themes and places, its words looked up.
+#[derive(Default)]
+struct FromProject {
+    /// The folder that files go to.
+    output: Option<PathBuf>,
+    /// What each scene is written as; none where it does not say.
+    formats: Vec<&'static Format>,
+    /// Themes; none where it does not say.
+    themes: Vec<ChosenTheme>,
+    /// Dots of an image for each page pixel.
+    scale: Option<f64>,
+    /// The theme of its page, where it is a file.
+    page_theme: Option<Arc<ChosenTheme>>,
+}
+
+impl FromProject {
+    fn read(project: &OpenProject) -> Result<Self, Unplanned> {
+        let said = &project.said;
+        let formats = said.formats.iter().map(|word| known_format(project, word));
+        let themes = said.themes.iter().map(|word| known_theme(project, word));
+        let page_theme = said.canvas.theme().map(|word| known_theme(project, &word)).transpose()?;
+        if let Some(scale) = said.scale.as_ref().filter(|scale| scale.value <= 0.0) {
+            let (key, got) = ("scale".to_owned(), scale.value.to_string());
+            let expected = format!("a number above 0 and up to {MAX_SCALE}");
+            return project.wrong(Fault::OutOfRange { key, expected, got }, &scale.span);
+        }
+        Ok(Self {
+            output: said.output.as_ref().map(|output| project.folder().join(&output.value)),
+            formats: formats.collect::<Result<_, _>>()?,
+            themes: themes.collect::<Result<_, _>>()?,
+            scale: said.scale.as_ref().map(|scale| scale.value),
+            page_theme: page_theme.filter(|theme| theme.file.is_some()).map(Arc::new),
+        })
+    }
+}
+
+/// The format that a project file names.
+fn known_format(project: &OpenProject, word: &Spanned<String>) -> Result<&'static Format, Unplanned> {
+    if let Some(format) = format(&word.value) {
+        return Ok(format);
+    }
+    let known = FORMATS.iter().map(|format| format.name.to_owned()).collect();
+    project.wrong(Fault::UnknownWord { what: "format", got: word.value.clone(), known }, &word.span)
+}
+
+/// The theme that a project file names.
+fn known_theme(project: &OpenProject, word: &Spanned<String>) -> Result<ChosenTheme, Unplanned> {
+    theme_in(project.folder(), &word.value).or_else(|message| {
+        let is_file = theme::is_file(&word.value);
+        let fault = if is_file {
+            Fault::Conflict { message: format!("the theme `{}`: {message}", word.value) }
+        } else {
+            let known = theme::THEMES.iter().map(|theme| theme.name.to_owned()).collect();
+            Fault::UnknownWord { what: "theme", got: word.value.clone(), known }
+        };
+        project.wrong(fault, &word.span)
+    })
+}
