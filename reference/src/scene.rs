@@ -153,6 +153,11 @@ impl Body {
                 (vec![[-x, -y], [x, -y], [x, y], [-x, y]], true)
             }
             Some("polygon" | "outline") => (points("vertices")?, true),
+            Some("regular-polygon") => {
+                let count = json.number_at("edges").ok_or("no edges")?;
+                let count = count.to_string().parse().map_err(|_| "edges that can't be counted")?;
+                (regular(count, json.number_at("circumradius").ok_or("no circumradius")?), true)
+            }
             Some("capsule") => (points("points")?, false),
             _ => return Err("unknown kind of shape".to_owned()),
         };
@@ -190,6 +195,17 @@ impl Body {
     pub fn edges(&self) -> usize {
         if self.ring { self.vertices.len() } else { self.vertices.len() - 1 }
     }
+}
+
+/// The vertices of a regular polygon, counter-clockwise from the left end of its lowest edge, which is level:
+/// each coordinate rounded to the nearest double.
+fn regular(count: u32, circumradius: f64) -> Vec<[f64; 2]> {
+    let vertex = |k: u32| {
+        let halves = Real::from(180.0) * Real::from(2.0 * f64::from(k) - 1.0);
+        let Rotation { cos, sin } = Rotation::of_degrees(halves.over_int(u64::from(count)));
+        [sin, -cos].map(|x| (x * Real::from(circumradius)).to_f64())
+    };
+    (0..count).map(vertex).collect()
 }
 
 /// ε of doubles.

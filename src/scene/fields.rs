@@ -299,6 +299,7 @@ pub fn shape_rows(kind: &Kind) -> Vec<Field> {
         name: f.name,
         holds: match f.holds {
             FieldType::Number => ANY_NUMBER,
+            FieldType::Count { min, max } => Holds::Count { min, max },
             FieldType::Point => Holds::Pair,
             FieldType::Points => Holds::Points,
             FieldType::Switch => Holds::Switch,

@@ -157,6 +157,7 @@ impl<'b> Choices<'b> {
             }
             let value = match field.holds {
                 FieldType::Number => self.number().trim_start_matches('-').to_owned(),
+                FieldType::Count { .. } => (*self.of(&["3", "4", "7", "12", "2"])).to_owned(),
                 FieldType::Point => self.point().replace('-', "").replace('e', "e-"),
                 FieldType::Points if field.name == "points" => {
                     format!("[{}, {}]", self.point(), self.point())

@@ -124,7 +124,6 @@ fn layers() -> Vec<Table> {
             ("grid", "drawing/paint.rs", "a colour role"),
             ("point", "drift/visible.rs", "words for an element"),
             ("vertices", "drift/moved.rs", "a key of an event"),
-            ("vertices", "figure/describe/long.rs", "a key of a shape"),
             ("vertices", "figure/layer", "a part of the drawing"),
             ("vertices", "geometry/shape", "a key of a shape"),
             ("radii", "figure/layer/arc.rs", "a part of the drawing"),

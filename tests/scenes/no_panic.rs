@@ -159,6 +159,7 @@ fn shape(r: &mut Random, question: &Question, name: &str) -> String {
         }
         let value = match field.holds {
             FieldType::Number => number(r).trim_start_matches('-').to_owned(),
+            FieldType::Count { min, .. } => (min + r.below(9)).to_string(),
             FieldType::Point => point(r).replace('-', ""),
             FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", point(r), point(r)),
             FieldType::Points => vertices(r),

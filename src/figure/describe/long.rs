@@ -46,9 +46,8 @@ fn kind_in_words(body: &Body) -> &'static str {
 /// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
 fn body_in_words(name: &str, body: &Body) -> String {
     let shape = &body.shape;
-    let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
     let mut text = format!("{name} is {}", kind_in_words(body));
-    if kind.is_some_and(|kind| kind.fields.iter().any(|field| field.name == "vertices")) {
+    if shape.vertices.len() > 2 && shape.half_extents.is_none() {
         let _ = write!(text, " of {} vertices", shape.vertices.len());
     }
     if let Some(h) = body.shape.half_extents {

@@ -85,6 +85,23 @@ impl Turn {
         turn
     }
 
+    /// The turn of a fraction of degrees, `over` / `under`, where both are below 2⁴⁰. Whole degrees come off
+    /// exactly; of the rest one quotient is rounded.
+    #[must_use]
+    pub(crate) fn ratio(over: i64, under: i64) -> Self {
+        let nearest = |part: i64| (2 * over + part).div_euclid(2 * part);
+        let quarters = nearest(90 * under);
+        let left = over - quarters * 90 * under;
+        let whole = (2 * left + under).div_euclid(2 * under);
+        let rest = left - whole * under;
+        #[expect(clippy::cast_precision_loss, reason = "both are below 2⁴⁸")]
+        let rest = Dd::new(rest as f64).div(Dd::new(under as f64));
+        let error = Dd::ROUNDING * rest.hi.abs();
+        #[expect(clippy::cast_possible_truncation, reason = "|whole| ≤ 45 after the reduction")]
+        let (quarters, whole) = (quarters.rem_euclid(4).unsigned_abs() as u8, whole as i8);
+        Self { quarters, whole, rest, error }
+    }
+
     /// The angle of `to` less the angle of `from`, both at `t`; each is (angle, spin).
     #[inline]
     #[must_use]

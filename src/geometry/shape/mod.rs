@@ -12,10 +12,17 @@ mod matrix;
 mod oriented_box;
 mod outline;
 mod polygon;
+mod regular_polygon;
+mod values;
 
 use glam::DVec2;
 
 pub use feature::Edges;
+
+use values::{
+    finite, finite_point, half_extents_value, optional_radius, points_value, radius_value, switch_value,
+    unusable, value,
+};
 
 #[cfg(test)]
 use super::Feature;
@@ -52,6 +59,13 @@ pub struct Shape {
 pub enum FieldType {
     /// A number.
     Number,
+    /// A whole number in a closed range.
+    Count {
+        /// The smallest that is allowed.
+        min: usize,
+        /// The largest that is allowed.
+        max: usize,
+    },
     /// A pair of numbers.
     Point,
     /// A list of pairs.
@@ -65,6 +79,8 @@ pub enum FieldType {
 pub enum FieldValue {
     /// A number.
     Number(f64),
+    /// A whole number.
+    Count(usize),
     /// A pair of numbers.
     Point(DVec2),
     /// A list of pairs.
@@ -116,8 +132,15 @@ pub struct Kind {
 }
 
 /// Every kind of shape.
-pub static KINDS: &[Kind] =
-    &[circle::KIND, aabb::KIND, oriented_box::KIND, polygon::KIND, capsule::KIND, outline::KIND];
+pub static KINDS: &[Kind] = &[
+    circle::KIND,
+    aabb::KIND,
+    oriented_box::KIND,
+    polygon::KIND,
+    regular_polygon::KIND,
+    capsule::KIND,
+    outline::KIND,
+];
 
 /// Every code of a [`ShapeError`], with what it says.
 pub static SHAPE_ERRORS: &[(&str, &str)] = &[
@@ -128,15 +151,12 @@ pub static SHAPE_ERRORS: &[(&str, &str)] = &[
     ("negative-radius", "a radius is below 0"),
     ("negative-extent", "a half-extent is below 0"),
     ("degenerate", "a box without width or height, or vertices that all lie on one line"),
-    ("wrong-count", "a capsule has other than two points"),
+    ("wrong-count", "a capsule has other than two points, or a regular polygon too many edges"),
     ("too-few-corners", "a polygon has fewer than three distinct vertices"),
     ("not-convex", "a polygon turns back on itself or has a vertex that points inward"),
     ("not-simple", "an outline crosses or touches itself"),
     ("not-a-rotation", "a cosine and a sine whose squares do not add up to 1, to 1e-3"),
 ];
-
-/// Numbers beyond this are refused as `too-large`.
-const LARGEST: f64 = 1e300;
 
 impl Shape {
     /// A shape of the kind `name` from `(field, value)` pairs.
@@ -207,99 +227,6 @@ impl ShapeError {
     fn at(code: &'static str, field: &'static str, element: usize, message: String) -> Self {
         Self { code, field, element: Some(element), message }
     }
-}
-
-/// A finite number that is not too large.
-fn finite(field: &'static str, element: Option<usize>, x: f64) -> Result<f64, ShapeError> {
-    let (code, what) = if !x.is_finite() {
-        ("not-finite", "a finite number")
-    } else if x.abs() > LARGEST {
-        ("too-large", "a number within ±1e300")
-    } else {
-        return Ok(x);
-    };
-    Err(ShapeError { code, field, element, message: format!("expected {what}, got {x}") })
-}
-
-/// Both coordinates finite and not too large.
-fn finite_point(field: &'static str, element: Option<usize>, p: DVec2) -> Result<DVec2, ShapeError> {
-    Ok(DVec2::new(finite(field, element, p.x)?, finite(field, element, p.y)?))
-}
-
-/// The error of a field that is not there, or of another type.
-fn unusable(field: &'static str, value: Option<&FieldValue>, expected: &str) -> ShapeError {
-    match value {
-        None => ShapeError::new("missing-field", field, format!("expected {expected}, got nothing")),
-        Some(FieldValue::Number(_)) => wrong_type(field, expected, "a number"),
-        Some(FieldValue::Point(_)) => wrong_type(field, expected, "a pair of numbers"),
-        Some(FieldValue::Points(_)) => wrong_type(field, expected, "a list of pairs"),
-        Some(FieldValue::Switch(_)) => wrong_type(field, expected, "true or false"),
-    }
-}
-
-/// The error of a field of another type.
-fn wrong_type(field: &'static str, expected: &str, got: &str) -> ShapeError {
-    ShapeError::new("wrong-type", field, format!("expected {expected}, got {got}"))
-}
-
-/// The value of field `index`, where there is one.
-fn value(values: &[Option<FieldValue>], index: usize) -> Option<&FieldValue> {
-    values.get(index).and_then(Option::as_ref)
-}
-
-/// A radius: finite and not negative.
-fn radius_value(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
-    let Some(FieldValue::Number(radius)) = found else {
-        return Err(unusable("radius", found, "a number"));
-    };
-    let radius = finite("radius", None, *radius)?;
-    if radius < 0.0 {
-        return Err(ShapeError::new(
-            "negative-radius",
-            "radius",
-            format!("expected 0 or more, got {radius}"),
-        ));
-    }
-    // −0 is 0.
-    Ok(radius + 0.0)
-}
-
-/// A radius that may be left out: then 0.
-fn optional_radius(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
-    if found.is_none() { Ok(0.0) } else { radius_value(found) }
-}
-
-/// A switch that may be left out: then it is off.
-fn switch_value(field: &'static str, found: Option<&FieldValue>) -> Result<bool, ShapeError> {
-    match found {
-        None => Ok(false),
-        Some(FieldValue::Switch(on)) => Ok(*on),
-        other => Err(unusable(field, other, "true or false")),
-    }
-}
-
-/// A list of finite points.
-fn points_value(field: &'static str, found: Option<&FieldValue>) -> Result<Vec<DVec2>, ShapeError> {
-    let Some(FieldValue::Points(points)) = found else {
-        return Err(unusable(field, found, "a list of pairs of numbers"));
-    };
-    points.iter().enumerate().map(|(i, &p)| finite_point(field, Some(i), p)).collect()
-}
-
-/// Half-extents: finite and above 0. A box without width or height is an error; a capsule says it as a
-/// segment.
-fn half_extents_value(found: Option<&FieldValue>) -> Result<DVec2, ShapeError> {
-    let Some(FieldValue::Point(h)) = found else {
-        return Err(unusable("half_extents", found, "a pair of numbers"));
-    };
-    let h = finite_point("half_extents", None, *h)?;
-    for (i, x) in [h.x, h.y].into_iter().enumerate() {
-        if x <= 0.0 {
-            let code = if x < 0.0 { "negative-extent" } else { "degenerate" };
-            return Err(ShapeError::at(code, "half_extents", i, format!("expected more than 0, got {x}")));
-        }
-    }
-    Ok(h)
 }
 
 /// The vertices of a box, counter-clockwise from (−, −).
