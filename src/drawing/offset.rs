@@ -31,6 +31,12 @@ impl Offset {
         libm::hypot(self.dx, self.dy)
     }
 
+    /// The square of its length in page pixels: enough to compare two.
+    #[must_use]
+    pub(crate) fn square(self) -> f64 {
+        self.dot(self)
+    }
+
     /// One pixel in its direction; none where it has no direction.
     #[must_use]
     pub(crate) fn unit(self) -> Option<Self> {

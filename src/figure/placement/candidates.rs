@@ -8,6 +8,7 @@ use crate::scene::LabelPlace;
 
 use super::leader::{LONGEST, leader};
 use super::pole::pole;
+use super::polyline::Polyline;
 use super::rect::{DIRECTIONS, about, bounds, reach};
 use super::things::{Thing, Things};
 use super::weights::{Places, Weights};
@@ -88,7 +89,7 @@ fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w: &Places) 
 
 /// Whether a label that stands there is so far from what it belongs to that a reader has to be led.
 fn is_far(things: &Things, rect: &Rect, w: &Places) -> bool {
-    things.own.as_ref().is_some_and(|own| own.distance(rect) > w.led * w.far_gap)
+    things.own.as_ref().is_some_and(|own| own.is_farther(rect, w.led * w.far_gap))
 }
 
 /// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label, and
@@ -128,8 +129,8 @@ fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
             (frame.page(on_circle(*center, *radius, start + 0.5 * sweep)), 0.0)
         }
         Anchor::Inside { area, .. } => {
-            let page: Vec<Point> = area.iter().map(|&p| frame.page(p)).collect();
-            (pole(&page, w), 0.0)
+            let line = Polyline::closed(area.iter().map(|&p| frame.page(p)).collect());
+            (line.map_or(frame.panel.center(), |line| pole(&line, w)), 0.0)
         }
         Anchor::Corner(_) => (frame.panel.center(), 0.0),
     }

@@ -6,7 +6,6 @@
 
 use crate::drawing::{Point, Rect};
 
-use super::pole::contains;
 use super::rect::nearest_in;
 use super::things::Things;
 use super::weights::Places;
@@ -61,18 +60,19 @@ fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     let own = things.own.as_ref()?;
     let best = things.remote.first().map(|&(_, room)| room).filter(|&room| room > 0.0)?;
     let depth = w.leader_depth.min(0.5 * best);
-    let spots = things.remote.iter().filter(|&&(_, room)| room >= depth).map(|&(p, _)| p);
-    let far = spots.map(|p| ((nearest_in(rect, p) - p).length(), p));
+    // The remotest come first.
+    let spots = things.remote.iter().take_while(|&&(_, room)| room >= depth).map(|&(p, _)| p);
+    let far = spots.map(|p| ((nearest_in(rect, p) - p).square(), p));
     let (_, aim) = far.min_by(|(p, _), (q, _)| p.total_cmp(q))?;
     let near = nearest_in(rect, aim);
     let u = (near - aim).unit()?;
     // The spot may be deeper inside than it has to be.
-    let border = own.crossing(aim, near).unwrap_or(aim);
+    let border = own.line().crossing(aim, near).unwrap_or(aim);
     let to = near + u * -w.leader_room;
     // Of a label far off it reaches in only so far that the dot is seen to be inside.
     let depth = depth.min((LONGEST - (to - border).length()).max(SHALLOW));
     let shallow = border + u * -depth;
-    let alone = |p: Point| !things.avoid().iter().any(|other| contains(other, p));
+    let alone = |p: Point| !things.avoid().iter().any(|other| other.contains(p));
     let from = if (border - aim).length() > depth && alone(shallow) { shallow } else { aim };
     let seen = (to - border).dot(u) >= 0.5 * SHORTEST;
     seen.then_some(Leader { from, to, dot: true, border: border + u * w.leader_room })

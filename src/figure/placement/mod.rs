@@ -22,6 +22,7 @@ mod faults;
 mod inside;
 mod leader;
 mod pole;
+mod polyline;
 mod rect;
 mod solve;
 mod things;

@@ -7,7 +7,7 @@
 
 use crate::drawing::{Offset, Point, Rect};
 
-use super::rect::bounds;
+use super::polyline::Polyline;
 use super::weights::Places;
 
 /// The search for a pole ends at steps of this, page pixels: what no eye sees.
@@ -16,17 +16,16 @@ pub(super) const FINE: f64 = 0.5;
 /// places.
 const PAYS: f64 = 0.01;
 /// The pole of inaccessibility of an area on the page.
-pub(super) fn pole(area: &[Point], w: &Places) -> Point {
+pub(super) fn pole(area: &Polyline, w: &Places) -> Point {
     let everywhere = Rect { x0: f64::MIN, y0: f64::MIN, x1: f64::MAX, y1: f64::MAX };
-    let fallback = area.first().copied().unwrap_or_default();
+    let fallback = area.points().first().copied().unwrap_or_default();
     grid(area, &[], &everywhere, w).first().map_or(fallback, |&(pole, _)| pole)
 }
 
 /// Points inside the area and the panel, the farthest from all boundaries first, the best refined; each with
 /// that distance, page pixels.
-pub(super) fn grid(area: &[Point], avoid: &[&[Point]], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
-    let Some(all) = bounds(area.iter().copied()) else { return Vec::new() };
-    let Some(bounds) = all.intersection(*panel) else { return Vec::new() };
+pub(super) fn grid(area: &Polyline, avoid: &[&Polyline], panel: &Rect, w: &Places) -> Vec<(Point, f64)> {
+    let Some(bounds) = area.bounds().intersection(*panel) else { return Vec::new() };
     let count = u32::try_from(w.grid).unwrap_or(1);
     let step = bounds.width().max(bounds.height()) / f64::from(count);
     let room = |p: Point| room_at(p, area, avoid, panel);
@@ -40,7 +39,7 @@ pub(super) fn grid(area: &[Point], avoid: &[&[Point]], panel: &Rect, w: &Places)
         for j in 0..count {
             let at = |k: u32| (f64::from(k) - 0.5 * f64::from(count - 1)) * step;
             let p = middle + Offset::new(at(i), at(j));
-            if bounds.contains(p) && contains(area, p) {
+            if bounds.contains(p) && area.contains(p) {
                 points.push((p, room(p)));
             }
         }
@@ -49,7 +48,7 @@ pub(super) fn grid(area: &[Point], avoid: &[&[Point]], panel: &Rect, w: &Places)
     // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is
     // best.
     let starts =
-        points.iter().take(w.refined).map(|&(p, _)| p).chain(contains(area, middle).then_some(middle));
+        points.iter().take(w.refined).map(|&(p, _)| p).chain(area.contains(middle).then_some(middle));
     let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &bounds, &room)).collect();
     refined.extend(points);
     refined.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -80,44 +79,24 @@ fn climb(start: Point, step: f64, bounds: &Rect, room: &impl Fn(Point) -> f64) -
 }
 
 /// Signed distance to the nearest boundary: negative outside the area, or inside one to avoid.
-fn room_at(p: Point, area: &[Point], avoid: &[&[Point]], panel: &Rect) -> f64 {
-    let own = distance_to_line(area, p);
-    let own = if contains(area, p) { own } else { -own };
+fn room_at(p: Point, area: &Polyline, avoid: &[&Polyline], panel: &Rect) -> f64 {
     let edge = (p.x - panel.x0).min(panel.x1 - p.x).min(p.y - panel.y0).min(panel.y1 - p.y);
+    let own = if area.contains(p) { distance_within(area, p, edge) } else { -distance(area, p) };
     avoid.iter().fold(own.min(edge), |room, other| {
-        let d = distance_to_line(other, p);
-        room.min(if contains(other, p) { -d } else { d })
+        if other.contains(p) { room.min(-distance(other, p)) } else { distance_within(other, p, room) }
     })
 }
 
-/// The edges of a closed line through points.
-pub(super) fn edges(line: &[Point]) -> impl Iterator<Item = (Point, Point)> + '_ {
-    let last = line.last().copied();
-    line.windows(2).map(|pair| (pair[0], pair[1])).chain(last.zip(line.first().copied()))
+/// The distance of a point from a line.
+fn distance(line: &Polyline, p: Point) -> f64 {
+    libm::sqrt(line.square_within(p, f64::INFINITY))
 }
 
-/// The distance of a point from a closed line, page pixels.
-fn distance_to_line(line: &[Point], p: Point) -> f64 {
-    let mut least = f64::INFINITY;
-    for (a, b) in edges(line) {
-        let (d, e) = (b - a, p - a);
-        let square = d.dot(d);
-        let t = if square > 0.0 { (e.dot(d) / square).clamp(0.0, 1.0) } else { 0.0 };
-        let off = e - d * t;
-        least = least.min(off.dot(off));
-    }
-    libm::sqrt(least)
-}
-
-/// Even-odd: whether a ray to the right crosses the line an odd number of times.
-pub(super) fn contains(line: &[Point], p: Point) -> bool {
-    let mut inside = false;
-    for (a, b) in edges(line) {
-        if (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y) {
-            inside = !inside;
-        }
-    }
-    inside
+/// The distance of a point from a line, or `most` where that is less.
+fn distance_within(line: &Polyline, p: Point, most: f64) -> f64 {
+    let square = if most > 0.0 { most * most } else { return most };
+    let least = line.square_within(p, square);
+    if least < square { libm::sqrt(least) } else { most }
 }
 
 #[cfg(test)]
@@ -135,9 +114,9 @@ pub(super) mod tests {
 
     #[test]
     fn the_pole_of_a_square_is_its_middle() {
-        let area = square(10.0, 20.0, 80.0);
+        let area = Polyline::closed(square(10.0, 20.0, 80.0)).unwrap();
         let pole = pole(&area, W);
         assert!((pole.x - 50.0).abs() < 1.0 && (pole.y - 60.0).abs() < 1.0, "{pole:?}");
-        assert!((distance_to_line(&area, pole) - 40.0).abs() < 1.0);
+        assert!((distance(&area, pole) - 40.0).abs() < 1.0);
     }
 }

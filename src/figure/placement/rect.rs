@@ -9,6 +9,18 @@ pub(super) const DIRECTIONS: [(f64, f64); 8] =
 
 /// The length of a segment inside a rectangle; 0 where it only touches, `None` where it does not.
 pub(super) fn length_inside(from: Point, to: Point, rect: &Rect) -> Option<f64> {
+    clip(from, to, rect).map(|share| share * (to - from).length())
+}
+
+/// Whether a segment runs through a rectangle, or touches it.
+pub(super) fn touches(from: Point, to: Point, rect: &Rect) -> bool {
+    clip(from, to, rect).is_some()
+}
+
+/// The share of a segment that lies inside a rectangle.
+fn clip(from: Point, to: Point, rect: &Rect) -> Option<f64> {
+    // Most segments are far off.
+    Rect::new(from, to).intersection(*rect)?;
     let d = to - from;
     let (mut lo, mut hi) = (0.0_f64, 1.0_f64);
     for (start, step, min, max) in [(from.x, d.dx, rect.x0, rect.x1), (from.y, d.dy, rect.y0, rect.y1)] {
@@ -21,35 +33,58 @@ pub(super) fn length_inside(from: Point, to: Point, rect: &Rect) -> Option<f64> 
         let (a, b) = ((min - start) / step, (max - start) / step);
         (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
     }
-    (lo <= hi).then(|| (hi - lo) * d.length())
+    (lo <= hi).then_some(hi - lo)
 }
 
 /// Distance of a point from a rectangle; 0 inside.
 pub(super) fn distance_to(rect: &Rect, p: Point) -> f64 {
-    (p - nearest_in(rect, p)).length()
+    libm::sqrt((p - nearest_in(rect, p)).square())
 }
 
 /// Distance of two rectangles; 0 where they touch.
 pub(super) fn rect_distance(a: &Rect, b: &Rect) -> f64 {
-    let gap = |lo: f64, hi: f64| (lo - hi).max(0.0);
-    let dx = gap(a.x0, b.x1).max(gap(b.x0, a.x1));
-    let dy = gap(a.y0, b.y1).max(gap(b.y0, a.y1));
-    libm::hypot(dx, dy)
+    libm::sqrt(rect_square(a, b))
+}
+
+/// The square of the distance of two rectangles; 0 where they touch.
+pub(super) fn rect_square(a: &Rect, b: &Rect) -> f64 {
+    let dx = (a.x0 - b.x1).max(b.x0 - a.x1).max(0.0);
+    let dy = (a.y0 - b.y1).max(b.y0 - a.y1).max(0.0);
+    dx * dx + dy * dy
 }
 
 /// Distance of a segment from a rectangle; 0 where they touch.
 pub(super) fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
-    if length_inside(from, to, rect).is_some() {
+    libm::sqrt(segment_square(rect, from, to))
+}
+
+/// The square of the distance of a segment from a rectangle; 0 where they touch.
+pub(super) fn segment_square(rect: &Rect, from: Point, to: Point) -> f64 {
+    if touches(from, to, rect) {
         return 0.0;
     }
-    let d = to - from;
-    let beside = |corner: Point| {
-        let t = if d.dot(d) > 0.0 { ((corner - from).dot(d) / d.dot(d)).clamp(0.0, 1.0) } else { 0.0 };
-        (corner - (from + d * t)).length()
-    };
     let corners = [(rect.x0, rect.y0), (rect.x1, rect.y0), (rect.x1, rect.y1), (rect.x0, rect.y1)];
-    let ends = distance_to(rect, from).min(distance_to(rect, to));
-    corners.iter().map(|&(x, y)| beside(Point::new(x, y))).fold(ends, f64::min)
+    let beside = corners.map(|(x, y)| Point::new(x, y)).map(|p| (p - nearest_on(from, to, p)).square());
+    let ends = [from, to].map(|p| (p - nearest_in(rect, p)).square());
+    beside.into_iter().chain(ends).fold(f64::INFINITY, f64::min)
+}
+
+/// The point of a segment that is nearest to a point.
+pub(super) fn nearest_on(from: Point, to: Point, p: Point) -> Point {
+    from + way_to_nearest(from, to, p)
+}
+
+/// The way from the start of a segment to its point that is nearest to a point.
+fn way_to_nearest(from: Point, to: Point, p: Point) -> Offset {
+    let d = to - from;
+    let square = d.square();
+    d * if square > 0.0 { ((p - from).dot(d) / square).clamp(0.0, 1.0) } else { 0.0 }
+}
+
+/// The square of the distance of a point from a segment, taken from its start: of two points that mirror
+/// each other the squares are the same to the last bit.
+pub(super) fn point_square(from: Point, to: Point, p: Point) -> f64 {
+    ((p - from) - way_to_nearest(from, to, p)).square()
 }
 
 /// The point of a rectangle nearest to a point; of one that has no width or height after all, its upper left.

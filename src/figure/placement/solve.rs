@@ -9,7 +9,7 @@ use crate::figure::sketch::{Anchor, Corner, Obstacle};
 
 use super::candidates::{candidates, home, is_in_view, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
-use super::pole::contains;
+use super::polyline::Polyline;
 use super::things::{Thing, Things};
 use super::weights::{TUNED, Weights};
 use super::{Candidate, LEADING, Labelled, Placed, Sought};
@@ -114,9 +114,9 @@ fn steady(cost: f64) -> f64 {
 fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Sought> {
     let home = |s: &Sought| home(&s.anchor, frame, &weights.places);
     let same = |a: &Sought, b: &Sought| {
-        let text = |s: &Sought| s.lines.iter().map(|l| l.markup.clone()).collect::<Vec<_>>();
         let near = |a, b| (home(a) - home(b)).length() < weights.search.same_thing;
-        text(a) == text(b) && (near(a, b) || marks(a, b, frame) || marks(b, a, frame))
+        let [p, q] = [a, b].map(|s| s.lines.iter().map(|l| &l.markup));
+        p.eq(q) && (near(a, b) || marks(a, b, frame) || marks(b, a, frame))
     };
     let mut kept: Vec<Sought> = Vec::new();
     for one in sought {
@@ -135,8 +135,8 @@ fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Soug
 fn marks(point: &Sought, area: &Sought, frame: &Frame) -> bool {
     match (&point.anchor, &area.anchor) {
         (Anchor::Point { at, .. }, Anchor::Inside { area }) => {
-            let area: Vec<Point> = area.iter().map(|&p| frame.page(p)).collect();
-            contains(&area, frame.page(*at))
+            let area = Polyline::closed(area.iter().map(|&p| frame.page(p)).collect());
+            area.is_some_and(|area| area.contains(frame.page(*at)))
         }
         _ => false,
     }
@@ -153,26 +153,50 @@ impl Choices<'_> {
         self.priced.get() > self.most
     }
 
-    /// The cost of a place beside the labels in `set`.
-    fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
+    /// The cost of a place beside the labels in `set`, or what of it is already as much as `most`.
+    fn cost_within(&self, label: usize, slot: usize, set: &[usize], most: f64) -> f64 {
         let (candidate, own) = &self.places[label][slot];
-        self.priced.set(self.priced.get() + set.len());
-        let pairs = set.iter().filter(|&&o| o != label).map(|&o| self.pair(candidate, self.candidate(o)));
-        own + pairs.sum::<f64>()
+        let mut pairs = 0.0;
+        for &other in set.iter().filter(|&&other| other != label) {
+            if own + pairs >= most {
+                break;
+            }
+            self.priced.set(self.priced.get() + 1);
+            pairs += self.pair(candidate, self.candidate(other));
+        }
+        own + pairs
     }
 
-    /// The best place beside the labels in `set`, its cost, and how much worse the second best is.
-    fn best(&self, label: usize, set: &[usize]) -> (usize, f64, f64) {
+    /// The cost of a place beside the labels in `set`.
+    fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
+        self.cost_within(label, slot, set, f64::INFINITY)
+    }
+
+    /// The best place beside the labels in `set`, and how much worse the second best is.
+    fn regret(&self, label: usize, set: &[usize]) -> (usize, f64) {
         let (mut best, mut first, mut second) = (0, f64::INFINITY, f64::INFINITY);
         for slot in 0..self.places[label].len() {
-            let cost = self.cost(label, slot, set);
+            let cost = self.cost_within(label, slot, set, second);
             if cost < first {
                 (best, second, first) = (slot, first, cost);
             } else if cost < second {
                 second = cost;
             }
         }
-        (best, first, second - first)
+        (best, second - first)
+    }
+
+    /// The best of the places beside the labels in `set` that cost less than `most`, and its cost.
+    fn best(&self, label: usize, set: &[usize], most: f64) -> Option<(usize, f64)> {
+        let mut best = None;
+        for slot in 0..self.places[label].len() {
+            let least = best.map_or(most, |(_, cost)| cost);
+            let cost = self.cost_within(label, slot, set, least);
+            if cost < least {
+                best = Some((slot, cost));
+            }
+        }
+        best
     }
 
     /// The places of a label that cost least by themselves.
@@ -196,7 +220,7 @@ impl Choices<'_> {
         while !waiting.is_empty() {
             let mut next = (0, 0, f64::NEG_INFINITY);
             for (i, &label) in waiting.iter().enumerate() {
-                let (slot, _, regret) = self.best(label, &set);
+                let (slot, regret) = self.regret(label, &set);
                 if regret > next.2 {
                     next = (i, slot, regret);
                 }
@@ -217,8 +241,7 @@ impl Choices<'_> {
                     return;
                 }
                 let now = self.cost(label, self.chosen[label], &all);
-                let (slot, cost, _) = self.best(label, &all);
-                if cost + GAIN < now {
+                if let Some((slot, _)) = self.best(label, &all, now).filter(|(_, cost)| cost + GAIN < now) {
                     self.chosen[label] = slot;
                     moved = true;
                 }
@@ -263,7 +286,8 @@ impl Choices<'_> {
                 |&&o: &&usize| o != label && self.pair(self.candidate(label), self.candidate(o)) > 0.0;
             let disturbed: Vec<usize> = all.iter().filter(disturbed).copied().collect();
             for other in disturbed {
-                self.chosen[other] = self.best(other, all).0;
+                let best = self.best(other, all, f64::INFINITY);
+                self.chosen[other] = best.map_or(self.chosen[other], |(slot, _)| slot);
             }
             if self.total(all) + GAIN < before {
                 return true;

@@ -18,8 +18,9 @@ use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Cover, MARKER, Obstacle, Request, SPECK};
 
 use super::Candidate;
-use super::pole::{contains, grid};
-use super::rect::{about, bounds, distance_to, rect_distance, segment_distance};
+use super::pole::grid;
+use super::polyline::Polyline;
+use super::rect::{about, distance_to, rect_distance};
 use super::weights::Places;
 
 /// Distances that differ by less look alike, page pixels: a third of an outline's width. At ten times, labels
@@ -54,12 +55,10 @@ pub(super) enum Kind {
 pub(crate) struct Thing {
     /// What sort of label names it.
     kind: Kind,
-    /// The points of its line on the page, or its one point.
-    points: Vec<Point>,
+    /// Its line on the page, or its one point.
+    line: Polyline,
     /// The radius that its marker covers, page pixels.
     clear: f64,
-    /// The box of its points, page pixels.
-    bounds: Rect,
 }
 
 /// A thing that a label must not seem to name.
@@ -108,14 +107,14 @@ impl<'t> Things<'t> {
         let rivals = own.as_ref().map_or_else(Vec::new, |own| own.rivals(all));
         let mut things = Self { own, rivals, remote: Vec::new() };
         if let Some(own) = things.own.as_ref().filter(|own| own.is_area()) {
-            things.remote = grid(&own.points, &things.avoid(), panel, w);
+            things.remote = grid(&own.line, &things.avoid(), panel, w);
         }
         things
     }
 
     /// The contours of the areas that a name should keep out of.
-    pub(super) fn avoid(&self) -> Vec<&'t [Point]> {
-        self.rivals.iter().filter(|r| !r.around).map(|r| r.thing.points.as_slice()).collect()
+    pub(super) fn avoid(&self) -> Vec<&'t Polyline> {
+        self.rivals.iter().filter(|r| !r.around).map(|r| &r.thing.line).collect()
     }
 
     /// How much nearer a box is to its own thing than to any other, page pixels, at most `reach`; anything up
@@ -140,7 +139,7 @@ fn margin(own: &Thing, rivals: &[Rival], rect: &Rect, reach: f64) -> f64 {
     let middle = about(rect.center(), (0.0, 0.0));
     let mut least = reach;
     for rival in rivals {
-        if rect_distance(rect, &rival.thing.bounds) - rival.thing.clear > near + least {
+        if rect_distance(rect, &rival.thing.line.bounds()) - rival.thing.clear > near + least {
             continue;
         }
         let far = rival.thing.distance(rect);
@@ -160,9 +159,10 @@ fn margin(own: &Thing, rivals: &[Rival], rect: &Rect, reach: f64) -> f64 {
 impl Thing {
     /// A thing of points on the page; none without a point, or with one that no page has.
     pub(super) fn new(kind: Kind, points: Vec<Point>, clear: f64) -> Option<Self> {
-        let bounds = bounds(points.iter().copied())?;
-        let on_page = [bounds.x0, bounds.y0, bounds.x1, bounds.y1].iter().all(|v| v.is_finite());
-        on_page.then_some(Self { kind, points, clear, bounds })
+        let line = if kind == Kind::Area { Polyline::closed(points) } else { Polyline::open(points) }?;
+        let Rect { x0, y0, x1, y1 } = line.bounds();
+        let on_page = [x0, y0, x1, y1].iter().all(|v| v.is_finite());
+        on_page.then_some(Self { kind, line, clear })
     }
 
     /// What a label belongs to, on the page; none for a corner of the panel.
@@ -204,42 +204,31 @@ impl Thing {
             .collect()
     }
 
-    /// The pieces of its line.
-    fn pieces(&self) -> impl Iterator<Item = (Point, Point)> + '_ {
-        self.points.windows(2).map(|pair| (pair[0], pair[1]))
-    }
-
     /// The distance of a box from what is seen of it, page pixels; 0 where they touch.
     pub(super) fn distance(&self, rect: &Rect) -> f64 {
-        if self.kind == Kind::Area && contains(&self.points, rect.center()) {
+        if self.kind == Kind::Area && self.line.contains(rect.center()) {
             return 0.0;
         }
-        if let [only] = self.points[..] {
+        if let [only] = *self.line.points() {
             return (distance_to(rect, only) - self.clear).max(0.0);
         }
-        let mut least = f64::INFINITY;
-        for (from, to) in self.pieces() {
-            // Far pieces are most of them: a distance of boxes first.
-            if rect_distance(rect, &Rect::new(from, to)) < least {
-                least = least.min(segment_distance(rect, from, to));
-            }
+        libm::sqrt(self.line.square_from(rect, f64::INFINITY))
+    }
+
+    /// Whether a box is farther from it than a length in page pixels.
+    pub(super) fn is_farther(&self, rect: &Rect, than: f64) -> bool {
+        if self.line.points().len() == 1 || than <= 0.0 {
+            return self.distance(rect) > than;
         }
-        least
+        let outside = !(self.kind == Kind::Area && self.line.contains(rect.center()));
+        // A line at just this distance is none that is farther.
+        let most = (than * than).next_up();
+        outside && self.line.square_from(rect, most) >= most
     }
 
     /// The point of its line that is nearest to a point of the page.
     pub(super) fn nearest(&self, p: Point) -> Point {
-        let mut best = self.points.first().copied().unwrap_or(p);
-        for (from, to) in self.pieces() {
-            let (d, e) = (to - from, p - from);
-            let square = d.dot(d);
-            let t = if square > 0.0 { (e.dot(d) / square).clamp(0.0, 1.0) } else { 0.0 };
-            let q = from + d * t;
-            if (q - p).length() < (best - p).length() {
-                best = q;
-            }
-        }
-        best
+        self.line.nearest(p)
     }
 
     /// Whether a name stands inside it where it can.
@@ -249,25 +238,14 @@ impl Thing {
 
     /// Where it is, if it is so small that it is drawn as a point.
     pub(super) fn speck(&self) -> Option<Point> {
-        let small = self.bounds.width() < SPECK && self.bounds.height() < SPECK;
-        self.points.first().copied().filter(|_| small)
+        let bounds = self.line.bounds();
+        let small = bounds.width() < SPECK && bounds.height() < SPECK;
+        self.line.points().first().copied().filter(|_| small)
     }
 
-    /// The points of its line on the page, or its one point.
-    pub(super) fn points(&self) -> &[Point] {
-        &self.points
-    }
-
-    /// Where its line crosses the way from `p` to `q`: the crossing that is nearest to `q`.
-    pub(super) fn crossing(&self, p: Point, q: Point) -> Option<Point> {
-        let way = q - p;
-        let cut = |(a, b): (Point, Point)| {
-            let (d, e) = (b - a, a - p);
-            let area = way.cross(d);
-            let (t, s) = (e.cross(d) / area, e.cross(way) / area);
-            ((0.0..=1.0).contains(&t) && (0.0..=1.0).contains(&s)).then_some(t)
-        };
-        self.pieces().filter_map(cut).max_by(f64::total_cmp).map(|t| p + way * t)
+    /// Its line on the page, or its one point.
+    pub(super) fn line(&self) -> &Polyline {
+        &self.line
     }
 
     /// The radius that its marker covers, page pixels.
@@ -277,19 +255,20 @@ impl Thing {
 
     /// Some of its points, evenly along the list.
     fn looks(&self) -> impl Iterator<Item = Point> + '_ {
-        self.points.iter().copied().step_by(self.points.len().div_ceil(LOOKS).max(1))
+        let points = self.line.points();
+        points.iter().copied().step_by(points.len().div_ceil(LOOKS).max(1))
     }
 
     /// Whether a point looks as if it were on its line.
     fn passes(&self, p: Point) -> bool {
-        (self.nearest(p) - p).length() <= ONE
+        (self.nearest(p) - p).square() <= ONE * ONE
     }
 
     /// Whether it lies within another thing, or on it.
     fn lies_in(&self, other: &Self) -> bool {
-        let wide = other.bounds.grown(ONE);
-        let covers = |p: Point| other.kind == Kind::Area && contains(&other.points, p) || other.passes(p);
-        wide.union(self.bounds) == wide && self.looks().all(covers)
+        let wide = other.line.bounds().grown(ONE);
+        let covers = |p: Point| other.kind == Kind::Area && other.line.contains(p) || other.passes(p);
+        wide.union(self.line.bounds()) == wide && self.looks().all(covers)
     }
 }
 
