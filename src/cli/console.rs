@@ -89,6 +89,11 @@ impl Results {
         self.failed.is_some()
     }
 
+    /// Hands on what is buffered; a failure is kept for [`Console::finish`].
+    pub(crate) fn flush_now(&mut self) {
+        self.attempt(Write::flush);
+    }
+
     /// Writes or flushes, unless an earlier time failed.
     fn attempt(&mut self, write: impl FnOnce(&mut BufWriter<Stdout>) -> io::Result<()>) {
         if self.failed.is_none() {

@@ -1,9 +1,11 @@
 //! The command line: one command a file, each a row in [`COMMANDS`].
 //!
 //! Messages go to standard error, results to standard output. Exit status: 0 done, 1 the input is wrong or a
-//! check failed, 2 usage. A closed pipe costs a command nothing but its readers: what it had to do is done
-//! and its exit status is the same, only a stream of scenes is read no further.
+//! check failed, 2 usage, 3 a bug of ours, 74 something can't be read or written. A closed pipe costs a
+//! command nothing but its readers: what it had to do is done and its exit status is the same, only a stream
+//! of scenes is read no further.
 
+mod answering;
 mod atomic_file;
 mod check;
 mod completions;
@@ -18,6 +20,7 @@ mod man;
 mod orphans;
 mod outputs;
 mod parallel;
+mod partition;
 mod project;
 mod regular;
 mod render;
@@ -26,6 +29,7 @@ mod reports;
 mod settings;
 mod solve;
 mod stream;
+mod tally;
 mod themes;
 mod timings;
 mod trace;
@@ -33,6 +37,7 @@ mod unplanned;
 mod walk;
 
 use std::io::{self, Write};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::{ArgMatches, Args};
@@ -48,6 +53,23 @@ enum Status {
     Wrong,
     /// The options contradict each other; a message has been written.
     Usage,
+    /// Something can't be read or written; a message has been written.
+    Io,
+    /// A bug of ours; a message has been written.
+    Bug,
+}
+
+impl Status {
+    /// The exit status. What can't be read or written is the 74 of BSD's `sysexits.h`.
+    fn code(self) -> ExitCode {
+        ExitCode::from(match self {
+            Self::Done => 0,
+            Self::Wrong => 1,
+            Self::Usage => 2,
+            Self::Bug => 3,
+            Self::Io => 74,
+        })
+    }
 }
 
 /// A row of the table of commands: what the parser, the man page and the completions know of a command.
@@ -100,7 +122,8 @@ fn app() -> clap::Command {
         .version(env!("CARGO_PKG_VERSION"))
         .about("Draw what a 2D collision algorithm did")
         .after_help(
-            "`-` is standard input or output. Exit status: 0 done, 1 wrong input or failed check, 2 usage.",
+            "`-` is standard input or output. Exit status: 0 done, 1 wrong input or failed check, 2 usage, \
+             3 a bug of tracefig, 74 something can't be read or written.",
         )
         .subcommand_required(true)
         .arg_required_else_help(true)
@@ -122,11 +145,9 @@ pub(crate) fn run() -> ExitCode {
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else {
         return ExitCode::from(2);
     };
-    let ended = (command.run)(arguments, &mut console);
-    match console.finish().and(ended) {
-        Ok(Status::Done) => ExitCode::SUCCESS,
-        Ok(Status::Wrong) => ExitCode::from(1),
-        Ok(Status::Usage) => ExitCode::from(2),
+    let ended = catch_unwind(AssertUnwindSafe(|| (command.run)(arguments, &mut console)));
+    match console.finish().and(ended.unwrap_or(Ok(Status::Bug))) {
+        Ok(status) => status.code(),
         Err(error) => cant_print(&error),
     }
 }
@@ -144,7 +165,7 @@ fn print(answer: &clap::Error) -> ExitCode {
 /// Says that standard output failed.
 fn cant_print(error: &io::Error) -> ExitCode {
     Console::new().error(&format!("can't write to standard output: {error}"));
-    ExitCode::from(1)
+    Status::Io.code()
 }
 
 /// A panic is a bug of ours: one line that says so, and no backtrace unless `RUST_BACKTRACE` asks for it.

@@ -12,6 +12,7 @@ use super::files::{Drawn, Encoded, Files, Plan};
 use super::inputs::shown;
 use super::jobs::{Job, Target, folders_of};
 use super::parallel::in_order;
+use super::partition::Partition;
 use super::settings::Destination;
 use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
@@ -43,34 +44,6 @@ pub(crate) struct Render {
     timings: bool,
 }
 
-/// A share of the scenes.
-#[derive(Clone, Copy, Debug)]
-struct Partition {
-    /// Number of the share, from 1.
-    share: usize,
-    /// How many shares there are.
-    of: usize,
-}
-
-impl std::str::FromStr for Partition {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parsed = text.split_once('/').and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
-        match parsed {
-            Some((share, of)) if 1 <= share && share <= of => Ok(Self { share, of }),
-            _ => Err("expected K/N with 1 ≤ K ≤ N, as 2/8".to_owned()),
-        }
-    }
-}
-
-impl Partition {
-    /// Every Nth scene, so that neighbours, which tend to be alike, are spread.
-    fn of_jobs(self, jobs: Vec<Job>) -> Vec<Job> {
-        jobs.into_iter().skip(self.share - 1).step_by(self.of).collect()
-    }
-}
-
 impl Runs for Render {
     fn run(self, console: &mut Console) -> io::Result<Status> {
         if self.jsonl {
@@ -86,7 +59,7 @@ impl Runs for Render {
         }
         // Twins are looked for among all scenes, whichever share is drawn.
         let jobs = match self.partition {
-            Some(partition) => partition.of_jobs(jobs),
+            Some(partition) => partition.of_all(jobs),
             None => jobs,
         };
         folders_of(&jobs).into_iter().for_each(clear_leftovers);

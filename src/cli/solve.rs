@@ -1,14 +1,18 @@
 //! `tracefig solve`: the answer alone.
 
-use std::io::{self, Read, Write};
+use std::io::{self, Write};
+use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::thread::available_parallelism;
 
-use clap::Args;
-use tracefig::scene::{SceneFile, Solution, refuse_jsonl_line, refuse_long_jsonl_line, solve_jsonl_line};
+use clap::{Args, ValueEnum};
+use tracefig::scene::{SceneFile, Solution};
 
+use super::answering::{End, answer_all};
 use super::console::Console;
-use super::inputs::find;
-use super::lines::{Line, Lines};
+use super::inputs::{find, shown};
+use super::outputs::write_report;
+use super::partition::Partition;
 use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
 
@@ -25,11 +29,25 @@ pub(crate) struct Solve {
     /// Read a scene (as JSON) a line from standard input, write a line of JSON for each
     #[arg(long, conflicts_with_all = ["scenes", "json"])]
     jsonl: bool,
+    /// What a refused line of --jsonl does to the exit status; its error line is written in any case
+    #[arg(long, value_name = "WHAT", value_enum, default_value = "status", requires = "jsonl")]
+    errors: Errors,
+    /// Answer only the Kth of N equal shares of the lines of --jsonl: every Nth, from the Kth on
+    #[arg(long, value_name = "K/N", requires = "jsonl")]
+    partition: Option<Partition>,
+    /// Write what became of the lines of --jsonl as JSON: counts and a checksum, to which those of shards add
+    /// up
+    #[arg(long, value_name = "FILE", requires = "jsonl")]
+    summary: Option<PathBuf>,
+    /// Lines of --jsonl answered at once, at most; the output is the same for any number; default: as many as
+    /// there are processors
+    #[arg(long, value_name = "N", requires = "jsonl")]
+    threads: Option<NonZeroUsize>,
 }
 
 impl Runs for Solve {
     fn run(self, console: &mut Console) -> io::Result<Status> {
-        if self.jsonl { stream(io::stdin().lock(), console) } else { self.each(console) }
+        if self.jsonl { self.stream(console) } else { self.each(console) }
     }
 }
 
@@ -66,31 +84,38 @@ fn text(name: &str, file: &SceneFile) -> String {
     format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.all(), query.algorithm.name)
 }
 
-/// Answers a stream line by line, in its order. Lines are answered as they come: whoever writes one and waits
-/// gets its answer before writing the next. Where nobody reads the answers any more, no more lines are read.
-fn stream(input: impl Read, console: &mut Console) -> io::Result<Status> {
-    let mut lines = Lines::new(input);
-    let mut status = Status::Done;
-    while !console.out.is_closed() {
-        let reply = match lines.next() {
-            Ok(Some((number, Line::Text(text)))) => solve_jsonl_line(text, number),
-            Ok(Some((number, Line::NotUtf8))) => refuse_jsonl_line(number),
-            Ok(Some((number, Line::TooLong(bytes)))) => refuse_long_jsonl_line(number, bytes),
-            Ok(None) => break,
-            Err(error) => {
-                console.out.flush()?;
+/// What a refused line of a stream does to the exit status.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Errors {
+    /// Exit 1 at the end
+    Status,
+    /// Nothing: its error line is the answer
+    Lines,
+}
+
+impl Solve {
+    /// Answers a stream line by line, in its order.
+    fn stream(&self, console: &mut Console) -> io::Result<Status> {
+        let threads = self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
+        let part = self.partition.unwrap_or(Partition::WHOLE);
+        let (tally, end) = answer_all(io::stdin(), part, threads, &mut console.out);
+        console.out.flush()?;
+        let refused = tally.has_errors() && self.errors != Errors::Lines;
+        let mut status = if refused { Status::Wrong } else { Status::Done };
+        match end {
+            End::Done => {}
+            End::CantRead(error) => {
                 console.error(&format!("can't read standard input: {error}"));
-                return Ok(Status::Wrong);
+                status = Status::Io;
             }
-        };
-        if !reply.solved {
-            status = Status::Wrong;
+            End::Lost => status = Status::Bug,
         }
-        console.out.write_all(reply.line.as_bytes())?;
-        console.out.write_all(b"\n")?;
-        if !lines.has_next() {
-            console.out.flush()?;
+        if let Some(path) = &self.summary
+            && let Err(error) = write_report(path, format!("{:#}\n", tally.json()).as_bytes())
+        {
+            console.error(&format!("can't write {}: {error}", shown(path)));
+            status = Status::Io;
         }
+        Ok(status)
     }
-    Ok(status)
 }

@@ -1,13 +1,15 @@
 //! JSON to the common tree.
 //!
 //! `serde_json` has no spans. Its `RawValue` borrows from the text, though, and where a slice lies in the
-//! text is its span: so each level is read as raw values and each of these again, which costs one pass for
-//! each level of nesting.
+//! text is its span: so keys, numbers and texts are read as raw values. What the parser comes to next begins
+//! after the last of them, beyond blanks, a comma or a colon; so a list and an object know their span, too,
+//! and all is read in one pass.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Range;
 
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde::de::{Deserialize, DeserializeSeed, Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
 
 use super::Spanned;
@@ -17,9 +19,11 @@ use super::problem::{Fault, Problem};
 
 /// Reads a JSON text.
 pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
-    let raw: &RawValue = serde_json::from_str(text).map_err(|e| vec![syntax(&e, text)])?;
     let mut problems = Vec::new();
-    let node = Walk { text, problems: &mut problems }.node(raw, 0);
+    let mut walk = Walk { text, at: 0, problems: &mut problems };
+    let mut parser = serde_json::Deserializer::from_str(text);
+    let node = Next { walk: &mut walk, depth: 0 }.deserialize(&mut parser);
+    let node = node.and_then(|node| parser.end().map(|()| node)).map_err(|e| vec![syntax(&e, text)])?;
     if problems.is_empty() { Ok(node) } else { Err(problems) }
 }
 
@@ -62,13 +66,26 @@ fn syntax(error: &serde_json::Error, text: &str) -> Problem {
     Problem::new(Fault::Syntax { message: format!("not JSON: {message}") }, at..at)
 }
 
-/// A walk through raw values, level by level.
+/// A walk through the text, value by value as the parser comes to them.
 struct Walk<'t, 'p> {
     /// The whole text, into which spans point.
     text: &'t str,
+    /// The byte after the last token that is known.
+    at: usize,
     /// What was wrong so far.
     problems: &'p mut Vec<Problem>,
 }
+
+/// A value that the parser is about to read, so many levels deep.
+struct Next<'w, 't, 'p> {
+    /// The walk that comes to it.
+    walk: &'w mut Walk<'t, 'p>,
+    /// How many lists and objects hold it.
+    depth: usize,
+}
+
+/// The items of a list or the entries of an object, so many levels deep.
+struct Inside<'w, 't, 'p>(Next<'w, 't, 'p>);
 
 impl<'t> Walk<'t, '_> {
     fn span(&self, raw: &RawValue) -> Range<usize> {
@@ -76,22 +93,19 @@ impl<'t> Walk<'t, '_> {
         start..start + raw.get().len()
     }
 
-    fn node(&mut self, raw: &'t RawValue, depth: usize) -> Node {
+    /// Where the next value begins, and its first byte: beyond blanks and one comma or colon.
+    fn ahead(&self) -> (usize, Option<u8>) {
+        let rest = self.text.as_bytes().get(self.at..).unwrap_or_default();
+        let skipped = rest.iter().take_while(|byte| b" \t\r\n,:".contains(byte)).count();
+        (self.at + skipped, rest.get(skipped).copied())
+    }
+
+    /// A value without values in it.
+    fn leaf(&mut self, raw: &'t RawValue) -> Node {
         let span = self.span(raw);
+        self.at = span.end;
         let text = raw.get();
-        if depth > MAX_NESTING {
-            let fault = Fault::OverLimit {
-                what: "nesting".to_owned(),
-                limit: MAX_NESTING,
-                unit: "levels",
-                got: depth,
-            };
-            self.problems.push(Problem::new(fault, span.start..span.start + 1));
-            return Node { value: NodeValue::Other("a nested value"), span };
-        }
         let value = match text.as_bytes().first() {
-            Some(b'{') => self.table(text, depth),
-            Some(b'[') => self.list(text, depth),
             Some(b'"') => serde_json::from_str(text).map(NodeValue::Text),
             Some(b't' | b'f') => Ok(NodeValue::Bool(text == "true")),
             Some(b'n') => Ok(NodeValue::Other("null")),
@@ -100,60 +114,84 @@ impl<'t> Walk<'t, '_> {
         };
         let value = value.unwrap_or_else(|error| {
             // Only a lone surrogate can still fail here.
-            let message = error.to_string();
-            let message = message.split(" at line ").next().unwrap_or_default();
-            self.problems
-                .push(Problem::new(Fault::Syntax { message: format!("not JSON: {message}") }, span.clone()));
+            self.problems.push(Problem::new(broken(&error), span.clone()));
             NodeValue::Other("a broken text")
         });
         Node { value, span }
     }
 
-    fn list(&mut self, text: &'t str, depth: usize) -> serde_json::Result<NodeValue> {
-        let items: Vec<&RawValue> = serde_json::from_str(text)?;
-        Ok(NodeValue::List(items.into_iter().map(|item| self.node(item, depth + 1)).collect()))
-    }
-
-    fn table(&mut self, text: &'t str, depth: usize) -> serde_json::Result<NodeValue> {
-        let Entries(raw) = serde_json::from_str(text)?;
-        let mut keys = std::collections::BTreeSet::new();
-        let mut entries = Vec::with_capacity(raw.len());
-        for (key, value) in raw {
-            let span = self.span(key);
-            let key: String = serde_json::from_str(key.get())?;
-            if keys.insert(key.clone()) {
-                let node = self.node(value, depth + 1);
-                entries.push((Spanned { value: key, span }, node));
-            } else {
-                self.problems.push(Problem::new(Fault::DuplicateKey { key }, span));
-            }
-        }
-        Ok(NodeValue::Table(entries))
+    /// A list or an object that is too deep, which is passed over.
+    fn too_deep(&mut self, raw: &'t RawValue, depth: usize) -> Node {
+        let span = self.span(raw);
+        self.at = span.end;
+        let fault =
+            Fault::OverLimit { what: "nesting".to_owned(), limit: MAX_NESTING, unit: "levels", got: depth };
+        self.problems.push(Problem::new(fault, span.start..span.start + 1));
+        Node { value: NodeValue::Other("a nested value"), span }
     }
 }
 
-/// The entries of an object, in order; a key that stands twice is here twice.
-struct Entries<'t>(Vec<(&'t RawValue, &'t RawValue)>);
+/// A text that is no text, in the words of `serde_json` without the place that they end in.
+fn broken(error: &serde_json::Error) -> Fault {
+    let message = error.to_string();
+    let message = message.split(" at line ").next().unwrap_or_default();
+    Fault::Syntax { message: format!("not JSON: {message}") }
+}
 
-impl<'de: 't, 't> Deserialize<'de> for Entries<'t> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Each;
-        impl<'de> Visitor<'de> for Each {
-            type Value = Entries<'de>;
+impl<'de> DeserializeSeed<'de> for Next<'_, 'de, '_> {
+    type Value = Node;
 
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("an object")
-            }
+    fn deserialize<D: Deserializer<'de>>(self, deserializer: D) -> Result<Node, D::Error> {
+        let Self { walk, depth } = self;
+        let (start, first) = walk.ahead();
+        let is_nest = matches!(first, Some(b'{' | b'['));
+        if !is_nest || depth > MAX_NESTING {
+            let raw = <&RawValue>::deserialize(deserializer)?;
+            return Ok(if is_nest { walk.too_deep(raw, depth) } else { walk.leaf(raw) });
+        }
+        walk.at = start + 1;
+        let value = deserializer.deserialize_any(Inside(Next { walk, depth: depth + 1 }))?;
+        // The parser has found the bracket that ends it.
+        walk.at = walk.ahead().0 + 1;
+        Ok(Node { value, span: start..walk.at })
+    }
+}
 
-            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Self::Value, A::Error> {
-                let mut entries = Vec::new();
-                while let Some(entry) = map.next_entry::<&RawValue, &RawValue>()? {
-                    entries.push(entry);
-                }
-                Ok(Entries(entries))
+impl<'de> Visitor<'de> for Inside<'_, 'de, '_> {
+    type Value = NodeValue;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a list or an object")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<NodeValue, A::Error> {
+        let Next { walk, depth } = self.0;
+        let mut items = Vec::new();
+        while let Some(item) = list.next_element_seed(Next { walk: &mut *walk, depth })? {
+            items.push(item);
+        }
+        Ok(NodeValue::List(items))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<NodeValue, A::Error> {
+        let Next { walk, depth } = self.0;
+        let mut keys = BTreeSet::new();
+        let mut entries = Vec::new();
+        while let Some(raw) = map.next_key::<&RawValue>()? {
+            let span = walk.span(raw);
+            walk.at = span.end;
+            let key: String = serde_json::from_str(raw.get()).unwrap_or_else(|error| {
+                walk.problems.push(Problem::new(broken(&error), span.clone()));
+                raw.get().to_owned()
+            });
+            let node = map.next_value_seed(Next { walk: &mut *walk, depth })?;
+            if keys.insert(key.clone()) {
+                entries.push((Spanned { value: key, span }, node));
+            } else {
+                walk.problems.push(Problem::new(Fault::DuplicateKey { key }, span));
             }
         }
-        deserializer.deserialize_map(Each)
+        Ok(NodeValue::Table(entries))
     }
 }
 

@@ -4,6 +4,7 @@ use serde_json::Value;
 
 use super::Scene;
 use super::answer::{answer_json, lines, object};
+use crate::collision::answer::Part;
 use crate::collision::{Answer, ClosestApproach, Off, QueryKind, closest_approach};
 use crate::geometry::Names;
 
@@ -59,6 +60,27 @@ impl Solution {
             fields.extend(more.map(|(name, parts)| (name.to_owned(), object(parts))));
         }
         result
+    }
+
+    /// The kind of the query, with the outcome or the verdict where its answers have one: `separation`,
+    /// `linear-sweep hit`, `overlap unknown`.
+    ///
+    /// ```
+    /// use tracefig::scene::{Solution, open_text};
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'motion-bound'\nof = ['A']";
+    /// assert_eq!(Solution::of(&open_text("s.toml", text)?.scene).outcome(), "motion-bound");
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn outcome(&self) -> String {
+        let kind = self.kind.word();
+        match self.answer.parts().first() {
+            Some((_, Part::Word(word))) => format!("{kind} {word}"),
+            Some((_, Part::Verdict(verdict))) => {
+                format!("{kind} {}", verdict.map_or("unknown", |yes| if yes { "true" } else { "false" }))
+            }
+            _ => kind.to_owned(),
+        }
     }
 
     /// A line for each part of it, for people; the name of the part first. World units; bodies are called

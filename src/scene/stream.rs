@@ -1,9 +1,11 @@
 //! `solve --jsonl`: a scene a line in, an answer a line out.
 
+use std::borrow::Cow;
 use std::fmt::Write;
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use super::limits::MAX_FILE_BYTES;
 use super::node::{Node, NodeValue};
@@ -21,6 +23,27 @@ pub struct Reply {
     pub line: String,
     /// Whether the scene was answered; else the line tells what is wrong.
     pub solved: bool,
+    /// What came of it in a word or two: the kind of the query with its outcome or verdict, where it has one
+    /// (`linear-sweep hit`), or the code of the error.
+    pub outcome: String,
+    /// Where the line says its number.
+    number: Option<Range<usize>>,
+}
+
+impl Reply {
+    /// The reply without the number of a refused line, which depends on where a stream was cut.
+    ///
+    /// ```
+    /// let reply = tracefig::scene::solve_jsonl_line(r#"{"id": 7, "shapes": {}}"#, 3);
+    /// assert!(reply.numberless().starts_with(r#"{"id":7,"error":{"code":"missing-key""#));
+    /// ```
+    #[must_use]
+    pub fn numberless(&self) -> Cow<'_, str> {
+        match self.number.clone() {
+            Some(span) => [&self.line[..span.start], &self.line[span.end..]].concat().into(),
+            None => self.line.as_str().into(),
+        }
+    }
 }
 
 /// Answers a scene by its algorithm, in world units.
@@ -58,15 +81,19 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
     });
     match answered {
         // A bug must not cost the rest of the stream its answers.
-        Ok(scene) => match catch_unwind(AssertUnwindSafe(|| Solution::of(&scene).json())) {
-            Ok(result) => Reply { line: format!("{{\"id\":{id},\"result\":{result}}}"), solved: true },
-            Err(_) => refuse(
-                &id,
-                line,
-                &json!({ "code": codes::INTERNAL.code, "message": "a bug of tracefig; please report it" }),
-            ),
+        Ok(scene) => match catch_unwind(AssertUnwindSafe(|| Solution::of(&scene))) {
+            Ok(solution) => Reply {
+                line: format!("{{\"id\":{id},\"result\":{}}}", solution.json()),
+                solved: true,
+                outcome: solution.outcome(),
+                number: None,
+            },
+            Err(_) => refuse(&id, line, codes::INTERNAL.code, "a bug of tracefig; please report it"),
         },
-        Err(problems) => refuse(&id, line, &error_json(&problems, &source)),
+        Err(problems) => {
+            let (code, message) = first_error(&problems, &source);
+            refuse(&id, line, code, &message)
+        }
     }
 }
 
@@ -141,7 +168,7 @@ fn refused(fault: Fault, line: usize) -> Refused {
 /// ```
 #[must_use]
 pub fn refuse_jsonl_line(line: usize) -> Reply {
-    refuse("null", line, &json!({ "code": Fault::NotUtf8.code(), "message": Fault::NotUtf8.to_string() }))
+    refuse("null", line, Fault::NotUtf8.code(), &Fault::NotUtf8.to_string())
 }
 
 /// The reply to a line of more than [`MAX_FILE_BYTES`], `bytes` of them, which need not be kept to be
@@ -155,11 +182,15 @@ pub fn refuse_jsonl_line(line: usize) -> Reply {
 #[must_use]
 pub fn refuse_long_jsonl_line(line: usize, bytes: usize) -> Reply {
     let fault = too_long(bytes);
-    refuse("null", line, &json!({ "code": fault.code(), "message": fault.to_string() }))
+    refuse("null", line, fault.code(), &fault.to_string())
 }
 
-fn refuse(id: &str, line: usize, error: &Value) -> Reply {
-    Reply { line: format!("{{\"id\":{id},\"line\":{line},\"error\":{error}}}"), solved: false }
+fn refuse(id: &str, line: usize, code: &str, message: &str) -> Reply {
+    let error = json!({ "code": code, "message": message });
+    let (before, number) = (format!("{{\"id\":{id},"), format!("\"line\":{line},"));
+    let span = before.len()..before.len() + number.len();
+    let line = format!("{before}{number}\"error\":{error}}}");
+    Reply { line, solved: false, outcome: code.to_owned(), number: Some(span) }
 }
 
 fn held(source: &Source) -> Result<(), Vec<Problem>> {
@@ -171,9 +202,9 @@ fn too_long(got: usize) -> Fault {
     Fault::OverLimit { what: "the line".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got }
 }
 
-/// The first problem, with the JSON pointer to it; how many more there are.
-fn error_json(problems: &[Problem], source: &Source) -> Value {
-    let Some(first) = problems.first() else { return Value::Null };
+/// The code of the first problem; its message, with the JSON pointer to it and how many more there are.
+fn first_error(problems: &[Problem], source: &Source) -> (&'static str, String) {
+    let Some(first) = problems.first() else { return (codes::INTERNAL.code, String::new()) };
     let mut message = match source.pointer(&first.span) {
         Some(pointer) if !pointer.is_empty() => format!("{pointer}: {}", first.fault),
         _ => first.fault.to_string(),
@@ -185,5 +216,5 @@ fn error_json(problems: &[Problem], source: &Source) -> Value {
     if problems.len() > 1 {
         let _ = write!(message, " (and {} more)", problems.len() - 1);
     }
-    json!({ "code": first.fault.code(), "message": brief(&message) })
+    (first.fault.code(), brief(&message))
 }

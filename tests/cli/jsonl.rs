@@ -258,3 +258,117 @@ fn every_error_code_that_is_printed_is_listed() {
         assert!(listed.contains(&code), "{code} in {listed:?}");
     }
 }
+
+/// A stream of boxes, circles, and every 7th line refused.
+fn mixed(count: usize) -> String {
+    let line = |k: usize| match k % 7 {
+        3 => "no json".to_owned(),
+        _ => pair(
+            ["separation", "overlap", "linear-sweep", "time-of-impact"][k % 4],
+            &format!(r#""position": [{}, 0.25], "velocity": [-{}, 0]"#, k % 9, k % 5),
+        ),
+    };
+    (0..count).map(|k| line(k) + "\n").collect()
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bytes_and_the_same_summary() {
+    let lines = mixed(700);
+    let folder = tempfile::tempdir().unwrap();
+    let mut seen = Vec::new();
+    for threads in ["1", "2", "3", "8"] {
+        let mut command = tracefig(folder.path());
+        command.args(["solve", "--jsonl", "--errors=lines", "--summary", "s.json", "--threads", threads]);
+        let ran = run_on(&mut command, &lines);
+        assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+        seen.push((ran.out, std::fs::read_to_string(folder.path().join("s.json")).unwrap()));
+    }
+    assert!(seen.iter().all(|one| *one == seen[0]));
+    assert_eq!(seen[0].0.lines().count(), 700);
+}
+
+#[test]
+fn a_refused_line_costs_the_exit_status_unless_errors_are_lines() {
+    for (option, code) in [("--errors=status", 1), ("--errors=lines", 0)] {
+        for threads in ["1", "2"] {
+            let mut command = tracefig(".".as_ref());
+            let ran = run_on(command.args(["solve", "--jsonl", option, "--threads", threads]), mixed(10));
+            assert_eq!((ran.code, ran.out.lines().count()), (Some(code), 10), "{option}");
+            assert!(ran.out.lines().nth(3).unwrap().starts_with(r#"{"id":null,"line":4,"error":{"code":"#));
+        }
+    }
+}
+
+#[test]
+fn shares_are_dealt_out_with_the_numbers_of_their_lines_and_their_summaries_add_up() {
+    let lines = mixed(50);
+    let folder = tempfile::tempdir().unwrap();
+    let solve = |partition: &str, threads: &str| {
+        let mut command = tracefig(folder.path());
+        command.args(["solve", "--jsonl", "--summary", "s.json"]);
+        let ran = run_on(command.args(["--partition", partition, "--threads", threads]), &lines);
+        let summary = std::fs::read_to_string(folder.path().join("s.json")).unwrap();
+        (ran.out, serde_json::from_str::<Value>(&summary).unwrap())
+    };
+    let (whole, all) = solve("1/1", "1");
+    let shares: Vec<_> = (1..=4).map(|k| solve(&format!("{k}/4"), "2")).collect();
+    for (k, line) in whole.lines().enumerate() {
+        assert_eq!(shares[k % 4].0.lines().nth(k / 4), Some(line));
+    }
+    let sum = |key: &str| shares.iter().map(|(_, share)| share[key].as_u64().unwrap()).sum::<u64>();
+    for key in ["lines", "answered", "refused"] {
+        assert_eq!(sum(key), all[key].as_u64().unwrap(), "{key}");
+    }
+    assert_eq!(sum("checksum") % (1 << 40), all["checksum"].as_u64().unwrap());
+    assert_eq!((&all["lines"], &all["errors"]), (&json!(50), &json!({ "syntax": 7 })));
+    let kinds: Vec<&str> = keys(&all["answers"]);
+    assert!(kinds.contains(&"separation") && kinds.contains(&"linear-sweep hit"), "{kinds:?}");
+}
+
+#[test]
+fn with_threads_an_answer_comes_before_the_next_line_too() {
+    let mut child = tracefig(".".as_ref())
+        .args(["solve", "--jsonl", "--threads", "3"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let (mut stdin, stdout) = (child.stdin.take().unwrap(), child.stdout.take().unwrap());
+    let (tell, told) = mpsc::channel();
+    thread::spawn(move || {
+        for line in std::io::BufRead::lines(std::io::BufReader::new(stdout)) {
+            tell.send(line.unwrap()).unwrap();
+        }
+    });
+    for _ in 0..20 {
+        std::io::Write::write_all(
+            &mut stdin,
+            (pair("separation", r#""position": [3, 0]"#) + "\n").as_bytes(),
+        )
+        .unwrap();
+        assert!(told.recv_timeout(Duration::from_secs(60)).unwrap().contains("separation"));
+    }
+    drop(stdin);
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}
+
+#[test]
+fn a_summary_that_cannot_be_written_is_no_wrong_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut command = tracefig(folder.path());
+    let ran = run_on(command.args(["solve", "--jsonl", "--summary", "nowhere/s.json"]), mixed(1));
+    assert_eq!((ran.code, ran.out.lines().count()), (Some(74), 1));
+    assert!(ran.err.starts_with("error: can't write nowhere/s.json: "), "{}", ran.err);
+}
+
+#[test]
+fn options_of_a_stream_need_a_stream_and_a_share_that_there_is() {
+    for arguments in [
+        &["solve", "--errors=lines"][..],
+        &["solve", "--summary", "s.json"],
+        &["solve", "--jsonl", "--partition", "5/4"],
+        &["solve", "--jsonl", "--threads", "0"],
+    ] {
+        assert_eq!(run(tracefig(".".as_ref()).args(arguments)).code, Some(2), "{arguments:?}");
+    }
+}

@@ -153,7 +153,7 @@ fn a_full_disk_is_told() {
             err.starts_with("error: can't write to standard output: No space left"),
             "{arguments:?}: {err}"
         );
-        assert_eq!(output.status.code(), Some(1), "{arguments:?}");
+        assert_eq!(output.status.code(), Some(74), "{arguments:?}");
     }
     assert!(folder.path().join("s.svg").exists());
 }
@@ -164,7 +164,7 @@ fn a_stream_that_can_not_be_read_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let unreadable = std::fs::File::open(folder.path()).unwrap();
     let ran = run(tracefig(folder.path()).args(["solve", "--jsonl"]).stdin(unreadable));
-    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.code, Some(74));
     assert!(ran.err.starts_with("error: can't read standard input: Is a directory"), "{}", ran.err);
 }
 
