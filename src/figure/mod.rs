@@ -31,6 +31,7 @@ mod sketch;
 mod standing;
 mod text;
 pub mod theme;
+mod unnamed;
 mod view;
 
 #[cfg(test)]
@@ -44,3 +45,4 @@ pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan, plan_in};
+pub use unnamed::{Unnamed, unnamed};

@@ -20,6 +20,7 @@ mod motion;
 mod numbers;
 mod overlap;
 mod seen;
+mod unnamed;
 mod witness;
 
 use std::path::Path;

@@ -14,6 +14,7 @@ mod number;
 mod overrides;
 mod plain;
 mod quantity;
+mod symbols;
 mod values;
 mod wording;
 
@@ -22,4 +23,5 @@ pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
+pub(crate) use symbols::{Symbol, symbols};
 pub(crate) use wording::{Wording, check_texts};

@@ -117,10 +117,15 @@ fn command<'t>(text: &'t str, out: &mut String) -> &'t str {
         }
         "left" | "right" | "quad" | "qquad" | "displaystyle" => rest,
         name => {
-            out.push_str(COMMANDS.iter().find(|(known, _)| *known == name).map_or("", |(_, plain)| plain));
+            out.push_str(command_in_words(name));
             rest
         }
     }
+}
+
+/// What a command of a sign or a letter is in plain text; empty for any other.
+pub(super) fn command_in_words(name: &str) -> &'static str {
+    COMMANDS.iter().find(|(known, _)| *known == name).map_or("", |(_, plain)| plain)
 }
 
 /// What a command is applied to: the content of the `{…}` that follows, or the sign; and what comes after.
