@@ -6,7 +6,7 @@ use super::describe;
 use super::fault::{Fault, Problem};
 use super::layer::is_key;
 use super::lettering::{Lettering, lettered};
-use super::page::{Page, type_size};
+use super::page::Page;
 use super::panel::PanelPlan;
 use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
 use super::plan::Plan;
@@ -84,7 +84,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     for panel in &plan.panels {
         let (group, labelled) = draw_panel(plan, theme, &panels);
         items.push(Item::Group(group));
-        items.extend(panel.title.as_ref().map(|text| title(text, &labelled, theme)));
+        items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
         panels.push(labelled);
     }
     let Page { headline, headline_step, caption, step, .. } = plan.page;
@@ -135,7 +135,7 @@ pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
     let sketched = panel.sketch(&context, theme);
-    let size = |px: f64| type_size(plan.page.width, plan.page.height, px);
+    let size = |px: f64| plan.layout.measures.type_size(px);
     let marked = !theme.counts_on_color();
     let wording = Wording { context: &context, type_size: &size, is_key, marked };
     // A text that can't be set was said by the plan.
@@ -204,8 +204,8 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
 }
 
 /// The title over a panel.
-fn title(text: &Lettering, panel: &Labelled, theme: &Theme) -> Item {
-    let at = Page::title_baseline(&panel.frame.panel);
+fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &Theme) -> Item {
+    let at = plan.page.title_baseline(&panel.frame.panel);
     let mut group = Group::new("title");
     for line in text.of(theme) {
         let origin = Point::new(at.x - 0.5 * line.width, at.y);

@@ -4,6 +4,8 @@
 //! scene's places what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
+#[cfg(test)]
+mod bands;
 mod budget;
 mod context;
 pub mod default_picture;

@@ -10,7 +10,7 @@ use super::context::{Context, Moment};
 use super::frame::Frame;
 use super::layer::{LabelKey, Layer, Options};
 use super::lettering::Lettering;
-use super::page::unit;
+use super::page::Measures;
 use super::runs::Runs;
 use super::sketch::{Request, Sketch, Sketched};
 use super::theme::Theme;
@@ -67,8 +67,7 @@ impl PanelPlan<'_> {
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.
     pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        let canvas = &context.scene.canvas;
-        let mut sketch = Sketch::new(self.frame, theme, unit(canvas.width, canvas.height));
+        let mut sketch = Sketch::new(self.frame, theme, Measures::of(&context.scene.canvas).unit);
         for planned in &self.layers {
             if sketch.is_full() {
                 break;

@@ -12,7 +12,7 @@ use super::default_picture;
 use super::describe::sentence;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
-use super::page::Page;
+use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
@@ -41,6 +41,8 @@ pub struct Plan<'s> {
     pub(crate) alt: Option<String>,
     /// What leads through the figure, below the panels.
     pub(crate) caption: Across,
+    /// What the page holds.
+    pub(crate) layout: Layout,
     /// Where things lie on the page.
     pub(crate) page: Page,
     /// What should be better, with its place in the scene.
@@ -84,7 +86,7 @@ impl Plan<'_> {
 /// let scene = read(&Source::new("circle.toml", text)).unwrap();
 /// let plan = plan(&scene).unwrap();
 /// let figure = draw(&plan, plan.theme, "circle");
-/// assert_eq!((figure.drawing.width, figure.drawing.height), (960.0, 540.0));
+/// assert_eq!(figure.drawing.width, 960.0);
 /// assert!(figure.faults().is_empty());
 /// ```
 pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
@@ -140,19 +142,27 @@ fn resolve<'s>(
         caption = caption_of_words(scene, sentence(scene, &runs.own(scene, scene.query.time)));
     }
     let titled = panels.iter().any(|p| p.title.is_some());
-    let size = (scene.canvas.width, scene.canvas.height);
-    let page = Page::new(size, count, titled, (headline.lines.len(), caption.lines.len()));
+    let layout = Layout {
+        measures: Measures::of(&scene.canvas),
+        columns: scene.canvas.columns,
+        titled,
+        head: headline.lines.len(),
+        lines: caption.lines.len(),
+    };
+    let mut page = None;
     if panels.len() == count {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
-        let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &page, &mut panels));
-        let said =
-            fitted.and_then(|sketched| say(scene, &runs, &panels, &sketched, (&mut problems, &mut warnings)));
+        let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &layout, &mut panels));
+        let said = fitted.and_then(|(sketched, fitted)| {
+            page = Some(fitted);
+            say(scene, &runs, &panels, &sketched, (&mut problems, &mut warnings))
+        });
         problems.extend(said.err().map(Problem::from));
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
-    if problems.is_empty() {
-        return Ok(Plan { scene, theme, runs, panels, headline, alt, caption, page, warnings });
+    if let Some(page) = page.filter(|_| problems.is_empty()) {
+        return Ok(Plan { scene, theme, runs, panels, headline, alt, caption, layout, page, warnings });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();

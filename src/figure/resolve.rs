@@ -16,7 +16,7 @@ use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
-use super::page::type_size;
+use super::page::{Measures, TITLE_SIZE};
 use super::panel::{LayerPlan, PanelPlan};
 use super::question::is_of_a_moment;
 use super::runs::Runs;
@@ -62,7 +62,7 @@ impl<'s> Resolver<'_, 's> {
             }
         }
         let title = source.title.as_ref().and_then(|t| {
-            let size = type_size(scene.canvas.width, scene.canvas.height, 13.0);
+            let size = Measures::of(&scene.canvas).type_size(TITLE_SIZE);
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
                 typeset(text, Style::semibold(size)).map(|line| vec![line])
             })

@@ -131,6 +131,14 @@ pub(crate) fn as_text(node: &Node) -> Option<&str> {
     }
 }
 
+/// Red, green and blue of a value that is `#RRGGBB`.
+pub(crate) fn as_rgb(node: &Node) -> Option<[u8; 3]> {
+    let digits = as_text(node)?.strip_prefix('#')?;
+    let hex = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
+    let [_, rgb @ ..] = u32::from_str_radix(digits, 16).ok().filter(|_| hex)?.to_be_bytes();
+    Some(rgb)
+}
+
 /// The items of a value that is a list.
 pub(crate) fn as_list(node: &Node) -> Option<&[Node]> {
     match &node.value {
@@ -167,6 +175,15 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
             }
         },
         Holds::Number { min, max } => in_range(node, row, min, max, p),
+        Holds::NumberOr { min, max, word } => match &node.value {
+            NodeValue::Number(_) => in_range(node, row, min, max, p),
+            NodeValue::Text(text) if text == word => true,
+            _ => wrong(node, row, p),
+        },
+        Holds::ColorOr(word) => match as_text(node) {
+            Some(text) => text == word || as_rgb(node).is_some() || wrong(node, row, p),
+            None => wrong(node, row, p),
+        },
         Holds::Count { min, max } => whole(node, row, (min, max), p),
         Holds::Switch => matches!(node.value, NodeValue::Bool(_)) || wrong(node, row, p),
         Holds::Pair => numbers(node, row, 2, p),

@@ -7,7 +7,9 @@
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
-use super::limits::{MAX_CANVAS, MAX_ITERATIONS, MAX_NUMBER, MAX_SCALE, MIN_CANVAS};
+use super::limits::{
+    MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_SCALE, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
+};
 
 /// What a key holds.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +30,20 @@ pub enum Holds {
         /// The largest that is allowed.
         max: f64,
     },
+    /// A finite number in a closed range, or a word.
+    NumberOr {
+        /// The smallest that is allowed.
+        min: f64,
+        /// The largest that is allowed.
+        max: f64,
+        /// What may stand instead.
+        word: &'static str,
+    },
+    /// A colour `#RRGGBB`, or a word.
+    ColorOr(
+        /// What may stand instead.
+        &'static str,
+    ),
     /// A whole number in a closed range.
     Count {
         /// The smallest that is allowed.
@@ -238,7 +254,31 @@ pub(super) static CANVAS: TableRows = TableRows {
     place: "the canvas",
     fields: &[
         may("width", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 960"),
-        may("height", Holds::Number { min: MIN_CANVAS, max: MAX_CANVAS }, "page pixels; default 540"),
+        may(
+            "height",
+            Holds::NumberOr { min: MIN_CANVAS, max: MAX_CANVAS, word: "auto" },
+            "page pixels; default \"auto\": the page ends where the drawing ends",
+        ),
+        may(
+            "margin",
+            Holds::Number { min: 0.0, max: MAX_MARGIN },
+            "around the drawing, page pixels; default 24, less on small pages",
+        ),
+        may(
+            "background",
+            Holds::ColorOr("transparent"),
+            "instead of the theme's; on none, the theme's is still around letters",
+        ),
+        may(
+            "text",
+            Holds::Number { min: MIN_TYPE, max: MAX_TYPE },
+            "size of the caption, page pixels; all letters grow with it; default 14",
+        ),
+        may(
+            "columns",
+            Holds::Count { min: 1, max: MAX_PANELS },
+            "panels side by side; default: as many as can be read",
+        ),
         may(
             "theme",
             Holds::Text,
@@ -343,6 +383,8 @@ impl Holds {
                 (false, true) => format!("a number of at least {min}"),
                 (false, false) => format!("a number in [{min}, {max}]"),
             },
+            Self::NumberOr { min, max, word } => format!("a number in [{min}, {max}], or \"{word}\""),
+            Self::ColorOr(word) => format!("a colour \"#RRGGBB\", or \"{word}\""),
             Self::Count { min, max } => format!("a whole number in [{min}, {max}]"),
             Self::Switch => "true or false".to_owned(),
             Self::Pair => "two numbers [x, y]".to_owned(),

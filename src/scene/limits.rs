@@ -31,6 +31,12 @@ pub(crate) const MAX_CANVAS: f64 = 4096.0;
 pub const MAX_SCALE: f64 = 8.0;
 /// Smallest side of the canvas that can hold a panel with its margins.
 pub(crate) const MIN_CANVAS: f64 = 100.0;
+/// Largest margin, page pixels: a slide's edge; a page too small for it takes less.
+pub(crate) const MAX_MARGIN: f64 = 200.0;
+/// Smallest size of running text, page pixels an em; no letter is set under 11.
+pub(crate) const MIN_TYPE: f64 = 8.0;
+/// Largest size of running text, page pixels an em: twice that of a slide for a hall.
+pub(crate) const MAX_TYPE: f64 = 48.0;
 /// Steps of an iterative algorithm; each leaves a few events of some 200 bytes in a trace.
 pub(crate) const MAX_ITERATIONS: usize = 100_000;
 /// Step cap where the scene gives none. A graze with a gap of 1e-6 takes conservative advancement 12,405

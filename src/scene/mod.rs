@@ -2,6 +2,7 @@
 
 mod answer;
 mod body;
+mod canvas;
 mod checked;
 pub(crate) mod codes;
 mod expected;
@@ -31,6 +32,7 @@ mod visible;
 use std::ops::Range;
 
 pub use answer::{answer_json, answer_text};
+pub use canvas::{Background, Canvas, Height};
 pub use codes::{ERRORS, ErrorCode};
 pub use fields::{Field, Holds, PROJECT_TABLES, TABLES, TableRows, shape_rows};
 pub(crate) use labels::COMPASS;
@@ -230,15 +232,4 @@ pub enum LabelPlace {
     Compass(u8),
     /// Offset of the label's centre from its anchor, page pixels, x right, y down.
     Offset(f64, f64),
-}
-
-/// The page that a figure is drawn on.
-#[derive(Clone, Debug)]
-pub struct Canvas {
-    /// Width in page pixels, 960 unless given.
-    pub width: f64,
-    /// Height in page pixels, 540 unless given.
-    pub height: f64,
-    /// Name of a theme, checked by the figure's table of themes.
-    pub theme: Option<Spanned<String>>,
 }

@@ -150,7 +150,7 @@ impl SceneFile {
     /// let ours = project(&Source::new("tracefig.toml", "canvas = { width = 700, height = 300 }")).unwrap();
     /// let file = open_text("s.toml", &format!("{text}\n[canvas]\nheight = 400"))?;
     /// let canvas = file.with_canvas(&ours.canvas)?.scene.canvas;
-    /// assert_eq!(canvas.width, 700.0);
+    /// assert_eq!(canvas.width, Some(700.0));
     /// # Ok::<(), Box<tracefig::Refused>>(())
     /// ```
     pub fn with_canvas(self, defaults: &CanvasDefaults) -> Result<Self, Box<Refused>> {
@@ -211,8 +211,8 @@ mod tests {
         let with = |more: &str| opened(more).with_canvas(&ours.canvas).unwrap();
         let page =
             |file: &SceneFile| (file.scene.canvas.width, file.scene.canvas.theme.clone().unwrap().value);
-        assert_eq!(page(&with("")), (700.0, "dark".to_owned()));
-        assert_eq!(page(&with("[canvas]\ntheme = 'print'")), (700.0, "print".to_owned()));
+        assert_eq!(page(&with("")), (Some(700.0), "dark".to_owned()));
+        assert_eq!(page(&with("[canvas]\ntheme = 'print'")), (Some(700.0), "print".to_owned()));
         // What is drawn is what counts, whoever said it.
         assert_eq!(with("").meaning, opened("[canvas]\ntheme = 'dark'\nwidth = 700").meaning);
         assert_ne!(with("").meaning, opened("").meaning);

@@ -3,12 +3,12 @@
 use std::ops::Range;
 
 use super::checked::{Checked, check, too_many};
-use super::fields::{CANVAS, ROOT};
+use super::fields::ROOT;
 use super::limits::MAX_SHAPES;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problem, Problems};
 use super::source::Source;
-use super::{Canvas, Scene, Spanned, body, labels, panels, question};
+use super::{Scene, Spanned, body, canvas, labels, panels, question};
 
 /// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the
 /// values in texts are checked by the figure's plan.
@@ -43,7 +43,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
     let query = top.get("query").and_then(|node| question::read(node, &read, p));
     let panels = panels::read(&top, &names, p);
     let labels = labels::read(&top, p);
-    let canvas = canvas(&top, p);
+    let canvas = canvas::read(&top, p);
     let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
     Some(Scene {
         title: top.text("title"),
@@ -83,23 +83,6 @@ fn language(top: &Checked<'_>, p: &mut Problems) -> Option<Spanned<String>> {
     let got = format!("\"{}\"", lang.value);
     p.add(Fault::WrongType { key: "lang".to_owned(), expected, got }, &lang.span);
     None
-}
-
-fn canvas(top: &Checked<'_>, p: &mut Problems) -> Canvas {
-    let mut canvas = Canvas { width: 960.0, height: 540.0, theme: None };
-    let Some(table) =
-        top.get("canvas").and_then(|node| check(node, "canvas", CANVAS.place, CANVAS.fields, p))
-    else {
-        return canvas;
-    };
-    if let Some(width) = table.number("width") {
-        canvas.width = width.value;
-    }
-    if let Some(height) = table.number("height") {
-        canvas.height = height.value;
-    }
-    canvas.theme = table.text("theme");
-    canvas
 }
 
 /// Where the `id` of a scene stands, which is copied to the answer whatever JSON it is; `None` without one.

@@ -60,6 +60,12 @@ fn holds(field: &Field) -> Value {
         Holds::Text => json!({ "type": "string" }),
         Holds::Word { known, .. } => json!({ "enum": known() }),
         Holds::Number { min, max } => json!({ "type": "number", "minimum": min, "maximum": max }),
+        Holds::NumberOr { min, max, word } => {
+            json!({ "anyOf": [{ "type": "number", "minimum": min, "maximum": max }, { "const": word }] })
+        }
+        Holds::ColorOr(word) => {
+            json!({ "anyOf": [{ "type": "string", "pattern": "^#[0-9A-Fa-f]{6}$" }, { "const": word }] })
+        }
         Holds::Count { min, max } => json!({ "type": "integer", "minimum": min, "maximum": max }),
         Holds::Switch => json!({ "type": "boolean" }),
         Holds::Pair => numbers(2),

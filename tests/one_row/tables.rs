@@ -84,6 +84,7 @@ fn outer() -> Vec<Table> {
             other_meanings: &[
                 ("light", "output/html.rs", "the colour scheme of a page"),
                 ("dark", "output/html.rs", "the colour scheme of a page"),
+                ("auto", "scene/fields.rs", "a height of the page"),
             ],
         },
         Table {

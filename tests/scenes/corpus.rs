@@ -77,8 +77,12 @@ fn words() -> BTreeSet<String> {
     for rows in TABLES.iter().map(|t| t.fields.to_vec()).chain(KINDS.iter().map(shape_rows)) {
         for field in rows {
             words.insert(field.name.to_owned());
-            if let Holds::Word { known, .. } = field.holds {
-                words.extend(known());
+            match field.holds {
+                Holds::Word { known, .. } => words.extend(known()),
+                Holds::NumberOr { word, .. } | Holds::ColorOr(word) => {
+                    words.insert(word.to_owned());
+                }
+                _ => {}
             }
         }
     }

@@ -5,7 +5,7 @@
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::Lettering;
-use crate::figure::page::{CAPTION_SIZE, HEADLINE_SIZE, Page, type_size};
+use crate::figure::page::{CAPTION_SIZE, HEADLINE_SIZE, Measures};
 use crate::scene::{Scene, Spanned};
 use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
 
@@ -41,17 +41,12 @@ impl Block {
 
     /// How it is set, how wide its lines are in page pixels, and how many the page takes.
     fn room(self, scene: &Scene) -> (Style, f64, usize) {
-        let (width, height) = (scene.canvas.width, scene.canvas.height);
-        let measure = Page::new((width, height), 1, false, (0, 2)).measure;
-        let style = match self {
-            Self::Headline => Style::semibold(type_size(width, height, HEADLINE_SIZE)),
-            Self::Caption => Style::regular(type_size(width, height, CAPTION_SIZE)),
+        let measures = Measures::of(&scene.canvas);
+        let (style, most) = match self {
+            Self::Headline => (Style::semibold(measures.type_size(HEADLINE_SIZE)), measures.headline_lines()),
+            Self::Caption => (Style::regular(measures.type_size(CAPTION_SIZE)), measures.caption_lines()),
         };
-        let most = match self {
-            Self::Headline => Page::headline_lines(width, height),
-            Self::Caption => Page::caption_lines(width, height),
-        };
-        (style, measure, most)
+        (style, measures.measure(), most)
     }
 }
 

@@ -1,0 +1,219 @@
+//! The page: a headline, rows of panels with titles above them, a caption below.
+//!
+//! A page without a given height ends where the drawing ends: each row of panels is as high as what its
+//! panels show at their width, within limits. A page of a given height has rows of one height, in the
+//! arrangement that leaves the panels largest.
+
+mod measures;
+mod rows;
+
+use crate::drawing::{Point, Rect};
+
+use measures::count;
+
+pub(crate) use measures::{CAPTION_SIZE, HEADLINE_SIZE, Measures, TITLE_SIZE};
+pub(crate) use rows::{Want, room};
+
+/// What a page has to hold.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Layout {
+    /// Its sizes.
+    pub(crate) measures: Measures,
+    /// Panels side by side, where the scene says how many.
+    pub(crate) columns: Option<usize>,
+    /// Whether the panels have titles.
+    pub(crate) titled: bool,
+    /// Lines of the headline.
+    pub(crate) head: usize,
+    /// Lines of the caption.
+    pub(crate) lines: usize,
+}
+
+/// Where things lie on a page.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Page {
+    /// Width of the page, page pixels.
+    pub(crate) width: f64,
+    /// Height of the page, page pixels.
+    pub(crate) height: f64,
+    /// The panels, row by row, page pixels.
+    pub(crate) cells: Vec<Rect>,
+    /// Lines between panels, page pixels.
+    pub(crate) rules: Vec<(Point, Point)>,
+    /// Left end of the first baseline of the headline, page pixels.
+    pub(crate) headline: Point,
+    /// From one baseline of the headline to the next, page pixels.
+    pub(crate) headline_step: f64,
+    /// Left end of the first baseline of the caption, page pixels.
+    pub(crate) caption: Point,
+    /// From a panel's title's baseline down to the panel, page pixels.
+    title_drop: f64,
+    /// From one baseline of the caption to the next, page pixels.
+    pub(crate) step: f64,
+}
+
+impl Layout {
+    /// Cells for panels that show so much, above the caption.
+    pub(crate) fn page(&self, wants: &[Want]) -> Page {
+        let Self { measures, titled, head, .. } = *self;
+        let (side, gap) = (measures.side(), measures.gap());
+        let title = if titled { measures.title() } else { 0.0 };
+        let foot = measures.foot(count(self.caption_room()));
+        let top = measures.top() + measures.headline_height(head);
+        let space = rows::Space {
+            width: measures.width - 2.0 * side,
+            height: measures.height.map(|height| height - foot - top),
+            gap,
+            title,
+            larger: measures.larger(),
+        };
+        let rows::Grid { columns, width, heights } = space.grid(wants, self.columns);
+        let mut cells = Vec::new();
+        let mut y0 = top;
+        for (row, height) in heights.iter().enumerate() {
+            let in_row = columns.min(wants.len().saturating_sub(row * columns));
+            y0 += title;
+            for column in 0..in_row {
+                // A last row that is not full stands in the middle.
+                let x0 = side + (count(column) + 0.5 * count(columns - in_row)) * (width + gap);
+                cells.push(Rect { x0, y0, x1: x0 + width, y1: y0 + height });
+            }
+            y0 += height + gap;
+        }
+        let bottom = match measures.height {
+            Some(height) => (height - foot).max(top + 1.0),
+            None => y0 - gap,
+        };
+        Page {
+            width: measures.width,
+            height: measures.height.unwrap_or((bottom + foot).ceil()),
+            rules: rules(&cells, columns, gap, title),
+            cells,
+            headline: Point::new(side, measures.top() + measures.headline_rise()),
+            headline_step: measures.headline_step(),
+            caption: Point::new(side, bottom + measures.drop()),
+            title_drop: measures.title_drop(),
+            step: measures.step(),
+        }
+    }
+
+    /// Lines that the caption has room for: on a page of a given height no fewer than two, so that the panels
+    /// of two figures with short captions are as high.
+    fn caption_room(&self) -> usize {
+        match (self.lines, self.measures.height) {
+            (0, _) | (_, None) => self.lines,
+            (lines, Some(_)) => lines.max(2),
+        }
+    }
+}
+
+impl Page {
+    /// Middle of the baseline of a title over a panel, page pixels.
+    pub(crate) fn title_baseline(&self, cell: &Rect) -> Point {
+        Point::new(cell.center().x, cell.y0 - self.title_drop)
+    }
+}
+
+/// Lines in the middle of the gaps between panels; `title` is the height of a row of titles.
+fn rules(cells: &[Rect], columns: usize, gap: f64, title: f64) -> Vec<(Point, Point)> {
+    let mut rules = Vec::new();
+    for (i, cell) in cells.iter().enumerate() {
+        if i % columns > 0 {
+            let x = cell.x0 - 0.5 * gap;
+            rules.push((Point::new(x, cell.y0), Point::new(x, cell.y1)));
+        }
+        if i >= columns {
+            let y = cell.y0 - title - 0.5 * gap;
+            rules.push((Point::new(cell.x0, y), Point::new(cell.x1, y)));
+        }
+    }
+    rules
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Canvas, Height};
+
+    /// A page for panels that show so much each.
+    fn page(canvas: &Canvas, wants: &[(f64, f64)], titled: bool, lines: usize) -> Page {
+        let measures = Measures::of(canvas);
+        let layout = Layout { measures, columns: canvas.columns, titled, head: 0, lines };
+        let wants: Vec<_> =
+            wants.iter().map(|&(width, height)| Want { width, height, room: false }).collect();
+        layout.page(&wants)
+    }
+
+    fn of_size(width: f64, height: Option<f64>) -> Canvas {
+        Canvas { width: Some(width), height: height.map(Height::Pixels), ..Canvas::default() }
+    }
+
+    #[test]
+    fn a_page_of_a_given_height_gives_the_panels_all_that_the_caption_leaves() {
+        let usual = of_size(960.0, Some(540.0));
+        let one = page(&usual, &[(1.0, 1.0)], false, 2);
+        assert_eq!(one.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 476.0 }]);
+        let two = page(&usual, &[(1.0, 1.0); 2], true, 1);
+        assert_eq!(two.cells[0], Rect { x0: 24.0, y0: 44.0, x1: 468.0, y1: 476.0 });
+        assert_eq!(two.cells[1], Rect { x0: 492.0, y0: 44.0, x1: 936.0, y1: 476.0 });
+        assert_eq!(two.title_baseline(&two.cells[0]).y, 32.0);
+        let three = page(&usual, &[(1.0, 1.0); 3], true, 2);
+        assert_eq!(three.cells[2].width(), 288.0);
+    }
+
+    #[test]
+    fn a_page_without_a_height_ends_where_the_drawing_ends() {
+        let page = page(&Canvas::default(), &[(4.0, 1.0)], false, 1);
+        assert_eq!(page.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 248.0 }]);
+        assert_eq!((page.caption.y, page.height), (272.0, 292.0));
+    }
+
+    #[test]
+    fn a_headline_moves_the_panels_down() {
+        for canvas in [Canvas::default(), of_size(960.0, Some(540.0))] {
+            let layout = |head| Layout {
+                measures: Measures::of(&canvas),
+                columns: None,
+                titled: false,
+                head,
+                lines: 2,
+            };
+            let page = |head| layout(head).page(&[Want { width: 2.0, height: 1.0, room: false }]);
+            let top = |head| page(head).cells[0].y0;
+            assert!(top(1) > top(0) + 19.0 && (top(2) - top(1) - 1.25 * 19.0).abs() < 1e-9);
+            let page = page(2);
+            assert!(page.headline.y + page.headline_step < page.cells[0].y0);
+        }
+    }
+
+    #[test]
+    fn panels_of_a_row_share_its_height_and_rows_differ() {
+        let canvas = Canvas { columns: Some(2), ..Canvas::default() };
+        let cells = page(&canvas, &[(2.0, 1.0), (1.0, 1.0), (4.0, 1.0)], false, 0).cells;
+        let heights: Vec<f64> = cells.iter().map(|cell| cell.height()).collect();
+        assert_eq!(heights[0], heights[1]);
+        assert_eq!(heights[2], 111.0);
+        assert_eq!(cells[2].center().x, 480.0, "a row that is not full stands in the middle");
+    }
+
+    #[test]
+    fn panels_lie_on_every_page_without_touching() {
+        let sizes = [(320.0, 180.0), (960.0, 540.0), (540.0, 960.0), (4096.0, 4096.0), (320.0, 4096.0)];
+        let given = sizes.map(|(w, h)| of_size(w, Some(h)));
+        let grown = [100.0, 320.0, 960.0, 4096.0].map(|w| of_size(w, None));
+        for canvas in given.iter().chain(&grown) {
+            for (panels, columns) in (1..=6).flat_map(|n| [(n, None), (n, Some(1)), (n, Some(4))]) {
+                for wants in [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1e300, 1e-300)] {
+                    let canvas = Canvas { columns, ..canvas.clone() };
+                    let page = page(&canvas, &vec![wants; panels], true, 2);
+                    assert_eq!(page.cells.len(), panels);
+                    for (i, cell) in page.cells.iter().enumerate() {
+                        let on_page = cell.x0 >= 0.0 && cell.x1 <= page.width && cell.y1 <= page.height;
+                        assert!(on_page && cell.x0 < cell.x1 && cell.y0 < cell.y1, "{canvas:?} {cell:?}");
+                        assert!(page.cells[..i].iter().all(|c| c.intersection(*cell).is_none()));
+                    }
+                }
+            }
+        }
+    }
+}
