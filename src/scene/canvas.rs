@@ -34,7 +34,7 @@ pub struct Canvas {
 pub enum Height {
     /// The page ends where the drawing ends.
     Auto,
-    /// So many page pixels.
+    /// A number of page pixels.
     Pixels(f64),
 }
 

@@ -8,7 +8,8 @@ use std::ops::Range;
 
 use crate::geometry::DVec2;
 
-use super::fields::{ANY_NUMBER, Field, Holds};
+use super::fields::{ANY_NUMBER, Field};
+use super::holds::Holds;
 use super::limits::{MAX_NUMBER, MAX_TEXT, MAX_VERTICES};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};

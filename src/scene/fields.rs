@@ -7,75 +7,10 @@
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
+use super::holds::Holds;
 use super::limits::{
     MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_SCALE, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
 };
-
-/// What a key holds.
-#[derive(Clone, Copy, Debug)]
-pub enum Holds {
-    /// Any text.
-    Text,
-    /// One of the known words.
-    Word {
-        /// What the word is, as "algorithm", for messages.
-        what: &'static str,
-        /// Every word that it may be.
-        known: fn() -> Vec<String>,
-    },
-    /// A finite number in a closed range.
-    Number {
-        /// The smallest that is allowed.
-        min: f64,
-        /// The largest that is allowed.
-        max: f64,
-    },
-    /// A finite number in a closed range, or a word.
-    NumberOr {
-        /// The smallest that is allowed.
-        min: f64,
-        /// The largest that is allowed.
-        max: f64,
-        /// What may stand instead.
-        word: &'static str,
-    },
-    /// A colour `#RRGGBB`, or a word.
-    ColorOr(
-        /// What may stand instead.
-        &'static str,
-    ),
-    /// A whole number in a closed range.
-    Count {
-        /// The smallest that is allowed.
-        min: usize,
-        /// The largest that is allowed.
-        max: usize,
-    },
-    /// true or false.
-    Switch,
-    /// Two numbers `[x, y]`.
-    Pair,
-    /// A rectangle `[x0, y0, x1, y1]` by two opposite corners.
-    Rectangle,
-    /// A list of points `[x, y]`.
-    Points,
-    /// Names of shapes of the scene.
-    Names,
-    /// A number in [0, 1], or "start", "hit", "closest", "end".
-    Moment,
-    /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
-    LabelPlace,
-    /// Layers, by name or as tables.
-    Layers,
-    /// Tables by name; the words say of what.
-    Tables(&'static str),
-    /// A list; the words say of what.
-    List(&'static str),
-    /// A table with rows of its own.
-    Table,
-    /// Anything; not read.
-    Anything,
-}
 
 /// A key of a table in a scene.
 #[derive(Clone, Copy, Debug)]
@@ -364,42 +299,4 @@ fn algorithm_words() -> Vec<String> {
 
 fn space_words() -> Vec<String> {
     ["world", "configuration", "body"].map(str::to_owned).to_vec()
-}
-
-impl Holds {
-    /// What is expected, for messages.
-    ///
-    /// ```
-    /// use tracefig::scene::Holds;
-    /// assert_eq!(Holds::Number { min: 0.0, max: 1.0 }.expected(), "a number in [0, 1]");
-    /// ```
-    #[must_use]
-    pub fn expected(&self) -> String {
-        match *self {
-            Self::Text => "a text".to_owned(),
-            Self::Word { what, .. } => format!("a word, the {what}"),
-            Self::Number { min, max } => match (min == -MAX_NUMBER, max == MAX_NUMBER) {
-                (true, _) => "a number".to_owned(),
-                (false, true) => format!("a number of at least {min}"),
-                (false, false) => format!("a number in [{min}, {max}]"),
-            },
-            Self::NumberOr { min, max, word } => format!("a number in [{min}, {max}], or \"{word}\""),
-            Self::ColorOr(word) => format!("a colour \"#RRGGBB\", or \"{word}\""),
-            Self::Count { min, max } => format!("a whole number in [{min}, {max}]"),
-            Self::Switch => "true or false".to_owned(),
-            Self::Pair => "two numbers [x, y]".to_owned(),
-            Self::Rectangle => "four numbers [x0, y0, x1, y1]".to_owned(),
-            Self::Points => "a list of points [[x, y], …]".to_owned(),
-            Self::Names => "a list of names of shapes".to_owned(),
-            Self::Moment => "a number in [0, 1], \"start\", \"hit\", \"closest\" or \"end\"".to_owned(),
-            Self::LabelPlace => {
-                "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()
-            }
-            Self::Layers => "a list of layers, each a name or a table { layer = \"…\", … }".to_owned(),
-            Self::Tables(what) => format!("a table of {what} by name"),
-            Self::List(what) => format!("a list of {what}"),
-            Self::Table => "a table".to_owned(),
-            Self::Anything => "anything".to_owned(),
-        }
-    }
 }

@@ -6,7 +6,8 @@
 
 use std::fmt::Write;
 
-use super::fields::{Holds, ROOT};
+use super::fields::ROOT;
+use super::holds::Holds;
 use super::node::{Node, NodeValue};
 
 /// Whether the order of a table's entries says something.

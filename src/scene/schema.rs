@@ -5,8 +5,9 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXPECTED, EXPECTED_POINTS, Field, Holds, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows,
+    CANVAS, EXPECTED, EXPECTED_POINTS, Field, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows,
 };
+use super::holds::Holds;
 use super::{COMPASS, When};
 
 /// JSON Schema (draft 2020-12) of a scene. Layers' own options are left open.
