@@ -7,6 +7,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
 use tracefig::drawing::Role;
+use tracefig::figure;
 use tracefig::figure::default_picture::{PICTURES, Picture};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::THEMES;
@@ -61,6 +62,7 @@ static TOPICS: &[Topic] = &[
         title: "Roles: colours of a theme, and of words, as `{a|the box}`",
         rows: roles,
     },
+    Topic { name: "values", group: "", title: "Values of an answer in texts, as `{=time:.3}`", rows: values },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
     Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
@@ -225,6 +227,14 @@ fn themes() -> Vec<(String, String)> {
 fn roles() -> Vec<(String, String)> {
     let of_words = |role| if Role::OF_WORDS.contains(&role) { "" } else { " (not for words)" };
     Role::ALL.map(|r| (r.name().to_owned(), format!("{}{}", r.about(), of_words(r)))).to_vec()
+}
+
+fn values() -> Vec<(String, String)> {
+    let digits = [
+        (":.3", "after a name: three digits after the point, no more than the bounds prove"),
+        (":.3g", "after a name: three digits in all; without it as many"),
+    ];
+    figure::values().chain(digits).map(|(name, about)| (name.to_owned(), about.to_owned())).collect()
 }
 
 fn formats() -> Vec<(String, String)> {

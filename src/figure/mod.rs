@@ -47,4 +47,5 @@ pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan, plan_in};
+pub use text::values;
 pub use unnamed::{Unnamed, unnamed};

@@ -91,6 +91,7 @@ fn words() -> BTreeSet<String> {
         words.extend(layer.labels.iter().map(|key| key.key.to_owned()));
         words.extend(COMMON.iter().chain(layer.options).flat_map(words_of_option));
     }
+    words.extend(tracefig::figure::values().map(|(name, _)| format!("{{={name}}}")));
     words.extend(Role::OF_WORDS.map(|role| format!("{{{}|", role.name())));
     words.extend(THEMES.iter().map(|theme| theme.name.to_owned()));
     words

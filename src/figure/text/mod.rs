@@ -24,4 +24,5 @@ pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use symbols::{Symbol, symbols};
+pub use values::values;
 pub(crate) use wording::{Wording, check_texts};

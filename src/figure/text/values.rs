@@ -12,15 +12,18 @@ use super::quantity::Quantity;
 pub(crate) struct Value {
     /// The name, as in `{=name}`.
     pub(crate) name: &'static str,
+    /// What it is, for `tracefig list`.
+    pub(crate) about: &'static str,
     /// Reads it; `None` where the query does not have it.
     pub(crate) of: fn(&Context) -> Option<Quantity>,
 }
 
 /// A row whose value is found in an event of the scene's own run.
 macro_rules! told {
-    ($name:literal, $pattern:pat => $value:expr) => {
+    ($name:literal, $about:literal, $pattern:pat => $value:expr) => {
         Value {
             name: $name,
+            about: $about,
             of: |context| {
                 context.run().find_told(|event| match event {
                     $pattern => Some(Quantity::exactly($value)),
@@ -33,89 +36,111 @@ macro_rules! told {
 
 /// Every value, in the order in which an unknown one lists those that its query has.
 pub(crate) static VALUES: &[Value] = &[
-    // Signed separation at the panel's moment, world units.
-    Value { name: "separation", of: separation },
-    // Distance or depth at the panel's moment, never negative: the d of labels.
-    Value { name: "d", of: distance_or_depth },
-    // Penetration depth at the panel's moment, positive.
-    Value { name: "depth", of: depth },
-    // Time of first contact, else the panel's moment.
-    Value { name: "time", of: time },
-    // When the bodies of a miss are closest.
-    Value { name: "closest.time", of: |c| Some(Quantity::exactly(c.closest()?.time)) },
-    // The least separation of a miss, world units.
-    Value { name: "closest.separation", of: least_separation },
-    // x of the unit normal from A to B at the panel's moment.
-    Value { name: "n.x", of: |c| normal(c).map(|n| n.x).map(Quantity::exactly) },
-    // y of the unit normal from A to B at the panel's moment.
-    Value { name: "n.y", of: |c| normal(c).map(|n| n.y).map(Quantity::exactly) },
-    // x of the unit normal from A to B at the first contact.
-    Value { name: "hit.n.x", of: |c| hit_normal(c).map(|n| n.x).map(Quantity::exactly) },
-    // y of the unit normal from A to B at the first contact.
-    Value { name: "hit.n.y", of: |c| hit_normal(c).map(|n| n.y).map(Quantity::exactly) },
-    // Time of the article's first step, or the motion bound.
-    Value { name: "bound", of: bound },
-    // Distance queries made.
-    Value { name: "iterations", of: iterations },
-    // Tolerance in force, world units.
-    Value { name: "tolerance", of: tolerance },
-    // Number of the last step, from 1.
-    Value { name: "last_step", of: last_step },
-    // Moment of the panel's step.
-    Value { name: "step.time", of: |c| step(c, |at, _, _| Some(at)) },
-    // Moment after the panel's step.
-    Value { name: "step.next", of: |c| step(c, |_, _, next| next) },
-    // Separation at the panel's step.
-    Value { name: "step.separation", of: |c| step(c, |_, s, _| Some(s)) },
-    // Distance of two circles' centres.
-    told!("centers", Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()),
-    // Sum of two circles' radii.
-    told!("radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
-    // The article's p, signed.
-    told!("p", Event::PenetrationMeasured { p, .. } => *p),
-    // x of the penetration vector.
-    told!("P.x", Event::PenetrationMeasured { vector, .. } => vector.x),
-    // y of the penetration vector.
-    told!("P.y", Event::PenetrationMeasured { vector, .. } => vector.y),
-    // x of V, in the box's frame.
-    told!("V.x", Event::Clamped { v, .. } => v.x),
-    // y of V, in the box's frame.
-    told!("V.y", Event::Clamped { v, .. } => v.y),
-    // x of V clamped to the half-extents.
-    told!("clamped.x", Event::Clamped { clamped, .. } => clamped.x),
-    // y of V clamped to the half-extents.
-    told!("clamped.y", Event::Clamped { clamped, .. } => clamped.y),
-    // The circle's radius.
-    told!("r", Event::Clamped { radius, .. } => *radius),
-    // Length of D = B − B_c.
-    Value { name: "D", of: |c| d(c, DVec2::length) },
-    // x of D: B − B_c, or the gap of two AABBs.
-    Value { name: "D.x", of: |c| d(c, |d| d.x) },
-    // y of D: B − B_c, or the gap of two AABBs.
-    Value { name: "D.y", of: |c| d(c, |d| d.y) },
-    // Angle turned, degrees.
-    told!("theta", Event::MotionBounded { theta, .. } => theta.to_degrees()),
-    // Distance of the farthest point from the body's origin.
-    told!("radius", Event::MotionBounded { radius, .. } => *radius),
-    // Arc length θ r.
-    told!("L", Event::MotionBounded { arc, .. } => *arc),
-    // Smallest x.
-    told!("min.x", Event::BoundsFound { min, .. } => min.x),
-    // Smallest y.
-    told!("min.y", Event::BoundsFound { min, .. } => min.y),
-    // Largest x.
-    told!("max.x", Event::BoundsFound { max, .. } => max.x),
-    // Largest y.
-    told!("max.y", Event::BoundsFound { max, .. } => max.y),
-    // Half-extent in x.
-    Value { name: "h.x", of: |c| half_extents(c).map(|h| Quantity::exactly(h.x)) },
-    // Half-extent in y.
-    Value { name: "h.y", of: |c| half_extents(c).map(|h| Quantity::exactly(h.y)) },
-    // x of the bounds' centre.
-    Value { name: "c.x", of: |c| center(c).map(|p| Quantity::exactly(p.x)) },
-    // y of the bounds' centre.
-    Value { name: "c.y", of: |c| center(c).map(|p| Quantity::exactly(p.y)) },
+    Value {
+        name: "separation",
+        about: "signed separation at the panel's moment, world units",
+        of: separation,
+    },
+    Value {
+        name: "d",
+        about: "distance or depth at the panel's moment, never negative: the d of labels",
+        of: distance_or_depth,
+    },
+    Value { name: "depth", about: "penetration depth at the panel's moment, positive", of: depth },
+    Value { name: "time", about: "time of first contact, else the panel's moment", of: time },
+    Value {
+        name: "closest.time",
+        about: "when the bodies of a miss are closest",
+        of: |c| Some(Quantity::exactly(c.closest()?.time)),
+    },
+    Value {
+        name: "closest.separation",
+        about: "the least separation of a miss, world units",
+        of: least_separation,
+    },
+    Value {
+        name: "n.x",
+        about: "x of the unit normal from A to B at the panel's moment",
+        of: |c| normal(c).map(|n| n.x).map(Quantity::exactly),
+    },
+    Value {
+        name: "n.y",
+        about: "y of the unit normal from A to B at the panel's moment",
+        of: |c| normal(c).map(|n| n.y).map(Quantity::exactly),
+    },
+    Value {
+        name: "hit.n.x",
+        about: "x of the unit normal from A to B at the first contact",
+        of: |c| hit_normal(c).map(|n| n.x).map(Quantity::exactly),
+    },
+    Value {
+        name: "hit.n.y",
+        about: "y of the unit normal from A to B at the first contact",
+        of: |c| hit_normal(c).map(|n| n.y).map(Quantity::exactly),
+    },
+    Value { name: "bound", about: "time of the article's first step, or the motion bound", of: bound },
+    Value { name: "iterations", about: "distance queries made", of: iterations },
+    Value { name: "tolerance", about: "tolerance in force, world units", of: tolerance },
+    Value { name: "last_step", about: "number of the last step, from 1", of: last_step },
+    Value { name: "step.time", about: "moment of the panel's step", of: |c| step(c, |at, _, _| Some(at)) },
+    Value { name: "step.next", about: "moment after the panel's step", of: |c| step(c, |_, _, next| next) },
+    Value {
+        name: "step.separation",
+        about: "separation at the panel's step",
+        of: |c| step(c, |_, s, _| Some(s)),
+    },
+    told!(
+        "centers",
+        "distance of two circles' centres",
+        Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()
+    ),
+    told!("radii", "sum of two circles' radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
+    told!("p", "the article's p, signed", Event::PenetrationMeasured { p, .. } => *p),
+    told!("P.x", "x of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.x),
+    told!("P.y", "y of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.y),
+    told!("V.x", "x of V, in the box's frame", Event::Clamped { v, .. } => v.x),
+    told!("V.y", "y of V, in the box's frame", Event::Clamped { v, .. } => v.y),
+    told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
+    told!("clamped.y", "y of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.y),
+    told!("r", "the circle's radius", Event::Clamped { radius, .. } => *radius),
+    Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
+    Value { name: "D.x", about: "x of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.x) },
+    Value { name: "D.y", about: "y of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.y) },
+    told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
+    told!(
+        "radius",
+        "distance of the farthest point from the body's origin",
+        Event::MotionBounded { radius, .. } => *radius
+    ),
+    told!("L", "arc length θ r", Event::MotionBounded { arc, .. } => *arc),
+    told!("min.x", "smallest x", Event::BoundsFound { min, .. } => min.x),
+    told!("min.y", "smallest y", Event::BoundsFound { min, .. } => min.y),
+    told!("max.x", "largest x", Event::BoundsFound { max, .. } => max.x),
+    told!("max.y", "largest y", Event::BoundsFound { max, .. } => max.y),
+    Value { name: "h.x", about: "half-extent in x", of: |c| half_extents(c).map(|h| Quantity::exactly(h.x)) },
+    Value { name: "h.y", about: "half-extent in y", of: |c| half_extents(c).map(|h| Quantity::exactly(h.y)) },
+    Value {
+        name: "c.x",
+        about: "x of the bounds' centre",
+        of: |c| center(c).map(|p| Quantity::exactly(p.x)),
+    },
+    Value {
+        name: "c.y",
+        about: "y of the bounds' centre",
+        of: |c| center(c).map(|p| Quantity::exactly(p.y)),
+    },
 ];
+
+/// Every value that a text may name, as in `{=time}`, with what it is; which of them an answer has depends on
+/// the query.
+///
+/// ```
+/// let time = tracefig::figure::values().find(|(name, _)| *name == "time").unwrap();
+/// assert_eq!(time.1, "time of first contact, else the panel's moment");
+/// ```
+pub fn values() -> impl Iterator<Item = (&'static str, &'static str)> {
+    VALUES.iter().map(|value| (value.name, value.about))
+}
 
 /// Whether another answer to the question of a context has a value.
 type Asks = fn(&Context) -> bool;
