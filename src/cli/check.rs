@@ -7,18 +7,20 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use tracefig::drawing::Rect;
 use tracefig::drift::report::{Finding, json, tally};
-use tracefig::drift::{Change, PixelDrift, Rendered, State, compare_and_show, elements_in, what_moved};
+use tracefig::drift::{
+    Change, Measured, PixelDrift, Rendered, State, compare_and_show, elements_in, what_moved,
+};
 use tracefig::output::{Format, MOST_BYTES};
 use tracefig::scene::visible;
 
 use super::atomic_file::{clear_leftovers, write_whole};
 use super::console::Console;
-use super::files::{Drawn, Encoded, Files};
+use super::files::{Drawn, Encoded, Files, Plan};
 use super::inputs::shown;
 use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
 use super::orphans::orphans;
 use super::parallel::in_order;
-use super::regular::read_regular;
+use super::regular::{read_regular, replaceable};
 use super::render::cant_write;
 use super::reports::Places;
 use super::unplanned::{Unplanned, tell_unplanned};
@@ -36,6 +38,9 @@ pub(crate) struct Check {
     /// Write what changed, is stale or is missing
     #[arg(long)]
     accept: bool,
+    /// Delete orphans: figures of ours whose scene is gone
+    #[arg(long)]
+    prune: bool,
     /// Channel levels (of 255) by which a pixel may differ; SVGs are drawn to be compared
     #[arg(long, value_name = "LEVELS", default_value_t = 0)]
     tolerance: u8,
@@ -43,6 +48,12 @@ pub(crate) struct Check {
     #[arg(long)]
     json: bool,
 }
+
+/// The state of a file that can't be drawn, read or written.
+const ERROR: &str = "error";
+
+/// The state of a figure without a scene.
+const ORPHAN: &str = "orphan";
 
 /// Where the picture of each figure's differences goes.
 type Pictures = BTreeMap<PathBuf, PathBuf>;
@@ -61,7 +72,7 @@ impl Checked {
     fn fail(&mut self, file: &str, message: &str) {
         self.messages.push_str(message);
         let details = message.lines().take(1).map(str::to_owned).collect();
-        self.findings.push(Finding { file: file.to_owned(), state: "error", details, picture: None });
+        self.findings.push(Finding { details, ..Finding::new(file, ERROR) });
     }
 }
 
@@ -82,6 +93,7 @@ impl Runs for Check {
         };
         let ink = console.ink();
         clear_leftovers(self.places.folder());
+        self.places.clear();
         if self.accept {
             folders_of(jobs).into_iter().for_each(clear_leftovers);
         }
@@ -105,19 +117,45 @@ impl Runs for Check {
                 Ok(())
             },
         )?;
-        let orphans = orphans(&plan);
-        self.tell(&orphans, "", console)?;
-        findings.extend(orphans);
+        let orphans = self.orphans(&plan);
+        self.tell(&orphans.findings, &orphans.messages, console)?;
+        findings.extend(orphans.findings);
         let failed = self.places.write(&findings, &mut console.out);
         Console::message(&failed);
         self.conclude(&findings, console)?;
-        let settled = |f: &Finding| !f.is_bad() || (self.accept && !["orphan", "error"].contains(&f.state));
+        let settled = |f: &Finding| match f.state {
+            ERROR => false,
+            ORPHAN => self.prune,
+            _ => !f.is_bad() || self.accept,
+        };
         let good = failed.is_empty() && findings.iter().all(settled);
         Ok(if good { Status::Done } else { Status::Wrong })
     }
 }
 
 impl Check {
+    /// The figures without a scene, deleted where that is wanted.
+    fn orphans(&self, plan: &Plan) -> Checked {
+        let mut checked = Checked::default();
+        for path in orphans(plan) {
+            let name = path.display().to_string();
+            let told = if self.prune {
+                // A link stays, as what it leads to was not asked about.
+                match replaceable(&path).and_then(|()| std::fs::remove_file(&path)) {
+                    Ok(()) => "it had no scene, and was deleted",
+                    Err(error) => {
+                        checked.fail(&name, &format!("error: can't delete {}: {error}\n", shown(&path)));
+                        continue;
+                    }
+                }
+            } else {
+                "it has no scene: bring its scene back, or delete it by `--prune`"
+            };
+            checked.findings.push(Finding { details: vec![told.to_owned()], ..Finding::new(&name, ORPHAN) });
+        }
+        checked
+    }
+
     /// Says what was found, unless standard output is for a report.
     fn tell(&self, findings: &[Finding], messages: &str, console: &mut Console) -> io::Result<()> {
         if !messages.is_empty() {
@@ -127,7 +165,7 @@ impl Check {
         if self.json || self.places.take_stdout() {
             return Ok(());
         }
-        for finding in findings.iter().filter(|f| f.is_bad() && f.state != "error") {
+        for finding in findings.iter().filter(|f| f.is_bad() && f.state != ERROR) {
             writeln!(console.out, "{:<9} {}", finding.state, visible(&finding.file))?;
             for line in &finding.details {
                 writeln!(console.out, "          {}", visible(line))?;
@@ -146,6 +184,9 @@ impl Check {
         }
         if self.places.take_stdout() {
             return Ok(());
+        }
+        if findings.iter().any(Finding::is_bad) {
+            writeln!(console.out, "all of it: {}", shown(&self.places.page()))?;
         }
         let always = ["identical", "changed", "missing"];
         let counts: Vec<_> = tally(findings)
@@ -198,9 +239,11 @@ impl Check {
         };
         let scale = encoded.scale;
         let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
-        let (state, image) = compare_and_show(on_disk.as_deref(), rendered);
-        let mut finding =
-            Finding { file: name.clone(), state: state.word(), details: Vec::new(), picture: None };
+        let (state, image) = match on_disk.as_deref() {
+            Some(old) if self.files.differs_in_stamp(file.format, old, encoded) => (State::Identical, None),
+            old => compare_and_show(old, rendered),
+        };
+        let mut finding = Finding::new(&name, state.word());
         match &state {
             State::Identical => {}
             State::Missing => finding.details.push("there is no such file yet".to_owned()),
@@ -209,7 +252,9 @@ impl Check {
             }
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
-                finding.details = Self::details(change, &old, file.format, encoded);
+                let measured = measured(change, &old, encoded);
+                finding.details = details(change, (&old, file.format), encoded, &measured);
+                finding.measured = Some(measured);
                 if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
                         .and_then(|()| write_whole(picture, &image));
@@ -229,25 +274,31 @@ impl Check {
             checked.fail(&name, &cant_write(path, &error));
         }
     }
-
-    /// How a file differs, in lines.
-    fn details(change: &Change, old: &[u8], format: &Format, encoded: &Encoded) -> Vec<String> {
-        let mut lines = what_moved(format, old, &encoded.bytes);
-        lines.push(change.to_string());
-        if let Some(drift) = change.pixels() {
-            lines.push(drift.under_tolerances());
-            let names = elements(drift, encoded);
-            if !names.is_empty() {
-                lines.push(format!("in the changed area: {}", names.join(", ")));
-            }
-        }
-        lines
-    }
 }
 
-/// Named elements in the changed area.
-fn elements(drift: &PixelDrift, encoded: &Encoded) -> Vec<String> {
-    let Some(area) = drift.area else { return Vec::new() };
-    let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.scale);
-    elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
+/// How a file differs, in numbers.
+fn measured(change: &Change, old: &[u8], encoded: &Encoded) -> Measured {
+    let pixels = change.pixels().cloned();
+    let elements = pixels.as_ref().and_then(|drift| drift.area).map_or_else(Vec::new, |area| {
+        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.scale);
+        elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
+    });
+    Measured { bytes: [old.len(), encoded.bytes.len()], pixels, elements }
+}
+
+/// How a file differs, in lines.
+fn details(
+    change: &Change,
+    (old, format): (&[u8], &Format),
+    encoded: &Encoded,
+    measured: &Measured,
+) -> Vec<String> {
+    let mut lines = what_moved(format, old, &encoded.bytes);
+    lines.push(change.to_string());
+    lines.extend(measured.pixels.as_ref().map(PixelDrift::under_tolerances));
+    let names: Vec<&str> = measured.elements.iter().map(|element| element.name.as_str()).collect();
+    if !names.is_empty() {
+        lines.push(format!("in the changed area: {}", names.join(", ")));
+    }
+    lines
 }

@@ -8,7 +8,7 @@ use std::thread::available_parallelism;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
-use tracefig::drift::{Stamp, facts, fingerprint, metadata, text_chunk};
+use tracefig::drift::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 use tracefig::figure::theme;
 use tracefig::figure::{Fault, Figure, draw, off_page, plan, plan_in};
 use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer};
@@ -178,6 +178,14 @@ impl Files {
         }
     }
 
+    /// Whether a file shows what it should and only says of itself that it was drawn from another text, or by
+    /// another version.
+    pub(crate) fn differs_in_stamp(&self, format: &'static Format, old: &[u8], now: &Encoded) -> bool {
+        let Some(stamp) = Stamp::read(format, old).filter(|_| old != now.bytes) else { return false };
+        let options = Options { scale: now.scale, png: self.effort() };
+        encode(&restamped(&now.drawing, &stamp), format, &options).is_ok_and(|bytes| bytes == old)
+    }
+
     /// The hash of a file's scene and of all that its bytes depend on besides.
     fn hash(&self, job: &Job, file: &SceneFile, format: &Format, theme: &str) -> String {
         fingerprint(&file.meaning, &format.key(theme, &self.options(job)))
@@ -234,7 +242,7 @@ impl Files {
                     self.hash(job, &file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
-                let encoded = self.encode(job, &drawing, planned.format);
+                let encoded = encode(&drawing, planned.format, &self.options(job));
                 all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error, ink))?);
                 timings.lap(planned.format.name);
             }
@@ -250,17 +258,20 @@ impl Files {
 
     /// What is asked of the formats.
     fn options(&self, job: &Job) -> Options {
-        let png = PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png);
-        Options { scale: job.settings.scale, png: png.unwrap_or_default() }
+        Options { scale: job.settings.scale, png: self.effort() }
     }
 
-    /// A drawing as a file.
-    fn encode(&self, job: &Job, drawing: &Drawing, format: &Format) -> Result<Vec<u8>, OutputError> {
-        let options = self.options(job);
-        match format.write {
-            Writer::One(write) => write(drawing, &options),
-            Writer::Sequence(write) => write(&[drawing], &options),
-        }
+    /// How a PNG is packed.
+    fn effort(&self) -> PngEffort {
+        PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png).unwrap_or_default()
+    }
+}
+
+/// A drawing as a file.
+fn encode(drawing: &Drawing, format: &Format, options: &Options) -> Result<Vec<u8>, OutputError> {
+    match format.write {
+        Writer::One(write) => write(drawing, options),
+        Writer::Sequence(write) => write(&[drawing], options),
     }
 }
 

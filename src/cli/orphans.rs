@@ -3,8 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use tracefig::drift::Stamp;
-use tracefig::drift::report::Finding;
+use tracefig::drift::{Stamp, is_triptych};
 use tracefig::output::{MOST_BYTES, format};
 
 use super::files::Plan;
@@ -15,18 +14,12 @@ use super::settings::Destination;
 use super::walk::folders;
 
 /// The orphans in the folders that were checked as a whole, by name.
-pub(crate) fn orphans(plan: &Plan) -> Vec<Finding> {
+pub(crate) fn orphans(plan: &Plan) -> Vec<PathBuf> {
     let scenes = names_of_files(&plan.jobs);
     let mut found: Vec<PathBuf> = folders_of_figures(plan).iter().flat_map(|at| files_of_ours(at)).collect();
     found.retain(|path| !has_scene(path, &scenes));
     found.sort();
-    let finding = |path: PathBuf| Finding {
-        file: path.display().to_string(),
-        state: "orphan",
-        details: vec!["it has no scene: delete it, or bring its scene back".to_owned()],
-        picture: None,
-    };
-    found.into_iter().map(finding).collect()
+    found
 }
 
 /// The folders whose figures must all have a scene: those that were searched, and the output folder of a
@@ -64,7 +57,8 @@ fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
 /// Whether a file says of itself that it is a figure of ours.
 fn is_ours(path: &Path) -> bool {
     let Some(format) = path.extension().and_then(|e| format(&e.to_string_lossy())) else { return false };
-    read_regular(path, MOST_BYTES).is_ok_and(|bytes| Stamp::read(format, &bytes).is_some())
+    read_regular(path, MOST_BYTES)
+        .is_ok_and(|bytes| Stamp::read(format, &bytes).is_some() && !is_triptych(&bytes))
 }
 
 /// What the files of the scenes are called, without theme and extension: beside the scene and where they go.

@@ -9,8 +9,9 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use tracefig::drift::TRIPTYCH_FORMAT;
 use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
+use tracefig::drift::{TRIPTYCH_FORMAT, is_triptych};
+use tracefig::output::MOST_BYTES;
 
 use super::atomic_file::write_whole;
 use super::inputs::shown;
@@ -57,6 +58,28 @@ impl Places {
     /// The folder of the pictures.
     pub(crate) fn folder(&self) -> &Path {
         &self.output
+    }
+
+    /// The page of all findings.
+    pub(crate) fn page(&self) -> PathBuf {
+        self.output.join(PAGE)
+    }
+
+    /// Takes away what an earlier check left: its page, and its pictures of differences.
+    pub(crate) fn clear(&self) {
+        for path in self.output.read_dir().into_iter().flatten().flatten().map(|entry| entry.path()) {
+            let is_ours = match path.file_name() {
+                Some(name) if name == PAGE => read_regular(&path, HEAD).is_ok_and(|head| is_page(&head)),
+                _ if path.extension().is_some_and(|e| e == TRIPTYCH_FORMAT.name) => {
+                    read_regular(&path, MOST_BYTES).is_ok_and(|bytes| is_triptych(&bytes))
+                }
+                _ => false,
+            };
+            // What can't be deleted is written over, or stays.
+            if is_ours && !path.is_symlink() {
+                let _ = std::fs::remove_file(&path);
+            }
+        }
     }
 
     /// Where the picture of each figure goes; `kept` are the files that the run reads, and `json` is whether
@@ -108,7 +131,7 @@ impl Places {
             failed.extend(written.err().map(|error| cant_write(path, &error)));
         };
         if findings.iter().any(Finding::is_bad) {
-            let page = self.output.join(PAGE);
+            let page = self.page();
             match std::fs::create_dir_all(&self.output) {
                 Ok(()) => tell(&page, write_page(&page, &html(findings))),
                 Err(error) => tell(&self.output, Err(error)),

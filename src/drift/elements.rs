@@ -2,7 +2,16 @@
 
 use crate::drawing::{Drawing, Group, Item, Rect};
 
-/// Names of the innermost groups that reach into an area of the page (pixels, y down), in painting order,
+/// A named element of a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Element {
+    /// Its name, as "body-A".
+    pub name: String,
+    /// The box around what it draws itself, in page pixels, y down.
+    pub extent: Rect,
+}
+
+/// The innermost groups that reach into an area of the page (pixels, y down), in painting order,
 /// each once.
 ///
 /// ```
@@ -13,34 +22,45 @@ use crate::drawing::{Drawing, Group, Item, Rect};
 /// let plan = plan(&file.scene).unwrap();
 /// let drawing = draw(&plan, plan.theme, "f").drawing;
 /// let page = Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height };
-/// assert!(elements_in(&drawing, page).contains(&"body-A".to_owned()));
+/// assert!(elements_in(&drawing, page).iter().any(|element| element.name == "body-A"));
 /// # Ok::<(), Box<tracefig::Refused>>(())
 /// ```
 #[must_use]
-pub fn elements_in(drawing: &Drawing, area: Rect) -> Vec<String> {
-    let mut names = Vec::new();
+pub fn elements_in(drawing: &Drawing, area: Rect) -> Vec<Element> {
+    let mut found = Vec::new();
     for item in &drawing.items {
         if let Item::Group(group) = item {
-            inside(group, area, &mut names);
+            inside(group, area, &mut found);
         }
     }
-    names
+    found
 }
 
-/// Adds the names of the innermost groups; returns whether anything of the group reaches into the area.
-fn inside(group: &Group, area: Rect, names: &mut Vec<String>) -> bool {
-    let (mut own, mut inner) = (false, false);
+/// Adds the innermost groups; returns whether anything of the group reaches into the area.
+fn inside(group: &Group, area: Rect, found: &mut Vec<Element>) -> bool {
+    let (mut own, mut inner, mut extent) = (false, false, None);
     for item in &group.items {
-        match item {
-            Item::Group(part) => inner |= inside(part, area, names),
-            Item::Path(path) => own |= path.extent().is_some_and(|e| e.intersection(area).is_some()),
-            Item::Text(text) => own |= text.extent().intersection(area).is_some(),
-        }
+        let of_item = match item {
+            Item::Group(part) => {
+                inner |= inside(part, area, found);
+                continue;
+            }
+            Item::Path(path) => path.extent(),
+            Item::Text(text) => Some(text.extent()),
+        };
+        own |= of_item.is_some_and(|e| e.intersection(area).is_some());
+        extent = around(extent, of_item);
     }
-    if own && !names.contains(&group.name) {
-        names.push(group.name.clone());
+    if let Some(extent) = extent.filter(|_| own && found.iter().all(|known| known.name != group.name)) {
+        found.push(Element { name: group.name.clone(), extent });
     }
     own || inner
+}
+
+/// The box around both.
+fn around(a: Option<Rect>, b: Option<Rect>) -> Option<Rect> {
+    let (Some(a), Some(b)) = (a, b) else { return a.or(b) };
+    Some(Rect { x0: a.x0.min(b.x0), y0: a.y0.min(b.y0), x1: a.x1.max(b.x1), y1: a.y1.max(b.y1) })
 }
 
 #[cfg(test)]
@@ -78,6 +98,9 @@ mod tests {
             items: vec![Item::Group(outer)],
         };
         let area = Rect { x0: 80.0, y0: 0.0, x1: 100.0, y1: 20.0 };
-        assert_eq!(elements_in(&drawing, area), ["right"]);
+        let found = elements_in(&drawing, area);
+        assert_eq!(found.iter().map(|e| e.name.as_str()).collect::<Vec<_>>(), ["right"]);
+        // Half a line's width is around the circle.
+        assert_eq!((found[0].extent.x0, found[0].extent.y1), (86.5, 13.5));
     }
 }

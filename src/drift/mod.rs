@@ -7,7 +7,9 @@
 //! what tracefig makes of it, and which numbers moved; two pages of outlines also tell which of their
 //! elements did.
 
+mod damage;
 mod elements;
+mod measured;
 mod moved;
 mod pixels;
 pub mod report;
@@ -16,12 +18,15 @@ mod stamp;
 mod text;
 mod visible;
 
-pub use elements::elements_in;
-pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, triptych};
-pub use stamp::{Stamp, facts, fingerprint, metadata, text_chunk};
+pub use damage::Damage;
+pub use elements::{Element, elements_in};
+pub use measured::Measured;
+pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};
+pub use stamp::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 pub use text::LineDrift;
 
 use crate::output::{Format, MOST_BYTES, Picture, TooMuch, Unread, sheets_apart};
+use damage::damage;
 use moved::moved;
 use pixels::{Shown, compared};
 use visible::seen;
@@ -69,6 +74,8 @@ pub enum Change {
     },
     /// The file has more of something than any that we write, so it was not looked at further.
     NotOurs(TooMuch),
+    /// The file is empty, cut short, of another kind or broken.
+    Damaged(Damage),
     /// Texts that are no pictures of ours; their first difference.
     Line(LineDrift),
     /// Files of other kinds, or that can't be read as what they should be.
@@ -111,7 +118,7 @@ impl Change {
                 let same = pixels.as_ref().is_none_or(|drift| drift.is_within(tolerance));
                 same && tolerance > 0 && sheet.is_some_and(|levels| levels <= tolerance)
             }
-            Self::NotOurs(_) | Self::Line(_) | Self::Bytes { .. } => false,
+            Self::NotOurs(_) | Self::Damaged(_) | Self::Line(_) | Self::Bytes { .. } => false,
         }
     }
 }
@@ -238,6 +245,9 @@ fn change(old: &[u8], rendered: Rendered<'_>, shown: Shown) -> (Change, Option<V
         },
         _ => {}
     }
+    if let Some(damage) = damage(rendered.format, old, new) {
+        return (Change::Damaged(damage), None);
+    }
     let line = lines(old, new).map(Change::Line);
     (line.unwrap_or_else(|| Change::Bytes { at: first_other_byte(old, new) }), None)
 }
@@ -280,6 +290,7 @@ impl std::fmt::Display for Change {
             Self::Packing => f.write_str("the same pixels in other bytes (packing, or the text inside)"),
             Self::Picture { pixels: None, line, .. } => write!(f, "the same picture in other bytes; {line}"),
             Self::NotOurs(too_much) => write!(f, "not what tracefig writes: {too_much}"),
+            Self::Damaged(damage) => damage.fmt(f),
             Self::Line(line) => line.fmt(f),
             Self::Bytes { at } => write!(f, "the files differ from byte {at} on"),
         }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::shows;
+use super::{Stamp, shows, text_chunk};
 use crate::output::{Format, IMAGE, ImageWriter, Pixel, Rows};
 
 /// How the pixels of two images differ.
@@ -65,6 +65,19 @@ impl fmt::Display for PixelDrift {
 
 /// The format of a [`triptych`].
 pub const TRIPTYCH_FORMAT: &Format = &IMAGE;
+
+/// What stands in a [`triptych`] in the place of a figure's hash.
+const TRIPTYCH_HASH: &str = "triptych";
+
+/// Whether a file is a [`triptych`] of ours.
+///
+/// ```
+/// assert!(!tracefig::drift::is_triptych(b"a picture of somebody else"));
+/// ```
+#[must_use]
+pub fn is_triptych(bytes: &[u8]) -> bool {
+    Stamp::read(TRIPTYCH_FORMAT, bytes).is_some_and(|stamp| stamp.hash == TRIPTYCH_HASH)
+}
 
 /// Grey columns between the three pictures of a [`triptych`].
 const GAP: u32 = 16;
@@ -191,7 +204,7 @@ impl Triptych {
     fn new(old: (u32, u32), new: (u32, u32)) -> Option<Self> {
         let (each, height) = (old.0.max(new.0), old.1.max(new.1));
         let width = each.checked_mul(3)?.checked_add(2 * GAP)?;
-        let rows = ImageWriter::new((width, height))?;
+        let rows = ImageWriter::new((width, height), &text_chunk(TRIPTYCH_HASH))?;
         Some(Self { rows, each: each as usize, row: Vec::with_capacity(width as usize) })
     }
 
@@ -221,7 +234,7 @@ mod tests {
     use super::*;
 
     fn plain((width, height): (u32, u32), dot: Option<(u32, u32)>) -> Vec<u8> {
-        let mut rows = ImageWriter::new((width, height)).unwrap();
+        let mut rows = ImageWriter::new((width, height), "x 0").unwrap();
         for y in 0..height {
             let pixel = |x| if dot == Some((x, y)) { [0, 90, 0, 255] } else { [255; 4] };
             rows.row(&(0..width).map(pixel).collect::<Vec<_>>()).unwrap();

@@ -8,6 +8,7 @@
 use serde_json::{Value, json};
 
 use super::shown::tables;
+use crate::drawing::Drawing;
 use crate::figure::Plan;
 use crate::output::{Format, Stamped};
 use crate::scene::answer_json;
@@ -111,7 +112,41 @@ pub fn facts(plan: &Plan<'_>) -> String {
 /// ```
 #[must_use]
 pub fn metadata(hash: &str, facts: &str) -> String {
-    format!("{{\"tracefig_figure\":{STAMP_FORMAT},\"version\":\"{VERSION}\",\"hash\":\"{hash}\",{facts}}}")
+    metadata_of((hash, VERSION), facts)
+}
+
+/// The metadata of a file that the tracefig of a version drew.
+fn metadata_of((hash, version): (&str, &str), facts: &str) -> String {
+    format!("{{\"tracefig_figure\":{STAMP_FORMAT},\"version\":\"{version}\",\"hash\":\"{hash}\",{facts}}}")
+}
+
+/// A drawing as if this tracefig and scene were those of another stamp. A file of it tells a figure that
+/// shows something else from one whose stamp alone is another: its theme file has a new comment, or tracefig
+/// a new version.
+///
+/// ```
+/// use tracefig::{drift::{Stamp, facts, metadata, restamped}, figure::{draw, plan}, scene::open_text};
+/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
+/// let file = open_text("s.toml", text)?;
+/// let plan = plan(&file.scene).unwrap();
+/// let mut drawing = draw(&plan, plan.theme, "f").drawing;
+/// drawing.metadata = metadata("00ff", &facts(&plan));
+/// let other = Stamp { hash: "00fe".to_owned(), version: "0.0.9".to_owned(), facts: None };
+/// let drawing = restamped(&drawing, &other);
+/// assert_eq!(drawing.hash, "00fe 0.0.9");
+/// assert!(drawing.metadata.starts_with(r#"{"tracefig_figure":2,"version":"0.0.9","hash":"00fe","alg"#));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn restamped(drawing: &Drawing, stamp: &Stamp) -> Drawing {
+    let Stamp { hash, version, .. } = stamp;
+    let after_hash = |text: &str| Some(text.split_once("\"hash\":\"")?.1.split_once("\",")?.1.to_owned());
+    let mut drawing = drawing.clone();
+    drawing.hash = format!("{hash} {version}");
+    if let Some(facts) = after_hash(&drawing.metadata) {
+        drawing.metadata = metadata_of((hash, version), facts.strip_suffix('}').unwrap_or(&facts));
+    }
+    drawing
 }
 
 impl Stamp {

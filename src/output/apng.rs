@@ -7,7 +7,7 @@
 //! since).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
-use super::png::{KEYWORD, READER, encoder};
+use super::png::{BRACKET, KEYWORD, READER, encoder};
 use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
@@ -18,6 +18,7 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
+    bracket: BRACKET,
     read: Some(READER),
 };
 

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
-use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
+use super::{Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
 use crate::drawing::{Color, Dark, Drawing, Role};
 
 /// The row of the table.
@@ -19,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
+    bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</html>".as_slice(), b"-->"] },
     // The words around the picture count too, so pages are compared as texts.
     read: Some(Reader { stamp, picture: None }),
 };

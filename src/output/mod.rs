@@ -40,6 +40,8 @@ pub struct Format {
     pub(crate) depends: Depends,
     /// How a drawing becomes its bytes.
     pub write: Writer,
+    /// How its files begin and end.
+    pub(crate) bracket: Bracket,
     /// How its files are read again; `None` where they say nothing of themselves and are compared byte by
     /// byte.
     pub(crate) read: Option<Reader>,
@@ -64,6 +66,15 @@ pub(crate) enum Depends {
     Pixels,
     /// On the scale, and on how the pixels are packed.
     Packing,
+}
+
+/// How a file of a format begins and ends, blanks aside, whoever wrote it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bracket {
+    /// One of these is its beginning.
+    pub(crate) begins: &'static [&'static [u8]],
+    /// One of these is its end.
+    pub(crate) ends: &'static [&'static [u8]],
 }
 
 /// How the files of a format are read again.

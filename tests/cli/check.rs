@@ -17,7 +17,7 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
         (ran.code, ran.out.as_str()),
         (
             Some(1),
-            "missing   s.svg\n          there is no such file yet\nmissing   s.png\n          there is no such file yet\n0 identical, 0 changed, 2 missing\n"
+            "missing   s.svg\n          there is no such file yet\nmissing   s.png\n          there is no such file yet\nall of it: drift/index.html\n0 identical, 0 changed, 2 missing\n"
         )
     );
     assert_eq!(names(folder.path()), set(&["drift", "s.toml"]));

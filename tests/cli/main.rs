@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
 mod bad_input;
+mod breakage;
 mod check;
 #[path = "../hostile_figures/mod.rs"]
 mod hostile_figures;

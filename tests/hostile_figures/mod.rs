@@ -230,7 +230,7 @@ pub(crate) static HOSTILE: &[Hostile] = &[
         name: "a head of 8192 × 8192",
         format: "png",
         made: |_| head(8_192, 8_192),
-        told: "the files differ from byte ",
+        told: "it differs from byte ",
     },
     Hostile {
         name: "a long file",
@@ -238,7 +238,12 @@ pub(crate) static HOSTILE: &[Hostile] = &[
         made: |_| vec![b' '; (64 << 20) + 1],
         told: "more than 67108864 bytes",
     },
-    Hostile { name: "a long page", format: "html", made: |_| vec![b'<'; 20 << 20], told: "line 1, column 2" },
+    Hostile {
+        name: "a long page",
+        format: "html",
+        made: |_| vec![b'<'; 20 << 20],
+        told: "cut short after 20,971,520",
+    },
     Hostile {
         name: "a long line",
         format: "svg",

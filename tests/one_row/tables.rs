@@ -71,6 +71,7 @@ fn outer() -> Vec<Table> {
             finds: is_name,
             other_meanings: &[
                 ("circle", "output/svg", "the element of SVG"),
+                ("box", "drift/measured.rs", "a rectangle of a report"),
                 ("box", "figure/layer/bounds.rs", "the part of a figure that is a bounding box"),
                 ("aabb", "collision", "the shape that the article compares extents of"),
             ],
@@ -136,6 +137,7 @@ fn layers() -> Vec<Table> {
             ("radii", "figure/text/values.rs", "a value"),
             ("separation", "figure/text/values.rs", "a value"),
             ("closest", "scene", "a part of an answer, a word for a moment"),
+            ("expected", "drift/measured.rs", "what is on disk, in a report"),
             ("expected", "scene", "a key of a query and of the top of a scene"),
             ("normal", "figure/layer/expected.rs", "a part of the drawing"),
             ("normal", "scene/expected.rs", "a part of what is expected"),

@@ -22,7 +22,7 @@ const HEAD: &str =
 ///
 /// ```
 /// use tracefig::drift::report::{Finding, html};
-/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// let bad = Finding::new("a.svg", "missing");
 /// assert!(html(&[bad]).contains("<code>a.svg</code>: missing"));
 /// ```
 #[must_use]

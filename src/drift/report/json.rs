@@ -2,14 +2,16 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Finding, tally};
+use super::{Finding, Measured, tally};
 
 /// Counts by state, then every file:
-/// `{"identical": 2, …, "files": [{"file", "state", "details", "picture"}]}`.
+/// `{"identical": 2, …, "files": [{"file", "state", "details", "picture", "numbers"}]}`. The numbers are
+/// `{"bytes": {"expected", "actual"}, "pixels": {"expected", "actual", "differ", "worst", "beyond", "box"},
+/// "elements": [{"name", "box"}]}`, pixels null where none differ.
 ///
 /// ```
 /// use tracefig::drift::report::{Finding, json};
-/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// let bad = Finding::new("a.svg", "missing");
 /// assert!(json(&[bad]).contains(r#""missing":1"#));
 /// ```
 #[must_use]
@@ -18,7 +20,9 @@ pub fn json(findings: &[Finding]) -> String {
         tally(findings).into_iter().map(|(state, count)| (state.to_owned(), json!(count))).collect();
     let files = findings.iter().map(|f| {
         let picture = f.picture.as_ref().map(|(path, _)| path);
-        json!({ "file": f.file, "state": f.state, "details": f.details, "picture": picture })
+        let numbers = f.measured.as_ref().map(Measured::json);
+        let Finding { file, state, details, .. } = f;
+        json!({ "file": file, "state": state, "details": details, "picture": picture, "numbers": numbers })
     });
     out.insert("files".to_owned(), files.collect());
     Value::Object(out).to_string() + "\n"

@@ -9,7 +9,7 @@ use crate::scene::visible;
 ///
 /// ```
 /// use tracefig::drift::report::{Finding, junit};
-/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// let bad = Finding::new("a.svg", "missing");
 /// assert!(junit(&[bad]).contains(r#"tests="1" failures="1""#));
 /// ```
 #[must_use]

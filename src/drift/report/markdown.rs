@@ -9,7 +9,7 @@ use crate::scene::visible;
 ///
 /// ```
 /// use tracefig::drift::report::{Finding, markdown};
-/// let bad = Finding { file: "a.svg".into(), state: "missing", details: vec![], picture: None };
+/// let bad = Finding::new("a.svg", "missing");
 /// assert!(markdown(&[bad]).starts_with("### Figures: 1 missing\n"));
 /// ```
 #[must_use]
@@ -57,6 +57,7 @@ mod tests {
             state: "changed",
             details: vec!["title: reads `x`` ![](https://e.example) <img src=x>`, was `|`".to_owned()],
             picture: None,
+            measured: None,
         };
         let text = markdown(&[bad]);
         assert_eq!(text.lines().count(), 5, "{text}");

@@ -10,8 +10,10 @@ pub use json::json;
 pub use junit::junit;
 pub use markdown::markdown;
 
+use super::Measured;
+
 /// What a check says of one file.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// The file, as named on the command line.
     pub file: String,
@@ -21,14 +23,27 @@ pub struct Finding {
     pub details: Vec<String>,
     /// Where the image of expected · difference · actual was written, and its bytes.
     pub picture: Option<(String, Vec<u8>)>,
+    /// The difference in numbers, where there are two files.
+    pub measured: Option<Measured>,
 }
 
 impl Finding {
+    /// A finding of which no more is known than the state of a file.
+    ///
+    /// ```
+    /// use tracefig::drift::report::Finding;
+    /// assert!(Finding::new("a.svg", "missing").details.is_empty());
+    /// ```
+    #[must_use]
+    pub fn new(file: &str, state: &'static str) -> Self {
+        Self { file: file.to_owned(), state, details: Vec::new(), picture: None, measured: None }
+    }
+
     /// Whether the check failed for this file: whether it is anything but identical.
     ///
     /// ```
     /// use tracefig::drift::report::Finding;
-    /// let finding = |state| Finding { file: "a.svg".into(), state, details: vec![], picture: None };
+    /// let finding = |state| Finding::new("a.svg", state);
     /// assert!(finding("stale").is_bad() && !finding("identical").is_bad());
     /// ```
     #[must_use]
@@ -41,7 +56,7 @@ impl Finding {
 ///
 /// ```
 /// use tracefig::drift::report::{Finding, tally};
-/// let stale = Finding { file: "a.svg".into(), state: "stale", details: vec![], picture: None };
+/// let stale = Finding::new("a.svg", "stale");
 /// assert_eq!(tally(&[stale])[2], ("stale", 1));
 /// ```
 #[must_use]
@@ -79,6 +94,7 @@ mod tests {
             state,
             details: details.iter().map(|&d| d.to_owned()).collect(),
             picture: None,
+            measured: None,
         };
         vec![
             finding("a.svg", "identical", &[]),

@@ -16,7 +16,7 @@ use pdf_writer::writers::{ExtGraphicsState, Resources};
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, Str, TextStr};
 
 use super::number::hundredths;
-use super::{Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
+use super::{Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
 use crate::drawing::Drawing;
 use content::{Content, Form, Opacity, State};
 
@@ -27,6 +27,10 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
+    bracket: Bracket {
+        begins: &[b"%PDF-".as_slice()],
+        ends: &[b"%%EOF".as_slice(), b"%%EOF\n", b"%%EOF\r\n"],
+    },
     // Its objects are compressed, so pages are compared byte by byte.
     read: Some(Reader { stamp, picture: None }),
 };

@@ -139,10 +139,12 @@ impl Write for Shared {
 }
 
 impl ImageWriter {
-    /// An image without rows; `None` where it would have no pixels.
-    pub(crate) fn new(size: (u32, u32)) -> Option<Self> {
+    /// An image without rows that says of itself what stamp says; `None` where it would have no pixels.
+    pub(crate) fn new(size: (u32, u32), stamp: &str) -> Option<Self> {
         let file = Shared::default();
-        let writer = encoder(file.clone(), size, PngEffort::Fast).write_header().ok()?;
+        let mut encoder = encoder(file.clone(), size, PngEffort::Fast);
+        encoder.add_text_chunk(KEYWORD.to_owned(), stamp.to_owned()).ok()?;
+        let writer = encoder.write_header().ok()?;
         Some(Self { rows: writer.into_stream_writer_with_size(CHUNK).ok()?, line: Vec::new(), file })
     }
 
@@ -176,7 +178,7 @@ mod tests {
     }
 
     fn written(rows: &[Vec<Pixel>], size: (u32, u32)) -> Option<Vec<u8>> {
-        let mut writer = ImageWriter::new(size)?;
+        let mut writer = ImageWriter::new(size, "x 0")?;
         rows.iter().try_for_each(|row| writer.row(row))?;
         writer.finish()
     }

@@ -11,7 +11,7 @@ mod palette;
 
 use std::io::Write;
 
-use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
+use super::{Bracket, Depends, Format, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 use changes::Changes;
 use palette::Palette;
@@ -27,8 +27,13 @@ pub(super) const FORMAT: Format = Format {
     usual: true,
     depends: Depends::Packing,
     write: Writer::One(write),
+    bracket: BRACKET,
     read: Some(READER),
 };
+
+/// The signature and the empty last chunk with its checksum (*PNG*, third edition, sections 5.2 and 11.2.4).
+pub(super) const BRACKET: Bracket =
+    Bracket { begins: &[b"\x89PNG\r\n\x1a\n".as_slice()], ends: &[b"IEND\xae\x42\x60\x82".as_slice()] };
 
 /// Keyword of the text chunk with the scene's hash.
 pub(super) const KEYWORD: &str = "tracefig";

@@ -13,7 +13,7 @@ mod text;
 use std::collections::BTreeSet;
 
 use super::xml::Xml;
-use super::{Depends, Format, Options, OutputError, Reader, Writer, number};
+use super::{Bracket, Depends, Format, Options, OutputError, Reader, Writer, number};
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Stroke};
 use style::Property;
 
@@ -24,6 +24,8 @@ pub(super) const FORMAT: Format = Format {
     usual: true,
     depends: Depends::Page,
     write: Writer::One(write),
+    // Editors write a declaration or a comment before it, and comments after it.
+    bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</svg>".as_slice(), b"/>", b"-->"] },
     read: Some(Reader { stamp: read::stamp, picture: Some(read::picture) }),
 };
 

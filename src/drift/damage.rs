@@ -1,0 +1,114 @@
+//! What became of a file that is no picture any more: empty, cut short, something else, broken.
+
+use std::fmt;
+
+use crate::output::Format;
+
+/// What is wrong with a file that can't be compared as what it should be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Damage {
+    /// The file has no bytes.
+    Empty,
+    /// The file ends where a file of its format goes on.
+    CutShort {
+        /// Bytes that are left.
+        after: usize,
+    },
+    /// The file does not begin as one of its format does.
+    Other {
+        /// Name of the format that its name promises.
+        format: &'static str,
+    },
+    /// The file begins and ends as it should, and can't be read in between.
+    Broken {
+        /// Name of its format.
+        format: &'static str,
+        /// Offset of the first byte that is another one than today's.
+        at: usize,
+    },
+}
+
+/// What is wrong with a file of a format, which could not be read; `new` is what it should be. `None` where
+/// it may be one of its format after all.
+pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<Damage> {
+    let text = std::str::from_utf8(old).map(str::trim_ascii);
+    let ended = text.map_or(old, str::as_bytes);
+    if old.is_empty() {
+        Some(Damage::Empty)
+    } else if old.len() < new.len() && new.starts_with(old) {
+        Some(Damage::CutShort { after: old.len() })
+    } else if !format.bracket.begins.iter().any(|begin| ended.starts_with(begin)) {
+        Some(Damage::Other { format: format.name })
+    } else if !format.bracket.ends.iter().any(|end| ended.ends_with(end)) {
+        Some(Damage::CutShort { after: old.len() })
+    } else if text.is_err() && format.read.is_some_and(|reader| reader.picture.is_some()) {
+        let at = old.iter().zip(new).position(|(a, b)| a != b).unwrap_or(old.len().min(new.len()));
+        Some(Damage::Broken { format: format.name, at })
+    } else {
+        None
+    }
+}
+
+impl fmt::Display for Damage {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => f.write_str("the file is empty"),
+            Self::CutShort { after } => write!(f, "the file is cut short after {} bytes", grouped(*after)),
+            Self::Other { format } => write!(f, "the file is not {}", named(format)),
+            Self::Broken { format, at } => {
+                let (name, at) = (named(format), grouped(*at));
+                write!(f, "the file can't be read as {name}; it differs from byte {at} on")
+            }
+        }
+    }
+}
+
+/// A format with its article, by how its letters are said.
+fn named(format: &str) -> String {
+    let name = format.to_uppercase();
+    let article = if name.starts_with(|c| "AEFHILMNORSX".contains(c)) { "an" } else { "a" };
+    format!("{article} {name}")
+}
+
+/// A whole number with a comma between thousands.
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::format;
+
+    #[test]
+    fn each_kind_of_damage_is_named() {
+        let new = |name: &str| {
+            let bracket = format(name).unwrap().bracket;
+            [bracket.begins[0], &[b'x'; 6000], bracket.ends[0]].concat()
+        };
+        let said = |name: &'static str, old: &[u8]| {
+            damage(format(name).unwrap(), old, &new(name)).map_or(String::new(), |found| found.to_string())
+        };
+        for name in ["svg", "png", "pdf", "html", "apng"] {
+            assert_eq!(said(name, b""), "the file is empty");
+            assert_eq!(said(name, &new(name)[..5000]), "the file is cut short after 5,000 bytes");
+            let mut older = new(name)[..5000].to_vec();
+            older[100] = b'y';
+            assert_eq!(said(name, &older), "the file is cut short after 5,000 bytes", "an older one");
+        }
+        assert_eq!(said("png", b"<html>not found</html>"), "the file is not a PNG");
+        assert_eq!(said("svg", b"version https://git-lfs.example/spec/v1"), "the file is not an SVG");
+        let mut broken = new("png");
+        broken[2000] = 0xff;
+        assert_eq!(said("png", &broken), "the file can't be read as a PNG; it differs from byte 2,000 on");
+        assert_eq!(said("svg", b"<svg><ellipse/></svg>\n"), "", "a text of its kind has lines");
+    }
+}
