@@ -9,17 +9,14 @@ use super::{figure, look};
 type P = (f64, f64);
 
 /// Every edge of a difference, counter-clockwise as `(vertex, source of the edge that leaves it)`, is drawn
-/// in its source's colour, and so that it can be told without colour: B's are dashed, A's solid; every vertex
+/// in its source's colour, and so that it can be told without colour: B's are cased, A's plain; every vertex
 /// is a diamond.
 fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
     for (i, &(from, source)) in edges.iter().enumerate() {
         let to = edges[(i + 1) % edges.len()].0;
         let dashed = |path: &Path| path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty());
-        let edge = panel.line(source, from, to);
-        assert!(
-            edge.is_some_and(|e| dashed(e) == (source == B)),
-            "edge {i} from {from:?} to {to:?} of {source:?}"
-        );
+        let edge = panel.edge(source, from, to);
+        assert!(edge.is_some_and(|e| !dashed(e)), "edge {i} from {from:?} to {to:?} of {source:?}");
         assert!(panel.marker(Difference, from), "a diamond at {from:?}");
     }
 }
@@ -55,7 +52,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
     for (i, &from) in outline.iter().enumerate() {
         let role = if i % 2 == 0 { A } else { B };
         assert!(
-            grown.line(role, from, outline[(i + 1) % 8]).is_some(),
+            grown.edge(role, from, outline[(i + 1) % 8]).is_some(),
             "edge {i} of the grown A is {role:?}'s"
         );
     }
@@ -94,12 +91,12 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     shows![
         world.polygon(A, &[(-1.5, -3.0), (3.3, 0.6), (1.5, 3.0), (-3.3, -0.6)]).is_some(),
         world.polygon(B, &[(0.3, -0.4), (3.5, 2.0), (1.7, 4.4), (-1.5, 2.0)]).is_some(),
-        world.double_arrow(Translation, (1.5, 0.5), (0.3, 2.1)),
+        world.arrow(Translation, (1.5, 0.5), (0.3, 2.1)),
         world.marker(Now, (0.3, -0.4)),
         world.marker(Now, (3.5, 2.0)),
         world
             .line(Now, (0.3, -0.4), (3.5, 2.0))
-            .is_some_and(|p| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty())),
+            .is_some_and(|p| p.stroke.as_ref().is_some_and(|s| s.dash.is_empty())),
         world.text_near("$b_1$", (0.3, -0.4), 40.0),
         world.text_near("$b_2$", (3.5, 2.0), 40.0),
     ];
@@ -119,7 +116,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.double_arrow(Translation, (0.0, 0.0), (1.2, -1.6)),
+        conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
         conf.marker(Now, (2.0, -1.0)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
@@ -133,7 +130,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.0, 3.0), (-4.0, 1.0), (-3.0, -2.0), (1.0, -2.5)]).is_some(),
         world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
-        world.double_arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
+        world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
     ];
     let conf = look(&f, 1, 2, true, [-3.6, -5.4, 9.4, 7.0]);
     edges_wear_their_source(
@@ -151,7 +148,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.double_arrow(Translation, (0.0, 0.0), (-1.6, -1.2)),
+        conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
     ];
@@ -166,11 +163,13 @@ fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next(
         // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the
         // origin.
         panels[0].marker(Now, (11.5, 4.5)),
-        panels[0].arrow(Translation, (0.0, 0.0), (11.5, 4.5)),
+        panels[0].arrow_toward(Translation, (0.0, 0.0), (11.5, 4.5)),
         panels[0].text_near("$w$", (2.5, 5.0), 40.0),
-        panels[1].arrow(Translation, (0.0, 0.0), (2.5, 5.0)),
+        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.5, 5.0)),
         panels[1].text_near("$w$", (5.5, 1.0), 40.0),
         panels[2].line(Now, (2.5, 5.0), (5.5, 1.0)).is_some(),
-        panels[2].arrow(Translation, (0.0, 0.0), (4.0, 3.0)),
+        panels[2].arrow_toward(Translation, (0.0, 0.0), (4.0, 3.0)),
+        // The supporting line through w, square to v: 11.5x + 4.5y = 51.25 in the first.
+        panels[0].through((2.5, 5.0), (3.864_754, 1.512_295)),
     ];
 }

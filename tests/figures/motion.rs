@@ -30,7 +30,7 @@ fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
         world.line(Now, (-1.5, -1.5), (1.5, 0.0)).is_some(),
         world.head(Ink, (4.5, 1.5)),
         world.marker(Ink, (1.5, 0.0)),
-        f.says("$A'$"),
+        f.says("$A$ at $t = 0.5$"),
         f.says("$v_A$"),
     ];
     let conf = look(&f, 1, 2, true, [-1.0, -2.2, 9.4, 7.6]);
@@ -46,10 +46,7 @@ fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
         ((4.5, -0.5), A),
     ];
     for (i, &(from, role)) in edges.iter().enumerate() {
-        assert!(
-            conf.line(role, from, edges[(i + 1) % 9].0).is_some_and(|e| dashed(e) == (role == B)),
-            "edge {i}"
-        );
+        assert!(conf.edge(role, from, edges[(i + 1) % 9].0).is_some_and(|e| !dashed(e)), "edge {i}");
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
@@ -77,13 +74,13 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
     shows![
         one.marker(B, (3.0, 2.25)),
         one.line(Translation, (0.0, 0.0), (3.0, 2.25)).is_some(),
-        one.marker(A, (4.6875, 0.0)),
-        one.head(B, (3.0 - 0.4, 2.25 - 0.3)),
+        one.marker(Now, (4.6875, 0.0)),
+        one.head(B, (3.0 + 0.8, 2.25 + 0.6)),
         two.marker(Ink, (4.6875, 0.0)),
         two.marker(B, (4.979_260, 0.528_471)),
         two.line(Translation, (4.6875, 0.0), (4.979_260, 0.528_471)).is_some(),
-        two.marker(A, (5.936_490, 0.0)),
-        two.head(B, (4.979_260 - 0.5 * 0.483_318, 0.528_471 - 0.5 * 0.875_445)),
+        two.marker(Now, (5.936_490, 0.0)),
+        two.head(B, (4.979_260 + 0.483_318, 0.528_471 + 0.875_445)),
         one.through((3.0, 2.25), (4.6875, 0.0)),
         two.through((4.979_260, 0.528_471), (5.936_490, 0.0)),
         f.says("estimate")
@@ -91,6 +88,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
             && f.says("new estimate")
             && f.says("tangent")
             && f.says("$n$"),
+        f.says("$d = 3.75$") && f.says("$d = 0.604$"),
         f.says(r"$t = 0 \to 0.625$"),
         f.says(r"$t = 0.625 \to 0.792$"),
     ];
@@ -120,9 +118,9 @@ fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
         w.round((-7.0, -1.0), 0.6),
         w.round((7.5, -1.5), 0.6),
         f.says("$d = 11.5$"),
-        f.says("$x_1$") && f.says("$x_2$") && f.says("$v_A$") && f.says("$v_B$"),
+        f.says("$x_1$") && f.says("$x_2$") && f.says("¼ $v_A$") && f.says("¼ $v_B$"),
         f.says(r"$\omega_A$") && f.says(r"$\omega_B$"),
-        f.says("$A'$") && f.says("$B'$"),
+        f.says("$A$ at $t = 0.5$") && f.says("$B$ at $t = 0.5$"),
         f.says("$x_1$ meets $x_2$ at $t = 0.5$"),
         f.says(r"$t \ge d \,/\, (v \cdot n + r_A|\omega_A| + r_B|\omega_B|) = 0.308$"),
     ];
@@ -175,7 +173,7 @@ fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
         one.marker(Ink, (2.1, -0.2)),
         f.says("$v$"),
         f.says("$t = 0.7$"),
-        f.says("$A'$"),
+        f.says("$A$ at $t = 0.7$") && f.says("$A$ at $t = 0$"),
     ];
     let two = look(&f, 1, 2, true, view);
     shows![
@@ -195,7 +193,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         world.polygon(A, &[(-4.0, 2.0), (-1.0, -2.0), (0.5, 0.0), (-1.0, 2.5)]).is_some_and(dashed),
         world.arrow(Now, (1.5, 2.0), (-2.5, 0.0)),
         world.marker(Ink, (-2.5, 0.0)),
-        f.says("$A'$"),
+        f.says("$A$ at $t = 0.4$"),
         f.says(r"$t\,v$"),
     ];
     let conf = look(&f, 1, 2, true, [-10.8, -7.6, 1.2, 2.2]);
@@ -211,8 +209,8 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         ((-9.5, -4.5), A, true),
     ];
     for (i, &(from, role, culled)) in edges.iter().enumerate() {
-        let edge = conf.line(role, from, edges[(i + 1) % 9].0);
-        let thin = |e: &Path| e.stroke.as_ref().is_some_and(|s| s.width < 1.0);
+        let edge = conf.edge(role, from, edges[(i + 1) % 9].0);
+        let thin = |e: &Path| e.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0);
         assert!(edge.is_some_and(|e| thin(e) == culled), "edge {i} of {role:?} is thin: {culled}");
     }
     shows![
@@ -233,7 +231,8 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     shows![
         world.polygon(A, &start).is_some_and(|p| p.fill.is_some()),
         world.polygon(B, &[(1.0, -0.5), (3.0, -3.0), (4.5, 0.0), (3.0, 2.0)]).is_some(),
-        f.says("$A'$"),
+        f.says("$A$ at $t = 0.498$"),
+        f.says("$t = 0.267$") && f.says("$t = 0.37$") && f.says("$t = 0.462$") && f.says("$t = 0.491$"),
     ];
     let conf = look(&f, 1, 2, true, [-1.0, -4.9, 9.9, 5.2]);
     let first = [
@@ -247,7 +246,7 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         ((3.3, 1.0), B),
     ];
     for (i, &(from, role)) in first.iter().enumerate() {
-        assert!(conf.line(role, from, first[(i + 1) % 8].0).is_some(), "edge {i} at t = 0");
+        assert!(conf.edge(role, from, first[(i + 1) % 8].0).is_some(), "edge {i} at t = 0");
     }
     // The last iteration, t = 0.498190: within 0.7 px of the exact hit, where the left edge passes through O.
     let close = |p: P, role| {

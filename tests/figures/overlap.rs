@@ -21,12 +21,13 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         w.polygon(A, &a).is_some(),
         w.polygon(B, &b).is_some(),
         ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
-        w.double_arrow(Translation, (1.5, -0.5), (3.5, 1.0)),
-        w.arrow(Ink, (3.5, 1.0), (3.5 + 1.2, 1.0 + 0.9)),
+        w.arrow_toward(Translation, (1.5, -0.5), (3.5, 1.0)),
+        w.arrow(Ink, (3.5, 1.0), (3.5 + 0.8, 1.0 + 0.6)),
         w.marker(A, (3.5, 1.0)),
         w.marker(B, (1.5, -0.5)),
-        // The carrier line of A's edge 0, one unit longer at both ends: along (−0.6, 0.8).
-        w.any_line((5.6, -1.8), (1.4, 3.8)),
+        // The carrier line of A's edge 0 beyond its ends, by one unit each: along (−0.6, 0.8).
+        w.any_line((5.6, -1.8), (5.0, -1.0)),
+        w.any_line((2.0, 3.0), (1.4, 3.8)),
         f.says("$d = 2.5$"),
         f.says("$n$"),
         f.says(r"B pushed out by $d\,n$"),
@@ -214,7 +215,7 @@ fn frames_discrete_shows_apart_then_overlapping() {
     shows![
         one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.double_arrow(Translation, (-0.7, 1.9), (2.1, -0.2)),
+        one.line(Translation, (-0.7, 1.9), (2.1, -0.2)).is_some(),
         f.says("apart 3.5"),
     ];
     let two = look(&f, 1, 2, true, view);
@@ -222,7 +223,7 @@ fn frames_discrete_shows_apart_then_overlapping() {
         two.circle(A, (2.5, -0.5), 1.0).is_some_and(|p| p.fill.is_some()),
         two.polygon(B, &b).is_some(),
         two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
-        two.double_arrow(Translation, (2.1, -0.2), (3.3, -1.1)),
+        two.arrow(Translation, (2.1, -0.2), (3.3, -1.1)),
         f.says("overlap 1.5"),
     ];
 }

@@ -155,9 +155,40 @@ impl Look<'_> {
         self.shaft(role, from, tip) && self.head(role, tip)
     }
 
-    /// A double-headed arrow: both heads have their vertices at the ends.
-    pub(crate) fn double_arrow(&self, role: Role, p: P, q: P) -> bool {
-        self.head(role, p) && self.head(role, q) && self.carried(role, p, q)
+    /// An arrow of the role that starts at `from` and ends up to 12 px short of `tip`, at the rim of a marker.
+    pub(crate) fn arrow_toward(&self, role: Role, from: P, tip: P) -> bool {
+        let end = self.panel.page(tip);
+        let heads = |reach: f64| {
+            self.paths().any(|path| {
+                let c = vertices(path);
+                let filled = fill_role(path) == Some(role) && c.len() == 3;
+                filled && on_segment(c[0], self.panel.page(from), end) && distance(c[0], end) <= reach
+            })
+        };
+        self.carried(role, from, tip) && heads(12.0)
+    }
+
+    /// An edge of a difference from p to q: a plain line of A's, a cased one of B's, two strokes as far from
+    /// it on either side.
+    pub(crate) fn edge(&self, role: Role, p: P, q: P) -> Option<&Path> {
+        if role != Role::B {
+            return self.line(role, p, q);
+        }
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        let (ux, uy) = ((q.x - p.x) / distance(p, q), (q.y - p.y) / distance(p, q));
+        let along = |x: Point, o: Point| (x.x - o.x) * ux + (x.y - o.y) * uy;
+        let off = |x: Point| (x.x - p.x) * uy - (x.y - p.y) * ux;
+        let strip = |path: &Path| {
+            let c = vertices(path);
+            let fits = stroke_role(path) == Some(role)
+                && c.len() == 2
+                && along(c[0], p).abs().min(along(c[1], p).abs()) < NEAR
+                && along(c[0], q).abs().min(along(c[1], q).abs()) < NEAR
+                && off(c[0]).abs() < 4.0;
+            fits.then(|| off(c[0]))
+        };
+        let other = |mine: f64| self.paths().filter_map(strip).any(|off| (off + mine).abs() < 1e-6);
+        self.paths().find(|path| strip(path).is_some_and(|off| off.abs() > 0.5 && other(off)))
     }
 
     /// A filled arrow head of the role with its tip there.

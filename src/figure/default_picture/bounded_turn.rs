@@ -20,7 +20,7 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "From the start to the end"
 time = "start"
-layers = ["shapes", { layer = "ghosts", at = "end", labels = false }, "arc"]
+layers = ["shapes", { layer = "ghosts", at = "end" }, "arc"]
 
 [[panels]]
 title = "The arc of the farthest point"

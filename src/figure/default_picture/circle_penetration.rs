@@ -12,7 +12,7 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 layers = [
   { layer = "shapes", centers = true },
-  { layer = "ghosts", of = "B", at = "separated", fill = false, labels = false },
+  { layer = "ghosts", of = "B", at = "separated" },
   { layer = "radii", as = "lengths" },
   { layer = "separation", style = "bar" },
 ]

@@ -13,7 +13,7 @@ pub(super) const PICTURE: Picture = Picture {
 title = "World"
 layers = [
   "shapes",
-  { layer = "ghosts", of = "B", at = "separated", fill = false, labels = false },
+  { layer = "ghosts", of = "B", at = "separated" },
   { layer = "separation", points = true },
 ]
 

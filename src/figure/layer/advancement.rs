@@ -3,21 +3,16 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Drawn length of the normal, world units: shorter than the distance of the second step of figure 6.
-const NORMAL: f64 = 0.5;
-
-/// The longest that the normal is drawn, page pixels, and the shortest: bodies may be micrometres or
-/// kilometres large. The tangent is stretched as much.
-const READABLE: [f64; 2] = [14.0, 40.0];
-
-/// How far the tangent reaches behind the closest point and past the ray, world units.
-const TANGENT: [f64; 2] = [1.6, 0.9];
+/// How far the tangent reaches behind the closest point and past the ray, page pixels.
+const TANGENT: [f64; 2] = [110.0, 40.0];
 
 pub(super) const LAYER: Layer = Layer {
     name: "advancement",
@@ -32,7 +27,8 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "estimate", about: "where the step starts" },
         LabelKey { key: "closest", about: "the closest point of B ⊖ A" },
-        LabelKey { key: "n", about: "its normal" },
+        LabelKey { key: "d", about: "its distance from the estimate" },
+        LabelKey { key: "n", about: "the normal there, from the estimate on" },
         LabelKey { key: "tangent", about: "the tangent there" },
         LabelKey { key: "next", about: "the new estimate" },
     ],
@@ -50,8 +46,10 @@ struct Step {
     estimate: DVec2,
     /// The point of B ⊖ A closest to the estimate.
     closest: DVec2,
-    /// Outward unit normal of B ⊖ A.
-    outward: DVec2,
+    /// The unit normal there, from the estimate into B ⊖ A: from A to B.
+    normal: DVec2,
+    /// The distance of the two.
+    separation: f64,
     /// Where on the ray the next step starts; `None` at the last one.
     next: Option<DVec2>,
 }
@@ -65,10 +63,10 @@ fn step(context: &Context) -> Option<Step> {
         return None;
     }
     context.run().find_told(|event| match *event {
-        Event::Advanced { step, at, estimate, closest, normal, next, .. } if step == wanted => {
+        Event::Advanced { step, at, estimate, closest, normal, separation, next, .. } if step == wanted => {
             // B ⊖ A rests and the estimate moves, or the estimate rests in the origin and B ⊖ A moves.
             let next = next.map(|t| if estimate == v * at.time { v * t } else { v * (t - at.time) });
-            Some(Step { estimate, closest, outward: -normal, next })
+            Some(Step { estimate, closest, normal, separation, next })
         }
         _ => None,
     })
@@ -76,19 +74,23 @@ fn step(context: &Context) -> Option<Step> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(s) = step(context) else { return };
-    let [least, most] = READABLE.map(|px| sketch.px(px));
-    let normal = NORMAL.max(least).min(most);
-    let tangent = TANGENT.map(|reach| reach * (normal / NORMAL));
+    let tangent = TANGENT.map(|px| sketch.px(px));
     let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + tangent[1];
     let along = tangent_direction(&s, context.closing_velocity());
     let (behind, ahead) = (s.closest - along * tangent[0], s.closest + along * past);
-    sketch.part("tangent").weight(Weight::Light).line(behind, ahead, Pen::construction(Role::Muted));
-    sketch.part("distance").line(s.estimate, s.closest, Pen::vector(Role::Translation));
-    let tip = s.closest + s.outward * normal;
-    sketch.part("normal").arrow(s.closest, tip, Pen::vector(Role::B));
-    sketch.part("closest").marker(s.closest, Marker::Square, Role::B, MARKER);
-    sketch.part("estimate").marker(s.estimate, Marker::Disc, Role::Ink, LARGE_MARKER);
-    sketch.label(Label::new("n", "$n$", Anchor::tip(s.closest, tip), Role::B));
+    sketch.part("tangent").weight(Weight::Light).line(behind, ahead, Pen::construction());
+    sketch.part("right-angle").right_angle(s.closest, along, s.estimate - s.closest);
+    let blue = Role::Translation;
+    sketch.part("distance").dimension(s.estimate, s.closest, 0.0, Pen::dimension(blue).width(1.5));
+    let distance = format!("$d = {}$", number(s.separation));
+    sketch.label(Label::new("d", distance, Anchor::middle(s.estimate, s.closest), blue));
+    let n = Label::new("n", "$n$", Anchor::point(s.closest), Role::B);
+    unit_vector(sketch, (s.closest, s.normal), None, n);
+    sketch.part("closest").marker(s.closest, Marker::Diamond, Role::B, MARKER);
+    sketch.part("estimate");
+    // The origin's own mark stays what it is where the search starts there.
+    let radius = if s.estimate == DVec2::ZERO { SMALL_MARKER } else { MARKER };
+    sketch.marker(s.estimate, Marker::Disc, Role::Ink, radius);
     word(
         sketch,
         options,
@@ -96,18 +98,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Anchor::Beside { from: behind, to: s.closest, offset: 0.0 },
         Role::Muted,
     );
-    word(sketch, options, "closest", Anchor::point_toward(s.closest, -s.outward), Role::B);
+    sketch.part("closest");
+    word(sketch, options, "closest", Anchor::point_toward(s.closest, s.normal), Role::B);
+    sketch.part("estimate");
     word(sketch, options, "estimate", Anchor::point_toward(s.estimate, DVec2::new(-2.0, -2.0)), Role::Ink);
     if let Some(next) = s.next {
-        let role = options.role(Role::A);
-        sketch.part("next").marker(next, Marker::RingedDisc, role, MARKER);
+        let role = options.role(Role::Now);
+        sketch.part("next").marker(next, Marker::HollowDiamond, role, MARKER);
         word(sketch, options, "next", Anchor::point_toward(next, DVec2::new(2.0, -2.0)), role);
     }
 }
 
 /// Along the tangent towards the ray's far end.
 fn tangent_direction(s: &Step, v: DVec2) -> DVec2 {
-    let along = perp(s.outward);
+    let along = perp(s.normal);
     if along.dot(s.next.unwrap_or(v) - s.closest) < 0.0 { -along } else { along }
 }
 

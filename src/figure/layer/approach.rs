@@ -10,7 +10,7 @@ use crate::figure::text::number;
 use crate::geometry::Side;
 use crate::scene::Space;
 
-use super::ghosts::ghost;
+use super::ghosts::{at_moment, ghost};
 use super::{Fed, LabelKey, Layer, Options, Shows};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
@@ -53,7 +53,8 @@ fn in_the_world(sketch: &mut Sketch, context: &Context, options: &Options, close
     for side in context.sides() {
         let elsewhere = context.pose(side, closest.time) != context.pose(side, context.time);
         if let Some(outline) = context.outline(side, closest.time).filter(|_| elsewhere) {
-            ghost(sketch, context, options, side, &outline);
+            let text = at_moment(context, side, &number(closest.time));
+            ghost(sketch, options, side, &outline, text);
         }
     }
     let [p, q] = closest.points;
@@ -69,7 +70,7 @@ fn on_the_ray(sketch: &mut Sketch, context: &Context, options: &Options, closest
     let from = context.closing_velocity() * (closest.time - context.difference_time());
     let to = from + (closest.points[1] - closest.points[0]);
     let role = options.role(Role::Translation);
-    sketch.part("approach").double_arrow(from, to, Pen::vector(role));
+    sketch.part("approach").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     sketch.part("then").marker(from, Marker::Disc, Role::Ink, LARGE_MARKER);
     sketch.label(label(closest, Anchor::middle(from, to), role));
 }

@@ -120,11 +120,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
     }
     for end in [t.before(), after] {
-        sketch.part("radii").weight(Weight::Light).line(
-            t.center,
-            end,
-            Pen::construction(Role::Ink).width(1.25),
-        );
+        sketch.part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
     }
     let mark = Outline::arc(t.center, MARK * t.radius, t.start, t.sweep);
     sketch.part("angle").area(&mark, None, Some(Pen::dimension(Role::Ink).width(1.5)));

@@ -79,7 +79,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((last, parts)) = found.split_last() else { return };
     for part in parts {
         let role = part.of.map_or(Role::Ink, Role::from);
-        sketch.part("part-box").area(&rectangle(part), None, Some(Pen::construction(role)));
+        sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
     }
     let role = options.role(Role::Ink);
     sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(1.5)));
@@ -125,7 +125,7 @@ fn touching(sketch: &mut Sketch, found: &Found) {
 fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
     let center = 0.5 * (found.min + found.max);
     for (key, point) in [("min", found.min), ("max", found.max)] {
-        sketch.part(key).marker(point, Marker::Square, role, MARKER);
+        sketch.part(key).marker(point, Marker::Disc, role, MARKER);
         let text = format!("{key} $= ({}, {})$", number(point.x), number(point.y));
         let anchor = Anchor::point_toward(point, point - center);
         sketch.label(Label::new(key, text, anchor, role));

@@ -6,6 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
 
@@ -18,7 +19,15 @@ pub(super) const LAYER: Layer = Layer {
     name: "clamp",
     about: "a circle's centre clamped to a box",
     shows: Shows::World,
-    options: &[OptionSpec { name: "show", takes: Takes::Words(PARTS), default: "all", about: "which parts" }],
+    options: &[
+        OptionSpec { name: "show", takes: Takes::Words(PARTS), default: "all", about: "which parts" },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the components of V, in the box's frame, and of D, in the world",
+        },
+    ],
     labels: &[
         LabelKey { key: "V", about: "from the box's centre to the circle's" },
         LabelKey { key: "V_x", about: "its component along the box's x axis" },
@@ -76,12 +85,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.part("V").arrow(from, tip, Pen::vector(Role::Ink));
-        sketch.label(Label::new("V", "$V$", Anchor::middle(from, tip), Role::Ink));
+        let text = valued("V", c.v, options);
+        sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
         let (from, tip) = (c.closest, c.closest + c.d);
         sketch.part("D").arrow(from, tip, Pen::vector(Role::Translation));
-        sketch.label(Label::new("D", "$D$", Anchor::middle(from, tip), Role::Translation));
+        let text = valued("D", c.d, options);
+        sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {
         let marker = if c.side == Side::A { Marker::Disc } else { Marker::Square };
@@ -90,6 +101,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         // The circle's centre, clamped.
         let text = format!("${}_c$", context.named(c.side.other()).term());
         sketch.label(Label::new("B_c", text, Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
+    }
+}
+
+/// The label of a vector, with its components where the scene wants them.
+fn valued(letter: &str, vector: DVec2, options: &Options) -> String {
+    if options.flag("values", false) {
+        format!("${letter} = ({}, {})$", number(vector.x), number(vector.y))
+    } else {
+        format!("${letter}$")
     }
 }
 
@@ -104,11 +124,7 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
     let names = [("V_x", "$V_x$"), ("V_y", "$V_y$")];
     for ((axis, component, kept), (key, text)) in axes(c).into_iter().zip(names) {
         let tip = c.pose.position + axis * component;
-        sketch.part("projections").weight(Weight::Light).line(
-            tip,
-            c.pose.point(c.v),
-            Pen::construction(Role::Muted).width(1.0),
-        );
+        sketch.part("projections").weight(Weight::Light).line(tip, c.pose.point(c.v), Pen::construction());
         if !(with_kept && component == kept) {
             sketch.part(key).arrow(c.pose.position, tip, Pen::vector(Role::Muted));
             let anchor = Anchor::tip(c.pose.position, tip);

@@ -1,18 +1,20 @@
-//! From the origin to the nearest point of B ⊖ A: the separation as a vector, `p_B` − `p_A` = s n. At a step
-//! of a sweep, where the estimate moves and not the difference, from the estimate.
+//! The nearest point of B ⊖ A: how far the origin is from it, `p_B` − `p_A` = s n, where the bodies are apart;
+//! where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is at the
+//! origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::distance_or_depth;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
+use super::difference::difference;
 use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
-    about: "from the origin, or a sweep's estimate, to the nearest point of B ⊖ A",
+    about: "distance of the origin, or a sweep's estimate, from B ⊖ A; the minimum translation of B inside it",
     shows: Shows::Configuration,
     options: &[],
     labels: &[LabelKey { key: "d", about: "distance or depth" }],
@@ -21,9 +23,23 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// How far a point of the outline may be from the edge that it lies on, in parts of its distance from the
+/// origin: both are rounded a few times.
+const SAME: f64 = 1e-9;
+
+/// The nearest point of B ⊖ A.
+struct Nearest {
+    /// From the origin, or the estimate, to that point.
+    foot: DVec2,
+    /// What the label says of it.
+    text: String,
+    /// Whether the bodies overlap, by a proved depth.
+    overlap: bool,
+}
+
 /// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
 /// of the algorithm; for round bodies, whose radius candidates leave out, the answer's. And its label.
-fn nearest(context: &Context) -> Option<(DVec2, String)> {
+fn nearest(context: &Context) -> Option<Nearest> {
     let run = context.separation_at(context.time)?;
     let answer = *run.separation()?;
     let candidate = run.events().filter(|e| matches!(e, Event::CandidateImproved { .. })).last();
@@ -34,13 +50,39 @@ fn nearest(context: &Context) -> Option<(DVec2, String)> {
         Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => *foot,
         _ => answer.normal * answer.separation,
     };
-    Some((foot, distance_or_depth(&answer)))
+    Some(Nearest { foot, text: distance_or_depth(&answer), overlap: answer.bounds.hi < 0.0 })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some((foot, text)) = nearest(context) else { return };
+    let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
     let role = options.role(Role::Translation);
     let from = context.estimate();
-    sketch.part("closest").double_arrow(from, from + foot, Pen::vector(role));
-    sketch.label(Label::new("d", text, Anchor::middle(from, from + foot), role));
+    let to = from + foot;
+    right_angle(sketch, context, from, foot);
+    sketch.part("closest");
+    if overlap {
+        sketch.arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
+    } else {
+        sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
+    }
+    sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
+}
+
+/// Marks the right angle at the nearest point, where that is within an edge.
+fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
+    let Some(found) = difference(context, context.difference_time()) else { return };
+    let (to, size) = (from + foot, foot.length());
+    let leg = found.edges.iter().map(|edge| found.drawn(edge)).find_map(|(p, q)| {
+        let along = q - p;
+        let share = (to - p).dot(along) / along.length_squared();
+        let off = (to - p).perp_dot(along).abs() / along.length();
+        ((0.0..=1.0).contains(&share) && off <= SAME * size).then_some(if share > 0.5 {
+            p - to
+        } else {
+            q - to
+        })
+    });
+    if let Some(leg) = leg {
+        sketch.part("right-angle").right_angle(to, leg, -foot);
+    }
 }

@@ -1,5 +1,5 @@
 //! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's
-//! dashed too), diamonds at its vertices. Round bodies make it an arc.
+//! cased), diamonds at its vertices. Round bodies make it an arc.
 
 use std::collections::BTreeSet;
 
@@ -7,9 +7,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::runs::tells_difference;
-use crate::figure::sketch::{
-    Anchor, Dash, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash,
-};
+use crate::figure::sketch::{Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
 
@@ -158,8 +156,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(found) = difference(context, time) else { return };
     area(sketch, options, &found);
     let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };
-    edges(sketch, &found, |edge| {
-        let pen = edge_pen(edge);
+    edges(sketch, &found, |edge, pen| {
         let thin = skipped.contains(&(edge.source == Side::B, edge.index));
         if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen }
     });
@@ -191,19 +188,20 @@ pub(super) fn arcs(sketch: &mut Sketch, found: &Difference, pen: Pen) {
     }
 }
 
-/// The pen of an edge: solid in A's colour, dashed in B's.
-pub(super) fn edge_pen(edge: &Edge) -> Pen {
-    let pen = Pen::outline(edge.source.into());
-    if edge.source == Side::B { pen.dash(Dash::Long) } else { pen }
+/// Draws an edge in the colour of the body that it comes from: A's as a plain line, B's as a cased one.
+pub(super) fn draw_edge(sketch: &mut Sketch, source: Side, (from, to): (DVec2, DVec2), pen: Pen) {
+    match source {
+        Side::A => sketch.line(from, to, pen),
+        Side::B => sketch.cased(from, to, pen),
+    };
 }
 
-/// Draws the edges, as one part for each body that they come from.
-fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge) -> Pen) {
+/// Draws the edges, as one part for each body that they come from; `pen` changes the pen of an outline.
+fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> Pen) {
     for (side, part) in [(Side::A, "edges-A"), (Side::B, "edges-B")] {
         sketch.part(part);
         for edge in found.edges.iter().filter(|e| e.source == side) {
-            let (from, to) = found.drawn(edge);
-            sketch.line(from, to, pen(edge));
+            draw_edge(sketch, side, found.drawn(edge), pen(edge, Pen::outline(side.into())));
         }
     }
 }
@@ -269,10 +267,10 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(((_, last), before)) = all.split_last() else { return };
     for ((_, found), opacity) in before.iter().zip(fade(SERIES, before.len())) {
         arcs(sketch, found, Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity));
-        edges(sketch, found, |edge| edge_pen(edge).width(EARLIER).opacity(opacity));
+        edges(sketch, found, |_, pen| pen.width(EARLIER).opacity(opacity));
     }
     area(sketch, options, last);
-    edges(sketch, last, edge_pen);
+    edges(sketch, last, |_, pen| pen);
     diamonds(sketch, last);
     name(sketch, context, options, last);
     if options.flag("numbers", false) {

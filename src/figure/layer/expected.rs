@@ -8,11 +8,9 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 
-use super::ghosts::ghost;
+use super::ghosts::{at_moment, ghost};
+use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, Options, Shows};
-
-/// Drawn length of the normals, world units.
-const NORMAL: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "expected",
@@ -68,7 +66,8 @@ fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Ex
     for side in context.sides() {
         let elsewhere = context.pose(side, time) != context.pose(side, context.time);
         if let Some(outline) = context.outline(side, time).filter(|_| elsewhere) {
-            ghost(sketch, context, options, side, &outline);
+            let text = at_moment(context, side, &number(time));
+            ghost(sketch, options, side, &outline, text);
         }
     }
 }
@@ -86,9 +85,7 @@ fn ours(context: &Context) -> Option<Separation> {
 
 /// Draws a normal with its name.
 fn normal(sketch: &mut Sketch, from: DVec2, n: DVec2, (key, text, role): (&'static str, &str, Role)) {
-    let tip = from + n * NORMAL;
-    sketch.part("normal").arrow(from, tip, Pen::vector(role));
-    sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
+    unit_vector(sketch, (from, n), None, Label::new(key, text, Anchor::point(from), role));
 }
 
 /// What is expected in lines of a label.

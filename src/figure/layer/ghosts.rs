@@ -3,8 +3,9 @@
 
 use crate::collision::Separation;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Dash, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
-use crate::geometry::Side;
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::text::{Quantity, number};
+use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade, part};
@@ -39,11 +40,18 @@ pub(super) const LAYER: Layer = Layer {
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every \
                 step",
         },
-        OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "a faint fill" },
+        OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
+        OptionSpec {
+            name: "path",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the way of the body's origin between here and there, in the order of time",
+        },
     ],
     labels: &[
-        LabelKey { key: "A'", about: "the first body then" },
-        LabelKey { key: "B'", about: "the second body then" },
+        LabelKey { key: "A'", about: "the first body, and when it is there" },
+        LabelKey { key: "B'", about: "the second body, and when it is there" },
+        LabelKey { key: "then", about: "the time of a step before the last" },
     ],
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
         a separation for \"separated\", steps for \"steps\"",
@@ -84,7 +92,8 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
         return;
     };
     let away = answer.normal * answer.separation;
-    ghost(sketch, context, options, side, &outline.moved(if side == Side::A { away } else { -away }));
+    let text = format!("{} pushed out", context.named(side).primed(0));
+    ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), text);
 }
 
 /// Draws a body at another moment, if it is elsewhere then.
@@ -95,37 +104,34 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
         return;
     }
     if let Some(outline) = context.outline(side, time) {
-        ghost(sketch, context, options, side, &outline);
+        if options.flag("path", false) {
+            let way = context.track(side, DVec2::ZERO, [time.min(context.time), time.max(context.time)]);
+            let role = options.role(side.into());
+            sketch.part(part("way", side)).path_through_time(&way, Pen::path(role));
+        }
+        let hit = context.hit_time().filter(|hit| hit.lo == time);
+        let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());
+        ghost(sketch, options, side, &outline, at_moment(context, side, &then));
     }
 }
 
-/// Draws one ghost and names it.
-pub(super) fn ghost(
-    sketch: &mut Sketch,
-    context: &Context,
-    options: &Options,
-    side: Side,
-    outline: &Outline,
-) {
+/// The label of a body at a moment: "A at t = 0.5".
+pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> String {
+    format!("{} at $t = {time}$", context.named(side).primed(0))
+}
+
+/// Draws one ghost and names it by `text`.
+pub(super) fn ghost(sketch: &mut Sketch, options: &Options, side: Side, outline: &Outline, text: String) {
     let role = options.role(side.into());
-    let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
+    let wash = options.flag("fill", false).then(|| Wash::faint(role, FAINT));
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));
-    name(sketch, context, options, side, outline);
-}
-
-/// Names a ghost inside it.
-fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, outline: &Outline) {
     let key = if side == Side::A { "A'" } else { "B'" };
-    let anchor = Anchor::inside(outline);
-    sketch.label(
-        Label::new(key, context.named(side).primed(1), anchor, options.role(side.into()))
-            .rank(Rank::Name)
-            .size(Size::Name),
-    );
+    let label = Label::new(key, text, Anchor::inside(outline), role);
+    sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
 
-/// Draws the body at each step after the first; of more than [`MOST`] the first ones and the last, which is
-/// named.
+/// Draws the body at each step after the first, each with its time; of more than [`MOST`] the first ones and
+/// the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
@@ -136,13 +142,11 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
-            sketch.unnamed(Anchor::inside(&outline));
+            let label = Label::new("then", format!("$t = {}$", number(time)), Anchor::inside(&outline), role);
+            sketch.label(label.rank(Rank::Word).size(Size::Small));
         }
     }
     if let Some(outline) = context.outline(side, last) {
-        let pen = Pen::outline(role).dash(Dash::Dotted);
-        let wash = options.flag("fill", true).then(|| Wash::faint(role, FAINT));
-        sketch.part(part("ghost", side)).area(&outline, wash, Some(pen));
-        name(sketch, context, options, side, &outline);
+        ghost(sketch, options, side, &outline, at_moment(context, side, &number(last)));
     }
 }

@@ -10,7 +10,7 @@ use crate::figure::sketch::{
 };
 use crate::geometry::{DVec2, Side};
 
-use super::difference::{difference, edge_pen};
+use super::difference::{difference, draw_edge};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
@@ -60,7 +60,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("grown-edges");
     for edge in &found.edges {
         let (from, to) = found.drawn(edge);
-        sketch.line(turned(from), turned(to), edge_pen(edge));
+        draw_edge(sketch, edge.source, (turned(from), turned(to)), Pen::outline(edge.source.into()));
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);

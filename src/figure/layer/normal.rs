@@ -5,6 +5,7 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
@@ -68,14 +69,38 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(from) = start(context, options, time, &answer) else { return };
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
-    let given = options.number("length");
+    let role = options.role(Role::Ink);
+    let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
+    let length = options.number("length");
+    unit_vector(sketch, (from, *n), length, Label::new(key, letter, Anchor::point(from), role));
+}
+
+/// Draws a unit vector `n` from a point, one unit long or as long as the scene says, with its label; where it
+/// is not one long, the label says so. Returns its tip.
+pub(super) fn unit_vector(
+    sketch: &mut Sketch,
+    (from, n): (DVec2, DVec2),
+    given: Option<f64>,
+    label: Label,
+) -> DVec2 {
     let to_scale = given.is_some() || sketch.is_legible(LENGTH);
     let tip = from + n * given.unwrap_or(if to_scale { LENGTH } else { sketch.px(FITTED) });
-    let role = options.role(Role::Ink);
-    sketch.part("normal").arrow(from, tip, Pen::vector(role));
-    let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
-    let text = if to_scale { letter.to_owned() } else { format!("{letter} (not to scale)") };
-    sketch.label(Label::new(key, text, Anchor::tip(from, tip), role));
+    sketch.part("normal").arrow(from, tip, Pen::vector(label.role));
+    let factor = given.unwrap_or(LENGTH);
+    let say = |text: &String| if to_scale { scaled(factor, text) } else { format!("{text} (not to scale)") };
+    let lines = label.lines.iter().map(say).collect();
+    sketch.label(Label { lines, anchor: Anchor::tip(from, tip), ..label });
+    tip
+}
+
+/// The text of a vector that is drawn `factor` times as long as it is.
+pub(super) fn scaled(factor: f64, text: &str) -> String {
+    let quarters = [(0.25, "¼"), (0.5, "½"), (0.75, "¾")];
+    match quarters.iter().find(|(quarter, _)| *quarter == factor) {
+        _ if factor == 1.0 => text.to_owned(),
+        Some((_, fraction)) => format!("{fraction} {text}"),
+        None => format!("${}$ {text}", number(factor)),
+    }
 }
 
 /// Where the arrow starts at `time`, in the world.

@@ -51,6 +51,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let hit = from + v * time.lo;
         sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
-        sketch.part("hit").marker(hit, Marker::Disc, Role::Now, LARGE_MARKER);
+        sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
     }
 }

@@ -1,7 +1,8 @@
-//! Witness points and the double arrow between them: the distance of bodies apart, the depth of bodies that
-//! overlap.
+//! Witness points and what lies between them: the distance of bodies apart as a length; the minimum translation
+//! of bodies that overlap as an arrow, the way B goes.
 //!
-//! `p_B` − `p_A` = s n, so the arrow runs outside both bodies or inside both, and its length is |s|.
+//! `p_B` − `p_A` = s n, so the line runs outside both bodies or inside both, and its length is |s|. B parts from A
+//! by −s n, which takes `p_B` to `p_A`.
 
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use crate::figure::context::Context;
 use crate::figure::runs::Run;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch, Weight};
 use crate::figure::text::{Quantity, distance_or_depth};
-use crate::geometry::{Feature, Side};
+use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::Event;
 
 use crate::scene::When;
@@ -36,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "style",
             takes: Takes::Word(&["arrow", "dimension", "bar"]),
             default: "\"arrow\"",
-            about: "a double arrow, a dimension line with ticks, or a thick bar",
+            about: "an arrow the way B parts from A (apart: a dimension line), a dimension line, or a thick bar",
         },
         OptionSpec {
             name: "offset",
@@ -94,21 +95,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("carrier", false) {
         carrier(sketch, context, &run, &answer);
     }
-    let arrow = options.word("style", "arrow") == "arrow";
-    if arrow {
-        points(sketch, options, &answer);
-    }
     let [p, q] = answer.points;
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
     sketch.part("separation");
     match options.word("style", "arrow") {
         "dimension" => sketch.dimension(p, q, -offset, Pen::dimension(role).width(1.5)),
         "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
-        _ => sketch.double_arrow(p, q, Pen::vector(role)),
+        _ if answer.bounds.hi < 0.0 => {
+            let clear = if options.flag("points", false) { MARKER } else { 0.0 };
+            sketch.arrow_to(q, p, clear, Pen::vector(role))
+        }
+        _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
-    if !arrow {
-        points(sketch, options, &answer);
-    }
+    right_angles(sketch, context, &run, &answer);
+    points(sketch, options, &answer);
     let (key, text) = words(&run, &answer);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
@@ -119,7 +119,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     });
 }
 
-/// Marks the closest points, if the scene wants them: under arrow heads, which meet in them, and over lines.
+/// Marks the closest points, if the scene wants them.
 fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     if options.flag("points", false) {
         sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
@@ -127,24 +127,44 @@ fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     }
 }
 
-/// Draws the line of the edge that carries a witness point, longer at both ends.
-fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
-    for (side, feature) in [(Side::A, answer.features[0]), (Side::B, answer.features[1])] {
+/// The edges that carry a witness point, each with that point: from end to end, moved out by the radius, in
+/// the world.
+fn edges(context: &Context, run: &Run, answer: &Separation) -> Vec<(DVec2, [DVec2; 2])> {
+    let edge = |(side, feature, point): (Side, Feature, DVec2)| {
         let (Feature::Edge(i), Some(body), Some(pose)) =
             (feature, context.body(side), context.pose(side, run.time))
         else {
-            continue;
+            return None;
         };
-        let Some(ends) = body.shape.edge_ends(i) else { continue };
         let outward = if side == Side::A { answer.normal } else { -answer.normal };
-        let [p, q] = ends.map(|k| pose.point(body.shape.vertices[k]) + outward * body.shape.radius);
+        let ends = body.shape.edge_ends(i)?;
+        let ends =
+            ends.map(|k| body.shape.vertices.get(k).map(|&v| pose.point(v) + outward * body.shape.radius));
+        Some((point, [ends[0]?, ends[1]?]))
+    };
+    let [a, b] = answer.features;
+    let [p, q] = answer.points;
+    [(Side::A, a, p), (Side::B, b, q)].into_iter().filter_map(edge).collect()
+}
+
+/// Draws the line of an edge that carries a witness point, beyond both of its ends.
+fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
+    for (_, [p, q]) in edges(context, run, answer) {
         let reach = (q - p).normalize_or_zero() * CARRIER;
-        sketch.part("carrier").weight(Weight::Light).line(
-            p - reach,
-            q + reach,
-            Pen::construction(Role::Muted),
-        );
+        sketch.part("carrier").weight(Weight::Light);
+        sketch.line(p - reach, p, Pen::construction()).line(q, q + reach, Pen::construction());
     }
+}
+
+/// Marks the right angle of the way between the closest points against the edges that carry one.
+fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
+    let [a, b] = answer.points;
+    for (at, [p, q]) in edges(context, run, answer) {
+        let other = if at == a { b } else { a };
+        let leg = if at.distance_squared(p) > at.distance_squared(q) { p } else { q };
+        sketch.part("right-angle").right_angle(at, leg - at, other - at);
+    }
+    sketch.part("separation");
 }
 
 /// Key and text of the label in the algorithm's own words: the article calls the signed penetration of

@@ -3,14 +3,25 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash};
-use crate::geometry::DVec2;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
+
+/// How far beside v the direction of the search is drawn, page pixels: clear of both heads.
+const BESIDE: f64 = 10.0;
+/// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
+const SEARCH: f64 = 44.0;
+/// How far a supporting line reaches past what it supports, page pixels.
+const PAST: f64 = 44.0;
+
+/// How far from a supporting line a vertex may be that it supports, in parts of the distance of the line from the
+/// origin: both are rounded a few times.
+const ON_LINE: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "simplex",
@@ -24,7 +35,9 @@ pub(super) const LAYER: Layer = Layer {
     }],
     labels: &[
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
+        LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
+        LabelKey { key: "support", about: "that no vertex is farther, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
     fed: |context, options| {
@@ -72,15 +85,42 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("simplex").area(&Outline::polygon(&step.vertices), wash, Some(Pen::highlighted(role)));
     }
     for &vertex in &step.vertices {
-        sketch.part("simplex").marker(vertex, Marker::Disc, role, MARKER);
+        sketch.part("simplex").marker(vertex, Marker::Diamond, role, MARKER);
     }
     if let Some(v) = step.closest {
         let blue = Role::Translation;
-        sketch.part("closest").arrow(DVec2::ZERO, v, Pen::vector(blue));
+        sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
         sketch.label(Label::new("closest", "$v$", Anchor::middle(DVec2::ZERO, v), blue));
+        search(sketch, v, &step.vertices, step.next);
     }
     if let Some(w) = step.next {
-        sketch.part("next").marker(w, Marker::RingedDisc, role, MARKER);
+        sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
         sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+    }
+}
+
+/// Draws the direction −v beside v, and the supporting line square to it through the vertex that is farthest
+/// that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search ends.
+fn search(sketch: &mut Sketch, v: DVec2, vertices: &[DVec2], next: Option<DVec2>) {
+    let Some(u) = v.try_normalize() else { return };
+    let beside = perp(u) * sketch.px(BESIDE);
+    let reach = sketch.px(SEARCH).min(0.5 * v.length());
+    let (from, tip) = (v + beside, v + beside - u * reach);
+    sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("search", "$-v$", Anchor::middle(tip, from), Role::Ink).rank(Rank::Word));
+    let w = next.unwrap_or(v);
+    let (foot, across) = (u * w.dot(u), perp(u));
+    let side = if w.dot(across) < 0.0 { -across } else { across };
+    // Beyond the simplex too, whose edge the line lies on where the search ends.
+    let supported = vertices.iter().filter(|p| (**p - w).dot(u).abs() <= ON_LINE * v.length());
+    let reached = supported.chain([&w, &foot]).map(|p| p.dot(side));
+    let (lo, hi) = reached.fold((0.0, 0.0), |(lo, hi): (f64, f64), x| (lo.min(x), hi.max(x)));
+    let past = sketch.px(PAST);
+    let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
+    sketch.part("support").weight(Weight::Light).line(begin, end, Pen::construction());
+    sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
+    if next.is_none() {
+        let text = Label::new("support", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
+        sketch.label(text.rank(Rank::Word).size(Size::Note));
     }
 }

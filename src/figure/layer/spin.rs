@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
@@ -30,6 +31,12 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Number,
             default: "0.6",
             about: "world units, by default as large as is readable",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the degrees per unit of time",
         },
     ],
     labels: &[
@@ -76,7 +83,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("spin", side)).marker(center, Marker::Disc, role, SMALL_MARKER);
         sketch.part(part("spin", side)).arc_arrow(center, radius, start, sweep, Pen::vector(role).width(1.5));
         let key = if side == Side::A { "omega_A" } else { "omega_B" };
-        let text = context.symbol(r"\omega", side);
+        let symbol = context.symbol(r"\omega", side);
+        let text =
+            if options.flag("values", false) { format!("{symbol} $= {}°$", number(spin)) } else { symbol };
         sketch.label(Label::new(key, text, Anchor::Arc { center, radius, start, sweep }, role));
     }
 }

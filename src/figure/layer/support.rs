@@ -2,7 +2,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 use crate::trace::{Event, SupportVertex};
@@ -77,11 +77,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let Some((side, vertices)) = supports(context) else { return };
     if let [p, q] = vertices.as_slice() {
-        sketch.part("support").weight(Weight::Light).line(
-            p.point,
-            q.point,
-            Pen::highlighted(role).dash(Dash::Dashed),
-        );
+        sketch.part("support").weight(Weight::Light).line(p.point, q.point, Pen::highlighted(role));
     }
     let middle = match vertices.as_slice() {
         [p, q] => 0.5 * (p.point + q.point),
@@ -90,7 +86,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let keys = if side == Side::A { ["a_1", "a_2"] } else { ["b_1", "b_2"] };
     for ((vertex, key), number) in vertices.iter().zip(keys).zip(1..) {
         let text = format!("${}$", context.named(side).point(number));
-        sketch.part("support").marker(vertex.point, Marker::HollowSquare, role, LARGE_MARKER);
+        let marker = if side == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
+        sketch.part("support").marker(vertex.point, marker, role, LARGE_MARKER);
         let anchor = Anchor::point_toward(vertex.point, vertex.point - middle);
         sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
     }

@@ -4,7 +4,6 @@
 //! edges that lead from one place to the other are the tangents of the cores; moved out by the radius, those
 //! of the bodies.
 
-use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
@@ -13,7 +12,7 @@ use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",
-    about: "dashed tangents between a body and its ghost at the hit",
+    about: "the edges of the band that a body sweeps up to the hit",
     shows: Shows::World,
     options: &[OptionSpec {
         name: "of",
@@ -52,7 +51,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.part(part("sweep", side)).weight(Weight::Light).line(
                 p,
                 q,
-                Pen::construction(options.role(Role::Muted)).width(1.25),
+                Pen::dimension(options.role(side.into())),
             );
         }
     }

@@ -3,7 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Dash, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, Sketch};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
 use super::{Fed, LabelKey, Layer, Options, Shows, part};
@@ -34,8 +34,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let path = context.track(side, local, [0.0, time]);
         let role = options.role(side.into());
         if path.first() != path.last() {
-            let pen = Pen::ghost(role).width(1.75).dash(Dash::Dotted);
-            sketch.part(part("track", side)).area(&Outline::polyline(&path), None, Some(pen));
+            sketch.part(part("track", side)).path_through_time(&path, Pen::path(role));
         }
         let place = now.point(local);
         sketch.part(part("track", side)).marker(place, marker, role, LARGE_MARKER);

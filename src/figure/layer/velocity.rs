@@ -7,10 +7,11 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
-use crate::figure::text::Quantity;
+use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
 
+use super::normal::scaled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
@@ -41,7 +42,13 @@ pub(super) const LAYER: Layer = Layer {
             name: "scale",
             takes: Takes::Number,
             default: "1",
-            about: "drawn length of a unit of velocity, world units",
+            about: "drawn length of a unit of velocity, world units; the label says it",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the velocities' components",
         },
     ],
     labels: &[
@@ -87,7 +94,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         arrow(
             sketch,
             options,
-            &Motion { key: "v", text: "$v$".to_owned(), way, from: DVec2::ZERO, v, now, hit, scale },
+            &Motion { key: "v", text: text("$v$", v, options), way, from: DVec2::ZERO, v, now, hit, scale },
         );
         return;
     }
@@ -96,9 +103,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let local = start(context, options, side);
         let way = hit.map(|time| context.track(side, local, [context.time, time.lo]));
         let key = if side == Side::A { "v_A" } else { "v_B" };
-        let text = context.symbol("v", side);
+        let text = text(&context.symbol("v", side), v, options);
         let from = pose.point(local);
         arrow(sketch, options, &Motion { key, text, way, from, v, now: context.time, hit, scale });
+    }
+}
+
+/// What the label of a velocity says: its symbol, the scale that it is drawn in, its components if wanted.
+fn text(symbol: &str, v: DVec2, options: &Options) -> String {
+    let drawn = scaled(options.number("scale").unwrap_or(1.0), symbol);
+    let value = || format!("$= ({}, {})$", number(v.x), number(v.y));
+    match (options.flag("values", false), drawn == symbol) {
+        (false, _) => drawn,
+        (true, true) => format!("{symbol} {}", value()),
+        (true, false) => format!("{drawn}, {symbol} {}", value()),
     }
 }
 

@@ -17,6 +17,13 @@ const SHORT: f64 = 14.0;
 const DOT: f64 = 6.0;
 /// Radius of that dot, page pixels.
 const DOT_RADIUS: f64 = 2.2;
+/// Width of either stroke of a cased line, in widths of a plain one: together they weigh as much.
+const CASE_STROKE: f64 = 0.5;
+/// How far the middle of either stroke is from the line at least, page pixels: a gap that is seen at a third
+/// of the size.
+const CASE_GAP: f64 = 0.3;
+/// How much farther, in widths of a plain line.
+const CASE_OFF: f64 = 0.5;
 
 impl Sketch<'_> {
     /// Draws the line of an outline of the panel's space, without its area.
@@ -32,37 +39,71 @@ impl Sketch<'_> {
     /// Draws a vector of the panel's space: a shaft that ends inside a filled head. Under 14 px the head is
     /// smaller, under 6 px it is a dot.
     pub(crate) fn arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+        self.arrow_to(from, to, 0.0, pen)
+    }
+
+    /// Draws a vector to a point that bears a marker of `clear` page pixels, which its head does not hide: it
+    /// ends at the marker's rim, unless it is too short for that.
+    pub(crate) fn arrow_to(&mut self, from: DVec2, to: DVec2, clear: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
-        let (tail, tip) = (self.frame.page(from), self.frame.page(to));
-        self.page_arrow(tail, tip, pen, false);
+        let (tail, end) = (self.frame.page(from), self.frame.page(to));
+        let clear = self.fitted(clear);
+        let room = (end - tail).length() - clear >= SHORT;
+        let tip = (end - tail).unit().filter(|_| room).map_or(end, |u| end + u * -clear);
+        self.page_arrow(tail, tip, pen);
         self
     }
 
-    /// Draws a shaft with a head at both ends, between points of the panel's space.
-    pub(crate) fn double_arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+    /// Draws a straight line between points of the panel's space as two thin strokes beside it: as wide as
+    /// the pen's line and a gap, told from a plain line without colour.
+    pub(crate) fn cased(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+        let (strip, off) = (pen.width(CASE_STROKE * pen.width), CASE_GAP + CASE_OFF * pen.width);
+        let (p, q) = (self.frame.page(from), self.frame.page(to));
+        let Some(u) = (q - p).unit() else { return self };
         self.reach(&[from, to]);
-        let (tail, tip) = (self.frame.page(from), self.frame.page(to));
-        self.page_arrow(tail, tip, pen, true);
+        for way in [1.0, -1.0] {
+            let shift = u.left() * (way * self.fitted(off));
+            self.push_stroked(Contour::line(p + shift, q + shift), strip);
+        }
+        self.keep_off(Cover::Stroke { from: p, to: q, half: off + 0.5 * strip.width });
         self
     }
 
-    /// Draws a vector on the page; with `both`, a head at its tail too.
-    pub(super) fn page_arrow(&mut self, tail: Point, tip: Point, pen: Pen, both: bool) {
+    /// Draws a path through time, given by points of the panel's space: a line with a small head half-way
+    /// that looks the way it goes.
+    pub(crate) fn path_through_time(&mut self, points: &[DVec2], pen: Pen) -> &mut Self {
+        self.stroke(&Outline::polyline(points), pen);
+        let page: Vec<Point> = points.iter().map(|&p| self.frame.page(p)).collect();
+        let length = |w: &[Point]| (w[1] - w[0]).length();
+        let whole: f64 = page.windows(2).map(length).sum();
+        let head = self.head_length(pen, whole);
+        if whole < SHORT {
+            return self;
+        }
+        let mut left = 0.5 * (whole + head);
+        for w in page.windows(2) {
+            let (own, along) = (length(w), (w[1] - w[0]).unit());
+            if let Some(u) = along.filter(|_| own >= left) {
+                self.page_head(w[0] + u * left, u, head, pen);
+                break;
+            }
+            left -= own;
+        }
+        self
+    }
+
+    /// Draws a vector on the page.
+    fn page_arrow(&mut self, tail: Point, tip: Point, pen: Pen) {
         let shaft = tip - tail;
         let length = shaft.length();
         let Some(u) = shaft.unit().filter(|_| length >= DOT) else {
             self.page_dot(tail + shaft * 0.5, DOT_RADIUS, pen);
             return;
         };
-        let head = self.head_length(pen, if both { 0.5 * length } else { length });
-        let inset = u * (0.6 * head);
-        let start = if both { tail + inset } else { tail };
-        self.push_stroked(Contour::line(start, tip + -inset), pen);
+        let head = self.head_length(pen, length);
+        self.push_stroked(Contour::line(tail, tip + u * (-0.6 * head)), pen);
         self.keep_off(Cover::Stroke { from: tail, to: tip, half: 0.5 * pen.width });
         self.page_head(tip, u, head, pen);
-        if both {
-            self.page_head(tail, -u, head, pen);
-        }
     }
 
     /// Draws a filled head on the page with its point at `tip`, looking along the unit offset `u`.

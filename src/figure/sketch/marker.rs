@@ -11,8 +11,12 @@ const HOLLOW: f64 = 1.75;
 const SQUARE: f64 = 0.89;
 /// Half the diagonal of the diamond that looks as large as a disc of radius 1.
 const DIAMOND: f64 = 1.2;
-/// Radius of the ring about the origin and about a new estimate, in radii of the dot.
+/// Half the diagonal of a diamond that is not filled, in radii of a disc: its background must be seen.
+const OPEN: f64 = 1.45;
+/// Radius of the ring about the origin, in radii of a usual disc.
 const RING: f64 = 1.75;
+/// Radius of the dot in that ring, in radii of a usual disc: at 1 the ring closes at a third of the size.
+const ORIGIN_DOT: f64 = 0.8;
 /// A closed outline that reaches less than this in any direction has no form to be seen, page pixels: half
 /// the width of its line.
 pub(crate) const SPECK: f64 = 1.0;
@@ -29,11 +33,13 @@ impl Sketch<'_> {
             Marker::Disc => self.solid(disc(radius), role),
             Marker::Square => self.solid(square(p, SQUARE * radius), role),
             Marker::Diamond => self.solid(diamond(p, DIAMOND * radius), role),
+            Marker::HollowDisc => self.hollow(disc(radius), role),
             Marker::HollowSquare => self.hollow(square(p, SQUARE * radius), role),
+            Marker::HollowDiamond => self.hollow(diamond(p, OPEN * radius), role),
             Marker::Cross => self.cross(p, radius, role),
-            Marker::Origin | Marker::RingedDisc => {
+            Marker::Origin => {
                 self.hollow(disc(RING * radius), role);
-                self.solid(disc(radius), role)
+                self.solid(disc(ORIGIN_DOT * radius), role)
             }
         }
     }
@@ -101,9 +107,11 @@ impl Marker {
     #[must_use]
     pub(crate) fn reach(self, radius: f64) -> f64 {
         match self {
-            Self::Origin | Self::RingedDisc => radius * RING + 0.5 * HOLLOW,
+            Self::Origin => radius * RING + 0.5 * HOLLOW,
+            Self::HollowDiamond => radius * OPEN + 0.5 * HOLLOW,
             Self::Square | Self::HollowSquare | Self::Diamond | Self::Cross => radius * DIAMOND,
             Self::Disc => radius,
+            Self::HollowDisc => radius + 0.5 * HOLLOW,
         }
     }
 }

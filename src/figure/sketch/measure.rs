@@ -15,7 +15,7 @@ const EXTENSION_GAP: f64 = 3.0;
 
 impl Sketch<'_> {
     /// Draws the length between points of the panel's space `offset` page pixels to the left of from → to,
-    /// with ticks at its ends and dashed extension lines to where it belongs.
+    /// with ticks at its ends and extension lines to where it belongs.
     pub(crate) fn dimension(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
@@ -49,7 +49,7 @@ impl Sketch<'_> {
         }
     }
 
-    /// Draws a dashed line on the page from a point to the end of its dimension, a little away from the one
+    /// Draws a thin line on the page from a point to the end of its dimension, a little away from the one
     /// and beyond the other.
     fn extension(&mut self, from: Point, to: Point) {
         let gap = self.fitted(EXTENSION_GAP);

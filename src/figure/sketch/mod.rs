@@ -4,12 +4,14 @@
 //! and what it draws until the next part belongs to that part; a label belongs to the part that is current
 //! when it is asked for, and may touch that part's strokes only.
 
+mod construction;
 mod label;
 mod line;
 mod marker;
 mod measure;
 mod outline;
 mod pen;
+mod right_angle;
 mod round;
 mod words;
 
@@ -173,7 +175,8 @@ impl<'f> Sketch<'f> {
 
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
-        let Self { frame, layers, obstacles, requests, unnamed, extent, points, painted, .. } = self;
+        let Self { frame, mut layers, obstacles, requests, unnamed, extent, points, painted, .. } = self;
+        construction::end_at_lines(&mut layers);
         Sketched { frame, layers, obstacles, requests, unnamed, extent, points, painted }
     }
 

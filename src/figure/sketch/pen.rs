@@ -11,8 +11,6 @@ pub(crate) enum Dash {
     Dashed,
     /// Dots: another time or place.
     Dotted,
-    /// Longer dashes than construction: an edge of a difference that comes from B.
-    Long,
 }
 
 impl Dash {
@@ -23,7 +21,6 @@ impl Dash {
             Self::Solid => Vec::new(),
             Self::Dashed => vec![7.0, 4.0],
             Self::Dotted => vec![0.0, 2.2 * width.max(1.0)],
-            Self::Long => vec![11.0, 3.5],
         }
     }
 }
@@ -65,10 +62,16 @@ impl Pen {
         Self::of(role, 1.75, Dash::Solid)
     }
 
-    /// A pen for construction lines: 1.5 px, dashed.
+    /// A pen for construction lines: 1.25 px, dashed, muted.
     #[must_use]
-    pub(crate) const fn construction(role: Role) -> Self {
-        Self::of(role, 1.5, Dash::Dashed)
+    pub(crate) const fn construction() -> Self {
+        Self::of(Role::Muted, 1.25, Dash::Dashed)
+    }
+
+    /// A pen for a path through time: 1.5 px.
+    #[must_use]
+    pub(crate) const fn path(role: Role) -> Self {
+        Self::of(role, 1.5, Dash::Solid)
     }
 
     /// A pen for bodies at another time or place: 1.5 px, dotted; at 1.25 the dots were lost on a third of
@@ -90,22 +93,16 @@ impl Pen {
         Self::of(Role::Muted, 1.0, Dash::Solid)
     }
 
-    /// A pen for extension lines of dimensions: 0.75 px, dashed, muted.
+    /// A pen for extension lines of dimensions: 0.75 px, muted.
     #[must_use]
     pub(crate) const fn extension() -> Self {
-        Self::of(Role::Muted, 0.75, Dash::Dashed)
+        Self::of(Role::Muted, 0.75, Dash::Solid)
     }
 
     /// The pen at another width, page pixels.
     #[must_use]
     pub(crate) const fn width(self, width: f64) -> Self {
         Self { width, ..self }
-    }
-
-    /// The pen with another pattern.
-    #[must_use]
-    pub(crate) const fn dash(self, dash: Dash) -> Self {
-        Self { dash, ..self }
     }
 
     /// The pen at another opacity, from 0 to 1.
@@ -145,16 +142,18 @@ pub(crate) enum Marker {
     Disc,
     /// A filled square: points of B.
     Square,
-    /// A filled square on its vertex: vertices of a difference.
+    /// A filled square on its vertex: points of a difference.
     Diamond,
-    /// A square, not filled: supporting vertices.
+    /// A disc, not filled: supporting vertices of A.
+    HollowDisc,
+    /// A square, not filled: supporting vertices of B.
     HollowSquare,
+    /// A square on its vertex, not filled: what is new in this step.
+    HollowDiamond,
     /// Two lines across each other: a centre.
     Cross,
-    /// A disc in a ring: the origin.
+    /// A disc in a ring: the origin, and nothing else.
     Origin,
-    /// A disc in a ring: a new estimate, or the vertex that comes next.
-    RingedDisc,
 }
 
 /// Radius of a usual marker, page pixels.

@@ -147,7 +147,9 @@ fn shown(scene: &Scene) -> Vec<Thing> {
         let text = request.label.lines.join("|");
         // What is left at a hit is a matter of roundings.
         let nothing = last_number(&text).abs() < f64::from(f32::EPSILON);
-        (request.label.key.to_owned(), if nothing { "nothing".to_owned() } else { text }, vec![])
+        // A body at another moment says when that is, which another beginning of the motion moves.
+        let name = text.split(" at $t = ").next().unwrap_or_default().to_owned();
+        (request.label.key.to_owned(), if nothing { "nothing".to_owned() } else { name }, vec![])
     };
     things.extend(sketched.requests.iter().map(label));
     things

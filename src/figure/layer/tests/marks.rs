@@ -1,0 +1,78 @@
+//! One mark, one meaning: vectors that say their scale, lengths without heads, ghosts that say when they are.
+
+use crate::drawing::Contour;
+use crate::figure::layer::normal::scaled;
+use crate::figure::{Figure, draw, plan};
+use crate::scene::open_text;
+
+use super::{labels, lines, paths};
+
+/// A box that goes and turns towards a disc, asked by `query`, shown by `layers`.
+fn figure(turn: &str, query: &str, layers: &str) -> Figure {
+    let text = format!(
+        "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [4, 2]{turn} }}
+         shapes.B = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+         query = {{ kind = '{query}', of = ['A', 'B'] }}
+         panels = [{{ view = [-3, -3, 9, 4], layers = [{layers}] }}]"
+    );
+    let scene = open_text("marks.toml", &text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    draw(&plan, plan.theme, "marks")
+}
+
+#[test]
+fn a_vector_that_is_not_drawn_at_its_length_says_its_scale() {
+    assert_eq!([1.0, 0.25, 3.0].map(|f| scaled(f, "$v$")), ["$v$", "¼ $v$", "$3$ $v$"]);
+    let said = |layer: &str, key: &str| labels(&figure("", "linear-sweep", layer))[key].0.clone();
+    assert_eq!(said("'velocity'", "v_A"), "$v_A$");
+    assert_eq!(said("{ layer = 'velocity', scale = 0.5 }", "v_A"), "½ $v_A$");
+    assert_eq!(said("{ layer = 'velocity', values = true }", "v_A"), "$v_A$ $= (4, 2)$");
+    let both = said("{ layer = 'velocity', scale = 0.5, values = true }", "v_A");
+    assert_eq!(both, "½ $v_A$, $v_A$ $= (4, 2)$");
+    assert_eq!(said("{ layer = 'normal', length = 2 }", "n"), "$2$ $n$");
+}
+
+#[test]
+fn a_spin_says_its_degrees_where_the_scene_wants_them() {
+    let turn = ", angular_velocity_deg = -90";
+    let said = |layer: &str| labels(&figure(turn, "time-of-impact", layer))["omega_A"].0.clone();
+    assert_eq!(said("'spin'"), r"$\omega_A$");
+    assert_eq!(said("{ layer = 'spin', values = true }"), r"$\omega_A$ $= -90°$");
+}
+
+#[test]
+fn a_distance_has_ticks_and_no_head_and_a_depth_one_head() {
+    let heads = |figure: &Figure| {
+        let filled = |path: &&&crate::drawing::Path| path.fill.is_some();
+        paths(&figure.drawing.items, "separation").iter().filter(filled).count()
+    };
+    let apart = figure("", "separation", "'separation'");
+    assert_eq!((heads(&apart), lines(&apart, "separation").len()), (0, 3), "a line and two ticks");
+    let text = "shapes.A = { kind = 'circle', radius = 2 }
+         shapes.B = { kind = 'circle', radius = 2, position = [3, 0] }
+         query = { kind = 'separation', of = ['A', 'B'] }\npanels = [{ layers = ['separation'] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let inside = draw(&plan, plan.theme, "marks");
+    assert_eq!(heads(&inside), 1);
+    // B goes to the right: from its leftmost point to A's rightmost one.
+    let Contour::Segments(shaft) = &paths(&inside.drawing.items, "separation")[0].contour else { panic!() };
+    let ends: Vec<f64> = shaft
+        .iter()
+        .filter_map(|s| match *s {
+            crate::drawing::Segment::Move(p) | crate::drawing::Segment::Line(p) => Some(p.x),
+            _ => None,
+        })
+        .collect();
+    assert!(ends[0] < ends[1], "{ends:?}");
+}
+
+#[test]
+fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
+    let figure = figure("", "linear-sweep", "'shapes', { layer = 'ghosts', at = 'hit', path = true }");
+    assert_eq!(labels(&figure)["A'"].0, "$A$ at $t = 0.5$");
+    let way = paths(&figure.drawing.items, "way-A");
+    assert!(way.len() == 2 && way[1].fill.is_some() && way[0].stroke.as_ref().unwrap().dash.is_empty());
+    let ghost = paths(&figure.drawing.items, "ghost-A");
+    assert!(ghost[0].fill.is_none() && !ghost[0].stroke.as_ref().unwrap().dash.is_empty());
+}
