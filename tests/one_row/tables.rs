@@ -122,7 +122,6 @@ fn layers() -> Vec<Table> {
             ("translation", "drawing/paint.rs", "a colour role"),
             ("ray", "drift/moved.rs", "words for an event"),
             ("closest", "figure/layer/advancement.rs", "a label and a part of the drawing"),
-            ("normal", "figure/layer/advancement.rs", "a part of the drawing"),
             ("grid", "drawing/paint.rs", "a colour role"),
             ("point", "drift/visible.rs", "words for an element"),
             ("vertices", "drift/moved.rs", "a key of an event"),

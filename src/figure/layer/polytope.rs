@@ -102,7 +102,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("n", "$n$", Anchor::tip(foot, tip), Role::Ink));
     match step.beyond {
         Some(w) => {
-            sketch.part("next").marker(w, Marker::RingedDisc, role, MARKER);
+            sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
             sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
         }
         None => {
@@ -119,7 +119,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn supporting_line(sketch: &mut Sketch, step: &Step, foot: DVec2) {
     let along = perp(step.normal);
     let past = sketch.px(PAST);
-    let pen = Pen::construction(Role::Muted);
+    let pen = Pen::construction();
     sketch.part("supporting-line").weight(Weight::Light);
     let Some(w) = step.beyond else {
         let [p, q] = step.edge;

@@ -37,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
         LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
-        LabelKey { key: "support", about: "that no vertex is farther, where the search ends" },
+        LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
     fed: |context, options| {
@@ -117,10 +117,10 @@ fn search(sketch: &mut Sketch, v: DVec2, vertices: &[DVec2], next: Option<DVec2>
     let (lo, hi) = reached.fold((0.0, 0.0), |(lo, hi): (f64, f64), x| (lo.min(x), hi.max(x)));
     let past = sketch.px(PAST);
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
-    sketch.part("support").weight(Weight::Light).line(begin, end, Pen::construction());
+    sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
     sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
     if next.is_none() {
-        let text = Label::new("support", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
+        let text = Label::new("stop", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
         sketch.label(text.rank(Rank::Word).size(Size::Note));
     }
 }

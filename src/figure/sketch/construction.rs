@@ -5,9 +5,9 @@
 
 use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Segment};
 
-/// How far from a line a dashed one counts as lying on it, page pixels: half of the widest outline, and the gap
-/// of a cased one. At twice as much, a line beside another is cut; at half, one beside a cased edge is not.
-const ON: f64 = 2.5;
+/// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased edge. At
+/// half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside each other.
+const ON: f64 = 1.75;
 /// How long they must go together to be cut, page pixels: more than lines share that cross at 20°.
 const TOGETHER: f64 = 15.0;
 /// The least piece that is left of a dashed line, page pixels: two dashes and the gap between.
