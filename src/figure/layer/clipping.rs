@@ -153,7 +153,7 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let high = heights[0].max(heights[1]).max(0.0) + past;
     for end in found.reference {
         let (foot, top) = (end + found.normal * low, end + found.normal * high);
-        sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction(Role::Muted));
+        sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
     }
 }
 

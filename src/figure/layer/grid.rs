@@ -2,7 +2,7 @@
 
 use crate::drawing::{Point, Role};
 use crate::figure::context::Context;
-use crate::figure::sketch::{Dash, Pen, Sketch};
+use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::DVec2;
 
 use super::ruler::Ruler;
@@ -63,7 +63,7 @@ pub(super) struct Mark {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let panel = sketch.panel();
-    let pen = Pen { role: options.role(Role::Grid), ..Pen::axis() }.width(WIDTH).dash(Dash::Solid);
+    let pen = Pen { role: options.role(Role::Grid), ..Pen::axis() }.width(WIDTH);
     let [x, y] = marks(sketch, context, options);
     let upright = |m: &Mark| (Point::new(m.place, panel.y0), Point::new(m.place, panel.y1));
     let level = |m: &Mark| (Point::new(panel.x0, m.place), Point::new(panel.x1, m.place));
