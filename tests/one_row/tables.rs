@@ -138,7 +138,6 @@ fn layers() -> Vec<Table> {
             ("closest", "scene", "a part of an answer, a word for a moment"),
             ("expected", "drift/measured.rs", "what is on disk, in a report"),
             ("expected", "scene", "a key of a query and of the top of a scene"),
-            ("normal", "figure/layer/expected.rs", "a part of the drawing"),
             ("normal", "scene/expected.rs", "a part of what is expected"),
             ("separation", "scene/expected.rs", "a part of what is expected"),
             ("normal", "scene/fields.rs", "a part of what is expected"),
