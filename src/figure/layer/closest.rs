@@ -1,6 +1,6 @@
-//! The nearest point of B ⊖ A: how far the origin is from it, `p_B` − `p_A` = s n, where the bodies are apart;
-//! where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is at the
-//! origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
+//! The nearest point of B ⊖ A: how far the origin is from it, `p_B` − `p_A` = s n, where the bodies are
+//! apart; where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is
+//! at the origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -14,7 +14,7 @@ use super::{Fed, LabelKey, Layer, Options, Shows};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
-    about: "distance of the origin, or a sweep's estimate, from B ⊖ A; the minimum translation of B inside it",
+    about: "distance of the origin, or a sweep's estimate, from B ⊖ A; inside, the minimum translation",
     shows: Shows::Configuration,
     options: &[],
     labels: &[LabelKey { key: "d", about: "distance or depth" }],

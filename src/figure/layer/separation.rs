@@ -1,8 +1,8 @@
-//! Witness points and what lies between them: the distance of bodies apart as a length; the minimum translation
-//! of bodies that overlap as an arrow, the way B goes.
+//! Witness points and what lies between them: the distance of bodies apart as a length; the minimum
+//! translation of bodies that overlap as an arrow, the way B goes.
 //!
-//! `p_B` − `p_A` = s n, so the line runs outside both bodies or inside both, and its length is |s|. B parts from A
-//! by −s n, which takes `p_B` to `p_A`.
+//! `p_B` − `p_A` = s n, so the line runs outside both bodies or inside both, and its length is |s|. B parts
+//! from A by −s n, which takes `p_B` to `p_A`.
 
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "style",
             takes: Takes::Word(&["arrow", "dimension", "bar"]),
             default: "\"arrow\"",
-            about: "an arrow the way B parts from A (apart: a dimension line), a dimension line, or a thick bar",
+            about: "an arrow the way B goes (apart: a dimension line), a dimension line, or a thick bar",
         },
         OptionSpec {
             name: "offset",

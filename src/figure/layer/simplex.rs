@@ -19,8 +19,8 @@ const SEARCH: f64 = 44.0;
 /// How far a supporting line reaches past what it supports, page pixels.
 const PAST: f64 = 44.0;
 
-/// How far from a supporting line a vertex may be that it supports, in parts of the distance of the line from the
-/// origin: both are rounded a few times.
+/// How far from a supporting line a vertex may be that it supports, in parts of the line's distance from
+/// the origin: both are rounded a few times.
 const ON_LINE: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {

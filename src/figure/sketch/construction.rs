@@ -1,12 +1,13 @@
 //! Construction lines end where they meet the line that they lie on: dashes over an outline look like dirt.
 //!
-//! A tangent of a polygon lies on one of its edges, the line that carries an edge on that edge. What lies there
-//! is cut out of the dashed line; a line that it only crosses stays crossed.
+//! A tangent of a polygon lies on one of its edges, the line that carries an edge on that edge. What lies
+//! there is cut out of the dashed line; a line that it only crosses stays crossed.
 
 use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Segment};
 
-/// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased edge. At
-/// half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside each other.
+/// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased
+/// edge. At half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside
+/// each other.
 const ON: f64 = 1.75;
 /// How long they must go together to be cut, page pixels: more than lines share that cross at 20°.
 const TOGETHER: f64 = 15.0;
