@@ -128,8 +128,11 @@ impl Runs for Check {
             ORPHAN => self.prune,
             _ => !f.is_bad() || self.accept,
         };
-        let good = failed.is_empty() && findings.iter().all(settled);
-        Ok(if good { Status::Done } else { Status::Wrong })
+        Ok(match findings.iter().all(settled) {
+            _ if !failed.is_empty() => Status::Io,
+            true => Status::Done,
+            false => Status::Wrong,
+        })
     }
 }
 
@@ -201,7 +204,7 @@ impl Check {
     /// Compares all files of a scene.
     fn compare_all(&self, job: &Job, drawn: Drawn, pictures: &Pictures) -> Checked {
         let mut checked = Checked::default();
-        if drawn.failed {
+        if drawn.status != Status::Done {
             checked.fail(&job.input.name(), &drawn.messages);
         } else {
             checked.messages = drawn.messages;

@@ -47,7 +47,7 @@ impl Console {
     pub(crate) fn refuse<F: Explain>(&mut self, refused: &Refused<F>) -> io::Result<Status> {
         self.out.flush()?;
         Self::message(&refused.render(self.ink));
-        Ok(Status::Wrong)
+        Ok(Status::of(refused))
     }
 
     /// Writes `error: …`.

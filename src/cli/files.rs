@@ -15,6 +15,7 @@ use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEff
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
+use super::Status;
 use super::inputs::{Input, find};
 use super::jobs::{Job, Planned, Target, jobs};
 use super::regular::read_regular;
@@ -89,10 +90,24 @@ pub(crate) struct Drawn {
     pub(crate) files: Vec<Encoded>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
-    /// Whether an error is among them.
-    pub(crate) failed: bool,
+    /// What the errors among them are.
+    pub(crate) status: Status,
     /// Where the time went.
     pub(crate) timings: Timings,
+}
+
+/// Why a scene has no files.
+struct Failure {
+    /// What kind of error it is.
+    status: Status,
+    /// The message of it.
+    message: String,
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Self {
+        Self { status: Status::Wrong, message }
+    }
 }
 
 /// What a run is to draw.
@@ -140,10 +155,10 @@ impl Files {
     pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
         let (mut messages, mut timings) = (String::new(), Timings::start());
         match self.encoded(job, ink, &mut messages, &mut timings) {
-            Ok(files) => Drawn { files, messages, failed: false, timings },
-            Err(error) => {
+            Ok(files) => Drawn { files, messages, status: Status::Done, timings },
+            Err(Failure { status, message }) => {
                 timings.lap("failed");
-                Drawn { files: Vec::new(), messages: messages + &error, failed: true, timings }
+                Drawn { files: Vec::new(), messages: messages + &message, status, timings }
             }
         }
     }
@@ -191,15 +206,16 @@ impl Files {
         fingerprint(&file.meaning, &format.key(theme, &self.options(job)))
     }
 
-    /// The files of a scene, or the message of what is wrong.
+    /// The files of a scene, or what is wrong.
     fn encoded(
         &self,
         job: &Job,
         ink: Ink,
         messages: &mut String,
         timings: &mut Timings,
-    ) -> Result<Vec<Encoded>, String> {
-        let file = opened(job).map_err(|refused| refused.render(ink))?;
+    ) -> Result<Vec<Encoded>, Failure> {
+        let file = opened(job)
+            .map_err(|refused| Failure { status: Status::of(&refused), message: refused.render(ink) })?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
@@ -221,7 +237,7 @@ impl Files {
             let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
-                return Err(refuse(warnings));
+                return Err(refuse(warnings).into());
             }
             if files.is_empty() {
                 // Labels stand at the same places in every theme.
@@ -230,7 +246,7 @@ impl Files {
             if let Some(chosen) = chosen {
                 let told = unfit(&file.source.name, chosen, &drawing, self.allow_similar);
                 if !told.is_empty() && !self.allow_similar {
-                    return Err(told);
+                    return Err(told.into());
                 }
                 messages.push_str(&told);
             }

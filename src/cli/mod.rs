@@ -42,10 +42,14 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, Args};
 
+use tracefig::scene::{Explain, Refused};
+
 use console::Console;
 
 /// How a command ended, where it was not stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+///
+/// Of several things that went wrong the last of these is told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Status {
     /// All is done.
     Done,
@@ -60,6 +64,11 @@ enum Status {
 }
 
 impl Status {
+    /// How a command ends that was refused a scene: a file that can't be read is no wrong input.
+    fn of<F: Explain>(refused: &Refused<F>) -> Self {
+        if refused.problems.iter().all(|problem| problem.fault.has_place()) { Self::Wrong } else { Self::Io }
+    }
+
     /// The exit status. What can't be read or written is the 74 of BSD's `sysexits.h`.
     fn code(self) -> ExitCode {
         ExitCode::from(match self {

@@ -55,7 +55,7 @@ impl Runs for Render {
         };
         Console::message(&left_alone);
         if !makes_folders(folders_of(&jobs), console) {
-            return Ok(Status::Wrong);
+            return Ok(Status::Io);
         }
         // Twins are looked for among all scenes, whichever share is drawn.
         let jobs = match self.partition {
@@ -76,9 +76,7 @@ impl Runs for Render {
         };
         in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
             let written = written.unwrap_or_else(|| Written::bug(&job.input.shown()));
-            if written.failed {
-                status = Status::Wrong;
-            }
+            status = status.max(written.status);
             timings.add(&written.timings);
             bar.suspend(|| -> io::Result<()> {
                 written.tell(console)?;
@@ -112,7 +110,7 @@ impl Render {
             Destination::Folder(folder) | Destination::Project(folder) => folder,
         };
         if !makes_folders([folder], console) {
-            return Ok(Status::Wrong);
+            return Ok(Status::Io);
         }
         clear_leftovers(folder);
         let ink = console.ink();
@@ -125,21 +123,19 @@ impl Render {
                 Err(error) => {
                     console.out.flush()?;
                     console.error(&format!("can't read standard input: {error}"));
-                    status = Status::Wrong;
+                    status = Status::Io;
                     break;
                 }
             };
             let work = |line: &Drawable| match line {
                 Drawable::Job(job) => write_files(job, self.files.draw(job, ink)),
                 Drawable::Refused(messages) => {
-                    Written { messages: messages.clone(), failed: true, ..Written::nothing() }
+                    Written { messages: messages.clone(), status: Status::Wrong, ..Written::nothing() }
                 }
             };
             in_order(&batch, self.files.threads(), work, |line, written| -> io::Result<()> {
                 let written = written.unwrap_or_else(|| Written::bug(&line.shown()));
-                if written.failed {
-                    status = Status::Wrong;
-                }
+                status = status.max(written.status);
                 timings.add(&written.timings);
                 written.tell(console)
             })?;
@@ -170,8 +166,8 @@ struct Written {
     results: Vec<u8>,
     /// What is said on standard error.
     messages: String,
-    /// Whether a file is not what it should be.
-    failed: bool,
+    /// Why a file is not what it should be.
+    status: Status,
     /// Where the time went.
     timings: Timings,
 }
@@ -179,13 +175,13 @@ struct Written {
 impl Written {
     /// A job of which nothing was written and nothing is to be said.
     fn nothing() -> Self {
-        Self { results: Vec::new(), messages: String::new(), failed: false, timings: Timings::start() }
+        Self { results: Vec::new(), messages: String::new(), status: Status::Done, timings: Timings::start() }
     }
 
     /// A scene of this name whose drawing panicked.
     fn bug(name: &str) -> Self {
         let messages = format!("error: {name} was not drawn because of a bug of tracefig\n");
-        Self { messages, failed: true, ..Self::nothing() }
+        Self { messages, status: Status::Bug, ..Self::nothing() }
     }
 
     /// Says what became of it, messages first.
@@ -200,8 +196,8 @@ impl Written {
 
 /// Writes the files of a job.
 fn write_files(job: &Job, drawn: Drawn) -> Written {
-    let Drawn { files, messages, failed, timings } = drawn;
-    let mut written = Written { messages, failed, timings, ..Written::nothing() };
+    let Drawn { files, messages, status, timings } = drawn;
+    let mut written = Written { messages, status, timings, ..Written::nothing() };
     for (file, Encoded { bytes, .. }) in job.files.iter().zip(files) {
         match &file.target {
             Target::Stdout => written.results = bytes,
@@ -209,7 +205,7 @@ fn write_files(job: &Job, drawn: Drawn) -> Written {
                 Ok(()) => written.results.extend(format!("{}\n", shown(path)).into_bytes()),
                 Err(error) => {
                     written.messages.push_str(&cant_write(path, &error));
-                    written.failed = true;
+                    written.status = Status::Io;
                 }
             },
         }

@@ -62,7 +62,7 @@ impl Runs for Report {
             Ok(files) => files,
             Err(error) => {
                 Console::message(&cant_write(&self.output, &error));
-                return Ok(Status::Wrong);
+                return Ok(Status::Io);
             }
         };
         let mut status = if found.partial { Status::Wrong } else { Status::Done };
@@ -72,7 +72,7 @@ impl Runs for Report {
                 Ok(()) => writeln!(console.out, "{}", shown(&path))?,
                 Err(error) => {
                     Console::message(&cant_write(&path, &error));
-                    status = Status::Wrong;
+                    status = Status::Io;
                 }
             }
         }

@@ -293,7 +293,7 @@ fn empty_and_missing_files_are_told() {
     );
     let folder = tempfile::tempdir().unwrap();
     let ran = run(tracefig(folder.path()).args(["solve", "no/such.toml"]));
-    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.code, Some(74));
     assert!(ran.err.starts_with("error[unreadable-file]: can't read the scene: No such file"), "{}", ran.err);
     assert!(ran.err.contains("--> no/such.toml"), "{}", ran.err);
 }
@@ -338,7 +338,7 @@ fn one_bad_scene_does_not_stop_the_others() {
         std::fs::write(folder.path().join(name), CIRCLES).unwrap();
     }
     let ran = run(tracefig(folder.path()).args(["solve", "a.toml", "b.toml", "missing.toml", "c.toml"]));
-    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.code, Some(74));
     assert_eq!(ran.out.matches(": separation of A and B").count(), 2, "{}", ran.out);
     assert_eq!(ran.err.matches("error[").count(), 2, "{}", ran.err);
 }

@@ -106,7 +106,7 @@ fn one_bad_scene_costs_only_itself() {
     }
     let scenes = ["render", "--format", "svg", "a.toml", "b.toml", "missing.toml", "c.toml"];
     let ran = run(tracefig(folder.path()).args(scenes));
-    assert_eq!((ran.code, ran.out.as_str()), (Some(1), "a.svg\nc.svg\n"));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(74), "a.svg\nc.svg\n"));
     assert!(
         ran.err.contains("error[negative-radius]") && ran.err.contains("error[unreadable-file]"),
         "{}",
@@ -150,10 +150,10 @@ fn a_folder_that_can_not_be_written_is_told() {
     std::fs::write(folder.path().join("file"), "").unwrap();
     std::fs::create_dir_all(folder.path().join("out/s.svg")).unwrap();
     let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "file/out"]));
-    assert_eq!(ran.code, Some(1));
+    assert_eq!(ran.code, Some(74));
     assert!(ran.err.starts_with("error: can't make the folder file/out: "), "{}", ran.err);
     let ran = run(tracefig(folder.path()).args(["render", "s.toml", "-o", "out"]));
-    assert_eq!((ran.code, ran.out.as_str()), (Some(1), "out/s.png\n"));
+    assert_eq!((ran.code, ran.out.as_str()), (Some(74), "out/s.png\n"));
     assert!(ran.err.starts_with("error: can't write out/s.svg: "), "{}", ran.err);
     assert_eq!(names(&folder.path().join("out")), set(&["s.png", "s.svg"]));
 }

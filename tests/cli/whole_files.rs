@@ -172,7 +172,7 @@ fn a_file_that_finds_no_room_leaves_the_old_one() {
     std::fs::write(folder.path().join("s.toml"), small().replace("radius = 1", "radius = 1.5")).unwrap();
     // A write past the limit fails, as on a full disk, once the signal is ignored.
     let ran = script(folder.path(), &["sh"], "trap '' XFSZ; ulimit -f 1; exec \"$0\" render s.toml");
-    assert_eq!(ran.status.code(), Some(1), "{ran:?}");
+    assert_eq!(ran.status.code(), Some(74), "{ran:?}");
     let err = String::from_utf8_lossy(&ran.stderr);
     assert!(err.contains("error: can't write s.svg: File too large"), "{err}");
     assert!(err.contains("error: can't write s.png: File too large"), "{err}");
@@ -203,7 +203,7 @@ fn on_a_full_disk_what_fits_is_whole_and_the_rest_is_told() {
     let render = "\"$0\" render scenes -o disk; status=$?; cp -a disk/. saved; exit $status";
     let ran = script(folder.path(), &own, &format!("{mount} && {render}"));
     let err = String::from_utf8_lossy(&ran.stderr);
-    assert!(ran.status.code() == Some(1) && err.contains("No space left on device"), "{ran:?}");
+    assert!(ran.status.code() == Some(74) && err.contains("No space left on device"), "{ran:?}");
     let (saved, whole) = (contents(&folder.path().join("saved")), contents(&folder.path().join("whole")));
     assert!(!saved.is_empty() && saved.len() < whole.len(), "{:?}", saved.keys());
     assert!(saved.iter().all(|(name, bytes)| whole.get(name) == Some(bytes)), "{:?}", saved.keys());
