@@ -106,7 +106,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         width: plan.page.width,
         height: plan.page.height,
         id: id.to_owned(),
-        title: plan.alt.clone().unwrap_or_else(|| describe::short(plan.scene, &run)),
+        title: plan.alt.clone().unwrap_or_else(|| describe::short(plan.scene, plan.title.as_deref(), &run)),
         is_titled: plan.alt.is_some(),
         lang: plan.scene.lang.as_ref().map(|lang| lang.value.clone()),
         desc: description(plan, &run),

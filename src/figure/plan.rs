@@ -17,7 +17,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, across, alternative, caption_of_words, check_texts, label_key};
+use super::text::{Across, Block, across, caption_of_words, check_texts, label_key, spoken};
 use super::theme::{self, THEMES, Theme};
 use super::view;
 
@@ -39,6 +39,8 @@ pub struct Plan<'s> {
     pub(crate) headline: Across,
     /// The short alternative text that the scene gives.
     pub(crate) alt: Option<String>,
+    /// The title in plain words, its values filled in.
+    pub(crate) title: Option<String>,
     /// What leads through the figure, below the panels.
     pub(crate) caption: Across,
     /// What the page holds.
@@ -137,7 +139,10 @@ fn resolve<'s>(
         first.as_ref().map(|first| across(block, first, (&mut problems, &mut warnings))).unwrap_or_default()
     };
     let (headline, mut caption) = (set(Block::Headline), set(Block::Caption));
-    let alt = first.as_ref().and_then(|first| alternative(first, (&mut problems, &mut warnings)));
+    let mut said = |text: &Option<_>| {
+        first.as_ref().and_then(|first| spoken(text.as_ref(), first, (&mut problems, &mut warnings)))
+    };
+    let (alt, title) = (said(&scene.alt), said(&scene.title));
     if scene.panels.is_empty() && scene.caption.is_none() {
         caption = caption_of_words(scene, sentence(scene, &runs.own(scene, scene.query.time)));
     }
@@ -162,7 +167,19 @@ fn resolve<'s>(
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if let Some(page) = page.filter(|_| problems.is_empty()) {
-        return Ok(Plan { scene, theme, runs, panels, headline, alt, caption, layout, page, warnings });
+        return Ok(Plan {
+            scene,
+            theme,
+            runs,
+            panels,
+            headline,
+            alt,
+            title,
+            caption,
+            layout,
+            page,
+            warnings,
+        });
     }
     problems.sort_by_key(|p| (p.span.start, p.span.end));
     problems.dedup();

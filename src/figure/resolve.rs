@@ -21,7 +21,7 @@ use super::panel::{LayerPlan, PanelPlan};
 use super::question::is_of_a_moment;
 use super::runs::Runs;
 use super::standing::standing;
-use super::text::set;
+use super::text::{filled, set};
 
 /// Resolves the panels of a scene and keeps what is wrong with them.
 pub(super) struct Resolver<'r, 's> {
@@ -46,10 +46,11 @@ enum Resolved {
 impl<'s> Resolver<'_, 's> {
     /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
     pub(super) fn panel(&mut self, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
-        let Sheet { panel: source, ours } = sheet;
+        let Sheet { panel: mut source, ours } = sheet;
         let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
-        let context = Context { scene, space: &source.space, time: moment.time, step: moment.step, runs };
+        let space = source.space.clone();
+        let context = Context { scene, space: &space, time: moment.time, step: moment.step, runs };
         let (mut layers, mut unwritten, mut silent) = (Vec::new(), Vec::new(), Vec::new());
         for (i, spec) in source.layers.iter().flatten().enumerate() {
             match self.layer(&context, spec, ours) {
@@ -67,6 +68,13 @@ impl<'s> Resolver<'_, 's> {
                 typeset(text, Style::semibold(size)).map(|line| vec![line])
             })
         });
+        // What is said of the panel has the values that stand over it.
+        let said = source.title.as_ref().and_then(|t| filled(t, &context));
+        if let Some(said) = said
+            && let Some(title) = &mut source.to_mut().title
+        {
+            title.value = said;
+        }
         let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
         Some(PanelPlan { source: without(source, &silent), moment, layers, unwritten, title, frame })
     }

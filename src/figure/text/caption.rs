@@ -105,13 +105,14 @@ pub(crate) fn across(
     Across { lines: Lettering::default(), words }
 }
 
-/// The short alternative text that a scene gives, in plain words; `None`, with the reason in `problems`,
-/// where it gives none that can be read. Its values are those of `context`, the first panel's.
-pub(crate) fn alternative(
+/// A text of a scene in plain words, for those who do not see the figure; `None`, with the reason in
+/// `problems`, where there is none that can be read. Its values are those of `context`.
+pub(crate) fn spoken(
+    text: Option<&Spanned<String>>,
     context: &Context,
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Option<String> {
-    let text = context.scene.alt.as_ref()?;
+    let text = text?;
     // What can't be set in type can be said all the same.
     match fill(&text.value, context, &text.span) {
         Ok((filled, lacking)) => {

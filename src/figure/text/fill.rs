@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
-use crate::scene;
+use crate::scene::{self, Spanned};
 use crate::typeset::ends_in_formula;
 
 use super::decimal::Decimal;
@@ -66,6 +66,12 @@ pub(crate) fn fill(
     }
     out.push_str(rest);
     Ok((out, lacking))
+}
+
+/// A text whose values can all be filled in, with them; `None` where it names none.
+pub(crate) fn filled(text: &Spanned<String>, context: &Context) -> Option<String> {
+    let (filled, _) = fill(&text.value, context, &text.span).ok()?;
+    (filled != text.value).then_some(filled)
 }
 
 /// The names of the values that this query has, in the order of the table.
@@ -133,6 +139,22 @@ mod tests {
         assert!(drawing.desc.contains("t = 0.343"), "{}", drawing.desc);
         assert_eq!(drawing.languages_of_words(), [Some("en"), Some("en")]);
         assert!(says(&drawn("").unwrap().items, "$d = 2.4$"));
+    }
+
+    #[test]
+    fn titles_are_said_with_the_values_that_stand_in_them() {
+        let drawing = drawn("title = 'Touch at $t = {=time}$'").unwrap();
+        assert!(drawing.title.starts_with("Touch at t = 0.343: "), "{}", drawing.title);
+        assert!(drawn("title = '{=tim}'").is_err());
+        let text = "shapes.A = { kind = 'circle', radius = 2 }
+            query = { kind = 'bounds', of = ['A'] }
+            panels = [{ title = 'To {=max.x}', layers = ['shapes'] }]";
+        let scene = read(&Source::new("titled.toml", text)).unwrap();
+        let plan = plan(&scene).unwrap();
+        let drawing = draw(&plan, plan.theme, "titled").drawing;
+        assert!(drawing.desc.contains("The picture (To 2) shows"), "{}", drawing.desc);
+        let Item::Group(panel) = &drawing.items[1] else { panic!("a panel") };
+        assert_eq!(panel.label.as_deref(), Some("To 2"));
     }
 
     #[test]

@@ -18,7 +18,8 @@ mod symbols;
 mod values;
 mod wording;
 
-pub(crate) use caption::{Across, Block, across, alternative, caption_of_words, set};
+pub(crate) use caption::{Across, Block, across, caption_of_words, set, spoken};
+pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub(crate) use plain::plain;
