@@ -16,6 +16,7 @@ macro_rules! shows {
 
 mod difference;
 mod golden;
+mod grammar;
 mod motion;
 mod numbers;
 mod overlap;

@@ -118,7 +118,7 @@ fn closed(path: &Path) -> bool {
 }
 
 /// Straight pieces of a path, the closing one too.
-fn edges(path: &Path) -> Vec<(Point, Point)> {
+pub(crate) fn edges(path: &Path) -> Vec<(Point, Point)> {
     let points = vertices(path);
     let mut edges: Vec<_> = points.windows(2).map(|w| (w[0], w[1])).collect();
     if closed(path) && points.len() > 2 {

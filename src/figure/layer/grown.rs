@@ -26,6 +26,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
         LabelKey { key: "b", about: "the point that B shrinks to" },
+        LabelKey { key: "copy", about: "what the dotted copies are" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(difference(context, context.time).is_some()),
@@ -52,9 +53,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     if options.flag("copies", true) {
         sketch.part("copies").weight(Weight::Light);
+        let mut last = None;
         for vertex in vertices(context) {
             let copy = outline_b.turned_about(b).moved(vertex - b);
             sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
+            last = Some(copy);
+        }
+        if let Some(copy) = last {
+            let text = format!("{} turned about {}", context.named(Side::B).primed(0), point_of_b(context));
+            let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
     }
     sketch.part("grown-edges");
@@ -66,9 +74,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
+    sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));
+}
+
+/// The name of the point that B shrinks to: its small letter, where it has a letter.
+fn point_of_b(context: &Context) -> String {
     let name = context.named(Side::B);
-    let text = if name.is_symbol() { format!("${}$", name.term().to_lowercase()) } else { name.primed(0) };
-    sketch.label(Label::new("b", text, Anchor::point(b), Role::B).rank(Rank::Point));
+    if name.is_symbol() { format!("${}$", name.term().to_lowercase()) } else { name.primed(0) }
 }
 
 /// The vertices of A's core, in the world.
