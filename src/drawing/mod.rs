@@ -69,7 +69,7 @@ pub struct Drawing {
     pub is_titled: bool,
     /// The long alternative text.
     pub desc: String,
-    /// The page's colour, opaque.
+    /// The page's colour, opaque; of opacity 0 where the page has none and what it lies on is seen.
     pub background: Paint,
     /// The colour of words around the drawing, as those of a page that shows it.
     pub ink: Color,
@@ -98,6 +98,14 @@ impl Drawing {
             |lang: &str| lang.split('-').next().is_some_and(|of| of.eq_ignore_ascii_case(Self::OWN_LANG));
         let other = self.lang.as_deref().is_some_and(|lang| !is_own(lang)).then_some(Self::OWN_LANG);
         [other.filter(|_| !self.is_titled), other]
+    }
+}
+
+impl Drawing {
+    /// Whether what the page lies on is seen between what is drawn.
+    #[must_use]
+    pub(crate) fn is_transparent(&self) -> bool {
+        self.background.opacity == 0.0
     }
 }
 

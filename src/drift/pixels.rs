@@ -212,15 +212,23 @@ impl Triptych {
         let (each, row) = (self.each, &mut self.row);
         let gap = GAP as usize;
         row.clear();
-        row.extend_from_slice(old);
+        row.extend(old.iter().copied().map(on_white));
         row.resize(each + gap, Self::NOTHING);
-        row.extend(old.iter().zip(new).map(|(a, b)| if a == b { faded(*b) } else { MARK }));
+        row.extend(old.iter().zip(new).map(|(a, b)| if a == b { faded(on_white(*b)) } else { MARK }));
         row.resize(each + gap + old.len().max(new.len()), MARK);
         row.resize(2 * (each + gap), Self::NOTHING);
-        row.extend_from_slice(new);
+        row.extend(new.iter().copied().map(on_white));
         row.resize(3 * each + 2 * gap, Self::NOTHING);
         self.rows.row(row)
     }
+}
+
+/// A pixel as it looks on white paper: the picture of a difference is opaque.
+#[expect(clippy::cast_possible_truncation, reason = "a weighted mean of bytes is a byte")]
+fn on_white(pixel: [u8; 4]) -> [u8; 4] {
+    let opacity = u32::from(pixel[3]);
+    let lay = |c: u8| ((u32::from(c) * opacity + 255 * (255 - opacity) + 127) / 255) as u8;
+    [lay(pixel[0]), lay(pixel[1]), lay(pixel[2]), 255]
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a weighted mean of bytes is a byte")]

@@ -1,6 +1,12 @@
 //! A plan to a display list: layers, labels, titles, caption.
 
-use crate::drawing::{Contour, Dark, Drawing, Group, Halo, Item, Path, Point, Rect, Role, Stroke};
+use std::borrow::Cow;
+
+use crate::drawing::{
+    Color, Contour, Dark, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Role, Stroke,
+};
+
+use crate::scene::Background;
 
 use super::describe;
 use super::fault::{Fault, Problem};
@@ -78,6 +84,7 @@ impl Figure {
 /// ```
 #[must_use]
 pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
+    let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
     let mut panels: Vec<Labelled> = Vec::new();
@@ -110,7 +117,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         is_titled: plan.alt.is_some(),
         lang: plan.scene.lang.as_ref().map(|lang| lang.value.clone()),
         desc: description(plan, &run),
-        background: theme.paint(Role::Background),
+        background: page_paint(plan, theme),
         ink: theme.word_color(Role::Ink),
         words: shaded(theme.light()),
         fill_opacity: theme.fill_opacity,
@@ -120,6 +127,23 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         items,
     };
     Figure { drawing, panels, warnings }
+}
+
+/// The theme with the background that the scene gives: halos have its colour too.
+fn on_background<'t>(theme: &'t Theme, plan: &Plan) -> Cow<'t, Theme> {
+    match plan.scene.canvas.background.as_ref().map(|given| given.value) {
+        Some(Background::Color([r, g, b])) => Cow::Owned(theme.on(Color { r, g, b })),
+        Some(Background::Transparent) | None => Cow::Borrowed(theme),
+    }
+}
+
+/// What the page itself is painted with.
+fn page_paint(plan: &Plan, theme: &Theme) -> Paint {
+    let paint = theme.paint(Role::Background);
+    match plan.scene.canvas.background.as_ref().map(|given| given.value) {
+        Some(Background::Transparent) => paint.with_opacity(0.0),
+        Some(Background::Color(_)) | None => paint,
+    }
 }
 
 /// The panels before one that show the same space in the same size: where their labels stand, the same stand

@@ -1,6 +1,6 @@
 //! APNG: drawings one after the other, in a file that any viewer of PNG opens.
 //!
-//! The first drawing is the image that a viewer without animation shows. All frames are RGB and whole: frames
+//! The first drawing is the image that a viewer without animation shows. All frames are RGB, with opacity where a page has no background, and whole: frames
 //! of a figure differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame
 //! is in memory while it is packed: the stream writer of `png` 0.18.1, which takes rows, puts the number of a
 //! chunk into the data of the first frame, and no viewer opens that (image-rs/image-png, issue 411; mended
@@ -39,9 +39,13 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
     if drawings.iter().any(|drawing| (drawing.width, drawing.height) != (first.width, first.height)) {
         return Err(OutputError::Sequence);
     }
+    let is_clear = drawings.iter().any(|drawing| drawing.is_transparent());
     let count = u32::try_from(drawings.len()).map_err(|_| OutputError::Sequence)?;
     let mut out = Vec::new();
     let mut encoder = encoder(&mut out, raster::size(first, options.scale)?, PngEffort::Fast);
+    if is_clear {
+        encoder.set_color(png::ColorType::Rgba);
+    }
     let refused = |error| OutputError::encoder(&error);
     encoder.set_animated(count, PLAYS).map_err(refused)?;
     if !first.hash.is_empty() {
@@ -51,17 +55,18 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
     for (i, drawing) in drawings.iter().enumerate() {
         let time = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
         writer.set_frame_delay(time, MILLISECONDS).map_err(refused)?;
-        writer.write_image_data(&frame(drawing, options.scale)?).map_err(refused)?;
+        writer.write_image_data(&frame(drawing, options.scale, is_clear)?).map_err(refused)?;
     }
     writer.finish().map_err(refused)?;
     Ok(out)
 }
 
-/// Every pixel of a drawing: red, green, blue.
-fn frame(drawing: &Drawing, scale: f64) -> Result<Vec<u8>, OutputError> {
+/// Every pixel of a drawing: red, green, blue, and opacity where some frame `is_clear`.
+fn frame(drawing: &Drawing, scale: f64, is_clear: bool) -> Result<Vec<u8>, OutputError> {
     let (width, height) = raster::size(drawing, scale)?;
-    let mut bytes = Vec::with_capacity(3 * width as usize * height as usize);
-    raster::rows(drawing, scale, |_, row| row.iter().for_each(|p| bytes.extend_from_slice(&p[..3])))?;
+    let channels = if is_clear { 4 } else { 3 };
+    let mut bytes = Vec::with_capacity(channels * width as usize * height as usize);
+    raster::rows(drawing, scale, |_, row| row.iter().for_each(|p| bytes.extend_from_slice(&p[..channels])))?;
     Ok(bytes)
 }
 

@@ -56,6 +56,51 @@ fn svg_and_png_show_the_same() {
 }
 
 #[test]
+fn a_page_without_a_background_is_seen_through_and_reads_back_as_it_was() {
+    let mut drawing = everything();
+    drawing.background = drawing.background.with_opacity(0.0);
+    let svg = document(&drawing, Sheet::Inside);
+    for scale in [1.0_f32, 2.0] {
+        let pixels = rasterize(&drawing, f64::from(scale)).unwrap();
+        assert_eq!(pixels.rgba[..4], [0; 4], "a corner of the page");
+        // The witness multiplies colours by their opacity.
+        let weighted = |p: &[u8]| [p[0], p[1], p[2]].map(|c| u16::from(c) * u16::from(p[3]) / 255);
+        let ours = pixels.rgba.chunks_exact(4).flat_map(|p| {
+            let [r, g, b] = weighted(p).map(|c| u8::try_from(c).unwrap());
+            [r, g, b, p[3]]
+        });
+        let (o, w) = (ours.collect::<Vec<_>>(), witness(&svg, scale));
+        let (mean, most) = difference(&o, &w);
+        assert!(mean < 0.4, "mean {mean} at {scale}");
+        // Edges of halos are seen here; glyphs of halos are cached at coarser places than those of letters.
+        assert!(most < 200, "most {most} at {scale}");
+    }
+    // Many colours become pixels, few a palette; a file says the same either way.
+    for scale in [0.5, 2.0] {
+        let options = Options { scale, ..Options::default() };
+        let rows = |picture: &Picture| {
+            let (mut rows, mut row, mut all) = (picture.rows(scale).unwrap(), Vec::new(), Vec::new());
+            while rows.next_into(&mut row) {
+                all.extend_from_slice(&row);
+            }
+            all.into_flattened()
+        };
+        let expected = rasterize(&drawing, scale).unwrap().rgba;
+        for format in [png::FORMAT, apng::FORMAT] {
+            let file = match format.write {
+                Writer::One(write) => write(&drawing, &options).unwrap(),
+                Writer::Sequence(write) => write(&[&drawing], &options).unwrap(),
+            };
+            let read = format.read.unwrap().picture.unwrap()(&file).unwrap();
+            assert!(rows(&read) == expected, "{} at {scale}", format.name);
+        }
+    }
+    let read = svg::FORMAT.read.unwrap().picture.unwrap()(svg.as_bytes()).unwrap();
+    let Picture::Drawing { drawing: read, .. } = read else { panic!("an SVG is a drawing") };
+    assert!(read.is_transparent());
+}
+
+#[test]
 fn without_its_style_sheet_an_svg_has_the_same_pixels() {
     let mut drawing = everything();
     let colors = vec![(Role::A, Color::hex(0xFF_6B_57))];

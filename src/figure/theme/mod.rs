@@ -92,6 +92,18 @@ impl Theme {
         self.words[index(role)]
     }
 
+    /// This theme on another background, for dark systems too.
+    #[must_use]
+    pub(crate) fn on(&self, background: Color) -> Self {
+        let mut theme = self.clone();
+        let dark = theme.dark.as_mut().map(|side| &mut side.colors);
+        for colors in dark.into_iter().chain([&mut theme.colors]) {
+            let roles = Role::ALL.into_iter().zip(colors);
+            roles.filter(|(role, _)| *role == Role::Background).for_each(|(_, color)| *color = background);
+        }
+        theme
+    }
+
     /// The opaque paint of a role's lines and markers.
     #[must_use]
     pub(crate) fn paint(&self, role: Role) -> Paint {

@@ -83,9 +83,11 @@ impl Content {
         let points = hundredths(POINTS);
         painter.operators.transform([points, 0.0, 0.0, -points, 0.0, height]);
         painter.operators.set_line_join(LineJoinStyle::RoundJoin);
-        painter.fill_paint(&drawing.background);
-        painter.rect(Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height });
-        painter.operators.fill_nonzero();
+        if !drawing.is_transparent() {
+            painter.fill_paint(&drawing.background);
+            painter.rect(Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height });
+            painter.operators.fill_nonzero();
+        }
         painter.items(&drawing.items);
         let everywhere = [0.0, 0.0, hundredths(drawing.width.ceil()), hundredths(drawing.height.ceil())];
         let groups = painter.groups.into_iter().enumerate().map(|(i, content)| Form {

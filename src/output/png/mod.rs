@@ -1,4 +1,4 @@
-//! PNG: the pixels of the display list, opaque, with the scene's hash as text.
+//! PNG: the pixels of the display list with the scene's hash as text.
 //!
 //! Rows come from the rasterizer one at a time, and only what changes between them is kept ([`changes`]): how
 //! many colours there are is known after the last row. At most 256 become a palette ([`palette`]), which is
@@ -23,7 +23,7 @@ pub(crate) use image::{Image, ImageRows, ImageWriter};
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "png",
-    about: "opaque image at --scale pixels for a page pixel",
+    about: "image at --scale pixels for a page pixel",
     usual: true,
     depends: Depends::Packing,
     write: Writer::One(write),
@@ -67,9 +67,15 @@ fn encode(image: &Changes, hash: &str, effort: PngEffort) -> Result<Vec<u8>, png
     let (above, new) = if let Some((palette, numbers)) = Palette::of(image) {
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_palette(palette.bytes());
+        if let Some(opacities) = palette.opacities() {
+            encoder.set_trns(opacities);
+        }
         (vec![0], numbers)
-    } else {
+    } else if image.pixels.iter().chain([&image.above]).all(is_opaque) {
         (rgb(&[image.above]), rgb(&image.pixels))
+    } else {
+        encoder.set_color(png::ColorType::Rgba);
+        (image.above.to_vec(), image.pixels.as_flattened().to_vec())
     };
     let mut writer = encoder.write_header()?;
     let mut rows = writer.stream_writer_with_size(CHUNK)?;
@@ -106,6 +112,11 @@ fn level(effort: PngEffort) -> u8 {
         PngEffort::Fast => 2,
         PngEffort::Small => 9,
     }
+}
+
+/// Whether nothing below a pixel is seen.
+fn is_opaque(pixel: &Pixel) -> bool {
+    pixel[3] == 255
 }
 
 /// Red, green and blue of each pixel.

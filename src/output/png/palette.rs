@@ -37,6 +37,12 @@ impl Palette {
         super::rgb(&self.colors)
     }
 
+    /// The opacity of each colour, as the chunk `tRNS` holds them; `None` where all are opaque.
+    pub(super) fn opacities(&self) -> Option<Vec<u8>> {
+        let clear = !self.colors.iter().all(super::is_opaque);
+        clear.then(|| self.colors.iter().map(|color| color[3]).collect())
+    }
+
     /// The number of a colour, a new one where it has none; `None` where there are no more.
     #[inline]
     #[expect(clippy::cast_possible_truncation, reason = "at most 256 colours")]

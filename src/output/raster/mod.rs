@@ -33,14 +33,14 @@ use crate::drawing::Drawing;
 
 pub(crate) use paint::{Pixel, Rows};
 
-/// An opaque image.
+/// An image; opaque where its page is.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Pixels {
     /// Pixels of a row.
     pub width: u32,
     /// The number of rows.
     pub height: u32,
-    /// Four bytes a pixel: red, green, blue, 255. Rows from the top, pixels from the left.
+    /// Four bytes a pixel: red, green, blue, opacity. Rows from the top, pixels from the left.
     pub rgba: Vec<u8>,
 }
 
@@ -95,8 +95,11 @@ pub(super) fn open(drawing: &Drawing, scale: f64) -> Result<Rows, OutputError> {
     Ok(Rows::new(steps::of(&drawing.items, size, scale), (width, height), background(drawing)))
 }
 
-/// The page's colour.
+/// The page's colour; nothing where the page is transparent.
 pub(super) fn background(drawing: &Drawing) -> Pixel {
+    if drawing.is_transparent() {
+        return [0; 4];
+    }
     let crate::drawing::Color { r, g, b } = drawing.background.color;
     [r, g, b, 255]
 }

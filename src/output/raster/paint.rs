@@ -6,7 +6,7 @@ use super::blend::{self, Mixer};
 use super::coverage::{self, Filler, Part, Span};
 use super::steps::Step;
 
-/// A pixel: red, green, blue, 255.
+/// A pixel: red, green, blue, opacity, the colour not multiplied by it; black where nothing is.
 pub(crate) type Pixel = [u8; 4];
 
 /// Pixels of a band, about: a megabyte of colours and at most a quarter of it for a mask, which a

@@ -65,11 +65,13 @@ pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
         document.style(&used, drawing.dark.as_ref());
     }
     document.glyphs(&used.glyphs);
-    document.xml.start("rect");
-    document.xml.number("width", drawing.width);
-    document.xml.number("height", drawing.height);
-    document.paint(Some(&drawing.background), None);
-    document.xml.end();
+    if !drawing.is_transparent() {
+        document.xml.start("rect");
+        document.xml.number("width", drawing.width);
+        document.xml.number("height", drawing.height);
+        document.paint(Some(&drawing.background), None);
+        document.xml.end();
+    }
     document.items(&drawing.items);
     document.xml.finish()
 }

@@ -68,7 +68,7 @@ impl Used {
     pub(super) fn by(drawing: &Drawing) -> Self {
         let words = drawing.words.clone();
         let mut used = Self { fill_opacity: drawing.fill_opacity, words, ..Self::default() };
-        used.paint(Property::Fill, Some(&drawing.background));
+        used.paint(Property::Fill, Some(&drawing.background).filter(|_| !drawing.is_transparent()));
         used.items(&drawing.items);
         used
     }

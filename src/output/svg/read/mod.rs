@@ -17,12 +17,15 @@ use svgtypes::FuncIRI;
 use super::super::Stamped;
 use super::super::picture::{Picture, TooMuch, Unread};
 use crate::drawing::{
-    Color, Contour, Drawing, Group, Item, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
+    Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
 };
 use effort::{Effort, MOST_LENGTH, MOST_PIECES};
 use path_data::{Map, contour};
 use size::{MOST_DRAWN, MOST_LEVELS, modest};
 use style::{Style, number};
+
+/// The background of a page that has none.
+const NO_PAGE: Paint = Paint { role: None, color: Color::hex(0), opacity: 0.0 };
 
 /// What a document says of itself: the text of its `<metadata>`.
 pub(in crate::output) fn stamp(bytes: &[u8]) -> Option<Stamped> {
@@ -63,7 +66,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         let node = root.children().find(|n| n.has_tag_name(name));
         node.and_then(|n| n.text()).unwrap_or_default().to_owned()
     };
-    let page = root.children().find(|n| n.has_tag_name("rect"))?;
+    let page = root.children().find(|n| n.has_tag_name("rect"));
     let mut reader = Reader {
         by_id: document.descendants().filter_map(|n| Some((n.attribute("id")?, n))).collect(),
         prefix: &prefix,
@@ -77,7 +80,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
     for node in root.children().filter(Node::is_element) {
         match node.tag_name().name() {
             "title" | "desc" | "metadata" | "style" | "defs" => {}
-            "rect" if node == page => {}
+            "rect" if Some(node) == page => {}
             _ => reader.element(node, &Style::default(), Map::default(), &mut items)?,
         }
     }
@@ -88,7 +91,10 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         title: text("title"),
         is_titled: false,
         desc: text("desc"),
-        background: Style::default().inside(page)?.fill?,
+        background: match page {
+            Some(page) => Style::default().inside(page)?.fill?,
+            None => NO_PAGE,
+        },
         ink: Color::hex(0),
         words: Vec::new(),
         fill_opacity: 1.0,
