@@ -1,10 +1,10 @@
 //! APNG: drawings one after the other, in a file that any viewer of PNG opens.
 //!
-//! The first drawing is the image that a viewer without animation shows. All frames are RGB, with opacity where a page has no background, and whole: frames
-//! of a figure differ in moving shapes, and what stays is cheap, as it repeats (see [`super::png`]). A frame
-//! is in memory while it is packed: the stream writer of `png` 0.18.1, which takes rows, puts the number of a
-//! chunk into the data of the first frame, and no viewer opens that (image-rs/image-png, issue 411; mended
-//! since).
+//! The first drawing is the image that a viewer without animation shows. All frames are RGB, with opacity
+//! where a page has no background, and whole: frames of a figure differ in moving shapes, and what stays is
+//! cheap, as it repeats (see [`super::png`]). A frame is in memory while it is packed: the stream writer of
+//! `png` 0.18.1, which takes rows, puts the number of a chunk into the data of the first frame, and no viewer
+//! opens that (image-rs/image-png, issue 411; mended since).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
 use super::png::{BRACKET, KEYWORD, READER, encoder};
