@@ -1,5 +1,4 @@
-//! Files that appear whole or not at all: written beside their place under another name, synced, then
-//! renamed.
+//! Files that appear whole or not at all: written beside their place under another name, then renamed.
 //!
 //! The other name is `.tracefig-….part`. A run that is killed can't take it away again, so the next run does.
 //! How does it know a dead run's part from one that is being written? A run holds a lock on its part, and the
@@ -19,12 +18,29 @@ const PREFIX: &str = ".tracefig-";
 /// What the name of a part ends with.
 const SUFFIX: &str = ".part";
 
+/// Whether a file is waited for until the disk has it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wait {
+    /// The system writes it when it likes. After a loss of power its place may hold an old file, or an empty
+    /// one; after anything else, the whole file.
+    No,
+    /// File and name are on the disk when it is written: some milliseconds a file.
+    ForDisk,
+}
+
+impl Wait {
+    /// Whether a command was asked to wait.
+    pub(crate) fn asked(sync: bool) -> Self {
+        if sync { Self::ForDisk } else { Self::No }
+    }
+}
+
 /// Writes a file. Whatever goes wrong, its place holds all of the new bytes or what it held before. Who may
 /// read and write it stays as it was.
 ///
 /// # Errors
 /// Where the place holds what is no regular file, and what the system says.
-pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+pub(crate) fn write_whole(path: &Path, bytes: &[u8], wait: Wait) -> io::Result<()> {
     replaceable(path)?;
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -35,11 +51,15 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
         file.as_file().set_permissions(old.permissions())?;
     }
     file.write_all(bytes)?;
-    file.as_file().sync_all()?;
+    if wait == Wait::ForDisk {
+        file.as_file().sync_all()?;
+    }
     file.persist(path).map_err(|e| e.error)?;
     // So that the name, too, survives a loss of power. Some file systems refuse to sync a folder; the file is
     // whole.
-    if let Ok(folder) = File::open(folder) {
+    if wait == Wait::ForDisk
+        && let Ok(folder) = File::open(folder)
+    {
         let _ = folder.sync_all();
     }
     Ok(())
@@ -115,7 +135,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("figure.svg");
         std::fs::create_dir(&place).unwrap();
-        assert!(write_whole(&place, b"<svg/>").is_err());
+        assert!(write_whole(&place, b"<svg/>", Wait::No).is_err());
         assert_eq!(names(folder.path()), ["figure.svg"]);
     }
 
@@ -123,8 +143,8 @@ mod tests {
     fn a_file_is_replaced_whole() {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("figure.svg");
-        write_whole(&place, b"first, and longer").unwrap();
-        write_whole(&place, b"second").unwrap();
+        write_whole(&place, b"first, and longer", Wait::ForDisk).unwrap();
+        write_whole(&place, b"second", Wait::No).unwrap();
         assert_eq!(std::fs::read(&place).unwrap(), b"second");
     }
 
@@ -134,10 +154,10 @@ mod tests {
         use std::os::unix::fs::PermissionsExt;
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("figure.svg");
-        write_whole(&place, b"first").unwrap();
+        write_whole(&place, b"first", Wait::No).unwrap();
         for mode in [0o600, 0o444, 0o664] {
             std::fs::set_permissions(&place, std::fs::Permissions::from_mode(mode)).unwrap();
-            write_whole(&place, b"second").unwrap();
+            write_whole(&place, b"second", Wait::No).unwrap();
             assert_eq!(place.metadata().unwrap().permissions().mode() & 0o777, mode);
         }
     }
@@ -149,7 +169,7 @@ mod tests {
         let (place, other) = (folder.path().join("figure.svg"), folder.path().join("other"));
         std::fs::write(&other, "theirs").unwrap();
         std::os::unix::fs::symlink(&other, &place).unwrap();
-        let error = write_whole(&place, b"<svg/>").unwrap_err().to_string();
+        let error = write_whole(&place, b"<svg/>", Wait::No).unwrap_err().to_string();
         assert_eq!(error, "it is a link, not a regular file");
         assert!(place.is_symlink() && std::fs::read(&other).unwrap() == b"theirs");
         assert_eq!(names(folder.path()), ["figure.svg", "other"]);
@@ -189,7 +209,7 @@ mod tests {
             let writers: Vec<_> = (0..3)
                 .map(|i| {
                     let place = folder.path().join(format!("{i}.svg"));
-                    scope.spawn(move || (0..200).all(|_| write_whole(&place, b"<svg/>").is_ok()))
+                    scope.spawn(move || (0..200).all(|_| write_whole(&place, b"<svg/>", Wait::No).is_ok()))
                 })
                 .collect();
             while writers.iter().any(|w| !w.is_finished()) {

@@ -13,7 +13,7 @@ use tracefig::drift::{
 use tracefig::output::{Format, MOST_BYTES};
 use tracefig::scene::visible;
 
-use super::atomic_file::{clear_leftovers, write_whole};
+use super::atomic_file::{Wait, clear_leftovers, write_whole};
 use super::console::Console;
 use super::files::{Drawn, Encoded, Files, Plan};
 use super::inputs::shown;
@@ -21,9 +21,9 @@ use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
 use super::orphans::orphans;
 use super::parallel::in_order;
 use super::regular::{read_regular, replaceable};
-use super::render::cant_write;
 use super::reports::Places;
 use super::unplanned::{Unplanned, tell_unplanned};
+use super::written::cant_write;
 use super::{Runs, Status};
 
 /// Options of `check`.
@@ -185,10 +185,11 @@ impl Check {
         if self.json {
             return console.out.write_all(json(findings).as_bytes());
         }
-        if self.places.take_stdout() {
+        let is_well = !findings.iter().any(Finding::is_bad);
+        if self.places.take_stdout() || (console.is_quiet() && is_well) {
             return Ok(());
         }
-        if findings.iter().any(Finding::is_bad) {
+        if !is_well {
             writeln!(console.out, "all of it: {}", shown(&self.places.page()))?;
         }
         let always = ["identical", "changed", "missing"];
@@ -260,7 +261,7 @@ impl Check {
                 finding.measured = Some(measured);
                 if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
-                        .and_then(|()| write_whole(picture, &image));
+                        .and_then(|()| write_whole(picture, &image, Wait::No));
                     if let Err(error) = written {
                         checked.fail(&name, &cant_write(picture, &error));
                     }
@@ -272,7 +273,7 @@ impl Check {
         checked.findings.push(finding);
         if differs
             && self.accept
-            && let Err(error) = write_whole(path, &encoded.bytes)
+            && let Err(error) = write_whole(path, &encoded.bytes, self.files.wait())
         {
             checked.fail(&name, &cant_write(path, &error));
         }

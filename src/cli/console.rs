@@ -3,6 +3,7 @@
 use std::io::{self, BufWriter, IsTerminal, Stdout, Write};
 
 use annotate_snippets::{Level, Renderer};
+use clap::{Args, ColorChoice};
 use tracefig::scene::{Explain, Ink, Refused};
 
 use super::Status;
@@ -15,17 +16,48 @@ pub(crate) struct Console {
     ink: Ink,
     /// Whether standard error is a terminal.
     on_terminal: bool,
+    /// Whether only what went wrong is said.
+    is_quiet: bool,
+}
+
+/// What a user wants to be told, and how.
+#[derive(Args, Clone, Copy, Debug, Default)]
+pub(crate) struct Manner {
+    /// Say nothing but what is wrong
+    #[arg(short, long, global = true)]
+    quiet: bool,
+    /// Whether messages are coloured; default: on a terminal, unless `NO_COLOR` is set
+    #[arg(long, global = true, value_name = "WHEN", value_enum)]
+    color: Option<ColorChoice>,
 }
 
 impl Console {
     /// The console of this process.
-    pub(crate) fn new() -> Self {
+    pub(crate) fn new(manner: Manner) -> Self {
         let on_terminal = io::stderr().is_terminal();
         // https://no-color.org: present and not empty, whatever its value.
         let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
         let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
-        let ink = if on_terminal && !no_color && !dumb { Ink::Coloured } else { Ink::Plain };
-        Self { out: Results { out: BufWriter::new(io::stdout()), failed: None }, ink, on_terminal }
+        let coloured = match manner.color {
+            Some(ColorChoice::Always) => true,
+            Some(ColorChoice::Never) => false,
+            Some(ColorChoice::Auto) | None => on_terminal && !no_color && !dumb,
+        };
+        let ink = if coloured { Ink::Coloured } else { Ink::Plain };
+        let out = Results { out: BufWriter::new(io::stdout()), failed: None };
+        Self { out, ink, on_terminal, is_quiet: manner.quiet }
+    }
+
+    /// Whether only what went wrong is said.
+    pub(crate) fn is_quiet(&self) -> bool {
+        self.is_quiet
+    }
+
+    /// Writes a message about what is not wrong.
+    pub(crate) fn note(&self, text: &str) {
+        if !self.is_quiet {
+            Self::message(text);
+        }
     }
 
     /// How messages are written.
@@ -35,7 +67,7 @@ impl Console {
 
     /// Whether someone watches standard error, so that a progress bar makes sense.
     pub(crate) fn is_watched(&self) -> bool {
-        self.on_terminal
+        self.on_terminal && !self.is_quiet
     }
 
     /// Writes a message as it is. What standard error can't take is lost: there is nowhere left to say so.

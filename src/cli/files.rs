@@ -1,5 +1,6 @@
 //! What `render` and `check` share: their options, and a scene's files as bytes.
 
+use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -16,7 +17,8 @@ use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
 use super::Status;
-use super::inputs::{Input, find};
+use super::atomic_file::Wait;
+use super::inputs::{Input, find, shown};
 use super::jobs::{Job, Planned, Target, jobs};
 use super::regular::read_regular;
 use super::settings::{Flags, Projects, Settings, usual_formats};
@@ -62,6 +64,9 @@ pub(crate) struct Files {
     /// processors
     #[arg(long, value_name = "N")]
     threads: Option<NonZeroUsize>,
+    /// Wait until the disk has the files, so that they survive a loss of power
+    #[arg(long)]
+    sync: bool,
     /// The theme files that scenes name, as far as they were read.
     #[arg(skip)]
     own_themes: OwnThemes,
@@ -144,6 +149,38 @@ impl Files {
     /// Whether a scene is to come from standard input.
     pub(crate) fn read_stdin(&self) -> bool {
         self.scenes.iter().any(|scene| scene.as_os_str() == "-")
+    }
+
+    /// Whether files are waited for until the disk has them.
+    pub(crate) fn wait(&self) -> Wait {
+        Wait::asked(self.sync)
+    }
+
+    /// The folders that the arguments name, and those of the files that they name, where they are there.
+    pub(crate) fn named_folders(&self) -> BTreeSet<PathBuf> {
+        let here = [PathBuf::new()];
+        let named = if self.scenes.is_empty() { &here[..] } else { &self.scenes };
+        let folder = |path: &PathBuf| {
+            if path.is_dir() { Some(path.clone()) } else { path.parent().map(Path::to_owned) }
+        };
+        let folders = named.iter().map(|path| folder(path).unwrap_or_default());
+        folders.filter(|folder| folder.as_os_str().is_empty() || folder.is_dir()).collect()
+    }
+
+    /// Reads the theme files anew.
+    ///
+    /// # Errors
+    /// Where one is none; the themes are then as they were.
+    pub(crate) fn read_themes_again(&mut self) -> Result<(), String> {
+        let read = |theme: &ChosenTheme| match &theme.file {
+            Some(file) => {
+                chosen_theme(&file.to_string_lossy()).map_err(|error| format!("{}: {error}", shown(file)))
+            }
+            None => Ok(theme.clone()),
+        };
+        self.own_themes = OwnThemes::default();
+        self.theme = self.theme.iter().map(read).collect::<Result<_, _>>()?;
+        Ok(())
     }
 
     /// How many scenes are drawn at once.

@@ -35,16 +35,18 @@ mod timings;
 mod trace;
 mod unplanned;
 mod walk;
+mod watch;
+mod written;
 
 use std::io::{self, Write};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use clap::{ArgMatches, Args};
+use clap::{ArgMatches, Args, FromArgMatches};
 
 use tracefig::scene::{Explain, Refused};
 
-use console::Console;
+use console::{Console, Manner};
 
 /// How a command ended, where it was not stopped.
 ///
@@ -115,6 +117,7 @@ fn run_as<T: Runs>(matches: &ArgMatches, console: &mut Console) -> io::Result<St
 /// Every command.
 static COMMANDS: &[Command] = &[
     row::<render::Render>("render", "Draw scenes, as SVG, PNG and other formats"),
+    row::<watch::Watch>("watch", "Draw scenes, and again whenever they change"),
     row::<check::Check>("check", "Compare the figures on disk with what their scenes give"),
     row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
     row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
@@ -135,8 +138,8 @@ fn app() -> clap::Command {
              3 a bug of tracefig, 74 something can't be read or written.",
         )
         .subcommand_required(true)
-        .arg_required_else_help(true)
-        .disable_help_subcommand(true);
+        .arg_required_else_help(true);
+    let app = Manner::augment_args(app);
     COMMANDS.iter().fold(app, |app, command| {
         app.subcommand((command.args)(clap::Command::new(command.name)).about(command.about))
     })
@@ -148,7 +151,8 @@ pub(crate) fn run() -> ExitCode {
         Ok(matches) => matches,
         Err(answer) => return print(&answer),
     };
-    let mut console = Console::new();
+    let manner = Manner::from_arg_matches(&matches).unwrap_or_default();
+    let mut console = Console::new(manner);
     tell_bugs_briefly();
     let Some((name, arguments)) = matches.subcommand() else { return ExitCode::from(2) };
     let Some(command) = COMMANDS.iter().find(|command| command.name == name) else {
@@ -173,7 +177,7 @@ fn print(answer: &clap::Error) -> ExitCode {
 
 /// Says that standard output failed.
 fn cant_print(error: &io::Error) -> ExitCode {
-    Console::new().error(&format!("can't write to standard output: {error}"));
+    Console::new(Manner::default()).error(&format!("can't write to standard output: {error}"));
     Status::Io.code()
 }
 
@@ -184,7 +188,8 @@ fn tell_bugs_briefly() {
     }
     std::panic::set_hook(Box::new(|info| {
         let place = info.location().map_or(String::new(), |at| format!(" at {}:{}", at.file(), at.line()));
-        Console::new().error(&format!("this is a bug of tracefig{place}; please report it with the scene"));
+        Console::new(Manner::default())
+            .error(&format!("this is a bug of tracefig{place}; please report it with the scene"));
     }));
 }
 

@@ -9,7 +9,7 @@ use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use super::atomic_file::write_whole;
+use super::atomic_file::{Wait, write_whole};
 
 /// Files of a run that none of its outputs may replace, each with what it is, as "a scene".
 #[derive(Clone, Debug, Default)]
@@ -46,7 +46,7 @@ pub(crate) fn write_report(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if is_stream(path) {
         return OpenOptions::new().write(true).open(path)?.write_all(bytes);
     }
-    write_whole(path, bytes)
+    write_whole(path, bytes, Wait::No)
 }
 
 /// Whether a place takes bytes one after the other and keeps none, as a device or a pipe, also behind a link.

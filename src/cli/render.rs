@@ -6,17 +6,17 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use super::atomic_file::{clear_leftovers, write_whole};
+use super::atomic_file::clear_leftovers;
 use super::console::Console;
-use super::files::{Drawn, Encoded, Files, Plan};
-use super::inputs::shown;
-use super::jobs::{Job, Target, folders_of};
+use super::files::{Files, Plan};
+use super::jobs::{Job, folders_of};
 use super::parallel::in_order;
 use super::partition::Partition;
 use super::settings::Destination;
 use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
 use super::unplanned::tell_unplanned;
+use super::written::{Written, makes_folders, write_files};
 use super::{Runs, Status};
 
 /// Options of `render`.
@@ -53,7 +53,7 @@ impl Runs for Render {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        Console::message(&left_alone);
+        console.note(&left_alone);
         if !makes_folders(folders_of(&jobs), console) {
             return Ok(Status::Io);
         }
@@ -71,7 +71,7 @@ impl Runs for Render {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
             } else {
-                write_files(job, self.files.draw(job, ink))
+                write_files(job, self.files.draw(job, ink), self.files.wait())
             }
         };
         in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
@@ -128,10 +128,8 @@ impl Render {
                 }
             };
             let work = |line: &Drawable| match line {
-                Drawable::Job(job) => write_files(job, self.files.draw(job, ink)),
-                Drawable::Refused(messages) => {
-                    Written { messages: messages.clone(), status: Status::Wrong, ..Written::nothing() }
-                }
+                Drawable::Job(job) => write_files(job, self.files.draw(job, ink), self.files.wait()),
+                Drawable::Refused(messages) => Written::refused(messages.clone()),
             };
             in_order(&batch, self.files.threads(), work, |line, written| -> io::Result<()> {
                 let written = written.unwrap_or_else(|| Written::bug(&line.shown()));
@@ -146,77 +144,6 @@ impl Render {
         }
         Ok(status)
     }
-}
-
-/// Makes the folders that files go to; whether all are there.
-fn makes_folders<'f>(folders: impl IntoIterator<Item = &'f Path>, console: &Console) -> bool {
-    let mut made = true;
-    for folder in folders.into_iter().filter(|folder| !folder.as_os_str().is_empty()) {
-        if let Err(error) = std::fs::create_dir_all(folder) {
-            console.error(&format!("can't make the folder {}: {error}", shown(folder)));
-            made = false;
-        }
-    }
-    made
-}
-
-/// What became of a job.
-struct Written {
-    /// For standard output: the names of the files, or the one file itself.
-    results: Vec<u8>,
-    /// What is said on standard error.
-    messages: String,
-    /// Why a file is not what it should be.
-    status: Status,
-    /// Where the time went.
-    timings: Timings,
-}
-
-impl Written {
-    /// A job of which nothing was written and nothing is to be said.
-    fn nothing() -> Self {
-        Self { results: Vec::new(), messages: String::new(), status: Status::Done, timings: Timings::start() }
-    }
-
-    /// A scene of this name whose drawing panicked.
-    fn bug(name: &str) -> Self {
-        let messages = format!("error: {name} was not drawn because of a bug of tracefig\n");
-        Self { messages, status: Status::Bug, ..Self::nothing() }
-    }
-
-    /// Says what became of it, messages first.
-    fn tell(&self, console: &mut Console) -> io::Result<()> {
-        if !self.messages.is_empty() {
-            console.out.flush()?;
-            Console::message(&self.messages);
-        }
-        console.out.write_all(&self.results)
-    }
-}
-
-/// Writes the files of a job.
-fn write_files(job: &Job, drawn: Drawn) -> Written {
-    let Drawn { files, messages, status, timings } = drawn;
-    let mut written = Written { messages, status, timings, ..Written::nothing() };
-    for (file, Encoded { bytes, .. }) in job.files.iter().zip(files) {
-        match &file.target {
-            Target::Stdout => written.results = bytes,
-            Target::File(path) => match write_whole(path, &bytes) {
-                Ok(()) => written.results.extend(format!("{}\n", shown(path)).into_bytes()),
-                Err(error) => {
-                    written.messages.push_str(&cant_write(path, &error));
-                    written.status = Status::Io;
-                }
-            },
-        }
-    }
-    written.timings.lap("write");
-    written
-}
-
-/// The message of a file that can't be written.
-pub(super) fn cant_write(path: &Path, error: &io::Error) -> String {
-    format!("error: can't write {}: {error}\n", shown(path))
 }
 
 /// A bar where someone watches and there is something to wait for.

@@ -10,10 +10,10 @@ use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use tracefig::report::{self, Contender, Effort};
 
-use super::atomic_file::write_whole;
+use super::atomic_file::{Wait, write_whole};
 use super::console::Console;
 use super::inputs::shown;
-use super::render::cant_write;
+use super::written::cant_write;
 use super::{Runs, Status};
 
 /// Options of `report`.
@@ -68,7 +68,7 @@ impl Runs for Report {
         let mut status = if found.partial { Status::Wrong } else { Status::Done };
         for (name, bytes) in files {
             let path = self.output.join(name);
-            match write_whole(&path, &bytes) {
+            match write_whole(&path, &bytes, Wait::No) {
                 Ok(()) => writeln!(console.out, "{}", shown(&path))?,
                 Err(error) => {
                     Console::message(&cant_write(&path, &error));

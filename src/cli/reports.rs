@@ -13,13 +13,13 @@ use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
 use tracefig::drift::{TRIPTYCH_FORMAT, is_triptych};
 use tracefig::output::MOST_BYTES;
 
-use super::atomic_file::write_whole;
+use super::atomic_file::{Wait, write_whole};
 use super::inputs::shown;
 use super::jobs::{Job, Target, folders_of};
 use super::outputs::{Kept, one_name, write_report};
 use super::regular::read_regular;
-use super::render::cant_write;
 use super::unplanned::Unplanned;
+use super::written::cant_write;
 
 /// Options of `check` that say where findings go.
 #[derive(Args)]
@@ -161,7 +161,7 @@ fn write_page(path: &Path, text: &str) -> io::Result<()> {
         Ok(bytes) if !is_page(&bytes) => {
             Err(io::Error::new(io::ErrorKind::AlreadyExists, "there is a page that no check wrote"))
         }
-        _ => write_whole(path, text.as_bytes()),
+        _ => write_whole(path, text.as_bytes(), Wait::No),
     }
 }
 

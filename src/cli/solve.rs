@@ -58,7 +58,7 @@ impl Solve {
             Ok(found) => found,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        Console::message(&found.left_alone());
+        console.note(&found.left_alone());
         let mut status = Status::Done;
         for input in found.scenes.iter().map(|scene| &scene.input) {
             match input.open() {

@@ -5,6 +5,7 @@
 mod bad_input;
 mod breakage;
 mod check;
+mod habits;
 #[path = "../hostile_figures/mod.rs"]
 mod hostile_figures;
 mod inert;
@@ -18,6 +19,8 @@ mod render_jsonl;
 mod report;
 mod streams;
 mod themes;
+#[cfg(unix)]
+mod watch;
 #[cfg(unix)]
 mod whole_files;
 

@@ -1,0 +1,204 @@
+//! `tracefig watch`: scenes to files, and again whenever something that they are drawn from changes.
+//!
+//! An editor writes a file in several steps, and a checkout many files, so a change is taken up once it has
+//! been quiet for a moment. What has to be drawn again is asked of the files on disk, as `--skip-unchanged`
+//! does: a figure that says that it was drawn from this scene with these options stays.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::time::Duration;
+
+use clap::Args;
+use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher, recommended_watcher};
+
+use super::atomic_file::clear_leftovers;
+use super::console::Console;
+use super::files::{Files, Plan};
+use super::inputs::Input;
+use super::jobs::{Job, each_settings, folders_of};
+use super::parallel::in_order;
+use super::unplanned::{Unplanned, tell_unplanned};
+use super::written::{Written, makes_folders, write_files};
+use super::{Runs, Status};
+
+/// How long nothing may change before a change is taken up: editors rename what they wrote within
+/// milliseconds, and a reader who looks from the editor to the picture takes longer.
+const QUIET: Duration = Duration::from_millis(80);
+
+/// Options of `watch`.
+#[derive(Args)]
+pub(crate) struct Watch {
+    /// Which scenes, and how they are drawn.
+    #[command(flatten)]
+    files: Files,
+    /// Folder for the files, made if it is not there, or the one file to write, as x.svg; default: the folder
+    /// of the project file, else beside each scene
+    #[arg(short, long, value_name = "DIR|FILE")]
+    output: Option<PathBuf>,
+}
+
+/// What ends a wait.
+enum Wake {
+    /// Something changed.
+    Changed,
+    /// Ctrl-C.
+    Stop,
+}
+
+impl Runs for Watch {
+    fn run(mut self, console: &mut Console) -> io::Result<Status> {
+        if self.files.read_stdin() || self.output.as_deref().is_some_and(|to| to.as_os_str() == "-") {
+            console.error("`watch` is of files: name scenes or folders, and a folder for the figures");
+            return Ok(Status::Usage);
+        }
+        let (wake, woken) = channel();
+        let mut watched = match Watched::new(&wake) {
+            Ok(watched) => watched,
+            Err(error) => {
+                console.error(&format!("can't watch files: {error}"));
+                return Ok(Status::Io);
+            }
+        };
+        let mut told = BTreeMap::new();
+        loop {
+            match self.files.plan(self.output.as_deref()) {
+                Ok(plan) => {
+                    watched.look_at(&self.places(&plan), console);
+                    self.draw(&plan, &mut told, console)?;
+                }
+                // Options don't mend themselves; a project file or a folder may.
+                Err(usage @ Unplanned::Usage(_)) => return Ok(tell_unplanned(&usage, console)),
+                Err(unplanned) => {
+                    tell_unplanned(&unplanned, console);
+                    watched.look_at(&self.files.named_folders(), console);
+                }
+            }
+            console.out.flush()?;
+            if console.out.is_closed() || !changed(&woken) {
+                return Ok(Status::Done);
+            }
+            if let Err(error) = self.files.read_themes_again() {
+                console.error(&error);
+            }
+        }
+    }
+}
+
+impl Watch {
+    /// The folders in which something lies that the scenes are drawn from.
+    fn places(&self, plan: &Plan) -> BTreeSet<PathBuf> {
+        let mut all: BTreeSet<PathBuf> = plan.folders.iter().cloned().collect();
+        all.extend(self.files.named_folders());
+        let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
+        for job in &plan.jobs {
+            if let Input::File(path) = &job.input {
+                all.insert(folder(path));
+            }
+        }
+        for settings in each_settings(&plan.jobs) {
+            let themes = settings.themes.iter().chain(settings.page_theme.as_deref());
+            all.extend(themes.filter_map(|theme| theme.file.as_deref()).map(folder));
+            all.extend(settings.project.as_deref().map(folder));
+        }
+        all
+    }
+
+    /// Draws what is not what it should be, a line for each scene; what was `told` of a scene and has not
+    /// changed is not told again.
+    fn draw(
+        &self,
+        plan: &Plan,
+        told: &mut BTreeMap<String, String>,
+        console: &mut Console,
+    ) -> io::Result<()> {
+        if !makes_folders(folders_of(&plan.jobs), console) {
+            return Ok(());
+        }
+        folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
+        let ink = console.ink();
+        let work = |job: &Job| {
+            let is_current = self.files.is_current(job);
+            (!is_current).then(|| write_files(job, self.files.draw(job, ink), self.files.wait()))
+        };
+        in_order(&plan.jobs, self.files.threads(), work, |job, written| {
+            let name = job.input.shown();
+            let Some(written) = written.unwrap_or_else(|| Some(Written::bug(&name))) else {
+                told.remove(&name);
+                return Ok(());
+            };
+            if !written.messages.is_empty() && told.get(&name) != Some(&written.messages) {
+                console.out.flush()?;
+                Console::message(&written.messages);
+            }
+            if !written.names.is_empty() && !console.is_quiet() {
+                writeln!(console.out, "{name}: {}", written.names.join(", "))?;
+            }
+            told.insert(name, written.messages);
+            Ok(())
+        })
+    }
+}
+
+/// Waits until something has changed and all is quiet again; whether that was before Ctrl-C.
+fn changed(woken: &Receiver<Wake>) -> bool {
+    if !matches!(woken.recv(), Ok(Wake::Changed)) {
+        return false;
+    }
+    loop {
+        match woken.recv_timeout(QUIET) {
+            Ok(Wake::Changed) => {}
+            Ok(Wake::Stop) | Err(RecvTimeoutError::Disconnected) => return false,
+            Err(RecvTimeoutError::Timeout) => return true,
+        }
+    }
+}
+
+/// Folders that are looked at.
+struct Watched {
+    /// Who hears of changes.
+    watcher: RecommendedWatcher,
+    /// The folders so far.
+    folders: BTreeSet<PathBuf>,
+}
+
+impl Watched {
+    /// Nothing is looked at yet; changes, and Ctrl-C, wake whoever waits.
+    fn new(wake: &Sender<Wake>) -> Result<Self, String> {
+        let (change, stop) = (wake.clone(), wake.clone());
+        let heard = move |event: notify::Result<Event>| {
+            if event.is_ok_and(|event| concerns(&event)) {
+                let _ = change.send(Wake::Changed);
+            }
+        };
+        let watcher = recommended_watcher(heard).map_err(|error| error.to_string())?;
+        ctrlc::set_handler(move || {
+            let _ = stop.send(Wake::Stop);
+        })
+        .map_err(|error| error.to_string())?;
+        Ok(Self { watcher, folders: BTreeSet::new() })
+    }
+
+    /// Looks at these folders, too, though not at those in them.
+    fn look_at(&mut self, folders: &BTreeSet<PathBuf>, console: &Console) {
+        for folder in folders {
+            let here = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+            // Again, as a folder may be gone and come back.
+            match self.watcher.watch(here, RecursiveMode::NonRecursive) {
+                Ok(()) => drop(self.folders.insert(folder.clone())),
+                Err(error) if !self.folders.contains(folder) => {
+                    console.note(&format!("note: can't watch {}: {error}\n", here.display()));
+                }
+                Err(_) => drop(self.folders.remove(folder)),
+            }
+        }
+    }
+}
+
+/// Whether an event may be of a scene, a theme, a project file or a folder: figures that were just written
+/// are none of these, and to be read changes nothing.
+fn concerns(event: &Event) -> bool {
+    let ends_so = |path: &PathBuf| path.extension().is_none_or(|e| e == "toml" || e == "json");
+    !event.kind.is_access() && event.paths.iter().any(ends_so)
+}

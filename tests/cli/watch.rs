@@ -1,0 +1,114 @@
+//! `watch`: a change is drawn, an error is told and does not end it, Ctrl-C does.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use crate::render::drawn;
+use crate::{folder_with, run, tracefig};
+
+/// How long a line may take to come: a loaded machine draws a figure in a second or two.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A command that runs, and what it says line by line.
+struct Running {
+    child: Child,
+    lines: Receiver<String>,
+}
+
+impl Running {
+    fn watch(folder: &Path, arguments: &[&str]) -> Self {
+        let mut command = tracefig(folder);
+        command.arg("watch").args(arguments).stdin(Stdio::null());
+        let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        let (sender, lines) = channel();
+        let pipes: [Box<dyn Read + Send>; 2] =
+            [Box::new(child.stdout.take().unwrap()), Box::new(child.stderr.take().unwrap())];
+        for pipe in pipes {
+            let sender = sender.clone();
+            thread::spawn(move || {
+                BufReader::new(pipe).lines().map_while(Result::ok).all(|line| sender.send(line).is_ok())
+            });
+        }
+        Self { child, lines }
+    }
+
+    /// Waits for a line that begins so; the lines before it.
+    fn says(&self, begin: &str) -> Vec<String> {
+        let (start, mut before) = (Instant::now(), Vec::new());
+        while let Some(left) = PATIENCE.checked_sub(start.elapsed()) {
+            let Ok(line) = self.lines.recv_timeout(left) else { break };
+            if line.starts_with(begin) {
+                return before;
+            }
+            before.push(line);
+        }
+        panic!("no line begins {begin:?}: {before:#?}");
+    }
+
+    /// Presses Ctrl-C; how it ends.
+    fn interrupted(mut self) -> Option<i32> {
+        let id = self.child.id().to_string();
+        assert!(Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+        let start = Instant::now();
+        while start.elapsed() < PATIENCE {
+            if let Some(status) = self.child.try_wait().unwrap() {
+                return status.code();
+            }
+            thread::sleep(Duration::from_millis(20));
+        }
+        let _ = self.child.kill();
+        panic!("Ctrl-C does not end it");
+    }
+}
+
+#[test]
+fn a_change_is_drawn_and_an_error_does_not_end_it() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    fs::write(here.join("night.toml"), "based_on = \"dark\"\n").unwrap();
+    let write = |name: &str, text: &str| fs::write(here.join(name), text).unwrap();
+    let running = Running::watch(here, &[".", "--format", "svg", "--theme", "night.toml"]);
+    assert!(running.says("./s.toml: ./s.svg").is_empty());
+    let first = fs::read(here.join("s.svg")).unwrap();
+
+    write("s.toml", &drawn().replace("radius = 1", "radius = 1.5"));
+    assert!(running.says("./s.toml: ./s.svg").is_empty(), "one line a change");
+    assert!(fs::read(here.join("s.svg")).unwrap() != first);
+
+    write("s.toml", &drawn().replace("radius = 1", "raduis = 1"));
+    running.says("error[unknown-key]: unknown key `raduis`");
+    write("s.toml", &drawn());
+    running.says("./s.toml: ./s.svg");
+    assert!(fs::read(here.join("s.svg")).unwrap() == first);
+
+    // Another scene, in a folder that was not there.
+    fs::create_dir(here.join("more")).unwrap();
+    write("more/t.toml", &drawn());
+    running.says("./more/t.toml: ./more/t.svg");
+    write("more/t.toml", &drawn().replace("radius = 1", "radius = 1.5"));
+    running.says("./more/t.toml: ./more/t.svg");
+
+    // What all are drawn with.
+    write("night.toml", "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n");
+    running.says("./more/t.toml: ./more/t.svg");
+    running.says("./s.toml: ./s.svg");
+    write("tracefig.toml", "[canvas]\nwidht = 700\n");
+    running.says("error[unknown-key]: unknown key `widht`");
+    write("tracefig.toml", "[canvas]\nwidth = 700\n");
+    running.says("./s.toml: ./s.svg");
+    assert!(fs::read_to_string(here.join("s.svg")).unwrap().contains("width=\"700\""));
+    assert_eq!(running.interrupted(), Some(0));
+}
+
+#[test]
+fn what_can_not_be_watched_is_usage() {
+    let folder = folder_with("s.toml", &drawn());
+    for arguments in [&["watch", "-"][..], &["watch", "s.toml", "-o", "-"]] {
+        assert_eq!(run(tracefig(folder.path()).args(arguments)).code, Some(2), "{arguments:?}");
+    }
+}
