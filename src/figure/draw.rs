@@ -10,6 +10,7 @@ use crate::scene::Background;
 
 use super::describe;
 use super::fault::{Fault, Problem};
+use super::inset::Inset;
 use super::layer::is_key;
 use super::lettering::{Lettering, lettered};
 use super::page::Page;
@@ -17,7 +18,7 @@ use super::panel::PanelPlan;
 use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
 use super::plan::Plan;
 use super::runs::Run;
-use super::sketch::{Request, Sketched};
+use super::sketch::{Anchor, Request, Sketched};
 use super::text::{Across, Wording, plain};
 use super::theme::{Side, Theme};
 
@@ -35,6 +36,8 @@ pub struct Figure {
     pub drawing: Drawing,
     /// Each panel's map from its space to the page, what labels keep off, and its labels.
     pub panels: Vec<Labelled>,
+    /// Each inset's map, obstacles and labels, in the order of their panels.
+    pub insets: Vec<Labelled>,
     /// What should be better, with its place in the scene.
     pub warnings: Vec<Problem>,
 }
@@ -59,7 +62,7 @@ impl Figure {
     /// ```
     #[must_use]
     pub fn faults(&self) -> Vec<LabelFault> {
-        self.panels.iter().flat_map(faults).collect()
+        self.panels.iter().chain(&self.insets).flat_map(faults).collect()
     }
 }
 
@@ -87,9 +90,10 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
-    let mut panels: Vec<Labelled> = Vec::new();
+    let (mut panels, mut insets): (Vec<Labelled>, Vec<Labelled>) = (Vec::new(), Vec::new());
     for panel in &plan.panels {
-        let (group, labelled) = draw_panel(plan, theme, &panels);
+        let (group, labelled, inset) = draw_panel(plan, theme, &panels);
+        insets.extend(inset);
         items.push(Item::Group(group));
         items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
         panels.push(labelled);
@@ -105,7 +109,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         fill_opacity: side.fill_opacity,
     });
     let mut warnings = plan.warnings.clone();
-    warnings.extend(panels.iter().flat_map(faults).map(|fault| {
+    warnings.extend(panels.iter().chain(&insets).flat_map(faults).map(|fault| {
         let span = fault.label().1.clone();
         Problem::new(Fault::LabelClash(fault), span)
     }));
@@ -126,7 +130,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         hash: String::new(),
         items,
     };
-    Figure { drawing, panels, warnings }
+    Figure { drawing, panels, insets, warnings }
 }
 
 /// The theme with the background that the scene gives: halos have its colour too.
@@ -154,39 +158,96 @@ pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> 
     (0..index).filter(move |&i| same(&plan.panels[i]))
 }
 
-/// What a panel's layers draw in a theme, and the labels that seek their places there.
-pub(super) fn sought(plan: &Plan, theme: &Theme, index: usize) -> (Sketched, Vec<Sought>) {
+/// An enlarged detail of a panel, drawn.
+pub(super) struct Enlarged {
+    /// Where it stands, and what it shows.
+    inset: Inset,
+    /// What the panel's layers draw there.
+    sketched: Sketched,
+    /// The labels that found a place there.
+    labelled: Labelled,
+}
+
+/// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
+/// one, in which labels stand already.
+pub(super) fn sought(
+    plan: &Plan,
+    theme: &Theme,
+    index: usize,
+) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
-    let sketched = panel.sketch(&context, theme);
+    let mut sketched = panel.sketch(&context, theme);
+    let enlarged = panel.inset(&sketched).map(|inset| {
+        let enlarged = panel.sketch_inset(&inset, &context, theme);
+        let sought = seeking(plan, (theme, index), &enlarged);
+        let mut labelled = labelled(plan, &enlarged, &sought, &[]);
+        inset.without_the_cut_off(&mut labelled);
+        inset.claim(&mut sketched, &named(&sought, &labelled));
+        Enlarged { inset, sketched: enlarged, labelled }
+    });
+    let sought = seeking(plan, (theme, index), &sketched);
+    ((sketched, sought), enlarged)
+}
+
+/// What labels that found a place belong to, with their keys.
+fn named<'s>(sought: &'s [Sought], labelled: &Labelled) -> Vec<(&'static str, &'s Anchor)> {
+    let is_placed = |s: &&Sought| labelled.placed.iter().any(|p| p.key == s.key && p.part == s.part);
+    sought.iter().filter(is_placed).map(|s| (s.key, &s.anchor)).collect()
+}
+
+/// The labels that seek their places among what was drawn of a panel.
+fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) -> Vec<Sought> {
+    let panel = &plan.panels[index];
+    let context = &panel.context(plan.scene, &plan.runs);
     let size = |px: f64| plan.layout.measures.type_size(px);
     let marked = !theme.counts_on_color();
-    let wording = Wording { context: &context, type_size: &size, is_key, marked };
+    let wording = Wording { context, type_size: &size, is_key, marked };
     // A text that can't be set was said by the plan.
     let set =
         |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();
-    let sought = sketched.requests.iter().filter_map(set).collect();
-    (sketched, sought)
+    sketched.requests.iter().filter_map(set).collect()
 }
 
 /// Draws a panel beside those before it.
-fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labelled) {
+fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labelled, Option<Labelled>) {
     let index = before.len();
-    let (sketched, sought) = sought(plan, theme, index);
+    let panel = &plan.panels[index];
+    let ((sketched, sought), enlarged) = sought(plan, theme, index);
     let series = earlier(plan, index).map(|i| &before[i]);
     let series: Vec<(Rect, Placed)> =
         series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-    let Sketched { frame, obstacles, requests, unnamed, .. } = &sketched;
+    let labelled = labelled(plan, &sketched, &sought, &series);
+    let mut group = Group::new(format!("panel-{}", index + 1));
+    group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
+    group.items = vec![layers(sketched)];
+    group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
+    group.items.push(labels(&labelled, theme));
+    let within = enlarged.map(|Enlarged { inset, sketched, labelled }| {
+        let [ground, frame] = inset.ground(theme);
+        let mut detail = Group::new("inset");
+        detail.label = Some(inset.in_words());
+        detail.items = vec![ground, layers(sketched), frame, labels(&labelled, theme)];
+        group.items.push(Item::Group(detail));
+        labelled
+    });
+    (group, labelled, within)
+}
+
+/// What was drawn of a panel with its labels at their places; `series` are those of earlier panels.
+fn labelled(plan: &Plan, sketched: &Sketched, sought: &[Sought], series: &[(Rect, Placed)]) -> Labelled {
+    let Sketched { frame, obstacles, requests, unnamed, .. } = sketched;
     let things = &things(requests, unnamed, obstacles, frame);
-    let ground = Ground { frame, obstacles, things, earlier: &series, panels: plan.panels.len() };
-    let labelled = place(&sought, &ground);
+    let ground = Ground { frame, obstacles, things, earlier: series, panels: plan.panels.len() };
+    place(sought, &ground)
+}
+
+/// What layers drew, cut off at the edges of their panel.
+fn layers(sketched: Sketched) -> Item {
     let mut layers = Group::new("layers");
     layers.clip = Some(sketched.frame.panel);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
-    let mut group = Group::new(format!("panel-{}", index + 1));
-    group.label = plan.panels[index].source.title.as_ref().map(|t| plain(&t.value));
-    group.items = vec![Item::Group(layers), labels(&labelled, theme)];
-    (group, labelled)
+    Item::Group(layers)
 }
 
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.

@@ -14,6 +14,7 @@ mod difference;
 mod draw;
 mod fault;
 mod frame;
+mod inset;
 pub mod layer;
 mod lettering;
 mod limits;

@@ -8,6 +8,7 @@ use crate::scene::{Panel, Scene};
 
 use super::context::{Context, Moment};
 use super::frame::Frame;
+use super::inset::Inset;
 use super::layer::{LabelKey, Layer, Options};
 use super::lettering::Lettering;
 use super::page::Measures;
@@ -67,7 +68,30 @@ impl PanelPlan<'_> {
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.
     pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        let mut sketch = Sketch::new(self.frame, theme, Measures::of(&context.scene.canvas).unit);
+        self.drawn(self.begun(self.frame, context, theme), context).finish()
+    }
+
+    /// Lets every layer draw in the frame of an inset.
+    pub(crate) fn sketch_inset(&self, inset: &Inset, context: &Context, theme: &Theme) -> Sketched {
+        let mut sketch = self.drawn(self.begun(inset.frame, context, theme).without_numbers(), context);
+        inset.write_factor(&mut sketch);
+        let mut sketched = sketch.finish();
+        Inset::without_notes(&mut sketched);
+        sketched
+    }
+
+    /// The inset that the panel asks for, if it asks for one that enlarges, beside what its layers drew.
+    pub(crate) fn inset(&self, sketched: &Sketched) -> Option<Inset> {
+        Inset::of(&self.source, &self.frame, &sketched.obstacles)
+    }
+
+    /// An empty panel of a frame.
+    fn begun<'f>(&self, frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
+        Sketch::new(frame, theme, Measures::of(&context.scene.canvas).unit)
+    }
+
+    /// What every layer draws in a panel.
+    fn drawn<'f>(&self, mut sketch: Sketch<'f>, context: &Context) -> Sketch<'f> {
         for planned in &self.layers {
             if sketch.is_full() {
                 break;
@@ -75,7 +99,7 @@ impl PanelPlan<'_> {
             sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
             (planned.layer.draw)(&mut sketch, context, &planned.options);
         }
-        sketch.finish()
+        sketch
     }
 
     /// Where the layer that asked for a label stands in the scene.

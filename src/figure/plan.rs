@@ -12,6 +12,7 @@ use super::default_picture;
 use super::describe::sentence;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
+use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
@@ -161,7 +162,7 @@ fn resolve<'s>(
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             page = Some(fitted);
-            say(scene, &runs, &panels, &sketched, (&mut problems, &mut warnings))
+            say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings))
         });
         problems.extend(said.err().map(Problem::from));
         problems.extend(runs.overflow(scene).map(Problem::from));
@@ -189,7 +190,7 @@ fn resolve<'s>(
 
 /// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
 fn say(
-    scene: &Scene,
+    (scene, theme): (&Scene, &Theme),
     runs: &Runs,
     panels: &[PanelPlan],
     sketched: &[Sketched],
@@ -197,6 +198,19 @@ fn say(
 ) -> Result<(), scene::Problem> {
     let mut budget = Budget::default();
     for (panel, sketched) in panels.iter().zip(sketched) {
+        if let Some(inset) = panel.source.inset.as_ref() {
+            let context = panel.context(scene, runs);
+            let Some(enlarged) = panel.inset(sketched) else {
+                let message = "the inset shows too much of its panel to be enlarged".to_owned();
+                return Err(scene::Problem::new(scene::Fault::Conflict { message }, inset.span.clone()));
+            };
+            let enlarged = panel.sketch_inset(&enlarged, &context, theme);
+            within("the lines of the inset", "points", enlarged.points, MAX_POINTS, &inset.span)?;
+            areas_within(enlarged.painted, &inset.span)?;
+            budget.take(&enlarged, &inset.span)?;
+            let requests = enlarged.requests.iter().map(|request| (request, panel.span_of(request)));
+            check_texts(&context, requests, (&mut budget, is_key), (problems, &mut Vec::new()))?;
+        }
         budget.take(sketched, &panel.source.span)?;
         let requests = sketched.requests.iter().map(|request| (request, panel.span_of(request)));
         check_texts(&panel.context(scene, runs), requests, (&mut budget, is_key), (problems, notes))?;

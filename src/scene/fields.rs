@@ -169,6 +169,12 @@ pub(super) static PANEL: TableRows = TableRows {
             Holds::Rectangle,
             "world rectangle that must be visible: [x0, y0, x1, y1]; default: a fit",
         ),
+        may("inset", Holds::Rectangle, "a detail, drawn again and enlarged in a corner: [x0, y0, x1, y1]"),
+        may(
+            "inset_at",
+            Holds::Word { what: "corner", known: corner_words },
+            "the inset's corner; default: where it hides least",
+        ),
     ],
 };
 
@@ -295,6 +301,10 @@ fn query_words() -> Vec<String> {
 
 fn algorithm_words() -> Vec<String> {
     ALGORITHMS.iter().map(|a| a.name.to_owned()).collect()
+}
+
+fn corner_words() -> Vec<String> {
+    ["NE", "NW", "SE", "SW"].map(str::to_owned).to_vec()
 }
 
 fn space_words() -> Vec<String> {

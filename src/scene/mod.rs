@@ -190,6 +190,10 @@ pub struct Panel {
     /// A rectangle of its space that must be visible, x0, y0, x1, y1 in world units; `None` fits what is
     /// drawn.
     pub view: Option<Spanned<[f64; 4]>>,
+    /// A rectangle of its space that is drawn again, enlarged, in a corner: x0, y0, x1, y1 as `view`.
+    pub inset: Option<Spanned<[f64; 4]>>,
+    /// The corner of the enlargement, as "NE"; `None` takes the one where it hides least.
+    pub inset_at: Option<Spanned<String>>,
     /// Where the panel's table is, in bytes of the source.
     pub span: Range<usize>,
 }

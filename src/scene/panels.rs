@@ -56,18 +56,37 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
     let table = check(node, "panels", PANEL.place, PANEL.fields, p)?;
     let space = space(&table, names, p);
     let when = when(&table, p);
-    let view = table.numbers::<4>("view");
-    if let Some(Spanned { value: [x0, y0, x1, y1], span }) = &view
+    let view = rectangle(&table, "view", p);
+    let inset = rectangle(&table, "inset", p);
+    let inset_at = table.text("inset_at");
+    if let Some(corner) = inset_at.as_ref().filter(|_| table.get("inset").is_none()) {
+        let message = "`inset_at` applies to a panel with an `inset`".to_owned();
+        p.add(Fault::Conflict { message }, &corner.span);
+    }
+    let layers = table.get("layers").map(|node| layers(node, p));
+    Some(Panel {
+        title: table.text("title"),
+        space: space?,
+        when,
+        layers,
+        view,
+        inset,
+        inset_at,
+        span: table.span.clone(),
+    })
+}
+
+/// A rectangle by two opposite corners, of which the first is the lower left one.
+fn rectangle(table: &Checked<'_>, key: &str, p: &mut Problems) -> Option<Spanned<[f64; 4]>> {
+    let found = table.numbers::<4>(key);
+    if let Some(Spanned { value: [x0, y0, x1, y1], span }) = &found
         && (x0 >= x1 || y0 >= y1)
     {
         let got = format!("[{}, {}, {}, {}]", number(*x0), number(*y0), number(*x1), number(*y1));
-        p.add(
-            Fault::OutOfRange { key: "view".to_owned(), expected: "x0 < x1 and y0 < y1".to_owned(), got },
-            span,
-        );
+        let expected = "x0 < x1 and y0 < y1".to_owned();
+        p.add(Fault::OutOfRange { key: key.to_owned(), expected, got }, span);
     }
-    let layers = table.get("layers").map(|node| layers(node, p));
-    Some(Panel { title: table.text("title"), space: space?, when, layers, view, span: table.span.clone() })
+    found
 }
 
 fn space(table: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Option<Space> {

@@ -108,7 +108,8 @@ fn shown(scene: &Scene, panels: &[&Panel]) -> String {
             let _ = write!(text, "{which} shows nothing. ");
             continue;
         }
-        let _ = write!(text, "{which} shows {}{}: {}. ", space(scene, panel), when(panel), layers.join(", "));
+        let _ = write!(text, "{which} shows {}{}: {}", space(scene, panel), when(panel), layers.join(", "));
+        text.push_str(if panel.inset.is_some() { "; with a detail enlarged. " } else { ". " });
     }
     text
 }

@@ -44,7 +44,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let pen = Pen { role: options.role(Pen::axis().role), ..Pen::axis() };
     let (mut lo, hi) = sketch.visible();
     let seen = lo.cmple(DVec2::ZERO) & hi.cmpge(DVec2::ZERO);
-    if options.flag("ticks", false) {
+    if options.flag("ticks", false) && sketch.has_numbers() {
         // An axis that ran through a number would be its minus sign.
         lo += sketch.px(1.0) * ticks(sketch, context, options, pen);
     }

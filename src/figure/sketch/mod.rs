@@ -110,6 +110,8 @@ pub(crate) struct Sketch<'f> {
     weight: Weight,
     /// Whether the current layer writes its labels.
     labels: bool,
+    /// Whether axes have numbers.
+    numbers: bool,
     /// What labels keep off so far.
     obstacles: Vec<Obstacle>,
     /// The labels asked for so far.
@@ -156,6 +158,7 @@ impl<'f> Sketch<'f> {
             part: 0,
             weight: Weight::Normal,
             labels: true,
+            numbers: true,
             obstacles: Vec::new(),
             requests: Vec::new(),
             unnamed: Vec::new(),

@@ -33,6 +33,18 @@ impl Sketch<'_> {
         self.frame.panel
     }
 
+    /// The panel, in which axes have no numbers: a detail of another one that has them.
+    #[must_use]
+    pub(crate) fn without_numbers(self) -> Self {
+        Self { numbers: false, ..self }
+    }
+
+    /// Whether axes have numbers here.
+    #[must_use]
+    pub(crate) fn has_numbers(&self) -> bool {
+        self.numbers
+    }
+
     /// Where a point of the panel's space lies on the page.
     #[must_use]
     pub(crate) fn page(&self, p: DVec2) -> Point {

@@ -55,7 +55,7 @@ struct Case {
 
 impl Case {
     fn of(plan: &Plan) -> Self {
-        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i)).collect();
+        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i).0).collect();
         let series = (0..panels.len()).map(|i| earlier(plan, i).collect()).collect();
         Self { panels, series }
     }

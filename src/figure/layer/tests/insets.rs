@@ -1,0 +1,124 @@
+//! An inset shows its panel's detail at the enlarged place, and the panel's labels keep off it.
+
+use crate::drawing::{Group, Item, Path, Rect};
+use crate::figure::{Figure, Labelled, draw, plan};
+use crate::geometry::DVec2;
+use crate::scene::{Explain, open_text};
+
+use super::paths;
+
+/// Two boxes a small gap apart, and a panel of them.
+fn scene(panel: &str) -> String {
+    format!(
+        "shapes.A = {{ kind = 'box', half_extents = [2, 2] }}
+        shapes.B = {{ kind = 'box', half_extents = [2, 2], position = [4.1, 0.5] }}
+        query = {{ kind = 'separation', of = ['A', 'B'] }}
+        panels = [{{ view = [-4, -4, 8, 4], {panel},
+            layers = ['shapes', 'separation', {{ layer = 'axes', ticks = true }},
+                {{ layer = 'note', lines = ['a'], at = 'top' }}] }}]"
+    )
+}
+
+fn drawn(panel: &str) -> Figure {
+    let scene = open_text("inset", &scene(panel)).unwrap().scene;
+    let plan = plan(&scene).unwrap_or_else(|problems| panic!("{panel}: {problems:?}"));
+    draw(&plan, plan.theme, "inset")
+}
+
+/// The group of a name.
+fn group<'d>(items: &'d [Item], name: &str) -> Option<&'d Group> {
+    items.iter().find_map(|item| match item {
+        Item::Group(own) if own.name == name => Some(own),
+        Item::Group(own) => group(&own.items, name),
+        _ => None,
+    })
+}
+
+/// The box of a path on the page.
+fn bounds(path: &Path) -> Rect {
+    path.contour.bounds().unwrap()
+}
+
+#[test]
+fn a_detail_is_drawn_again_and_larger_by_the_factor_that_is_written() {
+    let figure = drawn("inset = [1.9, -0.2, 2.3, 0.2], inset_at = 'SW'");
+    let (panel, inset) = (&figure.panels[0].frame, &figure.insets[0].frame);
+    let factor = inset.scale / panel.scale;
+    assert!((factor.round() - factor).abs() < 1e-12 && factor >= 5.0, "{factor}");
+    let own = group(&figure.drawing.items, "inset").unwrap();
+    assert_eq!(own.label.as_deref(), Some(format!("detail, enlarged {} times", factor.round()).as_str()));
+    // In the corner asked for, within the panel; the middle of the detail in its middle.
+    let (rect, cell) = (inset.panel, panel.panel);
+    assert!(cell.union(rect) == cell);
+    assert!(rect.center().x < cell.center().x && rect.center().y > cell.center().y);
+    let middle = inset.page(DVec2::new(2.1, 0.0));
+    assert!((middle - rect.center()).length() < 1e-9);
+    // The frame in the panel is the detail's.
+    let detail = bounds(paths(&figure.drawing.items, "detail")[0]);
+    let corner = panel.page(DVec2::new(1.9, 0.2));
+    assert!((detail.x0 - corner.x).abs() < 1e-9 && (detail.y0 - corner.y).abs() < 1e-9);
+    assert!((detail.width() * factor - rect.width()).abs() < 1e-9);
+    // Both show A's right edge at its place.
+    let edges: Vec<Rect> = paths(&figure.drawing.items, "body-A").into_iter().map(bounds).collect();
+    assert_eq!(edges.len(), 2);
+    assert!((edges[0].x1 - panel.page(DVec2::X * 2.0).x).abs() < 1e-9);
+    assert!((edges[1].x1 - inset.page(DVec2::X * 2.0).x).abs() < 1e-9);
+    assert_eq!(group(&own.items, "layers").unwrap().clip, Some(rect));
+}
+
+#[test]
+fn what_lies_in_the_detail_is_named_in_the_inset_and_notes_are_in_the_panel_alone() {
+    let figure = drawn("inset = [1.3, -0.2, 2.6, 0.7]");
+    let keys = |labelled: &Labelled| labelled.placed.iter().map(|l| l.key).collect::<Vec<_>>();
+    let (panel, inset) = (keys(&figure.panels[0]), keys(&figure.insets[0]));
+    assert!(panel.contains(&"note") && !inset.contains(&"note"), "{panel:?} {inset:?}");
+    let length = |keys: &[&str]| keys.iter().any(|key| matches!(*key, "d" | "distance"));
+    assert!(length(&inset) && !length(&panel), "{panel:?} {inset:?}");
+    let rect = figure.insets[0].frame.panel;
+    let over = figure.panels[0].placed.iter().find(|label| label.bounds.intersection(rect).is_some());
+    assert!(over.is_none(), "{over:?}");
+    let within = rect.grown(1.5);
+    assert!(figure.insets[0].placed.iter().all(|label| within.union(label.bounds) == within));
+    assert_eq!(figure.faults(), []);
+    assert!(group(&group(&figure.drawing.items, "inset").unwrap().items, "x-numbers").is_none());
+    // Where the inset has no room for it, it stays in the panel.
+    let narrow = drawn("inset = [1.9, -0.2, 2.3, 0.7]");
+    assert!(length(&keys(&narrow.panels[0])) && !length(&keys(&narrow.insets[0])));
+}
+
+#[test]
+fn an_inset_stands_where_it_hides_least_and_not_on_its_detail() {
+    for (x, y) in [(1.9, 1.5), (-3.9, -3.5), (7.0, 3.0), (-3.9, 3.0)] {
+        let figure = drawn(&format!("inset = [{x}, {y}, {}, {}]", x + 0.4, y + 0.4));
+        let rect = figure.insets[0].frame.panel;
+        let detail = bounds(paths(&figure.drawing.items, "detail")[0]);
+        assert_eq!(rect.intersection(detail), None, "{x}, {y}");
+    }
+}
+
+#[test]
+fn each_word_for_a_corner_is_another_corner() {
+    let corner = |word: &str| {
+        let figure = drawn(&format!("inset = [1.9, -0.2, 2.3, 0.2], inset_at = '{word}'"));
+        let (rect, cell) = (figure.insets[0].frame.panel.center(), figure.panels[0].frame.panel.center());
+        (rect.x > cell.x, rect.y < cell.y)
+    };
+    assert_eq!(
+        ["NE", "NW", "SE", "SW"].map(corner),
+        [(true, true), (false, true), (true, false), (false, false)]
+    );
+}
+
+#[test]
+fn an_inset_of_too_much_or_in_no_corner_is_refused() {
+    let codes = |panel: &str| -> Vec<&'static str> {
+        match open_text("inset", &scene(panel)) {
+            Err(problems) => problems.problems.iter().map(|p| p.fault.code()).collect(),
+            Ok(file) => plan(&file.scene).map(|_| ()).unwrap_err().iter().map(|p| p.fault.code()).collect(),
+        }
+    };
+    assert_eq!(codes("inset = [-4, -4, 8, 4]"), ["conflict"]);
+    assert_eq!(codes("inset = [1, 1, 0, 2]"), ["out-of-range"]);
+    assert_eq!(codes("inset = [1, 1, 2, 2], inset_at = 'N'"), ["unknown-word"]);
+    assert_eq!(codes("inset_at = 'NE'"), ["conflict"]);
+}
