@@ -13,7 +13,7 @@ use super::layer::{LabelKey, Layer, Options};
 use super::lettering::Lettering;
 use super::page::Measures;
 use super::runs::Runs;
-use super::sketch::{Request, Sketch, Sketched};
+use super::sketch::{Request, Size, Sketch, Sketched};
 use super::theme::Theme;
 
 /// A panel of a scene, resolved.
@@ -87,7 +87,9 @@ impl PanelPlan<'_> {
 
     /// An empty panel of a frame.
     fn begun<'f>(&self, frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
-        Sketch::new(frame, theme, Measures::of(&context.scene.canvas).unit)
+        let measures = Measures::of(&context.scene.canvas);
+        let sketch = Sketch::new(frame, theme, measures.unit);
+        sketch.with_small_letters(measures.type_size(Size::Small.px()))
     }
 
     /// What every layer draws in a panel.

@@ -1,7 +1,7 @@
 //! The coordinates of a point as a reader computes with them: `(2, −1.25)`.
 //!
-//! They are written as fine as the picture shows places, to half a page pixel, and in the panel's space, so
-//! that a grid and the numbers of the axes say the same.
+//! They are written as fine as the picture shows places, to a page pixel, or whole where that takes two
+//! decimals more, and in the panel's space, so that a grid and the numbers of the axes say the same.
 
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
@@ -11,7 +11,9 @@ use crate::geometry::DVec2;
 use super::ruler::{exponent, whole};
 
 /// How fine a coordinate is written, page pixels.
-const FINE: f64 = 0.5;
+const FINE: f64 = 1.0;
+/// How many decimal places more a coordinate may have that is written whole.
+const WHOLE: usize = 2;
 /// Decimal exponents within which a coordinate is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
@@ -35,6 +37,10 @@ fn coordinate(x: f64, fine: f64) -> String {
         return in_math(&format!("{}e{power}", without_zeros(mantissa)));
     }
     let places = whole(f64::from(-last).clamp(0.0, 12.0));
+    let all = x.to_string();
+    if all.split_once('.').is_none_or(|(_, decimals)| decimals.len() <= places + WHOLE) {
+        return all;
+    }
     let text = format!("{x:.places$}");
     let short = without_zeros(&text);
     if short == "-0" { "0".to_owned() } else { short.to_owned() }
@@ -55,10 +61,11 @@ mod tests {
             (2.0, 0.01, "2"),
             (-1.25, 0.01, "-1.25"),
             (std::f64::consts::PI, 0.01, "3.14"),
+            (0.0625, 0.01, "0.0625"),
             (1234.5, 0.06, "1234.5"),
             (1e-17, 0.01, "0"),
             (-1e-17, 0.01, "0"),
-            (-0.004, 0.01, "0"),
+            (-0.004_321, 0.01, "0"),
             (1e9, 0.01, "10^{9}"),
             (1_000_000_001.25, 0.01, r"1.00000000125 \times 10^{9}"),
             (2.5e-6, 1e-8, r"2.5 \times 10^{-6}"),

@@ -3,6 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::difference::Difference;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, Size, Sketch, angle_of,
 };
@@ -148,10 +149,7 @@ fn vertex(context: &Context, side: Side, i: usize) -> Option<Form> {
     }
     let [before, after] = [place(shape.core[(k + count - 1) % count])?, place(shape.core[(k + 1) % count])?];
     let start = angle_of(-perp(at - before));
-    let turn = (angle_of(-perp(after - at)) - start).rem_euclid(std::f64::consts::TAU);
-    let arc = Outline::arc(at, shape.radius, start, turn);
-    let way = DVec2::new(libm::cos(start + 0.5 * turn), libm::sin(start + 0.5 * turn));
-    Some(Form::Round(arc, at + shape.radius * way, way))
+    Some(arc(at, shape.radius, start, angle_of(-perp(after - at)) - start))
 }
 
 /// The edges of B ⊖ A that come from one of the edges, and its vertices that come from one of the vertices;
@@ -182,16 +180,29 @@ fn on_difference(context: &Context, named: &[(Side, Feature, Option<DVec2>)]) ->
         let fits = if of_answer { named.iter().all(|n| from(&n)) } else { named.iter().any(|n| from(&n)) };
         let Some(&(side, feature, _)) = named.iter().find(from).filter(|_| fits) else { continue };
         let out = (origin.at - middle).normalize_or_zero();
-        let form = if found.radius > 0.0 && found.edges.is_empty() {
-            let circle = Outline::circle(origin.at, found.radius);
-            Form::Round(circle, origin.at + found.radius * DVec2::Y, DVec2::Y)
-        } else {
-            Form::Point(origin.at, out)
-        };
+        let form = if found.radius > 0.0 { rounded(&found, origin.at) } else { Form::Point(origin.at, out) };
         let [a, b] = [(Side::A, origin.a), (Side::B, origin.b)].map(|(s, k)| context.named(s).point(k));
         marks.push(Mark { side, feature, form, text: format!("${b} - {a}$") });
     }
     marks
+}
+
+/// The arc of a round B ⊖ A about a vertex of its core: a whole circle where that is a point.
+fn rounded(found: &Difference, at: DVec2) -> Form {
+    let radius = found.radius;
+    let Some(k) = found.edges.iter().position(|e| e.from == at) else {
+        return Form::Round(Outline::circle(at, radius), at + radius * DVec2::Y, DVec2::Y);
+    };
+    let before = found.edges[(k + found.edges.len() - 1) % found.edges.len()].normal;
+    let start = angle_of(before);
+    arc(at, radius, start, angle_of(found.edges[k].normal) - start)
+}
+
+/// The arc about a vertex over the turn of its edges' normals, radians.
+fn arc(at: DVec2, radius: f64, start: f64, turn: f64) -> Form {
+    let turn = turn.rem_euclid(std::f64::consts::TAU);
+    let way = DVec2::new(libm::cos(start + 0.5 * turn), libm::sin(start + 0.5 * turn));
+    Form::Round(Outline::arc(at, radius, start, turn), at + radius * way, way)
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {

@@ -19,6 +19,8 @@ const WHOLE: f64 = 9_007_199_254_740_992.0;
 const FAR: f64 = 1e4;
 /// Sizes of the largest number within which it is written without a power of ten.
 const PLAIN: std::ops::Range<f64> = 0.01..1e6;
+/// The most letters of a number from which others are counted; a longer one has a power of ten.
+const LONG: usize = 9;
 /// Decimal places of a number beyond those of the step's first digit: a step of 0.0625 shows them all.
 const FINE: f64 = 3.0;
 
@@ -68,7 +70,8 @@ impl Ruler {
         let base = base((lo, hi), self.step);
         let largest = (lo - base).abs().max((hi - base).abs());
         let plain = largest == 0.0 || PLAIN.contains(&largest);
-        Shared { base, power: if plain { 0 } else { exponent(largest) } }
+        // In thousands, so that both axes mostly have the same.
+        Shared { base, power: if plain { 0 } else { exponent(largest).div_euclid(3) * 3 } }
     }
 
     /// A value as the axis writes it: in decimals as fine as the step.
@@ -87,7 +90,8 @@ impl Shared {
     /// What all numbers share, as markup; `None` where they stand for themselves.
     pub(super) fn text(self) -> Option<String> {
         let power = if self.power == 0 { String::new() } else { format!(r"\times 10^{{{}}}", self.power) };
-        let size = in_math(&format!("{:e}", self.base.abs()));
+        let plain = self.base.abs().to_string();
+        let size = if plain.len() <= LONG { plain } else { in_math(&format!("{:e}", self.base.abs())) };
         let sign = if self.base < 0.0 { "-" } else { "+" };
         let base = if self.base == 0.0 { String::new() } else { format!(r"{sign}\,{size}") };
         let both = format!(r"{power}\,{base}");
@@ -174,6 +178,8 @@ mod tests {
             ([-1e9, 2e9], 4e7, vec!["−1", "0", "1", "2"], Some(r"$\times 10^{9}$")),
             ([0.0, 3e-6], 4e-8, vec!["0", "1", "2", "3"], Some(r"$\times 10^{-6}$")),
             ([1e9 - 1.0, 1e9 + 2.0], 0.04, vec!["−1", "0", "1", "2"], Some(r"$+\,10^{9}$")),
+            ([0.0, 1.5e10], 3e8, vec!["0", "10"], Some(r"$\times 10^{9}$")),
+            ([500_123.0, 500_125.0], 0.04, vec!["−1", "0", "1"], Some(r"$+\,500124$")),
             ([-250.0, 250.0], 5.0, vec!["−200", "0", "200"], None),
         ];
         for (range, px, numbers, shared) in cases {

@@ -112,6 +112,8 @@ pub(crate) struct Sketch<'f> {
     labels: bool,
     /// Whether axes have numbers.
     numbers: bool,
+    /// The size of small letters, page pixels an em.
+    small: f64,
     /// What labels keep off so far.
     obstacles: Vec<Obstacle>,
     /// The labels asked for so far.
@@ -159,6 +161,7 @@ impl<'f> Sketch<'f> {
             weight: Weight::Normal,
             labels: true,
             numbers: true,
+            small: Size::Small.px(),
             obstacles: Vec::new(),
             requests: Vec::new(),
             unnamed: Vec::new(),

@@ -6,12 +6,10 @@ use crate::drawing::{Contour, Halo, Item, Path, Point, Rect, Role, Segment, Text
 use crate::geometry::DVec2;
 use crate::typeset::{Line, Style, typeset};
 
-use super::{Cover, Pen, Size, Sketch};
+use super::{Cover, Pen, Sketch};
 
 /// How far the halo of words reaches, page pixels.
 const HALO: f64 = 2.5;
-/// The least size of letters, page pixels.
-const LEAST: f64 = 11.0;
 
 /// A line of words that is set, ready to be written anywhere.
 #[derive(Clone, Debug)]
@@ -31,6 +29,12 @@ impl Sketch<'_> {
     #[must_use]
     pub(crate) fn panel(&self) -> Rect {
         self.frame.panel
+    }
+
+    /// The panel with small letters of another size, page pixels an em.
+    #[must_use]
+    pub(crate) fn with_small_letters(self, small: f64) -> Self {
+        Self { small, ..self }
     }
 
     /// The panel, in which axes have no numbers: a detail of another one that has them.
@@ -65,8 +69,7 @@ impl Sketch<'_> {
     /// Sets markup in the size of small notes; `None` where it can't be set.
     #[must_use]
     pub(crate) fn set(&self, markup: &str) -> Option<Words> {
-        let size = self.fitted(Size::Small.px()).max(LEAST);
-        let line = typeset(markup, Style::regular(size)).ok()?;
+        let line = typeset(markup, Style::regular(self.small)).ok()?;
         let (width, ascent, descent) = (line.width, line.ascent, line.descent);
         Some(Words { line: Arc::new(line), width, ascent, descent })
     }

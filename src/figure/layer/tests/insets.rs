@@ -82,7 +82,7 @@ fn what_lies_in_the_detail_is_named_in_the_inset_and_notes_are_in_the_panel_alon
     assert_eq!(figure.faults(), []);
     assert!(group(&group(&figure.drawing.items, "inset").unwrap().items, "x-numbers").is_none());
     // Where the inset has no room for it, it stays in the panel.
-    let narrow = drawn("inset = [1.9, -0.2, 2.3, 0.7]");
+    let narrow = drawn("inset = [1.98, -0.5, 2.12, 0.9]");
     assert!(length(&keys(&narrow.panels[0])) && !length(&keys(&narrow.insets[0])));
 }
 
