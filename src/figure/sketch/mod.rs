@@ -19,7 +19,7 @@ use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Rec
 use crate::figure::frame::Frame;
 use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::DVec2;
 
 pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
 pub(crate) use marker::SPECK;
@@ -390,13 +390,4 @@ impl<'f> Sketch<'f> {
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
 fn whole(x: f64) -> usize {
     x as usize
-}
-
-impl From<Side> for Role {
-    fn from(side: Side) -> Self {
-        match side {
-            Side::A => Self::A,
-            Side::B => Self::B,
-        }
-    }
 }

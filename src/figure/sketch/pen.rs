@@ -1,6 +1,7 @@
 //! What lines, areas and markers look like: the sizes of the house, in page pixels.
 
 use crate::drawing::Role;
+use crate::geometry::Side;
 
 /// A line's pattern along itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -162,3 +163,12 @@ pub(crate) const MARKER: f64 = 4.5;
 pub(crate) const SMALL_MARKER: f64 = 3.0;
 /// Radius of a marker that the figure is about.
 pub(crate) const LARGE_MARKER: f64 = 6.0;
+
+impl From<Side> for Role {
+    fn from(side: Side) -> Self {
+        match side {
+            Side::A => Self::A,
+            Side::B => Self::B,
+        }
+    }
+}
