@@ -93,7 +93,7 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
     };
     let away = answer.normal * answer.separation;
     let text = format!("{} pushed out", context.named(side).primed(0));
-    ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), text);
+    ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), vec![text]);
 }
 
 /// Draws a body at another moment, if it is elsewhere then.
@@ -115,18 +115,26 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
     }
 }
 
-/// The label of a body at a moment: "A at t = 0.5".
-pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> String {
-    format!("{} at $t = {time}$", context.named(side).primed(0))
+/// The label of a body at a moment: "A at t = 0.5"; below each other where the name is a word, as a long line
+/// reaches from the body now to the body then.
+pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
+    let (name, then) = (context.named(side), format!("at $t = {time}$"));
+    if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
-/// Draws one ghost and names it by `text`.
-pub(super) fn ghost(sketch: &mut Sketch, options: &Options, side: Side, outline: &Outline, text: String) {
+/// Draws one ghost and names it by `lines`.
+pub(super) fn ghost(
+    sketch: &mut Sketch,
+    options: &Options,
+    side: Side,
+    outline: &Outline,
+    lines: Vec<String>,
+) {
     let role = options.role(side.into());
     let wash = options.flag("fill", false).then(|| Wash::faint(role, FAINT));
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));
     let key = if side == Side::A { "A'" } else { "B'" };
-    let label = Label::new(key, text, Anchor::inside(outline), role);
+    let label = Label { lines, ..Label::new(key, "", Anchor::inside(outline), role) };
     sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
 

@@ -148,7 +148,7 @@ fn shown(scene: &Scene) -> Vec<Thing> {
         // What is left at a hit is a matter of roundings.
         let nothing = last_number(&text).abs() < f64::from(f32::EPSILON);
         // A body at another moment says when that is, which another beginning of the motion moves.
-        let name = text.split(" at $t = ").next().unwrap_or_default().to_owned();
+        let name = text.split("at $t = ").next().unwrap_or_default().to_owned();
         (request.label.key.to_owned(), if nothing { "nothing".to_owned() } else { name }, vec![])
     };
     things.extend(sketched.requests.iter().map(label));
