@@ -6,10 +6,10 @@ use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Corner, MARKER, on_circle};
 use crate::scene::LabelPlace;
 
-use super::leader::{LONGEST, leader};
+use super::leader::{LONGEST, is_far, leader, led};
 use super::pole::pole;
 use super::polyline::Polyline;
-use super::rect::{DIRECTIONS, about, bounds, reach};
+use super::rect::{DIRECTIONS, about, bounds, reach, way_into};
 use super::things::{Thing, Things};
 use super::weights::{Places, Weights};
 use super::{Candidate, Sought, inside};
@@ -37,7 +37,7 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
         let more = fold.map_or(0.0, |fold| fold.reluctance(w));
         let found = offered(&sought.anchor, sought.size(folds), things, frame, w);
         let found = found.into_iter().map(|c| Candidate { folds, reluctance: c.reluctance + more, ..c });
-        all.extend(led(found, things, w));
+        all.extend(led(found.map(|c| kept_in(c, &frame.panel, w)), things, w));
     }
     if all.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { all }
 }
@@ -67,29 +67,16 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
     }
 }
 
-/// The places that are on a page, those far from what their label belongs to with a leader line, those that
-/// mislead a second time with one.
-fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
-    let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
-    let mut all = Vec::new();
-    for candidate in found.into_iter().filter(on_page) {
-        let line = || leader(things, &candidate.rect, w).filter(|line| line.length() <= LONGEST);
-        if is_far(things, &candidate.rect, w) {
-            all.extend(line().map(|line| Candidate { leader: Some(line), ..candidate.clone() }));
-            continue;
-        }
-        let clearer = if things.misleads(&candidate) { line() } else { None };
-        let reluctance = candidate.reluctance + w.lead;
-        let clearer = clearer.map(|line| Candidate { leader: Some(line), reluctance, ..candidate.clone() });
-        all.push(candidate);
-        all.extend(clearer);
+/// A place that reaches far over the panel's edge, moved to lie within.
+fn kept_in(place: Candidate, panel: &Rect, w: &Places) -> Candidate {
+    let wide = panel.grown(w.gap);
+    if wide.union(place.rect) == wide {
+        return place;
     }
-    all
-}
-
-/// Whether a label that stands there is so far from what it belongs to that a reader has to be led.
-fn is_far(things: &Things, rect: &Rect, w: &Places) -> bool {
-    things.own.as_ref().is_some_and(|own| own.is_farther(rect, w.led * w.far_gap))
+    let by = way_into(&place.rect, panel);
+    let Rect { x0, y0, x1, y1 } = place.rect;
+    let rect = Rect::new(Point::new(x0, y0) + by, Point::new(x1, y1) + by);
+    Candidate { rect, reluctance: place.reluctance + w.kept_in * by.length(), ..place }
 }
 
 /// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label, and
@@ -324,7 +311,6 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
 #[cfg(test)]
 mod tests {
     use super::super::rect::distance_to;
-    use super::super::things::Kind;
     use super::super::weights::TUNED;
     use super::*;
     use crate::geometry::DVec2;
@@ -340,34 +326,14 @@ mod tests {
     }
 
     #[test]
-    fn a_far_place_has_a_leader_of_at_most_forty_pixels() {
-        let at = Point::new(0.0, 0.0);
-        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
-        let things = Things::among(&[], Thing::new(Kind::Point, vec![at], 4.5), &panel, W);
-        let places = led(around(at, 4.5, None, (30.0, 12.0), W), &things, W);
-        let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
-        assert!(!far.is_empty());
-        assert!(far.iter().all(|line| line.length() <= 40.0 && (line.from - at).length() > 4.5));
-    }
-
-    #[test]
-    fn a_place_that_misleads_is_offered_again_with_a_leader_to_its_own_area() {
-        let square = |x: f64| {
-            let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)];
-            let points = points.map(|(dx, dy)| Point::new(x + 80.0 * dx, 80.0 * dy));
-            Thing::new(Kind::Area, points.to_vec(), 0.0).unwrap()
-        };
-        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
-        let all = [square(0.0), square(40.0)];
-        let things = Things::among(&all, Some(square(40.0)), &panel, W);
-        // Above the middle of both.
-        let rect = about(Point::new(60.0, -12.0), (60.0, 12.0));
-        let [plain, clear] = &led(vec![Candidate::new(rect, 0.0)], &things, W)[..] else {
-            panic!("two places")
-        };
-        let line = clear.leader.unwrap();
-        assert!(plain.leader.is_none() && line.dot && line.length() < 40.0);
-        assert!(line.from.x > 80.0 && line.from.x < 120.0, "in the part that is its alone: {line:?}");
+    fn a_place_over_the_edge_is_moved_within_more_reluctantly() {
+        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
+        let place = |x: f64, y: f64, width: f64| Candidate::new(about(Point::new(x, y), (width, 12.0)), 1.0);
+        let kept = kept_in(place(97.0, 1.0, 30.0), &panel, W);
+        assert_eq!(kept.rect, about(Point::new(85.0, 6.0), (30.0, 12.0)));
+        assert!(kept.reluctance > 1.0 + 12.0 * W.kept_in);
+        assert_eq!(kept_in(place(86.0, 50.0, 30.0), &panel, W), place(86.0, 50.0, 30.0), "it only spills");
+        assert_eq!(kept_in(place(50.0, 50.0, 120.0), &panel, W), place(50.0, 50.0, 120.0), "it is too wide");
     }
 
     #[test]

@@ -71,7 +71,7 @@ pub(super) fn own_cost(
         {
             cost += w.parted;
         }
-        cost += obstacle_cost(obstacle, obstacle.part == sought.part, candidate, w);
+        cost += obstacle_cost(obstacle, obstacle.part == sought.part, candidate, scene);
         if let (Anchor::Inside { .. }, Cover::Marker { at, radius }) = (&sought.anchor, obstacle.cover) {
             let near = 1.0 - (distance_to(&candidate.rect, at) - radius) / w.naming_reach;
             cost += w.naming * near.clamp(0.0, 1.0);
@@ -107,11 +107,13 @@ pub(super) struct Surroundings<'p> {
     pub(super) earlier: &'p [(Rect, Placed)],
     /// What each fault of a place costs.
     pub(super) costs: &'p Costs,
+    /// What hiding something else costs besides.
+    pub(super) hiding: f64,
 }
 
 /// What an obstacle costs at a place; `own` where it is of the thing that the label belongs to.
-fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Costs) -> f64 {
-    let rect = &candidate.rect;
+fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, scene: &Surroundings) -> f64 {
+    let (rect, w) = (&candidate.rect, scene.costs);
     match obstacle.cover {
         Cover::Stroke { from, to, half } => {
             let room = if own { half } else { half + w.stroke_room };
@@ -121,7 +123,8 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Cost
             let apart = rect.grown(w.crowd_reach).intersection(Rect::new(from, to)).is_none();
             let distance = if apart { w.crowd_reach } else { segment_distance(rect, from, to) - half };
             let hidden = if distance + half < room {
-                touch + pixel * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
+                let hiding = if own { 0.0 } else { scene.hiding };
+                hiding + touch + pixel * length_inside(from, to, &rect.grown(room)).unwrap_or(0.0)
             } else if own {
                 0.0
             } else {
@@ -134,7 +137,7 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, w: &Cost
         Cover::Marker { at, radius } | Cover::Head { at, radius } => {
             let distance = distance_to(rect, at) - radius;
             if distance < w.marker_room {
-                w.marker
+                w.marker + scene.hiding
             } else if !own && distance < w.mislead_reach && matches!(obstacle.cover, Cover::Marker { .. }) {
                 w.mislead
             } else {

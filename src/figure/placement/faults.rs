@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::drawing::Rect;
-use crate::figure::sketch::Cover;
+use crate::figure::sketch::{Cover, Obstacle};
 
 use super::leader::LONGEST;
 use super::rect::{distance_to, length_inside};
@@ -152,6 +152,17 @@ impl std::fmt::Display for LabelFault {
             Self::Dropped { key, .. } => write!(f, "the label `{key}` found no place and is left out"),
         }
     }
+}
+
+/// Whether a label of a part of the drawing hides a marker, an arrowhead or a stroke of something else.
+pub(super) fn hides(obstacles: &[Obstacle], part: usize, bounds: &Rect) -> bool {
+    let rect = core(bounds);
+    let hidden = |o: &Obstacle| {
+        is_marker_under(&o.cover, &rect)
+            || is_head_under(&o.cover, &rect)
+            || o.part != part && is_stroke_under(&o.cover, &rect)
+    };
+    obstacles.iter().any(hidden)
 }
 
 /// The part of a label's box that nothing may share with it: all but a seam, and of a tiny one its middle.

@@ -6,6 +6,7 @@
 
 use crate::drawing::{Point, Rect};
 
+use super::Candidate;
 use super::rect::nearest_in;
 use super::things::Things;
 use super::weights::Places;
@@ -76,4 +77,71 @@ fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     let from = if (border - aim).length() > depth && alone(shallow) { shallow } else { aim };
     let seen = (to - border).dot(u) >= 0.5 * SHORTEST;
     seen.then_some(Leader { from, to, dot: true, border: border + u * w.leader_room })
+}
+
+/// The places that are on a page, those far from what their label belongs to with a leader line, those that
+/// mislead a second time with one.
+pub(super) fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
+    let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
+    let mut all = Vec::new();
+    for candidate in found.into_iter().filter(on_page) {
+        let line = || leader(things, &candidate.rect, w).filter(|line| line.length() <= LONGEST);
+        if is_far(things, &candidate.rect, w) {
+            all.extend(line().map(|line| Candidate { leader: Some(line), ..candidate.clone() }));
+            continue;
+        }
+        let clearer = if things.misleads(&candidate) { line() } else { None };
+        let reluctance = candidate.reluctance + w.lead;
+        let clearer = clearer.map(|line| Candidate { leader: Some(line), reluctance, ..candidate.clone() });
+        all.push(candidate);
+        all.extend(clearer);
+    }
+    all
+}
+
+/// Whether a label that stands there is so far from what it belongs to that a reader has to be led.
+pub(super) fn is_far(things: &Things, rect: &Rect, w: &Places) -> bool {
+    things.own.as_ref().is_some_and(|own| own.is_farther(rect, w.led * w.far_gap))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rect::about;
+    use super::super::things::{Kind, Thing};
+    use super::*;
+    use crate::drawing::Offset;
+
+    const W: &Places = &Places::TUNED;
+
+    #[test]
+    fn a_far_place_has_a_leader_of_at_most_forty_pixels() {
+        let at = Point::new(0.0, 0.0);
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let things = Things::among(&[], Thing::new(Kind::Point, vec![at], 4.5), &panel, W);
+        let beside = |gap: f64| Candidate::new(about(at + Offset::new(19.5 + gap, 0.0), (30.0, 12.0)), 0.0);
+        let places = led([5.0, 27.0, 38.0, 60.0].map(beside), &things, W);
+        let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
+        assert_eq!((places.len(), far.len()), (3, 2), "what no leader reaches is no place");
+        assert!(far.iter().all(|line| line.length() <= 40.0 && (line.from - at).length() > 4.5));
+    }
+
+    #[test]
+    fn a_place_that_misleads_is_offered_again_with_a_leader_to_its_own_area() {
+        let square = |x: f64| {
+            let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0)];
+            let points = points.map(|(dx, dy)| Point::new(x + 80.0 * dx, 80.0 * dy));
+            Thing::new(Kind::Area, points.to_vec(), 0.0).unwrap()
+        };
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let all = [square(0.0), square(40.0)];
+        let things = Things::among(&all, Some(square(40.0)), &panel, W);
+        // Above the middle of both.
+        let rect = about(Point::new(60.0, -12.0), (60.0, 12.0));
+        let [plain, clear] = &led(vec![Candidate::new(rect, 0.0)], &things, W)[..] else {
+            panic!("two places")
+        };
+        let line = clear.leader.unwrap();
+        assert!(plain.leader.is_none() && line.dot && line.length() < 40.0);
+        assert!(line.from.x > 80.0 && line.from.x < 120.0, "in the part that is its alone: {line:?}");
+    }
 }

@@ -12,10 +12,11 @@
 //! Every label stands nearer to its own thing than to any other that it could name, or a [`leader`] line
 //! joins them.
 //!
-//! The way through: [`things`](mod@things) says what each label could name, [`candidates`] and [`inside`]
-//! offer places, [`cost`] prices them, [`solve`] chooses among them, [`faults`] says what is still wrong. All
-//! their numbers are [`weights`].
+//! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
+//! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them, [`solve`]
+//! chooses among them, [`faults`] says what is still wrong. All their numbers are [`weights`].
 
+mod anywhere;
 mod candidates;
 mod cost;
 mod faults;
@@ -27,6 +28,7 @@ mod rect;
 mod solve;
 mod things;
 mod weights;
+mod worth;
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -92,6 +92,14 @@ pub(super) fn nearest_in(rect: &Rect, p: Point) -> Point {
     Point::new(p.x.max(rect.x0).min(rect.x1), p.y.max(rect.y0).min(rect.y1))
 }
 
+/// The shortest way of a rectangle into another one; none in a direction in which it is too wide for it.
+pub(super) fn way_into(rect: &Rect, room: &Rect) -> Offset {
+    let way = |lo: f64, hi: f64, least: f64, most: f64| {
+        if hi - lo > most - least { 0.0 } else { (least - lo).max(0.0) - (hi - most).max(0.0) }
+    };
+    Offset::new(way(rect.x0, rect.x1, room.x0, room.x1), way(rect.y0, rect.y1, room.y0, room.y1))
+}
+
 /// The rectangle of a width and height about a centre.
 pub(super) fn about(center: Point, (w, h): (f64, f64)) -> Rect {
     let half = Offset::new(0.5 * w, 0.5 * h);

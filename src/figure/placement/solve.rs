@@ -7,11 +7,13 @@ use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Corner, Obstacle};
 
-use super::candidates::{candidates, home, is_in_view, nudged};
+use super::anywhere::anywhere;
+use super::candidates::{candidates, home, nudged};
 use super::cost::{Surroundings, near_by, own_cost, pair_cost};
-use super::polyline::Polyline;
+use super::faults::hides;
 use super::things::{Thing, Things};
 use super::weights::{TUNED, Weights};
+use super::worth::worth_naming;
 use super::{Candidate, LEADING, Labelled, Placed, Sought};
 
 /// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
@@ -23,9 +25,11 @@ const GAIN: f64 = 1e-6;
 const PARTS: f64 = 1e6;
 
 /// Pairs of places that the search for better ones may price in a figure, shared evenly by its panels; labels
-/// then stay where they are. A pair takes 5 ns. The committed figures take 150,000 in a panel at most, 2,000
-/// random scenes 6 million.
-const MAX_PRICED: usize = 30_000_000;
+/// then stay where they are. A pair takes 5 ns. The committed figures take 60,000 in a panel at most, 2,000
+/// random scenes a million; fourteen labels of one point would take 17 million.
+const MAX_PRICED: usize = 6_000_000;
+/// Obstacles too far off to cost a place anything that take as long to pass by as a pair of places.
+const BOXES: usize = 8;
 
 /// A panel in which labels seek their places.
 pub(crate) struct Ground<'p> {
@@ -64,7 +68,7 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
     let Ground { frame, obstacles, things, earlier, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
-    let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs };
+    let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
     let seekers: Vec<Seeker> = sought
         .iter()
         .map(|sought| {
@@ -81,6 +85,9 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     choices.improve();
     choices.widen(&seekers, &surroundings);
     choices.improve();
+    if choices.search_all(&seekers, &surroundings) {
+        choices.improve();
+    }
     choices.finish(&seekers, ground)
 }
 
@@ -107,39 +114,6 @@ impl Seeker<'_> {
 /// A cost rounded to whole [`PARTS`].
 fn steady(cost: f64) -> f64 {
     (PARTS * cost).round() / PARTS
-}
-
-/// Two layers may name the same thing, or a body and a point in it: it is named once. What the view cuts off
-/// is not named, and a text that shows nothing names nothing.
-fn worth_naming(sought: &[Sought], frame: &Frame, weights: &Weights) -> Vec<Sought> {
-    let home = |s: &Sought| home(&s.anchor, frame, &weights.places);
-    let same = |a: &Sought, b: &Sought| {
-        let near = |a, b| (home(a) - home(b)).length() < weights.search.same_thing;
-        let [p, q] = [a, b].map(|s| s.lines.iter().map(|l| &l.markup));
-        p.eq(q) && (near(a, b) || marks(a, b, frame) || marks(b, a, frame))
-    };
-    let mut kept: Vec<Sought> = Vec::new();
-    for one in sought {
-        let shows = one.lines.iter().any(|l| !(l.glyphs.is_empty() && l.rules.is_empty()));
-        if shows
-            && is_in_view(&one.anchor, frame, &weights.places)
-            && !kept.iter().any(|other| same(one, other))
-        {
-            kept.push(one.clone());
-        }
-    }
-    kept
-}
-
-/// Whether a label is of a point within the area of another one, as of a body's origin.
-fn marks(point: &Sought, area: &Sought, frame: &Frame) -> bool {
-    match (&point.anchor, &area.anchor) {
-        (Anchor::Point { at, .. }, Anchor::Inside { area }) => {
-            let area = Polyline::closed(area.iter().map(|&p| frame.page(p)).collect());
-            area.is_some_and(|area| area.contains(frame.page(*at)))
-        }
-        _ => false,
-    }
 }
 
 impl Choices<'_> {
@@ -265,8 +239,33 @@ impl Choices<'_> {
             }
             let about = |slot: usize| nudged(&self.places[label][slot].0, &seeker.things, self.weights);
             let more = self.cheapest(label, search.cheapest).into_iter().flat_map(about).collect();
-            self.places[label].extend(seeker.priced(more, scene));
+            let more = self.price(seeker, more, scene);
+            self.places[label].extend(more);
         }
+    }
+
+    /// Offers the labels that hide something a place anywhere, and makes all of their places that hide
+    /// something a last resort; whether there are any.
+    fn search_all(&mut self, seekers: &[Seeker], scene: &Surroundings) -> bool {
+        let strict = Surroundings { hiding: self.weights.search.hiding, ..*scene };
+        let mut any = false;
+        for (label, seeker) in seekers.iter().enumerate() {
+            let (sought, rect) = (seeker.sought, self.candidate(label).rect);
+            if self.is_spent() || sought.pin.is_some() || !hides(scene.obstacles, sought.part, &rect) {
+                continue;
+            }
+            let mut places: Vec<Candidate> = self.places[label].drain(..).map(|(place, _)| place).collect();
+            places.extend(anywhere(sought, &seeker.things, scene.frame, self.weights));
+            self.places[label] = self.price(seeker, places, &strict);
+            any = true;
+        }
+        any
+    }
+
+    /// Places, each with what it costs by itself; the work counts as that of pairs of places.
+    fn price(&self, seeker: &Seeker, places: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
+        self.priced.set(self.priced.get() + places.len() * scene.obstacles.len() / BOXES);
+        seeker.priced(places, scene)
     }
 
     /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there

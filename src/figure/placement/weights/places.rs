@@ -36,6 +36,9 @@ super::numbers! {
         /// Room between either end of a leader line and what it joins, page pixels.
         /// Twice: 0 + 2 labels, two faults fewer; half: nothing.
         leader_room: f64 = 2.0;
+        /// Reluctance for each page pixel that a place over the panel's edge is moved to lie within: at none,
+        /// a name leaves the middle under its marker.
+        kept_in: f64 = 0.2;
         /// Reluctance of a name to be broken into lines, for each line.
         /// Twice: 0 + 4 labels; half: 1 + 4 labels.
         folded: f64 = 1.0;

@@ -23,6 +23,15 @@ super::numbers! {
         /// Reluctance for each page pixel that a label in trouble is moved.
         /// Twice: 2 + 32 labels; half: 2 + 10 labels.
         nudged: f64 = 0.16;
+        /// How far apart the spots of the field are that a label looks at which hides something elsewhere,
+        /// page pixels.
+        field_step: f64 = 6.0;
+        /// Reluctance to stand in that field.
+        in_field: f64 = 6.0;
+        /// Reluctance for each page pixel between a label in that field and its thing.
+        field_off: f64 = 0.1;
+        /// What hiding something costs such a label besides.
+        hiding: f64 = 30.0;
         /// A label that costs more than this where it stands may displace others to stand better.
         /// Twice: 2 + 0 labels; half: nothing.
         uneasy: f64 = 3.0;
