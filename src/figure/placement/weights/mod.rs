@@ -14,8 +14,8 @@
 //! TRACEFIG_SCENES=60 cargo test --release --lib placement::weights -- --nocapture
 //! ```
 //!
-//! The numbers of last resorts (`kept_in`, `hiding` and those of the field) are younger than that survey; they
-//! count only for labels over an edge or a line.
+//! The numbers of last resorts (`kept_in`, `hiding` and those of the field) are younger than that survey;
+//! they count only for labels over an edge or a line.
 //!
 //! Few numbers make faults: `spill` is part of what a fault is, and the others make one or two, or none, and
 //! choose among places that the survey finds as good, where the eye decides.
