@@ -71,7 +71,7 @@ fn encode(image: &Changes, hash: &str, effort: PngEffort) -> Result<Vec<u8>, png
             encoder.set_trns(opacities);
         }
         (vec![0], numbers)
-    } else if image.pixels.iter().chain([&image.above]).all(is_opaque) {
+    } else if image.pixels.iter().chain([&image.above]).all(|pixel| is_opaque(*pixel)) {
         (rgb(&[image.above]), rgb(&image.pixels))
     } else {
         encoder.set_color(png::ColorType::Rgba);
@@ -115,7 +115,7 @@ fn level(effort: PngEffort) -> u8 {
 }
 
 /// Whether nothing below a pixel is seen.
-fn is_opaque(pixel: &Pixel) -> bool {
+fn is_opaque(pixel: Pixel) -> bool {
     pixel[3] == 255
 }
 

@@ -39,7 +39,7 @@ impl Palette {
 
     /// The opacity of each colour, as the chunk `tRNS` holds them; `None` where all are opaque.
     pub(super) fn opacities(&self) -> Option<Vec<u8>> {
-        let clear = !self.colors.iter().all(super::is_opaque);
+        let clear = !self.colors.iter().all(|color| super::is_opaque(*color));
         clear.then(|| self.colors.iter().map(|color| color[3]).collect())
     }
 
