@@ -26,14 +26,14 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
     let f = figure("04-minkowski-difference");
     let rhombus = |x: f64, y: f64| [(x + 1.5, y), (x, y + 2.0), (x - 1.5, y), (x, y - 2.0)];
     let a = [(-3.0, -4.0), (1.0, -4.0), (1.0, -2.0), (-3.0, -2.0)];
-    let world = look(&f, 0, 3, true, [-5.5, -7.0, 3.5, 6.0]);
+    let world = look(&f, 0, [-5.5, -7.0, 3.5, 6.0]);
     shows![
         world.polygon(A, &a).is_some(),
         world.polygon(B, &rhombus(0.5, 3.0)).is_some(),
         world.marker(B, (0.5, 3.0)),
         f.says("$b$"),
     ];
-    let grown = look(&f, 1, 3, true, [-5.5, -7.0, 3.5, 6.0]);
+    let grown = look(&f, 1, [-5.5, -7.0, 3.5, 6.0]);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
     for (x, y) in a {
         let copy = grown.polygon(B, &rhombus(x, y));
@@ -61,7 +61,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
         grown.polygon(B, &rhombus(0.5, 3.0)).is_some_and(dotted),
         grown.marker(B, (0.5, 3.0)),
     ];
-    let conf = look(&f, 2, 3, true, [-3.0, -2.0, 6.0, 11.0]);
+    let conf = look(&f, 2, [-3.0, -2.0, 6.0, 11.0]);
     edges_wear_their_source(
         &conf,
         &[
@@ -87,7 +87,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() 
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, 2, true, [-6.1, -5.3, 6.3, 6.6]);
+    let world = look(&f, 0, [-6.1, -5.3, 6.3, 6.6]);
     shows![
         world.polygon(A, &[(-1.5, -3.0), (3.3, 0.6), (1.5, 3.0), (-3.3, -0.6)]).is_some(),
         world.polygon(B, &[(0.3, -0.4), (3.5, 2.0), (1.7, 4.4), (-1.5, 2.0)]).is_some(),
@@ -100,7 +100,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.text_near("$b_1$", (0.3, -0.4), 40.0),
         world.text_near("$b_2$", (3.5, 2.0), 40.0),
     ];
-    let conf = look(&f, 1, 2, true, [-5.2, -3.9, 7.2, 8.0]);
+    let conf = look(&f, 1, [-5.2, -3.9, 7.2, 8.0]);
     edges_wear_their_source(
         &conf,
         &[
@@ -126,13 +126,13 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, 2, true, [-6.0, -5.45, 7.0, 6.95]);
+    let world = look(&f, 0, [-6.0, -5.45, 7.0, 6.95]);
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.0, 3.0), (-4.0, 1.0), (-3.0, -2.0), (1.0, -2.5)]).is_some(),
         world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
     ];
-    let conf = look(&f, 1, 2, true, [-3.6, -5.4, 9.4, 7.0]);
+    let conf = look(&f, 1, [-3.6, -5.4, 9.4, 7.0]);
     edges_wear_their_source(
         &conf,
         &[
@@ -158,7 +158,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
     let view = [-1.5, -1.5, 12.5, 10.5];
-    let panels = [0, 1, 2].map(|i| look(&f, i, 3, true, view));
+    let panels = [0, 1, 2].map(|i| look(&f, i, view));
     shows![
         // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the
         // origin.

@@ -35,9 +35,12 @@ fn figure(stem: &str) -> Figure {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures").join(format!("{stem}.toml"));
     let file = tracefig::open(&path).unwrap_or_else(|e| panic!("{}", e.render(Ink::Plain)));
     let plan = tracefig::figure::plan(&file.scene).unwrap_or_else(|e| panic!("{stem}: {e:?}"));
-    Figure::of(&tracefig::figure::draw(&plan, plan.theme, stem).drawing)
+    let drawn = tracefig::figure::draw(&plan, plan.theme, stem);
+    let panels = drawn.panels.iter().map(|panel| panel.frame.panel).collect();
+    Figure { panels, ..Figure::of(&drawn.drawing) }
 }
 
-fn look(figure: &Figure, index: u8, count: u8, titled: bool, view: [f64; 4]) -> Look<'_> {
-    Look { figure, panel: Panel::new(index, count, titled, view) }
+/// A figure through its panel of an index, which shows `view`.
+fn look(figure: &Figure, index: usize, view: [f64; 4]) -> Look<'_> {
+    Look { figure, panel: Panel::new(figure.panels[index], view) }
 }

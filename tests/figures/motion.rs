@@ -20,7 +20,7 @@ fn moved<const N: usize>(points: [P; N], by: P) -> [P; N] {
 fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
     let f = figure("05-linear-sweep");
     let a = [(-1.5, -1.5), (-3.0, -0.5), (-4.0, -2.0), (-2.0, -3.5)];
-    let world = look(&f, 0, 2, true, [-4.7, -4.9, 5.7, 4.9]);
+    let world = look(&f, 0, [-4.7, -4.9, 5.7, 4.9]);
     shows![
         world.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
         world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 0.0), (5.0, 2.0), (2.5, 3.5)]).is_some(),
@@ -33,7 +33,7 @@ fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
         f.says("$A$ at $t = 0.5$"),
         f.says("$v_A$"),
     ];
-    let conf = look(&f, 1, 2, true, [-1.0, -2.2, 9.4, 7.6]);
+    let conf = look(&f, 1, [-1.0, -2.2, 9.4, 7.6]);
     let edges = [
         ((6.0, -1.5), B),
         ((8.0, 0.5), A),
@@ -62,8 +62,8 @@ fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
 fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
     let f = figure("06-advancement");
     let view = [-0.9, -1.6, 8.3, 7.3];
-    let one = look(&f, 0, 2, true, view);
-    let two = look(&f, 1, 2, true, view);
+    let one = look(&f, 0, view);
+    let two = look(&f, 1, view);
     for panel in [&one, &two] {
         shows![
             panel.circle(Difference, (8.0, 6.0), 6.25).is_some(),
@@ -97,7 +97,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
     let f = figure("07-conservative-bound");
-    let w = look(&f, 0, 1, false, [-8.7, -4.5, 10.7, 4.7]);
+    let w = look(&f, 0, [-8.7, -4.5, 10.7, 4.7]);
     let a = moved([(0.0, -3.0), (1.0, 0.0), (0.0, 1.5), (-1.0, 0.0)], (-7.0, -1.0));
     let b = moved([(-2.0, -1.5), (1.5, -2.0), (2.5, 0.0), (2.0, 1.5), (-2.0, 1.5)], (7.5, -1.5));
     shows![
@@ -130,8 +130,8 @@ fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
 fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let f = figure("08-arc-length");
     let (p, q) = ((4.0, 0.9), (1.220_58, 3.914_10));
-    let one = look(&f, 0, 2, true, [-4.6, -4.2, 4.6, 4.8]);
-    let two = look(&f, 1, 2, true, [-0.9, -0.9, 5.3, 5.1]);
+    let one = look(&f, 0, [-4.6, -4.2, 4.6, 4.8]);
+    let two = look(&f, 1, [-0.9, -0.9, 5.3, 5.1]);
     let turned = |(x, y): P| (0.5 * x - 0.75_f64.sqrt() * y, 0.75_f64.sqrt() * x + 0.5 * y);
     let vertices = [(-4.0, -0.9), (4.0, -0.9), (4.0, 0.9), (-4.0, 0.9)];
     shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
@@ -160,7 +160,7 @@ fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
     let view = [-3.2, -4.1, 6.6, 4.1];
     let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
-    let one = look(&f, 0, 2, true, view);
+    let one = look(&f, 0, view);
     let (x, y) = (0.6, 0.8);
     shows![
         one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
@@ -175,7 +175,7 @@ fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
         f.says("$t = 0.7$"),
         f.says("$A$ at $t = 0.7$") && f.says("$A$ at $t = 0$"),
     ];
-    let two = look(&f, 1, 2, true, view);
+    let two = look(&f, 1, view);
     shows![
         two.circle(A, (1.3, 0.4), 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
@@ -186,7 +186,7 @@ fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, 2, true, [-6.5, -4.0, 5.5, 5.8]);
+    let world = look(&f, 0, [-6.5, -4.0, 5.5, 5.8]);
     shows![
         world.polygon(A, &[(0.0, 4.0), (3.0, 0.0), (4.5, 2.0), (3.0, 4.5)]).is_some(),
         world.polygon(B, &[(-2.5, 0.0), (-4.0, 1.5), (-5.5, 0.0), (-5.0, -2.5), (-3.0, -2.5)]).is_some(),
@@ -196,7 +196,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         f.says("$A$ at $t = 0.4$"),
         f.says(r"$t\,v$"),
     ];
-    let conf = look(&f, 1, 2, true, [-10.8, -7.6, 1.2, 2.2]);
+    let conf = look(&f, 1, [-10.8, -7.6, 1.2, 2.2]);
     let edges = [
         ((-8.0, -7.0), B, true),
         ((-6.0, -7.0), A, true),
@@ -226,7 +226,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 #[test]
 fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     let f = figure("demo-angular-sweep");
-    let world = look(&f, 0, 2, true, [-5.6, -5.6, 5.3, 4.5]);
+    let world = look(&f, 0, [-5.6, -5.6, 5.3, 4.5]);
     let start = moved([(-1.2, -0.5), (1.2, -0.5), (1.2, 0.5), (-1.2, 0.5)], (-3.5, -2.0));
     shows![
         world.polygon(A, &start).is_some_and(|p| p.fill.is_some()),
@@ -234,7 +234,7 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         f.says("$A$ at $t = 0.498$"),
         f.says("$t = 0.267$") && f.says("$t = 0.37$") && f.says("$t = 0.462$") && f.says("$t = 0.491$"),
     ];
-    let conf = look(&f, 1, 2, true, [-1.0, -4.9, 9.9, 5.2]);
+    let conf = look(&f, 1, [-1.0, -4.9, 9.9, 5.2]);
     let first = [
         ((5.3, -1.5), A),
         ((7.7, -1.5), B),

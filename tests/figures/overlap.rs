@@ -12,7 +12,7 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, 1, false, [-6.0, -4.4, 11.0, 5.4]);
+    let w = look(&f, 0, [-6.0, -4.4, 11.0, 5.4]);
     let a = [(5.0, -1.0), (2.0, 3.0), (-3.0, 3.5), (-5.0, 0.0), (-3.0, -3.5), (2.0, -4.0)];
     let b = [(1.5, -0.5), (6.0, -2.0), (8.0, 1.0), (6.0, 3.5), (2.5, 3.0)];
     let pushed = [(3.5, 1.0), (8.0, -0.5), (10.0, 2.5), (8.0, 5.0), (4.5, 4.5)];
@@ -39,7 +39,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, 1, false, [-6.6, -4.4, 9.0, 3.9]);
+    let w = look(&f, 0, [-6.6, -4.4, 9.0, 3.9]);
     let px = 1.0 / w.panel.scale;
     let a = [
         (-5.0, 0.5),
@@ -80,7 +80,7 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, 1, false, [-5.6, -2.0, 7.4, 4.3]);
+    let w = look(&f, 0, [-5.6, -2.0, 7.4, 4.3]);
     shows![
         w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (-4.0, 1.0)]).is_some(),
         w.circle(B, (5.5, 3.0), 1.0).is_some(),
@@ -116,7 +116,7 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, 1, false, [-5.0, -5.1, 11.2, 3.2]);
+    let w = look(&f, 0, [-5.0, -5.1, 11.2, 3.2]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
         w.circle(B, (4.0, 0.0), 2.5).is_some(),
@@ -142,7 +142,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, 1, false, [-8.4, -5.3, 11.2, 4.1]);
+    let w = look(&f, 0, [-8.4, -5.3, 11.2, 4.1]);
     shows![
         w.polygon(A, &[(-8.0, -2.5), (0.0, -2.5), (0.0, 1.5), (-8.0, 1.5)]).is_some(),
         w.polygon(B, &[(1.0, 0.5), (7.0, 0.5), (7.0, 3.5), (1.0, 3.5)]).is_some(),
@@ -172,7 +172,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let view = [-3.7, -3.0, 3.7, 6.0];
     let vertices = [(-3.0, -1.0), (3.0, -1.0), (3.0, 1.0), (-3.0, 1.0)];
     let tilted = vertices.map(turned);
-    let world = look(&f, 0, 3, true, view);
+    let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
         world.circle(B, (-0.5, 4.0), 1.5).is_some(),
@@ -180,7 +180,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         world.arrow(Muted, (0.0, 0.0), (1.28, 0.96)),
         world.arrow(Muted, (0.0, 0.0), (-0.96, 1.28)),
     ];
-    let body = look(&f, 1, 3, true, view);
+    let body = look(&f, 1, view);
     shows![
         body.polygon(A, &vertices).is_some(),
         body.circle(B, (2.0, 3.5), 1.5).is_some(),
@@ -191,7 +191,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         body.horizontal(Ink, 0.0, 3.0),
         body.vertical(Ink, 0.0, 1.0),
     ];
-    let back = look(&f, 2, 3, true, view);
+    let back = look(&f, 2, view);
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, (1.0, 2.0)),
@@ -211,14 +211,14 @@ fn frames_discrete_shows_apart_then_overlapping() {
     let f = figure("frames-discrete");
     let view = [-3.2, -4.1, 6.6, 4.1];
     let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
-    let one = look(&f, 0, 2, true, view);
+    let one = look(&f, 0, view);
     shows![
         one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
         one.line(Translation, (-0.7, 1.9), (2.1, -0.2)).is_some(),
         f.says("apart 3.5"),
     ];
-    let two = look(&f, 1, 2, true, view);
+    let two = look(&f, 1, view);
     shows![
         two.circle(A, (2.5, -0.5), 1.0).is_some_and(|p| p.fill.is_some()),
         two.polygon(B, &b).is_some(),
@@ -236,7 +236,7 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
     let view = [-7.6, -4.6, 5.4, 7.4];
-    let one = look(&f, 0, 2, true, view);
+    let one = look(&f, 0, view);
     shows![
         one.polygon(A, &[(-4.5, -3.0), (-0.5, -3.0), (-0.5, 0.0), (-4.5, 0.0)]).is_some(),
         one.polygon(B, &[(-2.5, 2.75), (4.5, -2.5), (4.0, 3.0)]).is_some(),
@@ -248,7 +248,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         f.says("$n$"),
     ];
     // Along (3, 4)/5 A ends at −0.3, at its vertex (−0.5, 0), and B begins at 0.7, on the edge 3x + 4y = 3.5.
-    let two = look(&f, 1, 2, true, view);
+    let two = look(&f, 1, view);
     let length = |p: (f64, f64), q: (f64, f64)| super::seen::distance(two.panel.page(p), two.panel.page(q));
     let along = (two.panel.page((0.6, 0.8)), two.panel.page((0.0, 0.0)));
     let bars: Vec<f64> = two.lengths(Translation, along);

@@ -1,10 +1,9 @@
 //! Looks into a [`Drawing`] for things at places, after the panel's own world → page transform.
 //!
-//! The transform here is the storyboard's description of the page, written down a second time: margins of 24,
-//! content from y = 44 (20 without panel titles) to 476, gaps of 24, one scale for both axes, the view in the
-//! middle.
+//! The transform here is the storyboard's, written down a second time: one scale for both axes, as large as the
+//! panel's place on the page allows, the view in the middle.
 
-use tracefig::drawing::{Contour, Drawing, Item, Path, Point, Role, Segment};
+use tracefig::drawing::{Contour, Drawing, Item, Path, Point, Rect, Role, Segment};
 
 /// How far a thing may be from its place, in page pixels. Coordinates are exact to some 1e-13 px before they
 /// are written, so that a quarter of a pixel, which no eye sees, finds every thing that is out of place.
@@ -14,11 +13,12 @@ pub(crate) const NEAR: f64 = 0.25;
 pub(crate) struct Figure {
     pub(crate) paths: Vec<Path>,
     pub(crate) texts: Vec<(String, Point)>,
+    pub(crate) panels: Vec<Rect>,
 }
 
 impl Figure {
     pub(crate) fn of(drawing: &Drawing) -> Self {
-        let mut figure = Self { paths: Vec::new(), texts: Vec::new() };
+        let mut figure = Self { paths: Vec::new(), texts: Vec::new(), panels: Vec::new() };
         figure.walk(&drawing.items);
         figure
     }
@@ -58,16 +58,12 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
-    /// Panel `index` of `count`, titled or not, that shows `view`.
-    pub(crate) fn new(index: u8, count: u8, titled: bool, view: [f64; 4]) -> Self {
-        let (index, count) = (f64::from(index), f64::from(count));
-        let width = (912.0 - 24.0 * (count - 1.0)) / count;
-        let top = if titled { 44.0 } else { 20.0 };
-        let height = 476.0 - top;
+    /// A panel with this place on the page, that shows `view`.
+    pub(crate) fn new(place: Rect, view: [f64; 4]) -> Self {
         let [x0, y0, x1, y1] = view;
         Self {
-            scale: (width / (x1 - x0)).min(height / (y1 - y0)),
-            middle: Point::new(24.0 + index * (width + 24.0) + 0.5 * width, top + 0.5 * height),
+            scale: (place.width() / (x1 - x0)).min(place.height() / (y1 - y0)),
+            middle: place.center(),
             center: (0.5 * (x0 + x1), 0.5 * (y0 + y1)),
         }
     }

@@ -3,7 +3,7 @@
 use crate::drawing::{Contour, Offset, Point};
 use crate::geometry::DVec2;
 
-use super::{Cover, Pen, Sketch, Weight};
+use super::{Cover, Pen, SPECK, Sketch, Weight};
 
 /// Length of the ticks of a thin dimension line, page pixels.
 const TICK: f64 = 7.0;
@@ -19,7 +19,8 @@ impl Sketch<'_> {
     pub(crate) fn dimension(&mut self, from: DVec2, to: DVec2, offset: f64, pen: Pen) -> &mut Self {
         self.reach(&[from, to]);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
-        let Some(u) = (q - p).unit() else { return self };
+        // What is left at a contact has the direction of its rounding.
+        let Some(u) = (q - p).unit().filter(|_| (q - p).length() >= SPECK) else { return self };
         let shift = u.left() * offset;
         let (a, b) = (p + shift, q + shift);
         self.extension(p, a);
