@@ -107,7 +107,9 @@ impl Inset {
             y += CLOSE;
         }
         for frame in [rect, self.detail] {
-            edges(&frame).into_iter().for_each(|(from, to)| keep_off(from, to));
+            for (from, to) in edges(&frame) {
+                keep_off(from, to);
+            }
         }
         let (from, to) = self.link();
         keep_off(from, to);
@@ -117,7 +119,7 @@ impl Inset {
             let seen = |p: &DVec2| Rect::new(frame.page(*p), frame.page(*p)).union(detail) == detail;
             !points.is_empty() && points.iter().all(seen)
         };
-        let is_named = |label: &Label| named.iter().any(|n| *n == (label.key, &label.anchor));
+        let is_named = |label: &Label| named.contains(&(label.key, &label.anchor));
         sketched.requests.retain(|Request { label, .. }| !(within(&label.anchor) && is_named(label)));
     }
 

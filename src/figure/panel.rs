@@ -68,12 +68,12 @@ impl PanelPlan<'_> {
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.
     pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        self.drawn(self.begun(self.frame, context, theme), context).finish()
+        self.drawn(begun(self.frame, context, theme), context).finish()
     }
 
     /// Lets every layer draw in the frame of an inset.
     pub(crate) fn sketch_inset(&self, inset: &Inset, context: &Context, theme: &Theme) -> Sketched {
-        let mut sketch = self.drawn(self.begun(inset.frame, context, theme).without_numbers(), context);
+        let mut sketch = self.drawn(begun(inset.frame, context, theme).without_numbers(), context);
         inset.write_factor(&mut sketch);
         let mut sketched = sketch.finish();
         Inset::without_notes(&mut sketched);
@@ -83,13 +83,6 @@ impl PanelPlan<'_> {
     /// The inset that the panel asks for, if it asks for one that enlarges, beside what its layers drew.
     pub(crate) fn inset(&self, sketched: &Sketched) -> Option<Inset> {
         Inset::of(&self.source, &self.frame, &sketched.obstacles)
-    }
-
-    /// An empty panel of a frame.
-    fn begun<'f>(&self, frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
-        let measures = Measures::of(&context.scene.canvas);
-        let sketch = Sketch::new(frame, theme, measures.unit);
-        sketch.with_small_letters(measures.type_size(Size::Small.px()))
     }
 
     /// What every layer draws in a panel.
@@ -108,4 +101,11 @@ impl PanelPlan<'_> {
     pub(crate) fn span_of(&self, request: &Request) -> &Range<usize> {
         self.layers.get(request.layer).map_or(&self.source.span, |planned| &planned.span)
     }
+}
+
+/// An empty panel of a frame.
+fn begun<'f>(frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
+    let measures = Measures::of(&context.scene.canvas);
+    let sketch = Sketch::new(frame, theme, measures.unit);
+    sketch.with_small_letters(measures.type_size(Size::Small.px()))
 }
