@@ -250,6 +250,14 @@ impl Context<'_> {
         self.runs.first_step(self.scene)
     }
 
+    /// The time until which the first step of an advancement proves the bodies free; `None` where it takes
+    /// none, or needs none.
+    #[must_use]
+    fn bound_time(&self) -> Option<f64> {
+        let next = |event: &Event| if let Event::Advanced { next, .. } = event { Some(*next) } else { None };
+        self.first_step()?.find_told(next)?
+    }
+
     /// The first contact: the last time in [0, 1] proved free, and the pair then, as the panel shows it; at
     /// t = 0 for bodies that overlap from the start. `None` for any other answer.
     #[must_use]
@@ -305,6 +313,7 @@ impl Context<'_> {
             When::End => at(1.0),
             When::Hit => at(self.hit()?.0),
             When::Closest => at(self.closest()?.time),
+            When::Bound => at(self.bound_time()?),
             When::Step(k) => {
                 let time = self.steps().get(k.checked_sub(1)?).copied()?;
                 Some(Moment { time, step: Some(*k) })

@@ -99,14 +99,18 @@ impl<'s> Resolver<'_, 's> {
                 let step = steps.len();
                 (Fault::OtherStep { asked, last: step }, Moment { time, step: Some(step) })
             }
-            (When::Hit | When::Closest, Answer::Impact(impact), _) => {
+            (When::Hit | When::Closest | When::Bound, Answer::Impact(impact), _) => {
                 let (shown, time) = match impact.outcome {
                     Outcome::Unresolved { free_until, .. } => ("the last moment proved free", free_until),
                     Outcome::Miss => ("the closest approach", context.closest()?.time),
                     Outcome::Hit { time, .. } => ("the first contact", time.lo),
                     Outcome::Overlapping { .. } => ("the start", 0.0),
                 };
-                let asked = if when.value == When::Hit { "the hit" } else { "the closest approach" };
+                let asked = match when.value {
+                    When::Hit => "the hit",
+                    When::Bound => "the bound of the first step",
+                    _ => "the closest approach",
+                };
                 (Fault::OtherMoment { shown, asked, why: standing(answer) }, Moment { time, step: None })
             }
             (&When::Step(step), ..) => {

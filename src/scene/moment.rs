@@ -11,6 +11,8 @@ pub enum When {
     Hit,
     /// The closest approach, where the answer is a miss.
     Closest,
+    /// The time that the first step of an advancement proves free.
+    Bound,
     /// The end of the motion, t = 1.
     End,
     /// A step of the algorithm, counted from 1.
@@ -24,14 +26,17 @@ impl When {
     pub(crate) const HIT: &'static str = "hit";
     /// The word of [`When::Closest`].
     pub(crate) const CLOSEST: &'static str = "closest";
+    /// The word of [`When::Bound`].
+    pub(crate) const BOUND: &'static str = "bound";
     /// The word of [`When::End`].
     pub(crate) const END: &'static str = "end";
 
     /// The moments that have a word, in the order in which messages list them.
-    pub(crate) const WORDS: [(&'static str, Self); 4] = [
+    pub(crate) const WORDS: [(&'static str, Self); 5] = [
         (Self::START, Self::Start),
         (Self::HIT, Self::Hit),
         (Self::CLOSEST, Self::Closest),
+        (Self::BOUND, Self::Bound),
         (Self::END, Self::End),
     ];
 

@@ -149,6 +149,17 @@ pub enum Event {
         /// Signed distance of the origin from the edge's line: positive when the origin is outside it.
         distance: f64,
     },
+    /// The one that turns less of the next edges of both bodies, as they run in B ⊖ A, was taken.
+    EdgesMerged {
+        /// The body whose edge was taken.
+        taken: Side,
+        /// The vertex of B ⊖ A where it begins, in configuration space.
+        at: DVec2,
+        /// The edge, as a vector: A's is mirrored.
+        edge: DVec2,
+        /// The next edge of the other body; None where it has no more.
+        other: Option<DVec2>,
+    },
     /// B ⊖ A is round: its core is a point, or it has a radius. Emitted once, beside the edges of the core.
     DifferenceRounded {
         /// The centre of the disc, where the core is a point; else `None`.

@@ -132,6 +132,7 @@ fn when(panel: &Panel) -> String {
         When::Start => " at the start".to_owned(),
         When::Hit => " at the first contact".to_owned(),
         When::Closest => " at the closest approach".to_owned(),
+        When::Bound => " at the bound of the first step".to_owned(),
         When::End => " at the end".to_owned(),
         When::Step(k) => format!(" in step {k}"),
     })

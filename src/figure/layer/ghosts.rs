@@ -35,7 +35,15 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::HIT, When::CLOSEST, SEPARATED, When::START, When::END, STEPS]),
+            takes: Takes::When(&[
+                When::HIT,
+                When::CLOSEST,
+                When::BOUND,
+                SEPARATED,
+                When::START,
+                When::END,
+                STEPS,
+            ]),
             default: "\"hit\"",
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every \
                 step",
@@ -54,6 +62,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "then", about: "the time of a step before the last" },
     ],
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
+        a first step for \"bound\", \
         a separation for \"separated\", steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {

@@ -16,14 +16,17 @@ mod closest;
 mod contact;
 mod coordinates;
 mod difference;
+mod edge_fan;
 mod expected;
 mod feature;
 mod fed;
 mod frame;
 mod ghosts;
+mod graph;
 mod grid;
 mod grown;
 mod half_extents;
+mod merging;
 mod normal;
 mod note;
 pub(crate) mod options;
@@ -34,6 +37,7 @@ mod projection;
 mod radii;
 mod ray;
 mod ruler;
+mod separating_cone;
 mod separation;
 mod shapes;
 mod simplex;
@@ -134,6 +138,10 @@ pub static LAYERS: &[Layer] = &[
     projection::LAYER,
     simplex::LAYER,
     polytope::LAYER,
+    edge_fan::LAYER,
+    merging::LAYER,
+    separating_cone::LAYER,
+    graph::LAYER,
     note::LAYER,
 ];
 

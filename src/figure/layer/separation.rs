@@ -29,7 +29,7 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::END]),
+            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::BOUND, When::END]),
             default: "the panel's moment",
             about: "when the bodies are asked for their separation",
         },
@@ -71,7 +71,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "two bodies",
     fed: |context, options| match options.when("at") {
-        Some(When::Hit | When::Closest) => {
+        Some(When::Hit | When::Closest | When::Bound) => {
             Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
         }
         _ => Fed::by_the_scene(found(context, options).is_some()),

@@ -69,6 +69,7 @@ pub fn sentence(event: &Event, names: &Names) -> String {
         Event::DifferenceEdgeFound { source, edge, vertex, from, to, distance, .. } => {
             difference_edge(names, *source, [*edge, *vertex], [*from, *to], *distance)
         }
+        Event::EdgesMerged { taken, edge, other, .. } => merged(names, *taken, *edge, *other),
         Event::DifferenceRounded { center, radius } => rounded(names, *center, *radius),
         Event::OriginProjected { foot, distance } => {
             format!("The origin projects to {} there, {}.", point(*foot), away(*distance))
@@ -204,6 +205,16 @@ fn difference_edge(
         difference(names),
         aside(distance)
     )
+}
+
+/// The choice between the next edges of both bodies.
+fn merged(names: &Names, taken: Side, edge: DVec2, other: Option<DVec2>) -> String {
+    let (own, others) = (names.quoted(taken), names.quoted(taken.other()));
+    let than = other.map_or_else(
+        || format!("{others} has no more"),
+        |other| format!("{others}'s next, {}, turns more", point(other)),
+    );
+    format!("Next the edge {} of {own}: {than}.", point(edge))
 }
 
 /// The Minkowski difference in plain text, as "B - A".

@@ -106,3 +106,22 @@ fn only_bodies_that_overlap_are_separated() {
         assert_eq!(figure.warnings.iter().any(|w| w.fault.to_string().contains("apart already")), apart);
     }
 }
+
+#[test]
+fn at_the_bound_of_the_first_step_the_bodies_are_apart_by_the_slack_that_is_left() {
+    let text = "shapes.A = { kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
+            angle_deg = 20, angular_velocity_deg = 90 }
+        shapes.B = { kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }
+        query = { kind = 'time-of-impact', of = ['A', 'B'] }
+        panels = [{ time = 'bound', layers = ['shapes', { layer = 'note', lines = '{=bound}' }] },
+            { layers = ['shapes', { layer = 'ghosts', at = 'bound' },
+                { layer = 'separation', at = 'bound' }] }]";
+    let scene = open_text("bound", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let bound = plan.panels[0].moment.time;
+    let [a, b] = [0, 1].map(|i| &scene.shapes[i].1);
+    let slack = crate::collision::Pair::at(a, b, bound).separation().separation;
+    assert!(bound > 0.3 && slack > 0.5, "{bound}, {slack}");
+    let labels = labels(&draw(&plan, plan.theme, "bound"));
+    assert!((labels["note"].1 - bound).abs() < 0.005 && (labels["d"].1 - slack).abs() < 0.01, "{labels:?}");
+}

@@ -1,0 +1,63 @@
+//! The edges of B and the mirrored edges of A as vectors from one point, sorted by direction: the order in
+//! which the merge takes them into B ⊖ A, numbered by it.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
+use crate::geometry::{DVec2, Side};
+use crate::trace::Event;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+
+/// Opacity of an edge that is not taken yet.
+const LATER: f64 = 0.35;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "edge-fan",
+    about: "edges of B and mirrored edges of A as vectors from O, in the order of their directions",
+    shows: Shows::Configuration,
+    options: &[OptionSpec {
+        name: "step",
+        takes: Takes::Number,
+        default: "all",
+        about: "up to which edge they are taken, from 1; later ones are faint",
+    }],
+    labels: &[LabelKey { key: "step", about: "the edge's number in the order of directions" }],
+    needs: "the algorithm \"merge\" and bodies with edges",
+    fed: |context, _| Fed::by_the_scene(!merged(context).is_empty()),
+    draw,
+};
+
+/// A choice that the merge made.
+#[derive(Clone, Copy)]
+pub(super) struct Merged {
+    /// The body whose edge was taken.
+    pub(super) taken: Side,
+    /// The vertex of B ⊖ A where it begins.
+    pub(super) at: DVec2,
+    /// The edge as a vector.
+    pub(super) edge: DVec2,
+    /// The other body's next edge as a vector, where it has more.
+    pub(super) other: Option<DVec2>,
+}
+
+/// The edges in the order in which the algorithm took them, at the panel's moment; none for another one.
+pub(super) fn merged(context: &Context) -> Vec<Merged> {
+    let Some(run) = context.difference_at(context.difference_time()) else { return Vec::new() };
+    let told = run.told(|event| match *event {
+        Event::EdgesMerged { taken, at, edge, other } => Some(Merged { taken, at, edge, other }),
+        _ => None,
+    });
+    told.collect()
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let step = options.number("step").unwrap_or(f64::INFINITY);
+    for (k, Merged { taken, edge, .. }) in (1..).zip(merged(context)) {
+        let role = Role::from(taken);
+        let opacity = if number_of(k) <= step { 1.0 } else { LATER };
+        sketch.part(super::part("edge", taken)).arrow(DVec2::ZERO, edge, Pen::vector(role).opacity(opacity));
+        let label = Label::new("step", k.to_string(), Anchor::tip(DVec2::ZERO, edge), role);
+        sketch.label(label.rank(Rank::Word).size(Size::Small));
+    }
+}

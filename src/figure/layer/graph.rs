@@ -1,0 +1,244 @@
+//! The separation s of the bodies against time t, with the steps of an advancement on it.
+//!
+//! A step at t₁ with separation s₁ assumes the worst: that s falls as fast as the bound μ allows. The dashed
+//! line of slope −μ from (t₁, s₁) meets the axis at t₂, up to where nothing can touch; there the next step
+//! looks again. The curve is never below these lines, and the steps shrink towards the contact.
+//!
+//! The graph fills its panel; its axes have scales of their own, so that it stands alone there.
+
+use crate::collision::Pair;
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
+};
+use crate::figure::text::number;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+
+/// Room around the graph, page pixels: left, right, below, above.
+const ROOM: [f64; 4] = [46.0, 30.0, 44.0, 30.0];
+
+/// Pieces of the curve: a chord is then within half a pixel of a curve that bends once over its panel.
+const PIECES: usize = 64;
+
+/// How many steps are drawn; the later ones are a blur at the contact.
+const MOST: usize = 12;
+
+/// The least distance of the numbers of two steps along the axis, page pixels.
+const GAP: f64 = 22.0;
+
+/// How much longer the axes are than what they measure.
+const LONGER: f64 = 1.08;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "graph",
+    about: "separation against time, with the steps of an advancement",
+    shows: Shows::World,
+    options: &[OptionSpec {
+        name: "lines",
+        takes: Takes::Flag,
+        default: "true",
+        about: "the lines along which the separation could fall at most, to the next step",
+    }],
+    labels: &[
+        LabelKey { key: "t", about: "the axis of time" },
+        LabelKey { key: "s", about: "the axis of separation" },
+        LabelKey { key: "step", about: "the times of the steps" },
+        LabelKey { key: "s_1", about: "the separation at the first step" },
+        LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
+    ],
+    needs: "an algorithm that advances in steps",
+    fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
+    draw,
+};
+
+/// A step of the advancement.
+#[derive(Clone, Copy)]
+struct Step {
+    /// When it looks.
+    time: f64,
+    /// The separation then.
+    separation: f64,
+    /// When the next one looks.
+    next: Option<f64>,
+}
+
+/// The graph's place in its panel and its scales.
+struct Chart<'c> {
+    /// What the panel knows.
+    context: &'c Context<'c>,
+    /// The lower left and the upper right end of its area, in the panel's space.
+    area: [DVec2; 2],
+    /// The time and the separation at its upper right.
+    most: DVec2,
+}
+
+/// The steps that the algorithm told.
+fn steps(context: &Context) -> Vec<Step> {
+    let told = |event: &Event| match *event {
+        Event::Advanced { at, separation, next, .. } => Some(Step { time: at.time, separation, next }),
+        _ => None,
+    };
+    context.run().told(told).collect()
+}
+
+/// The separation of the bodies at some times from 0 to `until`.
+fn curve(context: &Context, until: f64) -> Vec<DVec2> {
+    let query = context.scene.query_of_bodies();
+    let Some(b) = query.b else { return Vec::new() };
+    let at = |i: usize| {
+        let time = until * (number_of(i) / number_of(PIECES));
+        DVec2::new(time, Pair::at(query.a, b, time).separation().separation)
+    };
+    (0..=PIECES).map(at).collect()
+}
+
+impl Chart<'_> {
+    /// A time and a separation in the panel's space.
+    fn place(&self, time: f64, separation: f64) -> DVec2 {
+        let [lo, hi] = self.area;
+        let p = lo + (hi - lo) * (DVec2::new(time, separation) / self.most);
+        self.context.frame().map_or(p, |pose| pose.point(p))
+    }
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let all = steps(context);
+    let Some(last) = all.last() else { return };
+    let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
+    let points = curve(context, until);
+    let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
+    let (lo, hi) = sketch.visible();
+    let [left, right, below, above] = ROOM.map(|px| sketch.px(px));
+    let area = [lo + DVec2::new(left, below), hi - DVec2::new(right, above)];
+    let most = DVec2::new(until, if highest > 0.0 { highest } else { 1.0 });
+    let chart = Chart { context, area, most };
+    axes(sketch, &chart);
+    if options.flag("lines", true) {
+        worst(sketch, &chart, &all);
+    }
+    let role = options.role(Role::Difference);
+    let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
+    sketch.part("curve").weight(Weight::Background).stroke(&Outline::polyline(&curve), Pen::outline(role));
+    marks(sketch, &chart, &all);
+}
+
+/// Draws both axes with their names.
+fn axes(sketch: &mut Sketch, chart: &Chart) {
+    let corner = chart.place(0.0, 0.0);
+    let most = chart.most * LONGER;
+    let ends = [("t", chart.place(most.x, 0.0), DVec2::NEG_Y), ("s", chart.place(0.0, most.y), DVec2::NEG_X)];
+    for (key, end, toward) in ends {
+        sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
+        let anchor = Anchor::point_toward(end, toward);
+        sketch.label(Label::new(key, format!("${key}$"), anchor, Role::Muted));
+    }
+}
+
+/// Draws how s would fall at the fastest from each step, to where the next one begins.
+fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
+    for (k, step) in all.iter().take(MOST).enumerate() {
+        let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
+        let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
+        let dashed = Pen::construction(Role::Muted);
+        sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
+        if k == 0 {
+            let label = Label::new("worst", "fastest approach", Anchor::middle(from, to), Role::Muted);
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
+        }
+        if let Some(then) = all.get(k + 1) {
+            let up = chart.place(then.time, then.separation);
+            sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
+        }
+    }
+}
+
+/// Marks the steps on the curve and on the axis of time, numbered where there is room.
+fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
+    let mut free = f64::NEG_INFINITY;
+    for (k, step) in (1..).zip(all.iter().take(MOST)) {
+        let on_axis = chart.place(step.time, 0.0);
+        let on_curve = chart.place(step.time, step.separation);
+        sketch.part("steps").weight(Weight::Background).marker(
+            on_axis,
+            Marker::Disc,
+            Role::Now,
+            SMALL_MARKER,
+        );
+        sketch.marker(on_curve, Marker::Disc, Role::Now, MARKER);
+        let along = step.time / chart.most.x * sketch.on_page(chart.area[1].x - chart.area[0].x);
+        if along >= free {
+            free = along + sketch.fitted(GAP);
+            let anchor = Anchor::point_toward(on_axis, DVec2::NEG_Y);
+            sketch.label(Label::new("step", format!("$t_{{{k}}}$"), anchor, Role::Now).size(Size::Note));
+        }
+    }
+    if let Some(first) = all.first() {
+        let anchor = Anchor::point_toward(chart.place(first.time, first.separation), DVec2::X);
+        let text = format!("$s_1 = {}$", number(first.separation));
+        sketch.label(Label::new("s_1", text, anchor, Role::Now));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Contour, Segment};
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::open_text;
+
+    /// A box that turns towards a polygon, with a graph of it.
+    fn graph(algorithm: &str) -> Result<(Figure, Vec<Step>), String> {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
+                angle_deg = 20, angular_velocity_deg = 90 }}
+            shapes.B = {{ kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = '{algorithm}' }}
+            panels = [{{ view = [0, 0, 4, 3], layers = ['graph'] }}]"
+        );
+        let scene = open_text("graph", &text).unwrap().scene;
+        let plan = plan(&scene).map_err(|problems| format!("{problems:?}"))?;
+        let steps = steps(&plan.panels[0].context(&scene, &plan.runs));
+        Ok((draw(&plan, plan.theme, "graph"), steps))
+    }
+
+    #[test]
+    fn each_line_of_the_fastest_approach_ends_where_the_next_step_begins_and_is_never_above_the_curve() {
+        let (figure, steps) = graph("conservative-advancement").unwrap();
+        assert!(steps.len() > 3);
+        let ends = |part: &str| -> Vec<Vec<crate::drawing::Point>> {
+            let points = |path: &crate::drawing::Path| match &path.contour {
+                Contour::Segments(segments) => segments
+                    .iter()
+                    .filter_map(|s| match *s {
+                        Segment::Move(p) | Segment::Line(p) => Some(p),
+                        _ => None,
+                    })
+                    .collect(),
+                Contour::Circle { .. } => Vec::new(),
+            };
+            paths(&figure.drawing.items, part).into_iter().map(points).collect()
+        };
+        let (lines, looks) = (ends("worst"), ends("look"));
+        for (line, look) in lines.iter().zip(&looks) {
+            assert!((line[1] - look[0]).length() < 1e-9, "{line:?} does not end at {look:?}");
+        }
+        let curve = &ends("curve")[0];
+        for [p, q] in lines.iter().map(|line| [line[0], line[1]]) {
+            for c in curve.iter().filter(|c| c.x > p.x && c.x < q.x) {
+                // On the page y is down.
+                let under = p.y + (q.y - p.y) * (c.x - p.x) / (q.x - p.x);
+                assert!(c.y <= under + 1e-6, "the curve falls below the line at {c:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_algorithm_without_steps_has_no_graph() {
+        assert!(graph("swept-axis").is_err());
+    }
+}

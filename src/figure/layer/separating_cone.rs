@@ -1,0 +1,181 @@
+//! All directions that separate two bodies, as a cone at the origin of configuration space.
+//!
+//! A direction n separates them where all of B ⊖ A lies beyond the line through O square to n. Seen from O,
+//! B ⊖ A fills the angle between its two tangents from O, α to β; so n may turn from β − 90° to α + 90°:
+//!
+//! ```text
+//! n · p > 0 for all p of B ⊖ A      vertex p of a core rounded by ρ fills   arg p ± asin(ρ/|p|)
+//! ```
+//!
+//! The nearer O comes to B ⊖ A the narrower is the cone; where O is on the boundary it is one direction, the
+//! edge's normal; inside there is none.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, angle_of, on_circle,
+};
+use crate::figure::text::number;
+use crate::geometry::DVec2;
+
+use super::difference::difference;
+use super::{Fed, LabelKey, Layer, Options, Shows};
+
+/// Radius of the cone, page pixels.
+const RADIUS: f64 = 84.0;
+
+/// Opacity of the cone: the axes may lie under it.
+const FILL: f64 = 0.16;
+
+/// How far a tangent reaches past the point where it touches, page pixels.
+const PAST: f64 = 30.0;
+
+/// Edge of the square that marks a right angle, page pixels.
+const SQUARE: f64 = 17.0;
+
+/// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
+const READABLE: [f64; 2] = [24.0, 60.0];
+
+pub(super) const LAYER: Layer = Layer {
+    name: "separating-cone",
+    about: "the directions that separate the bodies: tangents from O to B ⊖ A, the cone of normals",
+    shows: Shows::Configuration,
+    options: &[],
+    labels: &[
+        LabelKey { key: "cone", about: "the cone's angle" },
+        LabelKey { key: "n", about: "the direction of the greatest gap" },
+    ],
+    needs: "two convex bodies",
+    fed: |context, _| {
+        let found = difference(context, context.difference_time()).is_some();
+        Fed::by_the_answer(cone(context).is_some(), found)
+    },
+    draw,
+};
+
+/// The directions that separate, at the panel's moment.
+struct Cone {
+    /// The angles of the two tangents from O, in radians; the second one is up to π to the left of the first.
+    tangents: [f64; 2],
+    /// Where each touches.
+    touching: [DVec2; 2],
+    /// The direction of the greatest gap.
+    normal: DVec2,
+}
+
+/// The cone; `None` for bodies that are not proved to be apart.
+fn cone(context: &Context) -> Option<Cone> {
+    let found = difference(context, context.difference_time())?;
+    let answer = context.separation_seen(context.time)?;
+    if answer.bounds.lo <= 0.0 {
+        return None;
+    }
+    let normal = *answer.normal;
+    let origin = context.estimate();
+    let core = found.edges.iter().map(|edge| edge.from).chain(found.center);
+    // Angles from n, between −90° and 90°, of both tangents to the disc about each vertex.
+    let seen = core.map(|p| {
+        let p = p - origin;
+        let angle = libm::atan2(normal.perp_dot(p), normal.dot(p));
+        let half = libm::asin((found.radius / p.length()).min(1.0));
+        let far = (p.length_squared() - found.radius * found.radius).max(0.0).sqrt();
+        [(angle - half, far), (angle + half, far)]
+    });
+    let first = seen.clone().map(|[low, _]| low).reduce(|a, b| if b.0 < a.0 { b } else { a })?;
+    let last = seen.map(|[_, high]| high).reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+    let base = angle_of(normal);
+    let tangents = [base + first.0, base + last.0];
+    let touching = [on_circle(origin, first.1, tangents[0]), on_circle(origin, last.1, tangents[1])];
+    Some(Cone { tangents, touching, normal })
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(cone) = cone(context) else { return };
+    let role = options.role(Role::Translation);
+    let origin = context.estimate();
+    let radius = sketch.px(RADIUS);
+    let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
+    let sector = Outline::sector(origin, radius, start, end - start);
+    sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
+    let past = sketch.px(PAST);
+    let ends = [(cone.tangents[0], end, cone.touching[0]), (cone.tangents[1], start, cone.touching[1])];
+    for (tangent, edge, touching) in ends {
+        let beyond = on_circle(touching, past, tangent);
+        sketch.part("tangent").weight(Weight::Light).line(origin, beyond, Pen::construction(Role::Muted));
+        sketch.part("cone-edge").line(origin, on_circle(origin, radius, edge), Pen::vector(role));
+        right_angle(sketch, origin, [tangent, edge]);
+        sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
+    }
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    let tip = origin + cone.normal * 1.0_f64.max(least).min(most);
+    sketch.part("direction").arrow(origin, tip, Pen::vector(role));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), role));
+    let degrees = number((end - start) * (180.0 / PI));
+    let anchor = Anchor::Arc { center: origin, radius, start, sweep: end - start };
+    let label = Label::new("cone", format!("${degrees}°$"), anchor, role);
+    sketch.label(label.size(Size::Note));
+}
+
+/// Draws the square of a right angle at a point, between two directions.
+fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) {
+    let [p, q] = directions.map(|angle| on_circle(at, sketch.px(SQUARE), angle));
+    let square = Outline::polyline(&[p, p + q - at, q]);
+    sketch.part("right-angle").weight(Weight::Light).stroke(&square, Pen::dimension(Role::Muted));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::plan;
+    use crate::scene::open_text;
+
+    /// Whether a direction separates two polygons rounded by `radius`, by all their vertices.
+    fn separates(direction: DVec2, scene: &crate::scene::Scene, radius: f64) -> f64 {
+        let reach = |i: usize, n: DVec2| {
+            let body = &scene.shapes[i].1;
+            let pose = body.pose_at(0.0);
+            body.shape.vertices.iter().map(|&v| pose.point(v).dot(n)).fold(f64::NEG_INFINITY, f64::max)
+        };
+        -reach(1, -direction) - reach(0, direction) - radius
+    }
+
+    #[test]
+    fn every_direction_in_the_cone_separates_and_none_outside() {
+        for (place, r) in [("[5, 1]", 0.0), ("[4, -3.5]", 0.25), ("[-3, 5]", 1.0), ("[0.5, 4.5]", 0.5)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 0], [-1, 2]] }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {r}, angle_deg = 25,
+                    position = {place} }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = ['separating-cone'] }}]"
+            );
+            let scene = open_text("cone", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let cone = cone(&plan.panels[0].context(&scene, &plan.runs)).unwrap();
+            let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
+            assert!(end > start && end - start < PI, "{place}");
+            let gap = |angle: f64| separates(on_circle(DVec2::ZERO, 1.0, angle), &scene, r);
+            for k in 1..40 {
+                assert!(gap(start + (end - start) * f64::from(k) / 40.0) > 0.0, "{place}: {k}");
+                let outside = end + (2.0 * PI - (end - start)) * f64::from(k) / 40.0;
+                assert!(gap(outside) < 0.0, "{place}: {k}");
+            }
+            // At its edges the line touches B ⊖ A.
+            assert!(gap(start).abs() < 1e-12 && gap(end).abs() < 1e-12, "{place}");
+        }
+    }
+
+    #[test]
+    fn bodies_that_overlap_have_no_cone() {
+        let text = "shapes.A = { kind = 'circle', radius = 1 }
+            shapes.B = { kind = 'circle', radius = 1, position = [1, 0.5] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ space = 'configuration', layers = ['separating-cone', 'origin'] }]";
+        let scene = open_text("cone", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        assert!(cone(&plan.panels[0].context(&scene, &plan.runs)).is_none());
+        assert!(plan.warnings.iter().any(|w| w.fault.to_string().contains("overlap")));
+    }
+}
