@@ -9,9 +9,7 @@
 use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
-};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::trace::Event;
@@ -22,13 +20,16 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 const ROOM: [f64; 4] = [46.0, 30.0, 44.0, 30.0];
 
 /// Pieces of the curve: a chord is then within half a pixel of a curve that bends once over its panel.
-const PIECES: usize = 64;
+const PIECES: usize = 48;
 
 /// How many steps are drawn; the later ones are a blur at the contact.
 const MOST: usize = 12;
 
 /// The least distance of the numbers of two steps along the axis, page pixels.
 const GAP: f64 = 22.0;
+
+/// Half the length of the tick of a step on the axis of time, page pixels.
+const TICK: f64 = 4.0;
 
 /// How much longer the axes are than what they measure.
 const LONGER: f64 = 1.08;
@@ -97,6 +98,11 @@ fn curve(context: &Context, until: f64) -> Vec<DVec2> {
 }
 
 impl Chart<'_> {
+    /// A vector of the page, to the right and up, in the panel's space.
+    fn vector(&self, v: DVec2) -> DVec2 {
+        self.context.frame().map_or(v, |pose| pose.vector(v))
+    }
+
     /// A time and a separation in the panel's space.
     fn place(&self, time: f64, separation: f64) -> DVec2 {
         let [lo, hi] = self.area;
@@ -120,7 +126,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("lines", true) {
         worst(sketch, &chart, &all);
     }
-    let role = options.role(Role::Difference);
+    let role = options.role(Role::Translation);
     let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
     sketch.part("curve").weight(Weight::Background).stroke(&Outline::polyline(&curve), Pen::outline(role));
     marks(sketch, &chart, &all);
@@ -143,7 +149,7 @@ fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
-        let dashed = Pen::construction(Role::Muted);
+        let dashed = Pen::construction();
         sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
         if k == 0 {
             let label = Label::new("worst", "fastest approach", Anchor::middle(from, to), Role::Muted);
@@ -162,13 +168,10 @@ fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
         let on_axis = chart.place(step.time, 0.0);
         let on_curve = chart.place(step.time, step.separation);
-        sketch.part("steps").weight(Weight::Background).marker(
-            on_axis,
-            Marker::Disc,
-            Role::Now,
-            SMALL_MARKER,
-        );
-        sketch.marker(on_curve, Marker::Disc, Role::Now, MARKER);
+        let tick = chart.vector(DVec2::Y * sketch.px(TICK));
+        sketch.part("steps").weight(Weight::Background);
+        sketch.line(on_axis - tick, on_axis + tick, Pen::dimension(Role::Now));
+        sketch.marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
         let along = step.time / chart.most.x * sketch.on_page(chart.area[1].x - chart.area[0].x);
         if along >= free {
             free = along + sketch.fitted(GAP);

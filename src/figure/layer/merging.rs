@@ -6,6 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch};
 use crate::geometry::Side;
 
+use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
@@ -50,7 +51,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for (k, edge) in (1..).zip(&all[..before]) {
         let (from, to) = (edge.at, edge.at + edge.edge);
         let role = Role::from(edge.taken);
-        sketch.part(part("taken", edge.taken)).line(from, to, Pen::outline(role));
+        sketch.part(part("taken", edge.taken));
+        draw_edge(sketch, edge.taken, (from, to), Pen::outline(role));
         let label = Label::new("step", k.to_string(), Anchor::middle(from, to), role);
         sketch.label(label.rank(Rank::Word).size(Size::Small));
     }

@@ -92,6 +92,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for &vertex in &step.vertices {
         sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);
     }
+    sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
     sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, Pen::highlighted(Role::Translation));
     let beside = Anchor::middle(DVec2::ZERO, foot);
     let d = format!("$d = {}$", number(step.distance));

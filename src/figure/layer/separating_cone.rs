@@ -103,7 +103,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let ends = [(cone.tangents[0], end, cone.touching[0]), (cone.tangents[1], start, cone.touching[1])];
     for (tangent, edge, touching) in ends {
         let beyond = on_circle(touching, past, tangent);
-        sketch.part("tangent").weight(Weight::Light).line(origin, beyond, Pen::construction(Role::Muted));
+        sketch.part("tangent").weight(Weight::Light).line(origin, beyond, Pen::construction());
         sketch.part("cone-edge").line(origin, on_circle(origin, radius, edge), Pen::vector(role));
         right_angle(sketch, origin, [tangent, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
