@@ -70,7 +70,8 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.line(A, (right, 0.0), (right, 3.0)).is_some(),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 3)$"),
-        f.says(r"$x_{\min}$") && f.says(r"$x_{\max}$") && f.says(r"$y_{\min}$") && f.says(r"$y_{\max}$"),
+        f.says(r"$x_{\min} = -5$") && f.says(r"$x_{\max} = 7$"),
+        f.says(r"$y_{\min} = -3$") && f.says(r"$y_{\max} = 3$"),
         f.says("$c$"),
         f.says("$h_x = 6$"),
         f.says("$h_y = 3$"),
@@ -150,11 +151,11 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
         w.marker(B, (4.0, 2.0)),
         w.horizontal(A, -4.0, 0.0),
         w.horizontal(Now, 0.0, 1.0),
-        w.horizontal(A, 1.0, 4.0),
+        w.horizontal(B, 1.0, 4.0),
         w.horizontal(Ink, -4.0, 4.0),
         w.vertical(A, -0.5, 1.5),
         w.vertical(Now, 0.5, 1.5),
-        w.vertical(A, 0.5, 2.0),
+        w.vertical(B, 0.5, 2.0),
         w.vertical(Ink, -0.5, 2.0),
         f.says("$h_{A,x} = 4$")
             && f.says("$h_{B,x} = 3$")

@@ -5,7 +5,7 @@ use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Sketch, Wash, Weight, angle_of,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, angle_of,
     on_circle,
 };
 use crate::figure::text::number;
@@ -49,6 +49,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "L", about: "length of the arc, with sector" },
         LabelKey { key: "p", about: "the extreme point" },
         LabelKey { key: "p'", about: "the extreme point after the turn" },
+        LabelKey { key: "others", about: "another point that is as far" },
     ],
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
     fed: |context, options| {
@@ -71,6 +72,8 @@ struct Turn {
     sweep: f64,
     /// Length of its arc, world units.
     arc: f64,
+    /// The other points that are as far, before the turn, in the world.
+    others: Vec<DVec2>,
 }
 
 impl Turn {
@@ -101,11 +104,14 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
                 .iter()
                 .find(|v| index.is_some_and(|i| u32::try_from(v.index).is_ok_and(|k| f64::from(k) == i)))
                 .or(vertices.first())?;
-            let arm = chosen.point - context.pose(*body, 0.0)?.position;
+            let begin = context.pose(*body, 0.0)?.position;
+            let arm = chosen.point - begin;
             let center = context.pose(*body, context.time)?.position;
             let start = angle_of(arm);
             let sweep = theta.copysign(context.body(*body)?.spin.degrees());
-            Some(Turn { side: *body, center, radius: *radius, start, sweep, arc: *arc })
+            let others = vertices.iter().filter(|v| v.index != chosen.index);
+            let others = others.map(|v| center + (v.point - begin).normalize_or_zero() * *radius).collect();
+            Some(Turn { side: *body, center, radius: *radius, start, sweep, arc: *arc, others })
         }
         _ => None,
     })
@@ -129,11 +135,27 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let accent = Pen::highlighted(options.role(Role::Now));
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
+    if !sector {
+        as_far(sketch, &t);
+    }
     sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
     sketch.part("extreme-point").marker(after, marker, role, MARKER);
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
     points(sketch, &t, after);
     measures(sketch, options, &t, sector);
+}
+
+/// Marks the other points that are as far from the origin as the extreme point; the first is named.
+fn as_far(sketch: &mut Sketch, t: &Turn) {
+    let marker = if t.side == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
+    for &point in &t.others {
+        sketch.part("as-far").marker(point, marker, t.side.into(), SMALL_MARKER);
+    }
+    if let Some(&first) = t.others.first() {
+        let anchor = Anchor::point_toward(first, first - t.center);
+        let label = Label::new("others", "as far as $p$", anchor, Role::Muted);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
 }
 
 /// Names the extreme point before and after.

@@ -6,7 +6,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -20,6 +20,9 @@ const BELOW: f64 = 40.0;
 /// Distance of the tracks to the right from the boxes and from each other, page pixels: a label of 16 fits
 /// between.
 const BESIDE: f64 = 40.0;
+
+/// Opacity of the stretch that overlapping boxes share.
+const SHARED: f64 = 0.14;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -148,6 +151,9 @@ fn axis(
             sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), Pen::extension());
         }
     }
+    if e.gap < 0.0 {
+        shared(sketch, place, facing);
+    }
     for bar in bars {
         let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
         let role = bar.pen.role;
@@ -164,13 +170,22 @@ fn axis(
     }
 }
 
+/// Shows the stretch that overlapping boxes share along an axis, from the boxes to the bar of D.
+fn shared(sketch: &mut Sketch, place: &Place, facing: [f64; 2]) {
+    let at = |along: f64, across: f64| {
+        if place.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
+    };
+    let far = place.edge + 2.0 * place.step;
+    let [p, q] = facing;
+    let band = Outline::polygon(&[at(p, place.edge), at(q, place.edge), at(q, far), at(p, far)]);
+    sketch.part("shared").area(&band, Some(Wash::faint(Role::Now, SHARED)), None);
+}
+
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
 fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
-    let role = options.role(Role::Now);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let [a, b] = e.centers;
     let facing = [a + forward * e.half[0], b - forward * e.half[1]];
-    let gap_role = if role == Role::Now { Role::Translation } else { Role::Now };
     let own = |k: usize| if e.gap < 0.0 { k } else { 0 };
     let name = e.name;
     let keys = if name == 'x' {
@@ -178,14 +193,14 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     } else {
         ["h.A.y", "D.y", "h.B.y", "centers.y"]
     };
-    let half = Pen::highlighted(role);
+    let half = Side::BOTH.map(|side| Pen::highlighted(options.role(side.into())));
     let [h, k] = Side::BOTH.map(|side| format!("h_{{{},{name}}}", context.named(side).script()));
     let [c, d] = Side::BOTH.map(|side| context.named(side).below("c"));
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let tracks = [own(0), own(1), own(2), own(2) + 1];
-    let pens = [half, Pen::highlighted(gap_role), half, Pen::dimension(Role::Ink)];
+    let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
     let low = [name == 'y', name == 'y', false, true];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));

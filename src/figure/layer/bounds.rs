@@ -10,13 +10,13 @@ use crate::trace::{Event, SupportVertex};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Key, text and outward direction of the label at each side: left, bottom, right, top, as the event lists
+/// Key, symbol and outward direction of the label at each side: left, bottom, right, top, as the event lists
 /// them.
 const SIDES: [(&str, &str, DVec2); 4] = [
-    ("touching.left", r"$x_{\min}$", DVec2::NEG_X),
-    ("touching.bottom", r"$y_{\min}$", DVec2::NEG_Y),
-    ("touching.right", r"$x_{\max}$", DVec2::X),
-    ("touching.top", r"$y_{\max}$", DVec2::Y),
+    ("touching.left", r"x_{\min}", DVec2::NEG_X),
+    ("touching.bottom", r"y_{\min}", DVec2::NEG_Y),
+    ("touching.right", r"x_{\max}", DVec2::X),
+    ("touching.top", r"y_{\max}", DVec2::Y),
 ];
 
 pub(super) const LAYER: Layer = Layer {
@@ -101,7 +101,7 @@ fn rectangle(found: &Found) -> Outline {
 fn touching(sketch: &mut Sketch, found: &Found) {
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
-    for (vertices, (key, text, outward)) in found.touching.iter().zip(SIDES) {
+    for (vertices, (key, symbol, outward)) in found.touching.iter().zip(SIDES) {
         // A round body touches a radius out from its vertex.
         let touch = |vertex: &SupportVertex| {
             let edge = if outward.x + outward.y < 0.0 { found.min } else { found.max };
@@ -116,6 +116,8 @@ fn touching(sketch: &mut Sketch, found: &Found) {
         }
         if let Some(first) = vertices.first() {
             let anchor = Anchor::point_toward(touch(first), outward);
+            let value = touch(first).dot(outward.abs());
+            let text = format!("${symbol} = {}$", number(value));
             sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
         }
     }

@@ -4,20 +4,29 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch};
-use crate::figure::text::distance_or_depth;
+use crate::figure::difference::Edge;
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch};
+use crate::figure::text::{distance_or_depth, number};
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
     about: "distance of the origin, or a sweep's estimate, from B ⊖ A; inside, the minimum translation",
     shows: Shows::Configuration,
-    options: &[],
-    labels: &[LabelKey { key: "d", about: "distance or depth" }],
+    options: &[OptionSpec {
+        name: "rival",
+        takes: Takes::Flag,
+        default: "false",
+        about: "of bodies that overlap, the next longer way out to an edge",
+    }],
+    labels: &[
+        LabelKey { key: "d", about: "distance or depth" },
+        LabelKey { key: "rival", about: "length of the next longer way out" },
+    ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
     draw,
@@ -61,11 +70,35 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     right_angle(sketch, context, from, foot);
     sketch.part("closest");
     if overlap {
-        sketch.arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
+        if options.flag("rival", false) {
+            rival(sketch, context, from, foot.length());
+        }
+        sketch.part("closest").arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
     } else {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
+}
+
+/// Draws the next longer way from inside B ⊖ A square to one of its edges, with its length.
+fn rival(sketch: &mut Sketch, context: &Context, from: DVec2, least: f64) {
+    let Some(found) = difference(context, context.difference_time()) else { return };
+    let way = |edge: &Edge| {
+        let (p, q) = found.drawn(edge);
+        let (length, along) = ((p - from).dot(edge.normal), q - p);
+        let share = (from + edge.normal * length - p).dot(along) / along.length_squared();
+        let longer = length > least * (1.0 + SAME) && (0.0..=1.0).contains(&share);
+        longer.then_some((length, edge.normal, along))
+    };
+    let Some((length, normal, along)) = found.edges.iter().filter_map(way).min_by(|a, b| a.0.total_cmp(&b.0))
+    else {
+        return;
+    };
+    let to = from + normal * length;
+    sketch.part("right-angle").right_angle(to, along, -normal * length);
+    sketch.part("rival").dimension(from, to, 0.0, Pen::dimension(Role::Muted));
+    let text = format!("${}$: longer", number(length));
+    sketch.label(Label::new("rival", text, Anchor::middle(from, to), Role::Muted).size(Size::Note));
 }
 
 /// Marks the right angle at the nearest point, where that is within an edge.

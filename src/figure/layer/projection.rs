@@ -16,6 +16,7 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
 use super::half_extents::beside;
+use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
 
 /// Distance of the axis from the bodies, page pixels.
@@ -102,8 +103,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let past = sketch.px(PAST);
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(at(first, 0.0), at(last, 0.0)), Role::Muted));
-    edge(sketch, context, &t);
+    // Of a round body's vertex there is no edge to show n at.
+    if edge(sketch, context, &t).is_none() {
+        sketch.part("axis").label(Label::new(
+            "n",
+            "$n$",
+            Anchor::tip(at(first, 0.0), at(last, 0.0)),
+            Role::Muted,
+        ));
+    }
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
         let track = sketch.px(track);
         for end in [interval.lo, interval.hi] {
@@ -129,15 +137,19 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
         .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
 }
 
-/// Draws the edge whose normal the axis is, thick.
-fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) {
-    let (side, Feature::Edge(index)) = t.source else { return };
-    let Some(body) = context.body(side) else { return };
-    let Some(ends) = body.shape.edge_ends(index) else { return };
-    let ends = ends.map(|i| context.vertex(side, i, context.time));
-    let [Some(p), Some(q)] = ends else { return };
+/// Draws the edge whose normal the axis is, thick, with n square to it at its middle; `None` where the axis
+/// is of no edge.
+fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
+    let (side, Feature::Edge(index)) = t.source else { return None };
+    let body = context.body(side)?;
+    let [i, j] = body.shape.edge_ends(index)?;
+    let (p, q) = (context.vertex(side, i, context.time)?, context.vertex(side, j, context.time)?);
     let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
-    sketch.part("edge").line(p + out, q + out, Pen::highlighted(side.into()));
+    let (p, q) = (p + out, q + out);
+    let middle = 0.5 * (p + q);
+    sketch.part("edge").line(p, q, Pen::highlighted(side.into())).right_angle(middle, q - middle, t.n);
+    unit_vector(sketch, (middle, t.n), None, Label::new("n", "$n$", Anchor::point(middle), Role::Ink));
+    Some(())
 }
 
 /// The side of the bodies that the axis is drawn on, and how far along it: below, unless the axis is in view

@@ -28,9 +28,9 @@ pub(super) const LAYER: Layer = Layer {
         OptionSpec { name: "of", takes: Takes::Bodies, default: "all that are round", about: "which bodies" },
         OptionSpec {
             name: "as",
-            takes: Takes::Word(&["line", "lengths"]),
+            takes: Takes::Word(&["line", "lengths", "reach"]),
             default: "\"line\"",
-            about: "a line in the circle, or bars of all lengths on tracks",
+            about: "a line in the circle, bars of all lengths on tracks, or a body's reach from its origin",
         },
         OptionSpec {
             name: "toward",
@@ -48,6 +48,7 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a round body; for lengths the algorithm \"circles\"",
     fed: |context, options| match options.word("as", "line") {
         "lengths" => Fed::by_the_scene(compared(context).is_some()),
+        "reach" => Fed::Yes,
         _ => Fed::by_the_scene(!round(context, options).is_empty()),
     },
     draw,
@@ -78,10 +79,28 @@ fn compared(context: &Context) -> Option<Compared> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    if options.word("as", "line") == "lengths" {
-        lengths(sketch, context);
-    } else {
-        lines(sketch, context, options);
+    match options.word("as", "line") {
+        "lengths" => lengths(sketch, context),
+        "reach" => reaches(sketch, context, options),
+        _ => lines(sketch, context, options),
+    }
+}
+
+/// Draws how far each body reaches from its origin, about which it turns: to its farthest point.
+fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
+    for side in options.of(&context.sides()) {
+        let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
+            continue;
+        };
+        let far = body.shape.vertices.iter().max_by(|p, q| p.length().total_cmp(&q.length()));
+        let Some(&far) = far else { continue };
+        let out = far.try_normalize().unwrap_or(DVec2::X);
+        let (center, tip) = (pose.position, pose.point(far + out * body.shape.radius));
+        let role = options.role(side.into());
+        sketch.part(part("reach", side)).dimension(center, tip, 0.0, Pen::dimension(role).width(1.5));
+        let key = if side == Side::A { "r1" } else { "r2" };
+        let text = format!("${} = {}$", context.named(side).below("r"), number(center.distance(tip)));
+        sketch.label(Label::new(key, text, Anchor::middle(center, tip), role));
     }
 }
 

@@ -76,3 +76,40 @@ fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
     let ghost = paths(&figure.drawing.items, "ghost-A");
     assert!(ghost[0].fill.is_none() && !ghost[0].stroke.as_ref().unwrap().dash.is_empty());
 }
+
+#[test]
+fn the_rival_is_the_next_longer_way_out() {
+    // B ⊖ A is a box of 4 by 6 with the origin 1 from its left edge, 2.5 from its upper one.
+    let text = "shapes.A = { kind = 'box', half_extents = [1, 2] }
+         shapes.B = { kind = 'box', half_extents = [1, 1], position = [1, 0.5] }
+         query = { kind = 'separation', of = ['A', 'B'], algorithm = 'minkowski' }
+         panels = [{ space = 'configuration', layers = [{ layer = 'closest', rival = true }] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "marks");
+    let (label, length) = labels(&figure)["rival"].clone();
+    assert_eq!((label.as_str(), length), ("$2.5$: longer", 2.5));
+    assert!((lines(&figure, "rival")[0] / figure.panels[0].frame.scale - length).abs() < 1e-9);
+}
+
+#[test]
+fn a_body_reaches_from_its_origin_to_its_farthest_point() {
+    let layer = "{ layer = 'radii', as = 'reach', of = ['A', 'B'] }";
+    let figure = figure("", "linear-sweep", layer);
+    let scale = figure.panels[0].frame.scale;
+    for (key, part, reach) in [("r1", "reach-A", libm::sqrt(2.0)), ("r2", "reach-B", 1.0)] {
+        assert!((labels(&figure)[key].1 - reach).abs() < 0.005);
+        assert!((lines(&figure, part)[0] / scale - reach).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn points_as_far_as_the_extreme_one_are_marked() {
+    let text = "shapes.A = { kind = 'box', half_extents = [2, 1], angular_velocity_deg = 60 }
+         query = { kind = 'motion-bound', of = ['A'] }\npanels = [{ layers = ['arc'] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "marks");
+    assert_eq!(paths(&figure.drawing.items, "as-far").len(), 3);
+    assert_eq!(labels(&figure)["others"].0, "as far as $p$");
+}
