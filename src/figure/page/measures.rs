@@ -21,6 +21,8 @@ const CAPTION_DROP: f64 = 24.0;
 const CAPTION_STEP: f64 = 20.0;
 /// Type size of the caption, page pixels an em.
 pub(crate) const CAPTION_SIZE: f64 = 14.0;
+/// Width of a caption's line at most, in ems: some 95 letters, as many as the eye finds its way back over.
+const CAPTION_MEASURE: f64 = 43.0;
 /// Type size of a panel's title, page pixels an em.
 pub(crate) const TITLE_SIZE: f64 = 13.0;
 /// Type size of the headline, page pixels an em.
@@ -144,9 +146,14 @@ impl Measures {
         CAPTION_STEP * self.type_size(CAPTION_SIZE) / CAPTION_SIZE
     }
 
-    /// Width of a caption's line, page pixels.
+    /// Width of a line across the page, page pixels.
     pub(crate) fn measure(&self) -> f64 {
         self.width - 2.0 * self.side()
+    }
+
+    /// Width of a caption's line that is read with ease, page pixels: on a wide page less than the page has.
+    pub(crate) fn caption_measure(&self) -> f64 {
+        self.measure().min(CAPTION_MEASURE * self.type_size(CAPTION_SIZE))
     }
 
     /// From one baseline of the headline to the next, page pixels.

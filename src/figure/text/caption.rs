@@ -13,6 +13,9 @@ use super::fill::fill;
 use super::plain;
 use super::wording::{bad_markup, bad_role, no_value};
 
+/// How near the least width of balanced lines is found, in ems: less than a letter.
+const BALANCE: f64 = 0.25;
+
 /// A text that stands across the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Block {
@@ -39,14 +42,61 @@ impl Block {
         }
     }
 
-    /// How it is set, how wide its lines are in page pixels, and how many the page takes.
-    fn room(self, scene: &Scene) -> (Style, f64, usize) {
+    /// How it is set on the page of a scene.
+    fn room(self, scene: &Scene) -> Room {
         let measures = Measures::of(&scene.canvas);
-        let (style, most) = match self {
-            Self::Headline => (Style::semibold(measures.type_size(HEADLINE_SIZE)), measures.headline_lines()),
-            Self::Caption => (Style::regular(measures.type_size(CAPTION_SIZE)), measures.caption_lines()),
-        };
-        (style, measures.measure(), most)
+        let page = measures.measure();
+        match self {
+            Self::Headline => Room {
+                style: Style::semibold(measures.type_size(HEADLINE_SIZE)),
+                widths: [page; 2],
+                most: measures.headline_lines(),
+                is_balanced: true,
+            },
+            Self::Caption => Room {
+                style: Style::regular(measures.type_size(CAPTION_SIZE)),
+                widths: [measures.caption_measure(), page],
+                most: measures.caption_lines(),
+                is_balanced: false,
+            },
+        }
+    }
+}
+
+/// The room that a page has for a text across it, and how it is filled.
+struct Room {
+    /// How the text is set.
+    style: Style,
+    /// How wide lines are that are read with ease, and at most, page pixels.
+    widths: [f64; 2],
+    /// How many lines there is room for.
+    most: usize,
+    /// Whether the lines are as long as each other, so that the last one is not a single word.
+    is_balanced: bool,
+}
+
+impl Room {
+    /// Sets markup on lines that are read with ease, or on longer ones where these would be too many.
+    fn set(&self, markup: &str) -> Result<Vec<Line>, TypesetError> {
+        let [ease, widest] = self.widths;
+        let lines = wrap(markup, self.style, ease)?;
+        if lines.len() > self.most {
+            return wrap(markup, self.style, widest);
+        }
+        if self.is_balanced { self.balanced(markup, lines) } else { Ok(lines) }
+    }
+
+    /// Sets markup on as many lines as `lines`, which are as wide as there is room for, as narrow as they can
+    /// be.
+    fn balanced(&self, markup: &str, mut lines: Vec<Line>) -> Result<Vec<Line>, TypesetError> {
+        let (mut narrow, mut wide) = (0.0, self.widths[0]);
+        while lines.len() > 1 && wide - narrow > BALANCE * self.style.size {
+            let middle = 0.5 * (narrow + wide);
+            let set = wrap(markup, self.style, middle)?;
+            let fits = set.len() == lines.len() && set.iter().all(|line| line.width <= middle);
+            if fits { (wide, lines) = (middle, set) } else { narrow = middle }
+        }
+        Ok(lines)
     }
 }
 
@@ -93,14 +143,14 @@ pub(crate) fn across(
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Across {
     let Some(text) = block.of(context.scene) else { return Across::default() };
-    let (style, measure, room) = block.room(context.scene);
-    let lines = set(text, context, (problems, warnings), |t| wrap(t, style, measure)).unwrap_or_default();
+    let room = block.room(context.scene);
+    let lines = set(text, context, (problems, warnings), |text| room.set(text)).unwrap_or_default();
     let filled = fill(&text.value, context, &text.span).ok();
     let words = filled.map(|(filled, _)| plain(&filled));
-    if lines.len() <= room {
+    if lines.len() <= room.most {
         return Across { lines, words };
     }
-    let fault = Fault::TextDropped { what: block.name(), lines: lines.len(), room };
+    let fault = Fault::TextDropped { what: block.name(), lines: lines.len(), room: room.most };
     warnings.push(Problem::new(fault, text.span.clone()));
     Across { lines: Lettering::default(), words }
 }
@@ -128,10 +178,10 @@ pub(crate) fn spoken(
 
 /// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
 pub(crate) fn caption_of_words(scene: &Scene, words: String) -> Across {
-    let (style, measure, room) = Block::Caption.room(scene);
-    let set = Lettering::new(&with_powers(&as_markup(&words)), |t| wrap(t, style, measure));
+    let room = Block::Caption.room(scene);
+    let set = Lettering::new(&with_powers(&as_markup(&words)), |text| room.set(text));
     set.ok()
-        .filter(|lines| lines.len() <= room)
+        .filter(|lines| lines.len() <= room.most)
         .map_or_else(Across::default, |lines| Across { lines, words: Some(words) })
 }
 
@@ -154,6 +204,39 @@ fn with_powers(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The room for a text on a page of a size.
+    fn room(block: Block, canvas: &str) -> Room {
+        let text = format!(
+            "shapes.A = {{ kind = 'circle', radius = 1 }}
+            query = {{ kind = 'bounds', of = ['A'] }}
+            canvas = {{ {canvas} }}"
+        );
+        block.room(&crate::scene::open_text("page.toml", &text).unwrap().scene)
+    }
+
+    #[test]
+    fn a_line_of_caption_has_some_ninety_five_letters_on_every_page() {
+        let text =
+            "A and B overlap. The shortest way to part them is to push B by the depth along n. ".repeat(9);
+        for canvas in ["width = 960", "width = 2000", "width = 960, text = 20", "width = 400"] {
+            let lines = room(Block::Caption, canvas).set(&text).unwrap();
+            let words: usize = lines.iter().map(|line| line.glyphs.len()).max().unwrap();
+            // Spaces are no glyphs: some 17 of 95.
+            assert!(words <= 85 && (words > 65 || canvas.ends_with("400")), "{canvas}: {words}");
+        }
+        let low = room(Block::Caption, "width = 2000, height = 320");
+        assert!(low.set(&text).unwrap().len() <= low.most, "longer lines where there is no other room");
+    }
+
+    #[test]
+    fn a_headline_on_two_lines_has_lines_of_like_length() {
+        let room = room(Block::Headline, "width = 400");
+        let text = "The nearest edge of the difference is the shortest way out of it";
+        let widths: Vec<f64> = room.set(text).unwrap().iter().map(|line| line.width).collect();
+        assert!(widths.len() == 2 && (widths[0] - widths[1]).abs() < 0.3 * widths[0], "{widths:?}");
+        assert_eq!(room.set("Short").unwrap().len(), 1);
+    }
 
     #[test]
     fn a_power_of_ten_in_words_becomes_a_formula() {
