@@ -81,15 +81,15 @@ pub(super) fn unit_vector(
     sketch: &mut Sketch,
     (from, n): (DVec2, DVec2),
     given: Option<f64>,
-    label: Label,
+    Label { lines, role, key, .. }: Label,
 ) -> DVec2 {
     let to_scale = given.is_some() || sketch.is_legible(LENGTH);
     let tip = from + n * given.unwrap_or(if to_scale { LENGTH } else { sketch.px(FITTED) });
-    sketch.part("normal").arrow(from, tip, Pen::vector(label.role));
+    sketch.part("normal").arrow(from, tip, Pen::vector(role));
     let factor = given.unwrap_or(LENGTH);
     let say = |text: &String| if to_scale { scaled(factor, text) } else { format!("{text} (not to scale)") };
-    let lines = label.lines.iter().map(say).collect();
-    sketch.label(Label { lines, anchor: Anchor::tip(from, tip), ..label });
+    let lines = lines.iter().map(say).collect();
+    sketch.label(Label { lines, ..Label::new(key, "", Anchor::tip(from, tip), role) });
     tip
 }
 
