@@ -271,7 +271,11 @@ impl Files {
             let Some(first) = same_theme.first() else { continue };
             let chosen = job.settings.theme(first.theme.as_deref()).or(own.as_deref());
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
-            let Figure { mut drawing, warnings, .. } = draw(&plan, theme, &figure_id(job, first));
+            // Texts are set and views fitted for the sizes of one theme; those of the house have the same.
+            let other = (theme.text, theme.strokes) != (plan.theme.text, plan.theme.strokes);
+            let planned_anew = if other { Some(plan_in(&file.scene, theme).map_err(refuse)?) } else { None };
+            let plan = planned_anew.as_ref().unwrap_or(&plan);
+            let Figure { mut drawing, warnings, .. } = draw(plan, theme, &figure_id(job, first));
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings).into());
@@ -288,7 +292,7 @@ impl Files {
                 messages.push_str(&told);
             }
             // Drawing a plan says which events are shown.
-            let facts = facts(&plan);
+            let facts = facts(plan);
             let mut all_bytes = Vec::new();
             for planned in same_theme {
                 let hash =

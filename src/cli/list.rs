@@ -10,7 +10,7 @@ use tracefig::drawing::Role;
 use tracefig::figure;
 use tracefig::figure::default_picture::{PICTURES, Picture};
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
-use tracefig::figure::theme::THEMES;
+use tracefig::figure::theme::{THEMES, ThemeKey, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
@@ -64,6 +64,12 @@ static TOPICS: &[Topic] = &[
     },
     Topic { name: "values", group: "", title: "Values of an answer in texts, as `{=time:.3}`", rows: values },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
+    Topic {
+        name: "theme-keys",
+        group: "",
+        title: "Tables of a theme file, and their keys",
+        rows: theme_keys,
+    },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
     Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
     Topic { name: "figures", group: "", title: "Scenes of the project, or in figures/", rows: figures },
@@ -235,6 +241,20 @@ fn values() -> Vec<(String, String)> {
         (":.3g", "after a name: three digits in all; without it as many"),
     ];
     figure::values().chain(digits).map(|(name, about)| (name.to_owned(), about.to_owned())).collect()
+}
+
+fn theme_keys() -> Vec<(String, String)> {
+    let mut rows = Vec::new();
+    let mut last = "";
+    for ThemeKey { table, name, takes, about } in keys() {
+        if table != last {
+            rows.push((format!("[{table}]"), String::new()));
+            last = table;
+        }
+        let indent = if table.is_empty() { "" } else { "  " };
+        rows.push((format!("{indent}{name}"), format!("{takes}: {about}")));
+    }
+    rows
 }
 
 fn formats() -> Vec<(String, String)> {

@@ -96,6 +96,20 @@ fn a_theme_file_is_one_of_several_themes_and_what_is_no_theme_is_usage() {
 }
 
 #[test]
+fn a_theme_sets_the_widths_of_lines_and_the_sizes_of_letters() {
+    let folder = folder_with("s.toml", &drawn());
+    let theme = "[stroke]\noutline = 4.5\n[text]\nname = 34\n";
+    fs::write(folder.path().join("slides.toml"), theme).unwrap();
+    // Beside a theme of the house, which keeps its own.
+    let ran = render(folder.path(), &["s.toml", "--format", "svg", "--theme", "light,slides.toml"]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    let [house, slides] = ["s.light.svg", "s.slides.svg"].map(|name| svg(folder.path(), name));
+    assert!(house.contains("stroke-width=\"2.25\"") && slides.contains("stroke-width=\"4.5\""));
+    assert!(!house.contains("stroke-width=\"4.5\"") && !slides.contains("stroke-width=\"2.25\""));
+    assert!(house.contains("scale(.017)") && slides.contains("scale(.034)"), "{slides}");
+}
+
+#[test]
 fn a_scene_names_a_theme_file_of_its_own_folder() {
     let folder = folder_with("s.toml", &drawn());
     let here = folder.path();

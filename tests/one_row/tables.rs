@@ -72,6 +72,7 @@ fn outer() -> Vec<Table> {
             other_meanings: &[
                 ("circle", "output/svg", "the element of SVG"),
                 ("box", "drift/measured.rs", "a rectangle of a report"),
+                ("outline", "figure/theme/strokes.rs", "a kind of line"),
                 ("box", "figure/layer/bounds.rs", "the part of a figure that is a bounding box"),
                 ("aabb", "collision", "the shape that the article compares extents of"),
             ],
@@ -86,6 +87,8 @@ fn outer() -> Vec<Table> {
                 ("light", "output/html.rs", "the colour scheme of a page"),
                 ("dark", "output/html.rs", "the colour scheme of a page"),
                 ("auto", "scene/fields.rs", "a height of the page"),
+                ("dark", "figure/theme/keys.rs", "the table of colours for readers whose system is dark"),
+                ("dark", "figure/theme/user.rs", "the table of colours for readers whose system is dark"),
             ],
         },
         Table {
@@ -113,6 +116,10 @@ fn layers() -> Vec<Table> {
         finds: is_name,
         other_meanings: &[
             ("shapes", "cli/list.rs", "a topic of `list`"),
+            ("axes", "figure/theme/strokes.rs", "a kind of line"),
+            ("grid", "figure/theme/strokes.rs", "a kind of line"),
+            ("point", "figure/theme/type_sizes.rs", "a kind of text"),
+            ("note", "figure/theme/type_sizes.rs", "a kind of text"),
             ("arc", "collision", "an algorithm"),
             ("bounds", "collision", "a kind of query"),
             ("clamp", "collision", "an algorithm"),

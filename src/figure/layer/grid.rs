@@ -27,9 +27,6 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// Width of a grid's lines, page pixels.
-const WIDTH: f64 = 0.75;
-
 /// The marks of a panel along x and along y, each with its place on the page: its x, its y.
 pub(super) fn marks(
     sketch: &Sketch,
@@ -63,7 +60,7 @@ pub(super) struct Mark {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let panel = sketch.panel();
-    let pen = Pen { role: options.role(Role::Grid), ..Pen::axis() }.width(WIDTH);
+    let pen = Pen::grid(options.role(Role::Grid));
     let [x, y] = marks(sketch, context, options);
     let upright = |m: &Mark| (Point::new(m.place, panel.y0), Point::new(m.place, panel.y1));
     let level = |m: &Mark| (Point::new(panel.x0, m.place), Point::new(panel.x1, m.place));

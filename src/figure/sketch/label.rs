@@ -1,6 +1,7 @@
 //! What a layer says of a label: its text and what it belongs to; never where it stands.
 
 use crate::drawing::Role;
+use crate::figure::theme::TextKind;
 use crate::geometry::{DVec2, perp};
 
 use super::Outline;
@@ -182,25 +183,25 @@ pub(crate) enum Rank {
 /// How large a label is set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Size {
-    /// 17 px, for names of shapes.
+    /// The size of names of shapes.
     Name,
-    /// 16 px, for points and vectors.
+    /// The size of points and vectors.
     Point,
-    /// 14 px, for notes and words.
+    /// The size of notes and words.
     Note,
-    /// 12 px, for numbers of iterations.
+    /// The size of numbers of iterations.
     Small,
 }
 
 impl Size {
-    /// The size on the usual page, page pixels an em.
+    /// What a theme calls it.
     #[must_use]
-    pub(crate) fn px(self) -> f64 {
+    pub(crate) fn kind(self) -> TextKind {
         match self {
-            Self::Name => 17.0,
-            Self::Point => 16.0,
-            Self::Note => 14.0,
-            Self::Small => 12.0,
+            Self::Name => TextKind::Name,
+            Self::Point => TextKind::Point,
+            Self::Note => TextKind::Note,
+            Self::Small => TextKind::Small,
         }
     }
 }

@@ -57,7 +57,7 @@ impl Sketch<'_> {
     /// Draws a straight line between points of the panel's space as two thin strokes beside it: as wide as
     /// the pen's line and a gap, told from a plain line without colour.
     pub(crate) fn cased(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
-        let (strip, off) = (pen.width(CASE_STROKE * pen.width), CASE_GAP + CASE_OFF * pen.width);
+        let (strip, off) = (pen.width(CASE_STROKE * pen.width), CASE_GAP + CASE_OFF * self.width(pen));
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         let Some(u) = (q - p).unit() else { return self };
         self.reach(&[from, to]);
@@ -102,7 +102,7 @@ impl Sketch<'_> {
         };
         let head = self.head_length(pen, length);
         self.push_stroked(Contour::line(tail, tip + u * (-0.6 * head)), pen);
-        self.keep_off(Cover::Stroke { from: tail, to: tip, half: 0.5 * pen.width });
+        self.keep_off(Cover::Stroke { from: tail, to: tip, half: 0.5 * self.width(pen) });
         self.page_head(tip, u, head, pen);
     }
 
@@ -124,7 +124,7 @@ impl Sketch<'_> {
 
     /// Length of a head on a shaft of `length` page pixels, page pixels.
     pub(super) fn head_length(&self, pen: Pen, length: f64) -> f64 {
-        let usual = HEAD_LENGTH + HEAD_GROWTH * (pen.width - Pen::vector(Role::Ink).width).max(0.0);
+        let usual = HEAD_LENGTH + HEAD_GROWTH * (self.width(pen) - Pen::vector(Role::Ink).width).max(0.0);
         let share = if length < SHORT { 0.5 } else { 0.7 };
         (usual * self.unit).min(share * length)
     }

@@ -43,10 +43,10 @@ impl Sketch<'_> {
 
     /// Draws a line on the page with a tick at either end, square to the unit offset `u`.
     fn page_ticked(&mut self, a: Point, b: Point, u: Offset, pen: Pen) {
-        let half = u.left() * (0.5 * self.fitted(TICK.max(TICK_PER_WIDTH * pen.width)));
+        let half = u.left() * (0.5 * self.fitted(TICK.max(TICK_PER_WIDTH * self.width(pen))));
         for (from, to) in [(a, b), (a + -half, a + half), (b + -half, b + half)] {
             self.push_stroked(Contour::line(from, to), pen);
-            self.keep_off(Cover::Stroke { from, to, half: 0.5 * pen.width });
+            self.keep_off(Cover::Stroke { from, to, half: 0.5 * self.width(pen) });
         }
     }
 

@@ -7,6 +7,7 @@
 mod construction;
 mod label;
 mod line;
+mod look;
 mod marker;
 mod measure;
 mod outline;
@@ -15,7 +16,7 @@ mod right_angle;
 mod round;
 mod words;
 
-use crate::drawing::{Cap, Contour, Group, Item, Paint, Path, Pattern, Point, Rect, Role, Stroke};
+use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
@@ -161,7 +162,7 @@ impl<'f> Sketch<'f> {
             weight: Weight::Normal,
             labels: true,
             numbers: true,
-            small: Size::Small.px(),
+            small: theme.text.of(Size::Small.kind()),
             obstacles: Vec::new(),
             requests: Vec::new(),
             unnamed: Vec::new(),
@@ -282,7 +283,7 @@ impl<'f> Sketch<'f> {
         self.count(&points, wash, pen);
         self.reach(&points);
         if let Some(pen) = pen {
-            self.cover(&points, pen.width);
+            self.cover(&points, self.width(pen));
         }
         self.push(Item::Path(path))
     }
@@ -307,31 +308,6 @@ impl<'f> Sketch<'f> {
     /// Counts points as drawn; there is no end to the dashes of a long line.
     fn spend(&mut self, points: usize) {
         self.points = self.points.saturating_add(points);
-    }
-
-    /// The opaque paint of a role.
-    fn paint(&self, role: Role) -> Paint {
-        self.theme.paint(role)
-    }
-
-    /// The paint of an area.
-    fn wash(&self, wash: Wash) -> Paint {
-        self.paint(wash.role).with_opacity(wash.opacity.unwrap_or(self.theme.fill_opacity))
-    }
-
-    /// The pattern over an area, where the theme has one for its role.
-    fn pattern(&self, wash: Wash) -> Option<Pattern> {
-        let kind = self.theme.pattern(wash.role).filter(|_| wash.opacity.is_none())?;
-        Some(Pattern { kind, paint: self.paint(wash.role).with_opacity(self.theme.pattern_opacity) })
-    }
-
-    /// The stroke of a pen, as wide as fits the page.
-    fn stroke_of(&self, pen: Pen) -> Stroke {
-        let cap = if pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
-        let paint = self.paint(pen.role).with_opacity(pen.opacity);
-        let width = pen.width * self.unit;
-        let dash = pen.dash.lengths(pen.width).into_iter().map(|d| d * self.unit).collect();
-        Stroke { paint, width, dash, cap }
     }
 
     /// Puts something into the current part.

@@ -1,6 +1,7 @@
 //! What lines, areas and markers look like: the sizes of the house, in page pixels.
 
 use crate::drawing::Role;
+use crate::figure::theme::LineKind;
 use crate::geometry::Side;
 
 /// A line's pattern along itself.
@@ -31,7 +32,9 @@ impl Dash {
 pub(crate) struct Pen {
     /// The colour of the line.
     pub(crate) role: Role,
-    /// Width on the usual page, page pixels.
+    /// What the line is: a theme may draw all of a kind thicker or thinner.
+    pub(crate) kind: LineKind,
+    /// Width on the usual page in the themes of the house, page pixels.
     pub(crate) width: f64,
     /// The line's pattern along itself.
     pub(crate) dash: Dash,
@@ -41,63 +44,69 @@ pub(crate) struct Pen {
 
 impl Pen {
     /// An opaque line.
-    const fn of(role: Role, width: f64, dash: Dash) -> Self {
-        Self { role, width, dash, opacity: 1.0 }
+    const fn of(role: Role, kind: LineKind, dash: Dash) -> Self {
+        Self { role, kind, width: kind.width(), dash, opacity: 1.0 }
     }
 
     /// A pen for the outline of a body: 2.25 px.
     #[must_use]
     pub(crate) const fn outline(role: Role) -> Self {
-        Self::of(role, 2.25, Dash::Solid)
+        Self::of(role, LineKind::Outline, Dash::Solid)
     }
 
     /// A pen for what a figure is about: 3 px.
     #[must_use]
     pub(crate) const fn highlighted(role: Role) -> Self {
-        Self::of(role, 3.0, Dash::Solid)
+        Self::of(role, LineKind::Highlighted, Dash::Solid)
     }
 
     /// A pen for the shaft of a vector: 1.75 px.
     #[must_use]
     pub(crate) const fn vector(role: Role) -> Self {
-        Self::of(role, 1.75, Dash::Solid)
+        Self::of(role, LineKind::Vector, Dash::Solid)
     }
 
     /// A pen for construction lines: 1.25 px, dashed, muted.
     #[must_use]
     pub(crate) const fn construction() -> Self {
-        Self::of(Role::Muted, 1.25, Dash::Dashed)
+        Self::of(Role::Muted, LineKind::Construction, Dash::Dashed)
     }
 
     /// A pen for a path through time: 1.5 px.
     #[must_use]
     pub(crate) const fn path(role: Role) -> Self {
-        Self::of(role, 1.5, Dash::Solid)
+        Self::of(role, LineKind::Path, Dash::Solid)
     }
 
     /// A pen for bodies at another time or place: 1.5 px, dotted; at 1.25 the dots were lost on a third of
     /// the size.
     #[must_use]
     pub(crate) const fn ghost(role: Role) -> Self {
-        Self::of(role, 1.5, Dash::Dotted)
+        Self::of(role, LineKind::Ghost, Dash::Dotted)
     }
 
     /// A pen for dimension lines: 1 px.
     #[must_use]
     pub(crate) const fn dimension(role: Role) -> Self {
-        Self::of(role, 1.0, Dash::Solid)
+        Self::of(role, LineKind::Dimension, Dash::Solid)
     }
 
     /// A pen for coordinate axes: 1 px, muted.
     #[must_use]
     pub(crate) const fn axis() -> Self {
-        Self::of(Role::Muted, 1.0, Dash::Solid)
+        Self::of(Role::Muted, LineKind::Axes, Dash::Solid)
+    }
+
+    /// A pen for lines of a grid: 0.75 px.
+    #[must_use]
+    pub(crate) const fn grid(role: Role) -> Self {
+        Self::of(role, LineKind::Grid, Dash::Solid)
     }
 
     /// A pen for extension lines of dimensions: 0.75 px, muted.
     #[must_use]
     pub(crate) const fn extension() -> Self {
-        Self::of(Role::Muted, 0.75, Dash::Solid)
+        Self::of(Role::Muted, LineKind::Grid, Dash::Solid)
     }
 
     /// The pen at another width, page pixels.

@@ -86,7 +86,7 @@ impl Sketch<'_> {
             self.keep_off(Cover::Stroke { from, to, half: 0.5 });
         }
         let halo = Some(Halo { paint: self.paint(Role::Background), width: HALO });
-        let paint = self.paint(role);
+        let paint = self.word_paint(role);
         self.push(Item::Text(Text { line: Arc::clone(&words.line), origin, paint, halo }))
     }
 }

@@ -9,7 +9,7 @@ use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::{role_words, unknown, with_markers};
 use crate::figure::name::Name;
 use crate::figure::placement::Sought;
-use crate::figure::sketch::{Anchor, Rank, Request};
+use crate::figure::sketch::{Anchor, Rank, Request, Size};
 use crate::figure::standing::standing;
 use crate::scene;
 use crate::typeset::{Style, TypesetError, typeset};
@@ -24,7 +24,7 @@ pub(crate) struct Wording<'w> {
     /// The panel's moment and runs, where values are read.
     pub(crate) context: &'w Context<'w>,
     /// The size in page pixels at which a size of the usual page is set here.
-    pub(crate) type_size: &'w dyn Fn(f64) -> f64,
+    pub(crate) type_size: &'w dyn Fn(Size) -> f64,
     /// Whether some layer has a label of a key.
     pub(crate) is_key: IsKey,
     /// Whether the words of a note that wear a role have its marker before them.
@@ -56,7 +56,7 @@ impl Wording<'_> {
         if lines.iter().all(String::is_empty) {
             return Ok(None);
         }
-        let style = Style::regular((self.type_size)(label.size.px()));
+        let style = Style::regular((self.type_size)(label.size));
         let is_given = own.is_some() || label.is_given;
         let decimal = Decimal::of(self.context.scene);
         let mut set = |line: &String| {
@@ -130,7 +130,7 @@ pub(crate) fn check_texts<'r>(
     (budget, is_key): (&mut Budget, IsKey),
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Result<(), scene::Problem> {
-    let wording = Wording { context, type_size: &|px| px, is_key, marked: false };
+    let wording = Wording { context, type_size: &|size| size.kind().size(), is_key, marked: false };
     for (request, span) in requests {
         match wording.set(request, span, notes) {
             Ok(Some(sought)) => budget.letters(&sought.lines, span)?,

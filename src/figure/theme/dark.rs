@@ -2,7 +2,7 @@
 
 use crate::drawing::Color;
 
-use super::Theme;
+use super::{Strokes, Theme, TypeSizes};
 
 pub(super) const COLORS: [Color; 9] = [
     Color::hex(0xFF_6B57),
@@ -21,6 +21,8 @@ pub(super) const THEME: Theme = Theme {
     about: "light lines on a dark page",
     colors: COLORS,
     words: COLORS,
+    strokes: Strokes::HOUSE,
+    text: TypeSizes::HOUSE,
     fill_opacity: 0.2,
     pattern_opacity: 0.0,
     patterns: &[],

@@ -2,7 +2,7 @@
 
 use crate::drawing::Color;
 
-use super::Theme;
+use super::{Strokes, Theme, TypeSizes};
 
 pub(super) const COLORS: [Color; 9] = [
     Color::hex(0xA3_161F),
@@ -21,6 +21,8 @@ pub(super) const THEME: Theme = Theme {
     about: "dark lines on white",
     colors: COLORS,
     words: COLORS,
+    strokes: Strokes::HOUSE,
+    text: TypeSizes::HOUSE,
     fill_opacity: 0.14,
     pattern_opacity: 0.0,
     patterns: &[],

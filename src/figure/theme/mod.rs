@@ -9,13 +9,19 @@ mod auto;
 pub mod contrast;
 mod dark;
 mod fitness;
+mod keys;
 mod light;
 mod nearest;
 mod print;
+mod strokes;
+mod type_sizes;
 mod user;
 pub mod vision;
 
 pub use fitness::{Measure, Shortcoming, remedies, shortcomings};
+pub use keys::{ThemeKey, keys};
+pub use strokes::{LineKind, Strokes};
+pub use type_sizes::{TextKind, TypeSizes};
 pub use user::{ThemeError, is_file, parse};
 
 use crate::drawing::{Color, Paint, PatternKind, Role};
@@ -32,6 +38,10 @@ pub struct Theme {
     /// The colours of words, in the order of [`Role::ALL`]: the same, or a shade of them where they are too
     /// pale to read.
     pub words: [Color; 9],
+    /// How wide lines are drawn.
+    pub strokes: Strokes,
+    /// How large letters are set.
+    pub text: TypeSizes,
     /// Opacity of the fill of areas, from 0 to 1.
     pub fill_opacity: f64,
     /// Opacity of the pattern on fills, from 0 to 1.

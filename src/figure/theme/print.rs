@@ -2,7 +2,7 @@
 
 use crate::drawing::{Color, PatternKind, Role};
 
-use super::Theme;
+use super::{Strokes, Theme, TypeSizes};
 
 const COLORS: [Color; 9] = [
     Color::hex(0x8E_0F18),
@@ -21,6 +21,8 @@ pub(super) const THEME: Theme = Theme {
     about: "for paper, also in grey: A hatched, B dotted",
     colors: COLORS,
     words: COLORS,
+    strokes: Strokes::HOUSE,
+    text: TypeSizes::HOUSE,
     fill_opacity: 0.1,
     pattern_opacity: 0.35,
     patterns: &[(Role::A, PatternKind::Hatch), (Role::B, PatternKind::Dots)],

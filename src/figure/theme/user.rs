@@ -8,6 +8,12 @@
 //! a = "#FF6650"
 //! background = "#101010"
 //!
+//! [text]                     # page pixels an em
+//! name = 20
+//!
+//! [stroke]                   # page pixels
+//! outline = 3
+//!
 //! [dark]                     # with it, the theme follows the reader's system
 //! a = "#FFB0A0"
 //! ```
@@ -25,6 +31,8 @@ use crate::drawing::{Color, Role};
 
 use super::adapted::adapted;
 use super::contrast::contrast;
+use super::strokes::{LineKind, Strokes};
+use super::type_sizes::{TextKind, TypeSizes};
 use super::{Side, THEMES, Theme, find, index};
 
 /// `#RRGGBB` by the word of its role, as written.
@@ -43,6 +51,12 @@ struct File {
     colors: Written,
     /// The colours for readers whose system is dark.
     dark: Option<Written>,
+    /// Sizes of letters by what a text is, page pixels an em.
+    #[serde(default)]
+    text: BTreeMap<String, f64>,
+    /// Widths of lines by what a line is, page pixels.
+    #[serde(default)]
+    stroke: BTreeMap<String, f64>,
 }
 
 /// Why a theme file is refused.
@@ -52,17 +66,35 @@ pub enum ThemeError {
     Malformed(String),
     /// The theme that it is based on is none of the house.
     UnknownBase(String),
-    /// A colour is given to a role that there is not.
-    UnknownRole(String),
+    /// A key that its table does not have.
+    UnknownKey {
+        /// The table that it is in.
+        table: &'static str,
+        /// The key as written.
+        key: String,
+        /// The keys that the table has.
+        known: Vec<&'static str>,
+    },
     /// A colour is not written `#RRGGBB` or `#RGB`.
     NotAColor {
+        /// The table that it is in.
+        table: &'static str,
         /// The role that it is given to.
         role: String,
         /// What was written.
         written: String,
     },
-    /// The opacity of areas is not from 0 to 1.
-    FillOpacity(f64),
+    /// A number is outside of what its key takes.
+    OutOfRange {
+        /// The key, with its table.
+        key: String,
+        /// What was written.
+        got: f64,
+        /// The least value.
+        least: f64,
+        /// The largest value.
+        most: f64,
+    },
 }
 
 impl fmt::Display for ThemeError {
@@ -73,14 +105,15 @@ impl fmt::Display for ThemeError {
                 let names: Vec<&str> = THEMES.iter().map(|theme| theme.name).collect();
                 write!(f, "based_on: expected one of {}, got `{name}`", names.join(", "))
             }
-            Self::UnknownRole(name) => {
-                let names: Vec<&str> = Role::ALL.iter().map(|r| r.name()).collect();
-                write!(f, "colors: expected one of {}, got `{name}`", names.join(", "))
+            Self::UnknownKey { table, key, known } => {
+                write!(f, "{table}: expected one of {}, got `{key}`", known.join(", "))
             }
-            Self::NotAColor { role, written } => {
-                write!(f, "colors.{role}: expected `#RRGGBB` or `#RGB`, got `{written}`")
+            Self::NotAColor { table, role, written } => {
+                write!(f, "{table}.{role}: expected `#RRGGBB` or `#RGB`, got `{written}`")
             }
-            Self::FillOpacity(value) => write!(f, "fill_opacity: expected 0 to 1, got {value}"),
+            Self::OutOfRange { key, got, least, most } => {
+                write!(f, "{key}: expected {least} to {most}, got {got}")
+            }
         }
     }
 }
@@ -116,24 +149,30 @@ pub fn is_file(name: &str) -> bool {
 /// ```
 pub fn parse(text: &str) -> Result<Theme, ThemeError> {
     let file: File = toml::from_str(text).map_err(|e| ThemeError::Malformed(e.to_string()))?;
-    let given = colors(file.colors)?;
+    let given = colors("colors", file.colors)?;
     let base = match file.based_on {
         Some(name) => find(&name).ok_or(ThemeError::UnknownBase(name))?,
         None => base(given[index(Role::Background)]),
     };
     let mut theme = Theme { name: "user", about: "from a file", ..base.clone() };
+    for (key, size) in file.text {
+        let kind = known("text", key, &TextKind::ALL.map(|kind| (kind.name(), kind)))?;
+        theme.text = theme.text.with(kind, within(&format!("text.{}", kind.name()), size, TypeSizes::RANGE)?);
+    }
+    for (key, width) in file.stroke {
+        let kind = known("stroke", key, &LineKind::ALL.map(|kind| (kind.name(), kind)))?;
+        let width = within(&format!("stroke.{}", kind.name()), width, Strokes::RANGE)?;
+        theme.strokes = theme.strokes.with(kind, width);
+    }
     if let Some(opacity) = file.fill_opacity {
-        if !(0.0..=1.0).contains(&opacity) {
-            return Err(ThemeError::FillOpacity(opacity));
-        }
-        theme.fill_opacity = opacity;
+        theme.fill_opacity = within("fill_opacity", opacity, (0.0, 1.0))?;
         theme.dark = theme.dark.map(|dark| Side { fill_opacity: opacity, ..dark });
     }
     let Theme { colors: own, words, fill_opacity, .. } = theme;
     let light = with(Side { colors: own, words, fill_opacity }, &given);
     (theme.colors, theme.words) = (light.colors, light.words);
     if let Some(written) = file.dark {
-        let given = colors(written)?;
+        let given = colors("dark", written)?;
         let other = theme.dark.or_else(|| THEMES.iter().find_map(|theme| theme.dark));
         let opacity = |dark: Side| file.fill_opacity.unwrap_or(dark.fill_opacity);
         theme.dark = other.map(|dark| with(Side { fill_opacity: opacity(dark), ..dark }, &given));
@@ -142,15 +181,29 @@ pub fn parse(text: &str) -> Result<Theme, ThemeError> {
 }
 
 /// The colours that are given, in the order of [`Role::ALL`].
-fn colors(written: Written) -> Result<[Option<Color>; 9], ThemeError> {
+fn colors(table: &'static str, written: Written) -> Result<[Option<Color>; 9], ThemeError> {
     let mut colors = [None; 9];
     for (role, written) in written {
-        let Some(known) = Role::ALL.into_iter().find(|r| r.name() == role) else {
-            return Err(ThemeError::UnknownRole(role));
-        };
-        colors[index(known)] = Some(color(&written).ok_or(ThemeError::NotAColor { role, written })?);
+        let known = known(table, role.clone(), &Role::ALL.map(|role| (role.name(), role)))?;
+        let color = color(&written).ok_or(ThemeError::NotAColor { table, role, written })?;
+        colors[index(known)] = Some(color);
     }
     Ok(colors)
+}
+
+/// What a key of a table means.
+fn known<T: Copy>(table: &'static str, key: String, all: &[(&'static str, T)]) -> Result<T, ThemeError> {
+    let found = all.iter().find(|(name, _)| *name == key).map(|&(_, what)| what);
+    let known = || all.iter().map(|&(name, _)| name).collect();
+    found.ok_or_else(|| ThemeError::UnknownKey { table, key, known: known() })
+}
+
+/// A number that is within its bounds.
+fn within(key: &str, got: f64, (least, most): (f64, f64)) -> Result<f64, ThemeError> {
+    if (least..=most).contains(&got) {
+        return Ok(got);
+    }
+    Err(ThemeError::OutOfRange { key: key.to_owned(), got, least, most })
 }
 
 /// A side with the given colours in place of its own, and the others out of their way.
@@ -196,7 +249,11 @@ mod tests {
             assert!(said(&text).contains(&format!("`#RGB`, got `{written}`")), "{}", said(&text));
         }
         assert!(said("colour = 1").contains("colour"));
-        assert!(said("fill_opacity = 2.0").contains("0 to 1"));
+        assert_eq!(said("fill_opacity = 2"), "fill_opacity: expected 0 to 1, got 2");
+        assert_eq!(said("text.name = 10.5"), "text.name: expected 11 to 40, got 10.5");
+        assert_eq!(said("stroke.outline = nan"), "stroke.outline: expected 0.5 to 8, got NaN");
+        assert!(said("text.title = 12").starts_with("text: expected one of name, point, note, small, got"));
+        assert!(said("stroke.line = 1").contains("dimension, axes, grid, got `line`"));
     }
 
     #[test]
