@@ -192,7 +192,7 @@ pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
         .collect()
 }
 
-/// The nearest colours that would pass in this drawing, for each of the two roles that one could change with
+/// The nearest colours that would pass, in every drawing or at least in this one, for each of the two roles that one could change with
 /// all others as they are; a role for which there is none is left out, as is the page.
 ///
 /// ```
@@ -209,21 +209,28 @@ pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
 /// ```
 #[must_use]
 pub fn remedies(theme: &Theme, drawing: &Drawing, short: &Shortcoming) -> Vec<(Role, Color)> {
+    // What passes in every figure is better than what passes in this one, and the next names another.
+    let all = Used { marks: SPEAKING.into(), areas: AREAS.into(), ink: true };
     let used = Used::by(drawing);
     let Some(side) = theme.sides().nth(usize::from(short.in_the_dark)) else { return Vec::new() };
-    let changed = |role: Role| {
+    let changed = |role: Role, used: &Used| {
         let passes = |color: Color| {
             let mut side = side;
             side.colors[index(role)] = color;
             side.words[index(role)] = color;
-            let measured = Measured { side, used: &used, in_the_dark: short.in_the_dark };
+            let measured = Measured { side, used, in_the_dark: short.in_the_dark };
             measured.shortcomings(Some(role)).is_empty()
         };
         Some((role, nearest(side.colors[index(role)], passes)?))
     };
     // Of two roles without contrast the first is the one to see.
     let movable = |role: &Role| short.measure == Measure::Difference || *role == short.roles[0];
-    short.roles.into_iter().filter(movable).filter_map(changed).collect()
+    short
+        .roles
+        .into_iter()
+        .filter(movable)
+        .filter_map(|role| changed(role, &all).or_else(|| changed(role, &used)))
+        .collect()
 }
 
 #[cfg(test)]
