@@ -107,5 +107,5 @@ impl PanelPlan<'_> {
 fn begun<'f>(frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
     let measures = Measures::of(&context.scene.canvas);
     let sketch = Sketch::new(frame, theme, measures.unit);
-    sketch.with_small_letters(measures.type_size(Size::Small.px()))
+    sketch.with_small_letters(measures.type_size(theme.text.of(Size::Small.kind())))
 }
