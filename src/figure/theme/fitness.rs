@@ -192,8 +192,9 @@ pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
         .collect()
 }
 
-/// The nearest colours that would pass, in every drawing or at least in this one, for each of the two roles that one could change with
-/// all others as they are; a role for which there is none is left out, as is the page.
+/// The nearest colours that would pass, in every drawing or at least in this one, for each of the two roles
+/// that one could change with all others as they are; a role for which there is none is left out, as is the
+/// page.
 ///
 /// ```
 /// use tracefig::{figure::{draw, plan, theme}, scene::{Source, read}};
