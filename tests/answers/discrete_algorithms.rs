@@ -5,7 +5,7 @@
 
 use crate::asking::{of_kind, query, takers};
 use crate::random_pairs::pairs;
-use tracefig::collision::{ALGORITHMS, Algorithm, Answer, QueryKind, Separation};
+use tracefig::collision::{ALGORITHMS, Algorithm, Answer, QUERIES, QueryKind, Separation, When};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2, Side};
 use tracefig::trace::{Event, NoTrace, Trace};
@@ -113,7 +113,8 @@ fn the_normal_is_a_unit_vector_that_carries_the_separation() {
 #[test]
 fn listening_changes_no_bit() {
     for (seed, a, b) in pairs(800) {
-        for kind in [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound] {
+        let of_a_moment = QUERIES.iter().filter(|q| q.when == When::AtAMoment).map(|q| q.kind);
+        for kind in of_a_moment.chain([QueryKind::MotionBound]) {
             let query = query(kind, &a, &b);
             for algorithm in takers(&query) {
                 let mut trace = Trace::default();
@@ -257,32 +258,9 @@ fn gjk_comes_closer_and_the_polytope_grows_until_the_depth_is_found() {
         let found = if nearest == f64::NEG_INFINITY { closest } else { -nearest };
         assert!((found - core).abs() <= slack, "seed {seed}: {found} {core} {:?}", trace.events);
         expanded += u32::from(nearest > 0.0);
-        grows_by_what_it_tells(seed, &grown, slack);
+        crate::polytope::grows_by_what_it_tells(seed, &grown, slack);
     }
     assert!(expanded > 300, "{expanded}");
-}
-
-/// Each polytope is the one before, split at its nearest edge by the vertex told as beyond it; the last has
-/// none beyond.
-fn grows_by_what_it_tells(seed: u64, grown: &[&Event], slack: f64) {
-    for (k, event) in grown.iter().enumerate() {
-        let Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } = event else {
-            continue;
-        };
-        let n = vertices.len();
-        let [p, q] = [vertices[*edge], vertices[(edge + 1) % n]];
-        assert!((normal.length() - 1.0).abs() < 1e-14 && (q - p).dot(*normal).abs() <= slack, "seed {seed}");
-        assert!((normal.dot(p) - nearest).abs() <= slack, "seed {seed}: {event:?}");
-        assert!((normal.dot(*support) - nearest - beyond).abs() <= slack, "seed {seed}: {event:?}");
-        let Some(Event::PolytopeExpanded { vertices: next, .. }) = grown.get(k + 1) else {
-            assert!(*beyond <= 0.0, "seed {seed}: it stopped before {event:?}");
-            continue;
-        };
-        assert!(*beyond > 0.0, "seed {seed}: it went on after {event:?}");
-        let mut split = vertices.clone();
-        split.insert(edge + 1, *support);
-        assert_eq!(&split, next, "seed {seed}");
-    }
 }
 
 #[test]

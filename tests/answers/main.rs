@@ -9,5 +9,6 @@ mod random_pairs;
 mod degenerate_pairs;
 mod discrete_algorithms;
 mod hard;
+mod polytope;
 mod swapped;
 mod workloads;

@@ -6,7 +6,7 @@
 
 #![expect(clippy::unwrap_used, clippy::expect_used, reason = "a test fails by panicking")]
 
-use tracefig::collision::{Answer, MovingPair, Outcome, Pair, QueryKind, Separation, Sweep};
+use tracefig::collision::{Answer, ContactPoint, MovingPair, Outcome, Pair, QueryKind, Separation, Sweep};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2, Enclosure, Rotation, Shape};
 use tracefig::trace::NoTrace;
@@ -15,6 +15,7 @@ use tracefig_reference::json::Json;
 use tracefig_reference::random::Random;
 
 use crate::asking::{of_kind, query, takers};
+use crate::random_pairs::pairs;
 
 /// Cosines and sines of few bits: near those of Pythagoras, as an engine has them, and quarter turns.
 const MATRICES: [[f32; 2]; 7] =
@@ -249,4 +250,33 @@ fn an_overlap_that_no_digits_prove_is_none_either_way_round() {
         let outcome = of(names).text_at("outcome").map(str::to_owned);
         assert_eq!(outcome.as_deref(), Some("unresolved"), "{names}");
     }
+}
+
+/// The contacts of a pair, the deepest first; None where several edges are as deep.
+fn contacts(a: &Body, b: &Body) -> Option<Vec<ContactPoint>> {
+    let asked = query(QueryKind::Contact, a, b);
+    let clip = takers(&asked).into_iter().next()?;
+    let Answer::Contact(found) = (clip.quiet)(&asked, &mut NoTrace) else { return None };
+    let mut points: Vec<ContactPoint> = found.found().copied().collect();
+    points.sort_by(|p, q| p.separation.total_cmp(&q.separation));
+    (found.separation.ties == 1).then_some(points)
+}
+
+#[test]
+fn a_pair_touches_at_the_same_points_whichever_body_is_called_a() {
+    let mut met = [0; 3];
+    for (seed, a, b) in pairs(3000) {
+        let (Some(one), Some(other)) = (contacts(&a, &b), contacts(&b, &a)) else { continue };
+        met[one.len()] += 1;
+        assert_eq!(one.len(), other.len(), "seed {seed}: {one:?} {other:?}");
+        for (p, q) in one.iter().zip(&other) {
+            let overlap = p.bounds.lo <= q.bounds.hi && q.bounds.lo <= p.bounds.hi;
+            assert!(overlap, "seed {seed}: {p:?} {q:?}");
+            let apart = (p.separation - q.separation).abs();
+            let same = one.len() == 2 && (one[0].separation - one[1].separation).abs() < 1e-9;
+            let near = |p: DVec2, q: DVec2| (p - q).length() < 1e-9 || same;
+            assert!(apart < 1e-9 && near(p.points[0], q.points[1]), "seed {seed}: {p:?} {q:?}");
+        }
+    }
+    assert!(met.iter().all(|&n| n > 50), "{met:?}");
 }

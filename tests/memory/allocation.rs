@@ -7,8 +7,13 @@ use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2};
 use tracefig::trace::{NoTrace, Trace};
 
-const KINDS: [QueryKind; 4] =
-    [QueryKind::Separation, QueryKind::Overlap, QueryKind::Bounds, QueryKind::MotionBound];
+const KINDS: [QueryKind; 5] = [
+    QueryKind::Separation,
+    QueryKind::Overlap,
+    QueryKind::Bounds,
+    QueryKind::MotionBound,
+    QueryKind::Contact,
+];
 
 /// Asks every algorithm that takes a query, untraced.
 #[track_caller]

@@ -108,7 +108,7 @@ pub(crate) fn scene_text(seed: u64) -> String {
     let mut r = Random::new(seed);
     let kind = r.one_of(&[
         "separation",
-        "separation",
+        "contact",
         "overlap",
         "bounds",
         "linear-sweep",

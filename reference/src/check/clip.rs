@@ -157,7 +157,7 @@ fn check_ends(
         }
         return;
     };
-    left.sort_by(|p, q| p.place.cmp(&q.place));
+    left.sort_by_key(|end| end.place);
     let radii = pair[0].radius + pair[1].radius;
     let slack = slack(setting.scale);
     let holds = |contact: &Contact, end: &End| {

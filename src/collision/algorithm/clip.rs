@@ -12,9 +12,9 @@
 //! contacts    ends of what is left with separation ≤ 0, along the reference edge
 //! ```
 //!
-//! Rounded bodies are clipped by their cores, and touch where these are no farther apart than the radii;
-//! where vertices face each other, there is one point and nothing to clip. A circle has no edge: its one
-//! point of contact is what a query for the separation gives.
+//! Rounded bodies are clipped by their cores, and touch where these are no farther apart than the radii.
+//! Where vertices face each other, and where a body is a circle, there is one point and nothing to clip: it
+//! is the one that witnesses the separation.
 //!
 //! Source: Sutherland and Hodgman, "Reentrant polygon clipping", Communications of the ACM 17 (1974); Catto,
 //! "Contact manifolds", Game Developers Conference 2007. The numbers are those of
@@ -23,10 +23,10 @@
 use crate::collision::algorithm::candidate;
 use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, Stops, convex_pair};
-use crate::collision::answer::Contact;
+use crate::collision::answer::{Contact, ContactPoint};
 use crate::collision::certified::clip::{Clipped, ClippedEdges, clipped};
 use crate::collision::{Answer, Query, QueryKind};
-use crate::geometry::{Body, Side};
+use crate::geometry::Side;
 use crate::trace::{Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -34,31 +34,21 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     name: "clip",
     about: "the facing edge clipped to the ends of the reference edge (Sutherland, Hodgman 1974; Catto 2007)",
     kinds: &[QueryKind::Contact],
-    shapes: edged_pair,
+    shapes: convex_pair,
     stops: Stops::Exactly,
     quiet: answer,
     traced: answer,
     ready: None,
 };
 
-/// Takes two convex bodies with edges.
-fn edged_pair(query: &Query) -> Result<(), &'static str> {
-    convex_pair(query)?;
-    let has_edges = |body: &Body| !body.shape.hull.edges.is_empty();
-    if has_edges(query.a) && query.b.is_some_and(has_edges) {
-        Ok(())
-    } else {
-        Err("takes two convex bodies with edges: a circle touches at one point, which `separation` gives")
-    }
-}
-
 /// Answers a query for the contact.
 fn answer(query: &Query, tracer: &mut impl Tracer) -> Answer {
     let pair = PairView::start(query, ALGORITHM.name, tracer);
     let Clipped { contact, edges } = clipped(&pair.certified);
     candidate::tell(&pair, &contact.separation, tracer);
-    if let Some(edges) = &edges {
-        tell(&contact, edges, tracer);
+    match &edges {
+        Some(edges) => tell(&contact, edges, tracer),
+        None => contact.found().for_each(|point| tracer.record(|| found(point))),
     }
     tracer.record(|| Event::Finished { outcome: contact.separation.word() });
     Answer::Contact(contact)
@@ -84,13 +74,11 @@ fn tell(contact: &Contact, edges: &ClippedEdges, tracer: &mut impl Tracer) {
             tracer.record(|| Event::EdgeCut { plane: edges.reference[plane], end: end.end, at: end.kept });
         }
     }
-    for end in &edges.ends {
-        let point = &end.point;
-        tracer.record(|| Event::ContactFound {
-            points: point.points,
-            separation: point.separation,
-            features: point.features,
-            touches: point.bounds.lo <= 0.0,
-        });
-    }
+    edges.ends.iter().for_each(|end| tracer.record(|| found(&end.point)));
+}
+
+/// An end, and whether it is a contact.
+fn found(point: &ContactPoint) -> Event {
+    let ContactPoint { separation, bounds, points, features } = *point;
+    Event::ContactFound { points, separation, features, touches: bounds.lo <= 0.0 }
 }

@@ -69,7 +69,7 @@ struct Facing<'b, 'p, 's> {
     incident: usize,
 }
 
-/// The contact of a pair whose bodies have edges.
+/// The contact of a pair.
 #[cold]
 pub(crate) fn clipped(pair: &Pair) -> Clipped {
     let found = proved(pair, None);
@@ -173,7 +173,7 @@ impl<'b, 'p, 's> Facing<'b, 'p, 's> {
                 let share = if known { share } else { Ball::new(0.5).widen(0.5) };
                 (share, gaps[end] + share * slope)
             }
-            None => (Ball::ZERO, gaps[end].widen(self.doubt(end, planes) * slope.magnitude())),
+            None => (Ball::ZERO, gaps[end].widen(doubt(end, planes) * slope.magnitude())),
         };
         let [from, to] = [end, 1 - end].map(|e| self.core(other, vertices[e]));
         let kept = self.world(other, from + (to - from) * share.value.hi);
@@ -187,18 +187,6 @@ impl<'b, 'p, 's> Facing<'b, 'p, 's> {
             features: self.carriers(vertices[end], plane, [kept, self.foot(kept)]),
         };
         ClippedEnd { end: self.world(other, from), kept, plane, point }
-    }
-
-    /// The share of the edge, from one of its ends, within which a plane may cut it though no ball tells so.
-    fn doubt(&self, end: usize, planes: &[[Ball; 2]; 2]) -> f64 {
-        let of = |at: &[Ball; 2]| {
-            if at[end].sign().is_some() {
-                return 0.0;
-            }
-            let cut = at[end].over(at[end] - at[1 - end]);
-            (cut.value.hi.abs() + cut.radius).min(1.0)
-        };
-        planes.iter().map(of).fold(0.0, f64::max)
     }
 
     /// The points of A and B over each other, for the point `kept` of the incident core and its gap.
@@ -261,4 +249,16 @@ impl<'b, 'p, 's> Facing<'b, 'p, 's> {
     fn local(&self, side: Side, p: DVec2) -> DVec2 {
         self.pair.pose(side).inverse_point(p)
     }
+}
+
+/// The share of the edge, from one of its ends, within which a plane may cut it though no ball tells so.
+fn doubt(end: usize, planes: &[[Ball; 2]; 2]) -> f64 {
+    let of = |at: &[Ball; 2]| {
+        if at[end].sign().is_some() {
+            return 0.0;
+        }
+        let cut = at[end].over(at[end] - at[1 - end]);
+        (cut.value.hi.abs() + cut.radius).min(1.0)
+    };
+    planes.iter().map(of).fold(0.0, f64::max)
 }

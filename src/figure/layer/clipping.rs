@@ -48,7 +48,7 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a query for the contact",
     fed: |context, _| {
         let ever = context.scene.query.algorithm.kinds.contains(&crate::collision::QueryKind::Contact);
-        Fed::by_the_answer(shown(context).is_some(), ever)
+        Fed::by_the_answer(shown(context).is_some() || !ends_told(context).is_empty(), ever)
     },
     draw,
 };
@@ -101,20 +101,39 @@ fn shown(context: &Context) -> Option<Clipping> {
             _ => None,
         })
         .collect();
-    found.points = run
-        .told(|event| match *event {
-            Event::ContactFound { points, separation, touches, .. } => {
-                let [over, at] = if other == Side::B { points } else { [points[1], points[0]] };
-                Some(Point { at, over, separation, touches })
-            }
-            _ => None,
+    found.points = ends_told(context)
+        .into_iter()
+        .map(|(points, separation, touches)| {
+            let [over, at] = if other == Side::B { points } else { [points[1], points[0]] };
+            Point { at, over, separation, touches }
         })
         .collect();
     Some(found)
 }
 
+/// The points of A and B at each end, their separation, and whether it is a contact.
+fn ends_told(context: &Context) -> Vec<([DVec2; 2], f64, bool)> {
+    let told = |event: &Event| match *event {
+        Event::ContactFound { points, separation, touches, .. } => Some((points, separation, touches)),
+        _ => None,
+    };
+    context.run().told(told).collect()
+}
+
+/// Draws the one point of bodies of which no edge was clipped.
+fn single(sketch: &mut Sketch, context: &Context, options: &Options) {
+    for (points, separation, _) in ends_told(context) {
+        let over = Point { at: points[1], over: points[0], separation, touches: true };
+        let away = points[1] - points[0];
+        depth(sketch, &over, "d_1", (Side::B, away), options);
+    }
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(found) = shown(context) else { return };
+    let Some(found) = shown(context) else {
+        single(sketch, context, options);
+        return;
+    };
     let [edges, planes, cut, depths] = PARTS.map(|part| options.shows("show", part, true));
     if planes {
         side_planes(sketch, &found);
@@ -180,24 +199,35 @@ fn both_edges(sketch: &mut Sketch, found: &Clipping, left: [DVec2; 2], options: 
 fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
     let other = found.body.other();
     let touching = found.points.iter().filter(|point| point.touches);
-    for ((point, key), k) in touching.zip(["d_1", "d_2"]).zip(1..) {
-        let role = options.role(Role::Translation);
-        sketch.part("depth").bar(point.over, point.at, 0.0, Pen::dimension(role).width(1.75));
-        sketch.part("contact-point").marker(point.at, of(other), other.into(), MARKER);
-        let text = format!("$d_{k} = {}$", number(-point.separation));
-        let inward = left_of(found.reference[0], found.reference[1]);
-        let anchor = if point.at == point.over {
-            Anchor::point_toward(point.at, inward)
-        } else {
-            Anchor::middle(point.over, point.at)
-        };
-        sketch.label(Label::new(key, text, anchor, role));
+    let inward = left_of(found.reference[0], found.reference[1]);
+    for (point, key) in touching.zip(["d_1", "d_2"]) {
+        depth(sketch, point, key, (other, inward), options);
     }
     for point in found.points.iter().filter(|point| !point.touches) {
-        sketch.part("above").marker(point.at, Marker::HollowSquare, other.into(), LARGE_MARKER);
+        let hollow = if other == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
+        sketch.part("above").marker(point.at, hollow, other.into(), LARGE_MARKER);
         let label = Label::new("no-contact", "no contact", Anchor::point(point.at), Role::Muted);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
+}
+
+/// Draws a contact of a body with its depth; where that is 0 its label stands in a direction.
+fn depth(
+    sketch: &mut Sketch,
+    point: &Point,
+    key: &'static str,
+    (body, toward): (Side, DVec2),
+    options: &Options,
+) {
+    let role = options.role(Role::Translation);
+    sketch.part("depth").bar(point.over, point.at, 0.0, Pen::dimension(role).width(1.75));
+    sketch.part("contact-point").marker(point.at, of(body), body.into(), MARKER);
+    let anchor = if point.at == point.over {
+        Anchor::point_toward(point.at, toward)
+    } else {
+        Anchor::middle(point.over, point.at)
+    };
+    sketch.label(Label::new(key, format!("${key} = {}$", number(-point.separation)), anchor, role));
 }
 
 #[cfg(test)]
@@ -239,6 +269,21 @@ mod tests {
                 assert!((labels[key].1 - depth).abs() < 0.006, "{place}: {:?} is not {depth}", labels[key]);
             }
         }
+    }
+
+    #[test]
+    fn a_circle_touches_at_one_point_and_nothing_is_clipped() {
+        let text = "shapes.ball = { kind = 'circle', radius = 1, position = [1, 1.75] }
+            shapes.ground = { kind = 'box', half_extents = [4, 1] }
+            query = { kind = 'contact', of = ['ball', 'ground'] }
+            panels = [{ layers = ['shapes', 'clipping'] }]";
+        let scene = open_text("ball", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "ball");
+        let Answer::Contact(contact) = solve(&scene) else { panic!("a contact") };
+        assert_eq!((contact.reference, contact.found().count()), (None, 1));
+        assert_eq!(labels(&figure)["d_1"].1, 0.25);
+        assert!(paths(&figure.drawing.items, "reference").is_empty() && plan.warnings.is_empty());
     }
 
     #[test]

@@ -101,17 +101,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
     sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
     sketch.label(Label::new("n", "$n$", Anchor::tip(foot, tip), Role::Ink));
-    match step.beyond {
-        Some(w) => {
-            sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-            sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
-        }
-        None => {
-            let [p, q] = step.edge;
-            let stop =
-                Label::new("stop", "nothing beyond", Anchor::Beside { from: p, to: q, offset: 0.0 }, role);
-            sketch.label(stop.rank(Rank::Word).size(Size::Note));
-        }
+    if let Some(w) = step.beyond {
+        sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
+        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+    } else {
+        let [from, to] = step.edge;
+        let beside = Anchor::Beside { from, to, offset: 0.0 };
+        let stop = Label::new("stop", "nothing beyond", beside, role);
+        sketch.label(stop.rank(Rank::Word).size(Size::Note));
     }
 }
 

@@ -45,6 +45,7 @@ pub fn story(trace: &Trace, names: &Names) -> String {
 /// assert_eq!(sentence(&event, &names), "wall - bullet is a disc of radius 2 around (3, 4).");
 /// ```
 #[must_use]
+#[expect(clippy::too_many_lines, reason = "one arm an event, and nothing else")]
 pub fn sentence(event: &Event, names: &Names) -> String {
     // Every event has its own arm, so that a new one does not build without its sentence.
     match event {
