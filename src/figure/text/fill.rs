@@ -158,6 +158,15 @@ mod tests {
     }
 
     #[test]
+    fn a_headline_without_a_full_stop_is_said_with_one() {
+        for headline in ["The ball is late", "The ball is late."] {
+            let drawing = drawn(&format!("headline = '{headline}'")).unwrap();
+            assert!(drawing.desc.starts_with("The ball is late. A is a circle"), "{}", drawing.desc);
+        }
+        assert!(drawn("headline = 'Late?'").unwrap().desc.starts_with("Late? A"));
+    }
+
+    #[test]
     fn a_scene_can_give_its_alternative_text_in_its_language() {
         let drawing = drawn("lang = 'de'\nalt = 'Der {a|Ball} trifft bei $t = {=time:.2}$.'").unwrap();
         assert_eq!(drawing.title, "Der Ball trifft bei t = 0,34.");
