@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
 use tracefig::drift::{TRIPTYCH_FORMAT, is_triptych};
+use tracefig::figure::theme;
 use tracefig::output::MOST_BYTES;
 
 use super::atomic_file::{Wait, write_whole};
@@ -117,6 +118,13 @@ impl Places {
         for place in [&self.junit, &self.summary].into_iter().flatten() {
             if let Some(what) = kept.what(place) {
                 return usage(format!("{} is {what}, and a report can't take its place", shown(place)));
+            }
+            // Which theme a scene names is known when it is read.
+            if theme::is_file(&place.to_string_lossy()) && place.is_file() {
+                let place = shown(place);
+                return usage(format!(
+                    "{place} may be a scene or a theme, and a report can't take its place"
+                ));
             }
             kept.keep(place, "another report of this run");
         }

@@ -125,6 +125,9 @@ fn a_scene_names_a_theme_file_of_its_own_folder() {
     fs::write(here.join("docs/brand.toml"), "[colors]\na = \"#ff6651\"\n").unwrap();
     assert_eq!(render(here, &current).out, "docs/s.svg\n", "another theme, another figure");
     assert_eq!(run(tracefig(here).args(["describe", "docs/s.toml"])).code, Some(0));
+    let check = ["check", "docs/s.toml", "--format", "svg", "--junit", "docs/brand.toml"];
+    let kept = run(tracefig(here).args(check));
+    assert!(kept.code == Some(2) && kept.err.contains("may be a scene or a theme"), "{}", kept.err);
     // A theme that was asked for is in place of the scene's own, which need not be there.
     fs::remove_file(here.join("docs/brand.toml")).unwrap();
     assert_eq!(render(here, &["docs/s.toml", "--format", "svg", "--theme", "dark"]).code, Some(0));

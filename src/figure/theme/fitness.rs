@@ -9,6 +9,7 @@
 //! - A and B differ by [`BODIES_APART`], any other two roles by [`ROLES_APART`], for the worst of four
 //!   visions.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
 
@@ -171,6 +172,12 @@ pub(super) fn apart(p: Role, q: Role) -> f64 {
     if [p, q] == [Role::A, Role::B] || [p, q] == [Role::B, Role::A] { BODIES_APART } else { ROLES_APART }
 }
 
+/// The theme on the page of a drawing, where the scene gives that another colour.
+fn on_page<'t>(theme: &'t Theme, drawing: &Drawing) -> Cow<'t, Theme> {
+    let page = drawing.background.color;
+    if page == theme.color(Role::Background) { Cow::Borrowed(theme) } else { Cow::Owned(theme.on(page)) }
+}
+
 /// Everything in which a theme falls short of the limits in this drawing; empty for a fit one.
 ///
 /// ```
@@ -186,6 +193,7 @@ pub(super) fn apart(p: Role, q: Role) -> f64 {
 #[must_use]
 pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
     let used = Used::by(drawing);
+    let theme = on_page(theme, drawing);
     let sides = theme.sides().enumerate();
     sides
         .flat_map(|(i, side)| Measured { side, used: &used, in_the_dark: i > 0 }.shortcomings(None))
@@ -213,6 +221,7 @@ pub fn remedies(theme: &Theme, drawing: &Drawing, short: &Shortcoming) -> Vec<(R
     // What passes in every figure is better than what passes in this one, and the next names another.
     let all = Used { marks: SPEAKING.into(), areas: AREAS.into(), ink: true };
     let used = Used::by(drawing);
+    let theme = on_page(theme, drawing);
     let Some(side) = theme.sides().nth(usize::from(short.in_the_dark)) else { return Vec::new() };
     let changed = |role: Role, used: &Used| {
         let passes = |color: Color| {
@@ -236,7 +245,7 @@ pub fn remedies(theme: &Theme, drawing: &Drawing, short: &Shortcoming) -> Vec<(R
 
 #[cfg(test)]
 mod tests {
-    use super::super::{THEMES, parse};
+    use super::super::{THEMES, find, parse};
     use super::*;
 
     /// What falls short of a theme in a drawing that uses everything.
@@ -251,6 +260,21 @@ mod tests {
         for theme in THEMES {
             assert!(short(theme).is_empty(), "{}: {:#?}", theme.name, short(theme));
         }
+    }
+
+    #[test]
+    fn a_theme_is_readable_on_any_page_that_a_scene_gives() {
+        for theme in THEMES {
+            for page in [0x10_2030, 0xFF_F8E7, 0xFF_D500, 0x80_8080, 0].map(Color::hex) {
+                let on = theme.on(page);
+                let pale = short(&on).into_iter().filter(|short| short.contains("background"));
+                assert_eq!(pale.collect::<Vec<_>>(), [""; 0], "{} on {page}", theme.name);
+                let read = |role: Role| contrast(on.word_color(role), page) >= TEXT_CONTRAST;
+                assert!(SPEAKING.into_iter().all(read), "{} on {page}", theme.name);
+            }
+        }
+        let light = find("light").unwrap();
+        assert_eq!(light.on(Color::hex(0xFF_FFFF)).colors[..7], light.colors[..7]);
     }
 
     #[test]

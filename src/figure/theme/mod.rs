@@ -65,6 +65,15 @@ pub struct Side {
 }
 
 impl Side {
+    /// This side on another background.
+    fn on(mut self, background: Color) -> Self {
+        self.colors[index(Role::Background)] = background;
+        let colors = self.colors;
+        let is_seen =
+            |role: Role| contrast::contrast(colors[index(role)], background) >= fitness::LINE_CONTRAST;
+        adapted::adapted(self, |role| role == Role::Background || is_seen(role))
+    }
+
     /// The colour of a role's words.
     pub(crate) fn word_color(&self, role: Role) -> Color {
         self.words[index(role)]
@@ -102,16 +111,12 @@ impl Theme {
         self.words[index(role)]
     }
 
-    /// This theme on another background, for dark systems too.
+    /// This theme on another background, for dark systems too: what can't be seen there has another colour,
+    /// and words a shade that can be read.
     #[must_use]
     pub(crate) fn on(&self, background: Color) -> Self {
-        let mut theme = self.clone();
-        let dark = theme.dark.as_mut().map(|side| &mut side.colors);
-        for colors in dark.into_iter().chain([&mut theme.colors]) {
-            let roles = Role::ALL.into_iter().zip(colors);
-            roles.filter(|(role, _)| *role == Role::Background).for_each(|(_, color)| *color = background);
-        }
-        theme
+        let Side { colors, words, .. } = self.light().on(background);
+        Self { colors, words, dark: self.dark.map(|dark| dark.on(background)), ..self.clone() }
     }
 
     /// The opaque paint of a role's lines and markers.

@@ -228,7 +228,9 @@ fn color(written: &str) -> Option<Color> {
     let rgb = u32::from_str_radix(digits, 16).ok()?;
     match digits.len() {
         6 => Some(Color::hex(rgb)),
-        3 => Some(Color::hex([rgb >> 8, rgb >> 4, rgb].iter().fold(0, |all, d| all << 8 | (d & 15) * 17))),
+        3 => {
+            Some(Color::hex([rgb >> 8, rgb >> 4, rgb].iter().fold(0, |all, d| (all << 8) | ((d & 15) * 17))))
+        }
         _ => None,
     }
 }
