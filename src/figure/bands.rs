@@ -1,8 +1,9 @@
 //! What matters fills the panel: the free bands above and below it, measured on every committed figure and
 //! on random scenes.
 //!
-//! Counted is what the layers of a row draw about their subject, with labels; no axes and grids. The panels
-//! of a row are as high as the highest one asks for, so it is the row that has to be full.
+//! Counted is what layers draw about their subject, with labels; no axes and grids. Panels of one space share a
+//! view, so it is what they show together that fills each of them; and the panels of a row are as high as the
+//! highest one asks for, so it is the row that has to be full.
 
 use std::path::Path;
 
@@ -33,17 +34,30 @@ fn shown(panel: &Labelled) -> Option<(f64, f64)> {
 fn bands(scene: &Scene) -> Vec<f64> {
     let plan = plan(scene).unwrap();
     let figure = draw(&plan, plan.theme, "f");
+    // From each panel's upper edge down to the first and the last thing that it shows.
+    let within = |panel: &Labelled| {
+        shown(panel).map(|(y0, y1)| (y0 - panel.frame.panel.y0, y1 - panel.frame.panel.y0))
+    };
+    let own: Vec<_> = figure.panels.iter().map(within).collect();
+    let sources: Vec<_> = plan.panels.iter().map(|panel| &panel.source).collect();
+    let same = |i: usize, j: usize| {
+        i == j
+            || (sources[i].view.is_none()
+                && sources[j].view.is_none()
+                && sources[i].space == sources[j].space)
+    };
     let mut rows: Vec<(f64, f64, f64, f64)> = Vec::new();
-    for panel in &figure.panels {
+    for (i, panel) in figure.panels.iter().enumerate() {
         let cell = panel.frame.panel;
-        let Some((top, bottom)) = shown(panel) else { continue };
+        let series = (0..own.len()).filter(|&j| same(i, j)).filter_map(|j| own[j]);
+        let Some((top, bottom)) = series.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))) else { continue };
         match rows.iter_mut().find(|row| row.0 == cell.y0) {
             Some(row) => (row.2, row.3) = (row.2.min(top), row.3.max(bottom)),
-            None => rows.push((cell.y0, cell.y1, top, bottom)),
+            None => rows.push((cell.y0, cell.height(), top, bottom)),
         }
     }
-    rows.retain(|&(y0, y1, ..)| y1 - y0 > LOWEST);
-    rows.iter().map(|&(y0, y1, top, bottom)| (top - y0).max(y1 - bottom) / (y1 - y0)).collect()
+    rows.retain(|&(_, height, ..)| height > LOWEST);
+    rows.iter().map(|&(_, height, top, bottom)| top.max(height - bottom) / height).collect()
 }
 
 /// What of some scenes has a free band that is too large.
