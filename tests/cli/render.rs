@@ -28,7 +28,15 @@ fn a_scene_becomes_an_svg_and_a_png_beside_it() {
     let svg = std::fs::read_to_string(folder.path().join("s.svg")).unwrap();
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"), "{svg}");
     let png = std::fs::read(folder.path().join("s.png")).unwrap();
-    assert_eq!((&png[..4], &png[16..24]), (&b"\x89PNG"[..], &[0, 0, 7, 128, 0, 0, 4, 56][..]));
+    assert_eq!(
+        (&png[..4], &png[16..20]),
+        (&b"\x89PNG"[..], &[0, 0, 7, 128][..]),
+        "twice as wide as the page"
+    );
+    let height: f64 =
+        svg.split(" height=\"").nth(1).and_then(|s| s.split('"').next()).unwrap().parse().unwrap();
+    let rows = u32::from_be_bytes(png[20..24].try_into().unwrap());
+    assert_eq!(f64::from(rows), 2.0 * height, "the page ends where the drawing ends, in both");
 }
 
 #[test]
