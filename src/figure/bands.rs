@@ -1,9 +1,9 @@
 //! What matters fills the panel: the free bands above and below it, measured on every committed figure and
 //! on random scenes.
 //!
-//! Counted is what layers draw about their subject, with labels; no axes and grids. Panels of one space share
-//! a view, so it is what they show together that fills each of them; and the panels of a row are as high as the
-//! highest one asks for, so it is the row that has to be full.
+//! Counted is what layers draw about their subject, with labels; no axes and grids. Panels of one space
+//! share a view, so it is what they show together that fills each of them; and the panels of a row are as
+//! high as the highest one asks for, so it is the row that has to be full.
 
 use std::path::Path;
 
