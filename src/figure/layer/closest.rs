@@ -37,18 +37,18 @@ pub(super) const LAYER: Layer = Layer {
 const SAME: f64 = 1e-9;
 
 /// The nearest point of B ⊖ A.
-struct Nearest {
+pub(super) struct Nearest {
     /// From the origin, or the estimate, to that point.
-    foot: DVec2,
+    pub(super) foot: DVec2,
     /// What the label says of it.
-    text: String,
+    pub(super) text: String,
     /// Whether the bodies overlap, by a proved depth.
-    overlap: bool,
+    pub(super) overlap: bool,
 }
 
 /// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
 /// of the algorithm; for round bodies, whose radius candidates leave out, the answer's. And its label.
-fn nearest(context: &Context) -> Option<Nearest> {
+pub(super) fn nearest(context: &Context) -> Option<Nearest> {
     let run = context.separation_at(context.time)?;
     let answer = *run.separation()?;
     let candidate = run.events().filter(|e| matches!(e, Event::CandidateImproved { .. })).last();

@@ -1,32 +1,53 @@
 //! B shrunk to a point while A grows by B's shape: what B ⊖ A looks like from where the bodies stand.
 //!
 //! With b the origin of B, the grown A is {b − x : x ∈ B ⊖ A} = A ⊕ (b − B): A swept by B turned through half
-//! a turn about b. Copies of that on A's vertices span it.
+//! a turn about b. Copies of that on A's vertices span it. Seen the other way, b walks its outline where B,
+//! moved and not turned, touches A; and b is as far from it as B from A.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, Marker, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
+    Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
 use crate::geometry::{DVec2, Side};
 
+use super::closest::{Nearest, nearest};
 use super::difference::{difference, draw_edge};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+
+/// How many copies of B go around A at most; more hide it.
+const MOST: usize = 3;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
     about: "B as a point, A grown by B's shape",
     shows: Shows::World,
-    options: &[OptionSpec {
-        name: "copies",
-        takes: Takes::Flag,
-        default: "true",
-        about: "dotted copies of B on A's vertices",
-    }],
+    options: &[
+        OptionSpec {
+            name: "copies",
+            takes: Takes::Flag,
+            default: "true",
+            about: "dotted copies of B on A's vertices",
+        },
+        OptionSpec {
+            name: "around",
+            takes: Takes::Flag,
+            default: "false",
+            about: "dotted copies of B around A, where they touch it",
+        },
+        OptionSpec {
+            name: "distance",
+            takes: Takes::Flag,
+            default: "false",
+            about: "how far the point is from the grown A",
+        },
+    ],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
         LabelKey { key: "b", about: "the point that B shrinks to" },
         LabelKey { key: "copy", about: "what the dotted copies are" },
+        LabelKey { key: "d", about: "distance or depth, with distance" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(difference(context, context.time).is_some()),
@@ -65,16 +86,60 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
     }
+    if options.flag("around", false) {
+        around(sketch, context, &found, &outline_b, b);
+    }
     sketch.part("grown-edges");
     for edge in &found.edges {
         let (from, to) = found.drawn(edge);
         draw_edge(sketch, edge.source, (turned(from), turned(to)), Pen::outline(edge.source.into()));
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
+    if options.flag("distance", false) {
+        distance(sketch, context, b);
+    }
     sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
     sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));
+}
+
+/// Draws B where it touches A with a vertex on the middle of an edge, its point on the grown outline.
+fn around(sketch: &mut Sketch, context: &Context, found: &Difference, outline_b: &Outline, b: DVec2) {
+    let edges: Vec<&Edge> = found.edges.iter().filter(|edge| edge.source == Side::A).collect();
+    sketch.part("copies").weight(Weight::Light);
+    let mut last = None;
+    for edge in edges.iter().step_by(edges.len().div_ceil(MOST).max(1)) {
+        let (from, to) = found.drawn(edge);
+        let place = b - 0.5 * (from + to);
+        let copy = outline_b.moved(place - b);
+        sketch.area(&copy, None, Some(Pen::ghost(Role::B))).marker(
+            place,
+            Marker::Square,
+            Role::B,
+            SMALL_MARKER,
+        );
+        last = Some(copy);
+    }
+    if let Some(copy) = last {
+        let text = format!("{} moved around {}", context.name(Side::B), context.name(Side::A));
+        let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
+}
+
+/// Draws the way from B's point to the nearest point of the grown A: a length, or, from within, the minimum
+/// translation of B.
+fn distance(sketch: &mut Sketch, context: &Context, b: DVec2) {
+    let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
+    let (to, role) = (b - foot, Role::Translation);
+    sketch.part("distance");
+    if overlap {
+        sketch.arrow(b, to, Pen::vector(role));
+    } else {
+        sketch.dimension(b, to, 0.0, Pen::dimension(role).width(1.5));
+    }
+    sketch.label(Label::new("d", text, Anchor::middle(b, to), role));
 }
 
 /// The name of the point that B shrinks to: its small letter, where it has a letter.

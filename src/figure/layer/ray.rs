@@ -9,19 +9,27 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
 use crate::scene::When;
 
-use super::velocity::label_of_hit;
+use super::velocity::{label_of_hit, text};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
     about: "the origin's way along the relative velocity, and where it hits",
     shows: Shows::Configuration,
-    options: &[OptionSpec {
-        name: "cut",
-        takes: Takes::Word(&[When::HIT]),
-        default: "none",
-        about: "ends soon after the hit",
-    }],
+    options: &[
+        OptionSpec {
+            name: "cut",
+            takes: Takes::Word(&[When::HIT]),
+            default: "none",
+            about: "ends soon after the hit",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the components of the relative velocity",
+        },
+    ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "t", about: "time of the hit" },
@@ -46,7 +54,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let from = -v * context.difference_time();
     let tip = from + v * cut;
     sketch.part("ray").arrow(from, tip, Pen::vector(role));
-    sketch.label(Label::new("v", "$v$", Anchor::tip(from, tip), role));
+    sketch.label(Label::new("v", text("$v$", v, options), Anchor::tip(from, tip), role));
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));

@@ -110,7 +110,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 }
 
 /// What the label of a velocity says: its symbol, the scale that it is drawn in, its components if wanted.
-fn text(symbol: &str, v: DVec2, options: &Options) -> String {
+pub(super) fn text(symbol: &str, v: DVec2, options: &Options) -> String {
     let drawn = scaled(options.number("scale").unwrap_or(1.0), symbol);
     let value = || format!("$= ({}, {})$", number(v.x), number(v.y));
     match (options.flag("values", false), drawn == symbol) {

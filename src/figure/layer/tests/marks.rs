@@ -3,6 +3,7 @@
 use crate::drawing::Contour;
 use crate::figure::layer::normal::scaled;
 use crate::figure::{Figure, draw, plan};
+use crate::geometry::DVec2;
 use crate::scene::open_text;
 
 use super::{labels, lines, paths};
@@ -112,4 +113,56 @@ fn points_as_far_as_the_extreme_one_are_marked() {
     let figure = draw(&plan, plan.theme, "marks");
     assert_eq!(paths(&figure.drawing.items, "as-far").len(), 3);
     assert_eq!(labels(&figure)["others"].0, "as far as $p$");
+}
+
+/// The figure of a box below a disc as the layers of a panel show it.
+fn grown(options: &str) -> Figure {
+    let text = format!(
+        "shapes.A = {{ kind = 'box', half_extents = [2, 1] }}
+         shapes.B = {{ kind = 'polygon', vertices = [[-1, -1], [1, -1], [0, 2]], position = [0.5, 4] }}
+         query = {{ kind = 'separation', of = ['A', 'B'] }}
+         panels = [{{ layers = [{{ layer = 'grown'{options} }}] }}]"
+    );
+    let scene = open_text("grown.toml", &text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    draw(&plan, plan.theme, "grown")
+}
+
+#[test]
+fn the_grown_body_is_as_far_from_the_point_as_the_bodies_from_each_other() {
+    assert!(!labels(&grown("")).contains_key("d"));
+    let figure = grown(", distance = true");
+    assert_eq!(labels(&figure)["d"].0, "$d = 2$");
+    let frame = &figure.panels[0].frame;
+    // From b to the top edge of A grown by 1: its middle line and two ticks.
+    let way = (frame.page(DVec2::new(0.5, 4.0)) - frame.page(DVec2::new(0.5, 2.0))).length();
+    assert!(lines(&figure, "distance").iter().any(|line| (line - way).abs() < 1e-9));
+}
+
+#[test]
+fn copies_around_a_body_are_moved_and_not_turned() {
+    let copies = |options: &str| paths(&grown(options).drawing.items, "copies").len();
+    // Two of the four edges, each with B and its point; or B on each of the four vertices.
+    assert_eq!(
+        [copies(", copies = false, around = true"), copies(", copies = false"), copies("")],
+        [4, 0, 4]
+    );
+    assert_eq!(labels(&grown(", copies = false, around = true"))["copy"].0, "$B$ moved around $A$");
+}
+
+#[test]
+fn a_ray_says_its_components_where_the_scene_wants_them() {
+    let said = |layer: &str| {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [4, 2] }}
+             shapes.B = {{ kind = 'circle', radius = 1, position = [4, 0], velocity = [-1, 0.5] }}
+             query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+             panels = [{{ space = 'configuration', layers = [{layer}] }}]"
+        );
+        let scene = open_text("ray.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        labels(&draw(&plan, plan.theme, "ray"))["v"].0.clone()
+    };
+    assert_eq!(said("'ray'"), "$v$");
+    assert_eq!(said("{ layer = 'ray', values = true }"), "$v$ $= (5, 1.5)$");
 }
