@@ -1,7 +1,7 @@
 //! Figures of B ⊖ A at one moment: where its edges come from, the origin, the way out.
 
 use tracefig::drawing::Path;
-use tracefig::drawing::Role::{self, A, B, Difference, Ink, Now, Translation};
+use tracefig::drawing::Role::{self, A, B, Difference, Ink, Muted, Now, Translation};
 
 use super::seen::Look;
 use super::{figure, look};
@@ -22,65 +22,60 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
 }
 
 #[test]
-fn figure_4_shrinks_b_to_a_point_while_a_grows_and_gives_each_edge_its_colour() {
+fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let rhombus = |x: f64, y: f64| [(x + 1.5, y), (x, y + 2.0), (x - 1.5, y), (x, y - 2.0)];
-    let a = [(-3.0, -4.0), (1.0, -4.0), (1.0, -2.0), (-3.0, -2.0)];
-    let world = look(&f, 0, [-5.5, -7.0, 3.5, 6.0]);
+    let view = [-5.2, -7.2, 6.2, 5.7];
+    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 2.0, y - 0.5), (x + 0.5, y + 2.0)];
+    let a = [(-1.0, 1.0), (-2.0, -2.0), (0.0, -4.0), (3.0, -2.0)];
+    let world = look(&f, 0, view);
+    // B's lowest vertex (2, 2.5) is 3 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5.
     shows![
         world.polygon(A, &a).is_some(),
-        world.polygon(B, &rhombus(0.5, 3.0)).is_some(),
-        world.marker(B, (0.5, 3.0)),
+        world.polygon(B, &triangle(3.0, 3.5)).is_some(),
+        world.marker(B, (3.0, 3.5)),
+        world.line(Translation, (2.0, 2.5), (0.2, 0.1)).is_some(),
         f.says("$b$"),
     ];
-    let grown = look(&f, 1, [-5.5, -7.0, 3.5, 6.0]);
+    let grown = look(&f, 1, view);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
-    for (x, y) in a {
-        let copy = grown.polygon(B, &rhombus(x, y));
-        assert!(copy.is_some_and(dotted), "a dotted copy of B on A's vertex ({x}, {y})");
+    // Each vertex of A less a vertex of B seen from b, whichever is farther out.
+    let outline =
+        [(0.0, 2.0), (-3.0, 1.5), (-4.0, -1.5), (-2.5, -4.0), (-0.5, -6.0), (2.5, -4.0), (4.0, -1.0)];
+    for (i, role) in [B, A, B, A, A, B, A].into_iter().enumerate() {
+        let edge = grown.edge(role, outline[i], outline[(i + 1) % 7]);
+        assert!(edge.is_some(), "edge {i} of the grown A is {role:?}'s");
     }
-    let outline = [
-        (-3.0, 0.0),
-        (1.0, 0.0),
-        (2.5, -2.0),
-        (2.5, -4.0),
-        (1.0, -6.0),
-        (-3.0, -6.0),
-        (-4.5, -4.0),
-        (-4.5, -2.0),
-    ];
-    for (i, &from) in outline.iter().enumerate() {
-        let role = if i % 2 == 0 { A } else { B };
-        assert!(
-            grown.edge(role, from, outline[(i + 1) % 8]).is_some(),
-            "edge {i} of the grown A is {role:?}'s"
-        );
-    }
+    // Moved and not turned, B touches the middle of an edge of A with a vertex; its point is on the outline.
+    let around = |p: P| grown.polygon(B, &triangle(p.0, p.1)).is_some_and(dotted) && grown.marker(B, p);
     shows![
         grown.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
-        grown.polygon(B, &rhombus(0.5, 3.0)).is_some_and(dotted),
-        grown.marker(B, (0.5, 3.0)),
+        grown.polygon(B, &triangle(3.0, 3.5)).is_some_and(dotted),
+        grown.marker(B, (3.0, 3.5)),
+        grown.line(Translation, (3.0, 3.5), (1.2, 1.1)).is_some(),
+        around((-3.5, 0.0)),
+        around((1.0, -5.0)),
     ];
-    let conf = look(&f, 2, [-3.0, -2.0, 6.0, 11.0]);
+    let conf = look(&f, 2, [-2.7, -2.1, 8.7, 10.8]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-0.5, 3.0), A),
-            ((3.5, 3.0), B),
-            ((5.0, 5.0), A),
-            ((5.0, 7.0), B),
-            ((3.5, 9.0), A),
-            ((-0.5, 9.0), B),
-            ((-2.0, 7.0), A),
-            ((-2.0, 5.0), B),
+            ((3.0, 1.5), B),
+            ((6.0, 2.0), A),
+            ((7.0, 5.0), B),
+            ((5.5, 7.5), A),
+            ((3.5, 9.5), A),
+            ((0.5, 7.5), B),
+            ((-1.0, 4.5), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
+        conf.line(Translation, (0.0, 0.0), (1.8, 2.4)).is_some(),
+        f.texts.iter().filter(|(t, _)| t == "$d = 3$").count() == 3,
         f.says(r"$B \ominus A$"),
         f.says("$O$"),
-        conf.text_near("from $A$", (1.5, 9.0), 60.0) || conf.text_near("from $A$", (1.5, 3.0), 60.0),
-        f.says("from $B$"),
+        conf.text_near("from $A$", (2.0, 8.5), 60.0),
+        conf.text_near("from $B$", (6.25, 6.25), 60.0),
     ];
 }
 
@@ -118,39 +113,48 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
         conf.marker(Now, (2.0, -1.0)),
-        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
+        f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
+        conf.line(Muted, (0.0, 0.0), (-2.4, -1.8)).is_some(),
+        f.says("$3$: longer"),
     ];
 }
 
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-6.0, -5.45, 7.0, 6.95]);
+    let world = look(&f, 0, [-5.5, -5.1, 8.2, 7.9]);
+    // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
-        world.polygon(A, &[(2.5, 2.0), (-1.0, 3.0), (-4.0, 1.0), (-3.0, -2.0), (1.0, -2.5)]).is_some(),
-        world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
+        world.polygon(A, &[(2.5, 2.0), (-1.0, 3.5), (-4.0, 1.0), (-3.0, -2.0), (0.0, -2.5)]).is_some(),
+        world.polygon(B, &[(-0.75, 3.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
+        world.polygon(B, &[(0.85, 4.2), (4.6, -0.8), (6.6, 5.2)]).is_some_and(|p| p.fill.is_none()),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
+        f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-3.6, -5.4, 9.4, 7.0]);
+    let conf = look(&f, 1, [-4.0, -6.0, 9.7, 7.0]);
     edges_wear_their_source(
         &conf,
         &[
-            ((4.0, -5.0), A),
+            ((4.0, -5.5), A),
             ((7.0, -3.0), B),
             ((9.0, 3.0), A),
             ((8.0, 6.0), A),
-            ((4.0, 6.5), B),
-            ((-1.0, 4.5), A),
-            ((-2.5, 0.0), B),
+            ((5.0, 6.5), B),
+            ((-0.75, 5.5), A),
+            ((-3.25, 1.0), B),
             ((0.5, -4.0), A),
         ],
     );
+    // The next way out is square to the edge from (-0.75, 5.5) to (-3.25, 1): 17.125 / √26.5 = 3.327 long.
+    let foot = (-4.5 * 17.125 / 26.5, 2.5 * 17.125 / 26.5);
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
-        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
+        f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
+        conf.line(Muted, (0.0, 0.0), foot).is_some(),
+        f.says("$3.33$: longer"),
     ];
 }
 

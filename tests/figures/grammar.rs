@@ -81,7 +81,9 @@ fn broken(items: &[Item], origin: Point) -> Vec<String> {
     let mut wrong = Vec::new();
     dashes(&all, &mut wrong);
     if all.iter().any(|p| is_dotted(p)) {
-        let says = |word: &String| ["t =", "pushed out", "turned about"].iter().any(|w| word.contains(w));
+        let says = |word: &String| {
+            ["t =", "pushed out", "turned about", "moved around"].iter().any(|w| word.contains(w))
+        };
         if !words.iter().any(says) {
             wrong.push(format!("dotted outlines, and no label says when or where: {words:?}"));
         }

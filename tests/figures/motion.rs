@@ -17,44 +17,46 @@ fn moved<const N: usize>(points: [P; N], by: P) -> [P; N] {
 }
 
 #[test]
-fn figure_5_divides_the_path_in_the_world_and_the_ray_alike() {
+fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() {
     let f = figure("05-linear-sweep");
-    let a = [(-1.5, -1.5), (-3.0, -0.5), (-4.0, -2.0), (-2.0, -3.5)];
-    let world = look(&f, 0, [-4.7, -4.9, 5.7, 4.9]);
+    let a = [(-4.0, -2.0), (-6.0, -1.5), (-7.0, -3.0), (-5.5, -5.0), (-3.0, -4.0)];
+    let b = [(-1.0, 4.5), (3.5, 1.5), (5.5, 3.5), (4.0, 6.0), (1.0, 6.5)];
+    let world = look(&f, 0, [-7.9, -6.0, 6.5, 7.5]);
+    // After three quarters of (6, 2) and (-2, -4), A's vertex (-4, -2) is on B's lower edge.
     shows![
         world.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
-        world.polygon(B, &[(0.0, 2.0), (3.0, -2.0), (5.0, 0.0), (5.0, 2.0), (2.5, 3.5)]).is_some(),
-        world.polygon(A, &[(1.5, 0.0), (0.0, 1.0), (-1.0, -0.5), (1.0, -2.0)]).is_some_and(dashed),
-        world.any_line((-3.0, -0.5), (0.0, 1.0)),
-        world.any_line((-2.0, -3.5), (1.0, -2.0)),
-        world.line(Now, (-1.5, -1.5), (1.5, 0.0)).is_some(),
-        world.head(Ink, (4.5, 1.5)),
-        world.marker(Ink, (1.5, 0.0)),
-        f.says("$A$ at $t = 0.5$"),
-        f.says("$v_A$"),
+        world.polygon(B, &b).is_some_and(|p| p.fill.is_some()),
+        world.polygon(A, &moved(a, (4.5, 1.5))).is_some_and(dashed),
+        world.polygon(B, &moved(b, (-1.5, -3.0))).is_some_and(dashed),
+        world.arrow(Ink, (-5.0, -3.0), (1.0, -1.0)),
+        world.arrow(Ink, (2.5, 4.5), (0.5, 0.5)),
+        world.marker(Ink, (0.5, -0.5)),
+        f.says("$A$ at $t = 0.75$") && f.says("$B$ at $t = 0.75$"),
+        f.says("$v_A$ $= (6, 2)$") && f.says("$v_B$ $= (-2, -4)$"),
     ];
-    let conf = look(&f, 1, [-1.0, -2.2, 9.4, 7.6]);
+    let conf = look(&f, 1, [-1.6, -1.6, 12.8, 11.9]);
     let edges = [
-        ((6.0, -1.5), B),
-        ((8.0, 0.5), A),
-        ((9.0, 2.0), B),
-        ((9.0, 4.0), A),
-        ((7.0, 5.5), B),
-        ((4.5, 7.0), B),
-        ((2.0, 5.5), A),
-        ((1.5, 3.5), B),
-        ((4.5, -0.5), A),
+        ((3.0, 6.5), B),
+        ((7.5, 3.5), A),
+        ((9.5, 3.0), B),
+        ((11.5, 5.0), A),
+        ((12.5, 6.5), B),
+        ((11.0, 9.0), A),
+        ((9.5, 11.0), B),
+        ((6.5, 11.5), A),
+        ((4.0, 10.5), B),
+        ((2.0, 8.5), A),
     ];
     for (i, &(from, role)) in edges.iter().enumerate() {
-        assert!(conf.edge(role, from, edges[(i + 1) % 9].0).is_some_and(|e| !dashed(e)), "edge {i}");
+        assert!(conf.edge(role, from, edges[(i + 1) % 10].0).is_some_and(|e| !dashed(e)), "edge {i}");
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.line(Now, (0.0, 0.0), (3.0, 1.5)).is_some(),
-        conf.head(Ink, (6.0, 3.0)),
-        conf.marker(Now, (3.0, 1.5)),
-        f.says("$v = v_A - v_B$"),
-        f.texts.iter().filter(|(t, _)| t == "$t = 0.5$").count() == 2,
+        conf.line(Now, (0.0, 0.0), (6.0, 4.5)).is_some(),
+        conf.head(Ink, (8.0, 6.0)),
+        conf.marker(Now, (6.0, 4.5)),
+        f.says("$v$ $= (8, 6)$"),
+        f.says("$t = 0.75$"),
     ];
 }
 
@@ -158,55 +160,61 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 #[test]
 fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-3.2, -4.1, 6.6, 4.1];
-    let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
+    let view = [-6.8, -5.3, 5.8, 2.9];
+    let b = [(-1.25, -3.5), (2.0, -5.0), (5.5, -1.5), (3.25, 2.5)];
     let one = look(&f, 0, view);
-    let (x, y) = (0.6, 0.8);
+    // The band's edges are 1.5 from the way, square to (6, -2): by 1.5 (1, 3)/√10.
+    let (x, y) = (1.5 * 0.1_f64.sqrt(), 4.5 * 0.1_f64.sqrt());
+    // After 0.7 of the way the centre (-0.8, -0.4) is 1.5 from the line 4x - 3y = 5.5, at (0.4, -1.3).
     shows![
-        one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.circle(A, (1.3, 0.4), 1.0).is_some_and(dashed),
-        one.any_line((-1.5 + x, 2.5 + y), (1.3 + x, 0.4 + y)),
-        one.any_line((-1.5 - x, 2.5 - y), (1.3 - x, 0.4 - y)),
-        one.line(Now, (-1.5, 2.5), (1.3, 0.4)).is_some(),
-        one.head(Ink, (2.5, -0.5)),
-        one.marker(Ink, (2.1, -0.2)),
-        f.says("$v$"),
+        one.circle(A, (-0.8, -0.4), 1.5).is_some_and(dashed),
+        one.any_line((-5.0 + x, 1.0 + y), (-0.8 + x, -0.4 + y)),
+        one.any_line((-5.0 - x, 1.0 - y), (-0.8 - x, -0.4 - y)),
+        one.line(Now, (-5.0, 1.0), (-0.8, -0.4)).is_some(),
+        one.head(Ink, (1.0, -1.0)),
+        one.marker(Ink, (0.4, -1.3)),
+        f.says("$v_A$ $= (6, -2)$"),
         f.says("$t = 0.7$"),
         f.says("$A$ at $t = 0.7$") && f.says("$A$ at $t = 0$"),
     ];
     let two = look(&f, 1, view);
     shows![
-        two.circle(A, (1.3, 0.4), 1.0).is_some_and(|p| p.fill.is_some()),
-        two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
-        two.marker(Ink, (2.1, -0.2)),
+        two.circle(A, (-0.8, -0.4), 1.5).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_none()),
+        two.marker(Ink, (0.4, -1.3)),
     ];
 }
 
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, [-6.5, -4.0, 5.5, 5.8]);
+    let world = look(&f, 0, [-6.2, -2.0, 9.2, 10.4]);
+    let a = [(3.5, 7.5), (6.0, 4.5), (8.5, 7.0), (6.5, 9.5)];
+    // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, 1) to (-3.5, 5.5).
     shows![
-        world.polygon(A, &[(0.0, 4.0), (3.0, 0.0), (4.5, 2.0), (3.0, 4.5)]).is_some(),
-        world.polygon(B, &[(-2.5, 0.0), (-4.0, 1.5), (-5.5, 0.0), (-5.0, -2.5), (-3.0, -2.5)]).is_some(),
-        world.polygon(A, &[(-4.0, 2.0), (-1.0, -2.0), (0.5, 0.0), (-1.0, 2.5)]).is_some_and(dashed),
-        world.arrow(Now, (1.5, 2.0), (-2.5, 0.0)),
-        world.marker(Ink, (-2.5, 0.0)),
-        f.says("$A$ at $t = 0.4$"),
-        f.says(r"$t\,v$"),
+        world.polygon(A, &a).is_some(),
+        world.polygon(B, &[(-2.0, 1.0), (-3.5, 5.5), (-5.5, 3.0), (-5.0, 0.0), (-3.0, -1.0)]).is_some(),
+        world.polygon(A, &moved(a, (-6.0, -5.0))).is_some_and(dashed),
+        world.line(Now, (3.5, 7.5), (-2.5, 2.5)).is_some(),
+        world.head(Ink, (-4.0, 1.25)),
+        world.marker(Ink, (-2.5, 2.5)),
+        f.says("$A$ at $t = 0.8$"),
+        f.says("$v_A$ $= (-7.5, -6.25)$"),
     ];
-    let conf = look(&f, 1, [-10.8, -7.6, 1.2, 2.2]);
+    let conf = look(&f, 1, [-14.4, -11.0, 1.0, 1.4]);
+    // Edges that face the ray have a normal against (-7.5, -6.25).
     let edges = [
-        ((-8.0, -7.0), B, true),
-        ((-6.0, -7.0), A, true),
-        ((-3.0, -6.5), B, false),
-        ((-2.5, -4.0), A, false),
-        ((-5.5, 0.0), B, false),
-        ((-7.0, 1.5), B, true),
-        ((-8.5, 0.0), A, true),
-        ((-10.0, -2.0), B, true),
-        ((-9.5, -4.5), A, true),
+        ((-11.5, -9.5), B, true),
+        ((-9.5, -10.5), A, true),
+        ((-6.5, -8.5), B, false),
+        ((-5.5, -6.5), B, false),
+        ((-7.0, -2.0), A, false),
+        ((-9.5, 1.0), A, true),
+        ((-12.0, -1.5), B, true),
+        ((-14.0, -4.0), B, true),
+        ((-13.5, -7.0), A, true),
     ];
     for (i, &(from, role, culled)) in edges.iter().enumerate() {
         let edge = conf.edge(role, from, edges[(i + 1) % 9].0);
@@ -215,10 +223,10 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.line(Now, (0.0, 0.0), (-4.0, -2.0)).is_some(),
-        conf.head(Ink, (-10.0, -5.0)),
-        f.says("$t = 0.4$"),
-        f.says("$v$"),
+        conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
+        conf.head(Ink, (-7.5, -6.25)),
+        f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
+        f.says("$v$ $= (-7.5, -6.25)$"),
         f.says(r"$B \ominus A$"),
     ];
 }

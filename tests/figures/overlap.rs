@@ -208,24 +208,27 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
 }
 
 #[test]
-fn frames_discrete_shows_apart_then_overlapping() {
+fn frames_discrete_shows_apart_then_overlapping_and_the_contact_between_them() {
     let f = figure("frames-discrete");
-    let view = [-3.2, -4.1, 6.6, 4.1];
-    let b = [(0.0, -3.0), (4.0, -3.5), (6.0, 0.0), (4.5, 3.0)];
+    let view = [-6.8, -5.3, 5.8, 2.9];
+    let b = [(-1.25, -3.5), (2.0, -5.0), (5.5, -1.5), (3.25, 2.5)];
     let one = look(&f, 0, view);
+    // Along (4, -3)/5: from A's rim to B's edge on the line 4x - 3y = 5.5, and as far beyond it.
     shows![
-        one.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.line(Translation, (-0.7, 1.9), (2.1, -0.2)).is_some(),
-        f.says("apart 3.5"),
+        one.line(Translation, (-3.8, 0.1), (-0.44, -2.42)).is_some(),
+        f.says("apart by 4.2"),
     ];
     let two = look(&f, 1, view);
     shows![
-        two.circle(A, (2.5, -0.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, (1.0, -1.0), 1.5).is_some_and(|p| p.fill.is_some()),
         two.polygon(B, &b).is_some(),
-        two.circle(A, (-1.5, 2.5), 1.0).is_some_and(|p| p.fill.is_none()),
-        two.arrow(Translation, (2.1, -0.2), (3.3, -1.1)),
-        f.says("overlap 1.5"),
+        two.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_none()),
+        two.circle(A, (-0.8, -0.4), 1.5).is_some_and(|p| p.fill.is_none()),
+        two.line(Translation, (2.2, -1.9), (0.76, -0.82)).is_some(),
+        f.says("overlap 1.8"),
+        f.says("$A$ at $t = 0.7$"),
     ];
 }
 
