@@ -205,10 +205,10 @@ impl Check {
     /// Compares all files of a scene.
     fn compare_all(&self, job: &Job, drawn: Drawn, pictures: &Pictures) -> Checked {
         let mut checked = Checked::default();
-        if drawn.status != Status::Done {
-            checked.fail(&job.input.name(), &drawn.messages);
-        } else {
+        if drawn.status == Status::Done {
             checked.messages = drawn.messages;
+        } else {
+            checked.fail(&job.input.name(), &drawn.messages);
         }
         for (file, encoded) in job.files.iter().zip(&drawn.files) {
             match &file.target {

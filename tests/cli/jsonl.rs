@@ -346,7 +346,7 @@ fn with_threads_an_answer_comes_before_the_next_line_too() {
             (pair("separation", r#""position": [3, 0]"#) + "\n").as_bytes(),
         )
         .unwrap();
-        assert!(told.recv_timeout(Duration::from_secs(60)).unwrap().contains("separation"));
+        assert!(told.recv_timeout(Duration::from_mins(1)).unwrap().contains("separation"));
     }
     drop(stdin);
     assert_eq!(child.wait().unwrap().code(), Some(0));

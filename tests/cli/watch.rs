@@ -1,5 +1,7 @@
 //! `watch`: a change is drawn, an error is told and does not end it, Ctrl-C does.
 
+#![expect(clippy::panic, reason = "a test fails by panicking")]
+
 use std::fs;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
@@ -12,7 +14,7 @@ use crate::render::drawn;
 use crate::{folder_with, run, tracefig};
 
 /// How long a line may take to come: a loaded machine draws a figure in a second or two.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// A command that runs, and what it says line by line.
 struct Running {

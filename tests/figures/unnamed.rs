@@ -39,7 +39,7 @@ fn words_and_picture_of_every_figure_name_the_same() {
     let known: BTreeSet<String> = fs::read_to_string(list()).unwrap().lines().map(str::to_owned).collect();
     if std::env::var_os("TRACEFIG_WRITE").is_some() {
         let still: Vec<&str> = known.intersection(&found).map(String::as_str).collect();
-        fs::write(list(), still.iter().map(|line| format!("{line}\n")).collect::<String>()).unwrap();
+        fs::write(list(), still.iter().fold(String::new(), |text, line| text + line + "\n")).unwrap();
     }
     let new: Vec<_> = found.difference(&known).collect();
     assert!(new.is_empty(), "name these in the words or on the picture: {new:#?}");

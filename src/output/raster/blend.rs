@@ -219,8 +219,8 @@ mod tests {
 
     #[test]
     fn ink_on_nothing_keeps_its_colour_and_its_share() {
-        assert_eq!(ink(0x1020_30, 1.0).over([0; 4], LEVELS), [0x10, 0x20, 0x30, 255]);
-        assert_eq!(ink(0x1020_30, 1.0).over([0; 4], LEVELS / 2), [0x10, 0x20, 0x30, 128]);
+        assert_eq!(ink(0x0010_2030, 1.0).over([0; 4], LEVELS), [0x10, 0x20, 0x30, 255]);
+        assert_eq!(ink(0x0010_2030, 1.0).over([0; 4], LEVELS / 2), [0x10, 0x20, 0x30, 128]);
         assert_eq!(ink(0xFF_FFFF, 0.5).over([0; 4], LEVELS)[3], 128);
         assert_eq!(ink(0xFF_FFFF, 1.0).over([0; 4], 0), [0; 4]);
     }
