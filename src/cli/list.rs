@@ -270,7 +270,7 @@ fn errors() -> Vec<(String, String)> {
 fn figures() -> Vec<(String, String)> {
     let Ok(found) = find(&[]) else { return Vec::new() };
     let title = |input: &super::inputs::Input| match input.open() {
-        Ok(file) => file.scene.title.map_or(String::new(), |t| t.value),
+        Ok(file) => file.scene.title.map_or(String::new(), |t| figure::plain(&t.value)),
         Err(refused) => format!("({} in it)", refused.problems.len()),
     };
     found

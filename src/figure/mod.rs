@@ -48,5 +48,5 @@ pub use frame::Frame;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan, plan_in};
-pub use text::values;
+pub use text::{plain, values};
 pub use unnamed::{Unnamed, unnamed};

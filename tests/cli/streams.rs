@@ -208,3 +208,14 @@ fn the_schema_is_json_and_is_printed_only_when_asked_for() {
     assert_eq!(schema["properties"]["query"]["required"], serde_json::json!(["kind", "of"]));
     assert!(!run(tracefig(folder.path()).arg("list")).out.contains("$schema"));
 }
+
+#[test]
+fn titles_are_listed_in_plain_words() {
+    let scene = "title = '{a|Boxes} and $B \\ominus A$'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+                 query = { kind = 'bounds', of = ['A'] }";
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("figures")).unwrap();
+    std::fs::write(folder.path().join("figures/s.toml"), scene).unwrap();
+    let ran = run(tracefig(folder.path()).args(["list", "figures"]));
+    assert!(ran.out.contains("  Boxes and B ⊖ A\n"), "{}", ran.out);
+}

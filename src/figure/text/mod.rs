@@ -22,7 +22,7 @@ pub(crate) use caption::{Across, Block, across, caption_of_words, set, spoken};
 pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
-pub(crate) use plain::plain;
+pub use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use symbols::{Symbol, symbols};
 pub use values::values;

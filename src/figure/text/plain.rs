@@ -48,8 +48,13 @@ const COMMANDS: [(&str, &str); 40] = [
 
 /// Markup without its dollars and roles, formulas in plain text: `$B \ominus A$` becomes `B ⊖ A`. What is no
 /// markup, as a formula without an end, is read as it stands.
+///
+/// ```
+/// use tracefig::figure::plain;
+/// assert_eq!(plain(r"{a|the box} and $B \ominus A$"), "the box and B ⊖ A");
+/// ```
 #[must_use]
-pub(crate) fn plain(markup: &str) -> String {
+pub fn plain(markup: &str) -> String {
     let words = |text| characters(0, text).map(|(_, c)| c).collect::<String>();
     let Ok(pieces) = pieces(markup) else { return words(markup) };
     let read = pieces.into_iter().map(|piece| match piece {
