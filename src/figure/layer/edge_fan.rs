@@ -22,7 +22,10 @@ pub(super) const LAYER: Layer = Layer {
         default: "all",
         about: "up to which edge they are taken, from 1; later ones are faint",
     }],
-    labels: &[LabelKey { key: "step", about: "the edge's number in the order of directions" }],
+    labels: &[LabelKey {
+        key: "step",
+        about: "the edge's number in the order of directions, and a body's letter",
+    }],
     needs: "the algorithm \"merge\" and bodies with edges",
     fed: |context, _| Fed::by_the_scene(!merged(context).is_empty()),
     draw,
@@ -57,7 +60,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = Role::from(taken);
         let opacity = if number_of(k) <= step { 1.0 } else { LATER };
         sketch.part(super::part("edge", taken)).arrow(DVec2::ZERO, edge, Pen::vector(role).opacity(opacity));
-        let label = Label::new("step", k.to_string(), Anchor::tip(DVec2::ZERO, edge), role);
+        // Whose edge it is, for those who don't see the colour.
+        let name = context.named(taken);
+        let text = if name.is_symbol() { format!("{k} {}", name.primed(0)) } else { k.to_string() };
+        let label = Label::new("step", text, Anchor::tip(DVec2::ZERO, edge), role);
         sketch.label(label.rank(Rank::Word).size(Size::Small));
     }
 }
