@@ -200,7 +200,7 @@ fn named<'s>(sought: &'s [Sought], labelled: &Labelled) -> Vec<(&'static str, &'
 fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) -> Vec<Sought> {
     let panel = &plan.panels[index];
     let context = &panel.context(plan.scene, &plan.runs);
-    let size = |size: Size| plan.layout.measures.type_size(theme.text.of(size.kind()));
+    let size = |size: Size| plan.layout.measures.size(size.kind());
     let marked = !theme.counts_on_color();
     let wording = Wording { context, type_size: &size, is_key, marked };
     // A text that can't be set was said by the plan.

@@ -105,7 +105,7 @@ impl PanelPlan<'_> {
 
 /// An empty panel of a frame.
 fn begun<'f>(frame: Frame, context: &Context, theme: &'f Theme) -> Sketch<'f> {
-    let measures = Measures::of(&context.scene.canvas);
+    let measures = Measures::of(&context.scene.canvas, theme.text);
     let sketch = Sketch::new(frame, theme, measures.unit);
-    sketch.with_small_letters(measures.type_size(theme.text.of(Size::Small.kind())))
+    sketch.with_small_letters(measures.size(Size::Small.kind()))
 }

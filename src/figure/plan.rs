@@ -131,13 +131,17 @@ fn resolve<'s>(
     let runs = Runs::default();
     let sheets = default_picture::sheets(scene, &runs, &mut problems);
     let count = sheets.len();
-    let mut resolver = Resolver { scene, runs: &runs, problems, notes: Vec::new() };
+    let measures = Measures::of(&scene.canvas, theme.text);
+    let mut resolver = Resolver { scene, runs: &runs, measures: &measures, problems, notes: Vec::new() };
     let mut panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
     let first = panels.first().map(|panel| panel.context(scene, &runs));
     let mut set = |block| {
-        first.as_ref().map(|first| across(block, first, (&mut problems, &mut warnings))).unwrap_or_default()
+        first
+            .as_ref()
+            .map(|first| across(block, (first, &measures), (&mut problems, &mut warnings)))
+            .unwrap_or_default()
     };
     let (headline, mut caption) = (set(Block::Headline), set(Block::Caption));
     let mut said = |text: &Option<_>| {
@@ -145,11 +149,11 @@ fn resolve<'s>(
     };
     let (alt, title) = (said(&scene.alt), said(&scene.title));
     if scene.panels.is_empty() && scene.caption.is_none() {
-        caption = caption_of_words(scene, sentence(scene, &runs.own(scene, scene.query.time)));
+        caption = caption_of_words(&measures, sentence(scene, &runs.own(scene, scene.query.time)));
     }
     let titled = panels.iter().any(|p| p.title.is_some());
     let layout = Layout {
-        measures: Measures::of(&scene.canvas),
+        measures,
         columns: scene.canvas.columns,
         titled,
         head: headline.lines.len(),

@@ -16,7 +16,7 @@ use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
-use super::page::{Measures, TITLE_SIZE};
+use super::page::Measures;
 use super::panel::{LayerPlan, PanelPlan};
 use super::question::is_of_a_moment;
 use super::runs::Runs;
@@ -29,6 +29,8 @@ pub(super) struct Resolver<'r, 's> {
     pub(super) scene: &'s Scene,
     /// The algorithm runs of the figure so far.
     pub(super) runs: &'r Runs,
+    /// The sizes on the page.
+    pub(super) measures: &'r Measures,
     /// What keeps the figure from being drawn.
     pub(super) problems: Vec<Problem>,
     /// What the answer lacks, with its place in the scene.
@@ -63,7 +65,7 @@ impl<'s> Resolver<'_, 's> {
             }
         }
         let title = source.title.as_ref().and_then(|t| {
-            let size = Measures::of(&scene.canvas).type_size(TITLE_SIZE);
+            let size = self.measures.title_size();
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
                 typeset(text, Style::semibold(size)).map(|line| vec![line])
             })

@@ -130,7 +130,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/theme", &["drawing"]),
-    ("figure/page", &["scene", "drawing"]),
+    ("figure/page", &["scene", "drawing", "figure/theme"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
     ("figure/sketch", &["geometry", "typeset", "drawing", "figure/frame", "figure/limits", "figure/theme"]),
     (

@@ -110,6 +110,27 @@ fn a_theme_sets_the_widths_of_lines_and_the_sizes_of_letters() {
 }
 
 #[test]
+fn titles_captions_and_headlines_have_the_size_of_their_theme() {
+    let words = "headline = \"One sentence\"\ncaption = \"Another sentence\"\n";
+    let folder = folder_with("s.toml", &format!("{words}{}title = \"A title\"\n", drawn()));
+    fs::write(folder.path().join("own.toml"), "[text]\ntitle = 21\ncaption = 22\nheadline = 33\n").unwrap();
+    let height = |svg: &str| {
+        let rest = svg.split_once(" height=\"").unwrap().1;
+        rest.split_once('"').unwrap().0.parse::<f64>().unwrap()
+    };
+    let ran = render(folder.path(), &["s.toml", "--format", "svg", "--theme", "own.toml,light"]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    let [own, house] = ["s.own.svg", "s.light.svg"].map(|name| svg(folder.path(), name));
+    for (size, usual) in
+        [("scale(.021)", "scale(.013)"), ("scale(.022)", "scale(.014)"), ("scale(.033)", "scale(.019)")]
+    {
+        assert!(own.contains(size) && !own.contains(usual), "{size}");
+        assert!(house.contains(usual) && !house.contains(size), "{usual}");
+    }
+    assert!(height(&own) > height(&house) + 10.0, "the page grows with its words");
+}
+
+#[test]
 fn a_scene_names_a_theme_file_of_its_own_folder() {
     let folder = folder_with("s.toml", &drawn());
     let here = folder.path();

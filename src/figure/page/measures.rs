@@ -3,6 +3,7 @@
 //! A page of 960 × 540 has the sizes that are written in the code. A smaller page of a given height shrinks
 //! them; one that ends with its drawing has room to grow downward and keeps them to a width of 320.
 
+use crate::figure::theme::{TextKind, TypeSizes};
 use crate::scene::Canvas;
 
 /// Left and right margin, and the gap between panels, page pixels.
@@ -19,14 +20,8 @@ const TITLE_DROP: f64 = 12.0;
 const CAPTION_DROP: f64 = 24.0;
 /// From one baseline of the caption to the next, page pixels.
 const CAPTION_STEP: f64 = 20.0;
-/// Type size of the caption, page pixels an em.
-pub(crate) const CAPTION_SIZE: f64 = 14.0;
 /// Width of a caption's line at most, in ems: some 95 letters, as many as the eye finds its way back over.
 const CAPTION_MEASURE: f64 = 43.0;
-/// Type size of a panel's title, page pixels an em.
-pub(crate) const TITLE_SIZE: f64 = 13.0;
-/// Type size of the headline, page pixels an em.
-pub(crate) const HEADLINE_SIZE: f64 = 19.0;
 /// From one baseline of the headline to the next, in ems: headings stand closer than text.
 const HEADLINE_STEP: f64 = 1.25;
 /// Height of the capitals of a headline, in ems.
@@ -71,11 +66,13 @@ pub(crate) struct Measures {
     pub(crate) unit: f64,
     /// How large letters are against those of the usual page, before the smallest size.
     letters: f64,
+    /// The sizes of letters on the usual page.
+    text: TypeSizes,
 }
 
 impl Measures {
-    /// The sizes on the page of a canvas.
-    pub(crate) fn of(canvas: &Canvas) -> Self {
+    /// The sizes on the page of a canvas; `text` are those of letters on the usual page.
+    pub(crate) fn of(canvas: &Canvas, text: TypeSizes) -> Self {
         let (width, height) = (canvas.page_width(), canvas.page_height());
         let wide = width / USUAL.0;
         let (share, unit) = match height {
@@ -86,20 +83,46 @@ impl Measures {
             None => (wide, width / NARROW),
         };
         let unit = libm::sqrt(unit.min(1.0));
-        let letters = canvas.text.map_or(unit, |text| text / CAPTION_SIZE);
+        let letters = canvas.text.map_or(unit, |size| size / text.of(TextKind::Caption));
         let most = MARGIN_SHARE * width.min(height.unwrap_or(width));
         let margin = canvas.margin.map(|margin| margin.min(most));
-        Self { width, height, margin, share: share.clamp(1.0 / 3.0, 1.0), unit, letters }
+        Self { width, height, margin, share: share.clamp(1.0 / 3.0, 1.0), unit, letters, text }
+    }
+
+    /// The size of a kind of text on this page, page pixels an em.
+    pub(crate) fn size(&self, kind: TextKind) -> f64 {
+        self.type_size(self.text.of(kind))
+    }
+
+    /// The size of the headline, page pixels an em.
+    pub(crate) fn headline_size(&self) -> f64 {
+        self.size(TextKind::Headline)
+    }
+
+    /// The size of the titles of panels, page pixels an em.
+    pub(crate) fn title_size(&self) -> f64 {
+        self.size(TextKind::Title)
+    }
+
+    /// The size of the caption, page pixels an em.
+    pub(crate) fn caption_size(&self) -> f64 {
+        self.size(TextKind::Caption)
+    }
+
+    /// How much larger a kind of text is than the house has it on the usual page; at least 1.
+    fn grown(&self, kind: TextKind) -> f64 {
+        (self.letters * self.text.of(kind) / kind.size()).max(1.0)
     }
 
     /// A type size on this page, page pixels an em: never under 11.
-    pub(crate) fn type_size(&self, size: f64) -> f64 {
+    fn type_size(&self, size: f64) -> f64 {
         (size * self.letters).max(SMALLEST_TYPE.min(size))
     }
 
-    /// How much larger letters are than those of the usual page; at least 1.
+    /// How much larger labels are than those of the usual page; at least 1.
     pub(crate) fn larger(&self) -> f64 {
-        self.letters.max(1.0)
+        let labels = [TextKind::Name, TextKind::Point, TextKind::Note];
+        labels.into_iter().map(|kind| self.grown(kind)).fold(1.0, f64::max)
     }
 
     /// Left and right margin, page pixels.
@@ -119,17 +142,17 @@ impl Measures {
 
     /// Height of a row of titles, page pixels.
     pub(super) fn title(&self) -> f64 {
-        TITLE * self.larger()
+        TITLE * self.grown(TextKind::Title)
     }
 
     /// From a title's baseline down to its panel, page pixels.
     pub(super) fn title_drop(&self) -> f64 {
-        TITLE_DROP * libm::sqrt(self.larger())
+        TITLE_DROP * libm::sqrt(self.grown(TextKind::Title))
     }
 
     /// Room below the panels for a caption of `lines` lines and the margin, page pixels.
     pub(super) fn foot(&self, lines: f64) -> f64 {
-        let below = self.margin.map(|margin| margin + DESCENT * self.type_size(CAPTION_SIZE));
+        let below = self.margin.map(|margin| margin + DESCENT * self.size(TextKind::Caption));
         match lines {
             0.0 => self.margin.unwrap_or(BOTTOM * self.share),
             _ => self.drop() + self.step() * (lines - 1.0) + below.unwrap_or(self.step()),
@@ -138,12 +161,12 @@ impl Measures {
 
     /// From the panels down to the first baseline of the caption, page pixels.
     pub(super) fn drop(&self) -> f64 {
-        CAPTION_DROP * self.share.max(LEAST_DROP) * self.larger()
+        CAPTION_DROP * self.share.max(LEAST_DROP) * self.grown(TextKind::Caption)
     }
 
     /// From one baseline of the caption to the next, page pixels.
     pub(crate) fn step(&self) -> f64 {
-        CAPTION_STEP * self.type_size(CAPTION_SIZE) / CAPTION_SIZE
+        CAPTION_STEP * self.size(TextKind::Caption) / TextKind::Caption.size()
     }
 
     /// Width of a line across the page, page pixels.
@@ -153,24 +176,24 @@ impl Measures {
 
     /// Width of a caption's line that is read with ease, page pixels: on a wide page less than the page has.
     pub(crate) fn caption_measure(&self) -> f64 {
-        self.measure().min(CAPTION_MEASURE * self.type_size(CAPTION_SIZE))
+        self.measure().min(CAPTION_MEASURE * self.size(TextKind::Caption))
     }
 
     /// From one baseline of the headline to the next, page pixels: whole ones, so that what stands below is
     /// as sharp as without it.
     pub(super) fn headline_step(&self) -> f64 {
-        (HEADLINE_STEP * self.type_size(HEADLINE_SIZE)).round()
+        (HEADLINE_STEP * self.size(TextKind::Headline)).round()
     }
 
     /// From the top of the headline's capitals down to its first baseline, whole page pixels.
     pub(super) fn headline_rise(&self) -> f64 {
-        (CAPITALS * self.type_size(HEADLINE_SIZE)).round()
+        (CAPITALS * self.size(TextKind::Headline)).round()
     }
 
     /// What a headline of so many lines takes from the panels, page pixels.
     pub(super) fn headline_height(&self, lines: usize) -> f64 {
         let between = self.headline_step() * count(lines.saturating_sub(1));
-        let below = (HEADLINE_DROP * self.type_size(HEADLINE_SIZE)).round();
+        let below = (HEADLINE_DROP * self.size(TextKind::Headline)).round();
         if lines == 0 { 0.0 } else { self.headline_rise() + between + below }
     }
 
@@ -209,7 +232,7 @@ mod tests {
 
     fn page(width: f64, height: Option<f64>, text: Option<f64>) -> Measures {
         let height = height.map(Height::Pixels);
-        Measures::of(&Canvas { width: Some(width), height, text, ..Canvas::default() })
+        Measures::of(&Canvas { width: Some(width), height, text, ..Canvas::default() }, TypeSizes::HOUSE)
     }
 
     #[test]
@@ -239,7 +262,10 @@ mod tests {
     #[test]
     fn a_margin_is_as_wide_as_asked_and_leaves_most_of_a_small_page() {
         let measures = |width, margin| {
-            Measures::of(&Canvas { width: Some(width), margin: Some(margin), ..Canvas::default() })
+            Measures::of(
+                &Canvas { width: Some(width), margin: Some(margin), ..Canvas::default() },
+                TypeSizes::HOUSE,
+            )
         };
         assert_eq!((measures(960.0, 3.0).side(), measures(960.0, 3.0).top()), (3.0, 3.0));
         assert_eq!(measures(960.0, 3.0).foot(0.0), 3.0);

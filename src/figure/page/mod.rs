@@ -11,7 +11,7 @@ use crate::drawing::{Point, Rect};
 
 use measures::count;
 
-pub(crate) use measures::{CAPTION_SIZE, HEADLINE_SIZE, Measures, TITLE_SIZE};
+pub(crate) use measures::Measures;
 pub(crate) use rows::{Want, room};
 
 /// What a page has to hold.
@@ -133,11 +133,12 @@ fn rules(cells: &[Rect], columns: usize, gap: f64, title: f64) -> Vec<(Point, Po
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::theme::TypeSizes;
     use crate::scene::{Canvas, Height};
 
     /// A page for panels that show so much each.
     fn page(canvas: &Canvas, wants: &[(f64, f64)], titled: bool, lines: usize) -> Page {
-        let measures = Measures::of(canvas);
+        let measures = Measures::of(canvas, TypeSizes::HOUSE);
         let layout = Layout { measures, columns: canvas.columns, titled, head: 0, lines };
         let wants: Vec<_> =
             wants.iter().map(|&(width, height)| Want { width, height, room: false }).collect();
@@ -172,7 +173,7 @@ mod tests {
     fn a_headline_moves_the_panels_down() {
         for canvas in [Canvas::default(), of_size(960.0, Some(540.0))] {
             let layout = |head| Layout {
-                measures: Measures::of(&canvas),
+                measures: Measures::of(&canvas, TypeSizes::HOUSE),
                 columns: None,
                 titled: false,
                 head,

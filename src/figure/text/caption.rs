@@ -5,7 +5,7 @@
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::Lettering;
-use crate::figure::page::{CAPTION_SIZE, HEADLINE_SIZE, Measures};
+use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
 use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
 
@@ -42,19 +42,18 @@ impl Block {
         }
     }
 
-    /// How it is set on the page of a scene.
-    fn room(self, scene: &Scene) -> Room {
-        let measures = Measures::of(&scene.canvas);
+    /// How it is set on a page of these sizes.
+    fn room(self, measures: &Measures) -> Room {
         let page = measures.measure();
         match self {
             Self::Headline => Room {
-                style: Style::semibold(measures.type_size(HEADLINE_SIZE)),
+                style: Style::semibold(measures.headline_size()),
                 widths: [page; 2],
                 most: measures.headline_lines(),
                 is_balanced: true,
             },
             Self::Caption => Room {
-                style: Style::regular(measures.type_size(CAPTION_SIZE)),
+                style: Style::regular(measures.caption_size()),
                 widths: [measures.caption_measure(), page],
                 most: measures.caption_lines(),
                 is_balanced: false,
@@ -139,11 +138,11 @@ pub(crate) struct Across {
 /// values are those of `context`, the first panel's.
 pub(crate) fn across(
     block: Block,
-    context: &Context,
+    (context, measures): (&Context, &Measures),
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Across {
     let Some(text) = block.of(context.scene) else { return Across::default() };
-    let room = block.room(context.scene);
+    let room = block.room(measures);
     let lines = set(text, context, (problems, warnings), |text| room.set(text)).unwrap_or_default();
     let filled = fill(&text.value, context, &text.span).ok();
     let words = filled.map(|(filled, _)| plain(&filled));
@@ -177,8 +176,8 @@ pub(crate) fn spoken(
 }
 
 /// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
-pub(crate) fn caption_of_words(scene: &Scene, words: String) -> Across {
-    let room = Block::Caption.room(scene);
+pub(crate) fn caption_of_words(measures: &Measures, words: String) -> Across {
+    let room = Block::Caption.room(measures);
     let set = Lettering::new(&with_powers(&as_markup(&words)), |text| room.set(text));
     set.ok()
         .filter(|lines| lines.len() <= room.most)
@@ -212,7 +211,8 @@ mod tests {
             query = {{ kind = 'bounds', of = ['A'] }}
             canvas = {{ {canvas} }}"
         );
-        block.room(&crate::scene::open_text("page.toml", &text).unwrap().scene)
+        let scene = crate::scene::open_text("page.toml", &text).unwrap().scene;
+        block.room(&Measures::of(&scene.canvas, crate::figure::theme::TypeSizes::HOUSE))
     }
 
     #[test]

@@ -11,11 +11,18 @@ pub enum TextKind {
     Note,
     /// Numbers of iterations and of axes.
     Small,
+    /// Titles of panels.
+    Title,
+    /// The caption.
+    Caption,
+    /// The headline.
+    Headline,
 }
 
 impl TextKind {
     /// Every kind, in the order of [`TypeSizes`].
-    pub const ALL: [Self; 4] = [Self::Name, Self::Point, Self::Note, Self::Small];
+    pub const ALL: [Self; 7] =
+        [Self::Name, Self::Point, Self::Note, Self::Small, Self::Title, Self::Caption, Self::Headline];
 
     /// The key for it in a theme file.
     ///
@@ -29,6 +36,9 @@ impl TextKind {
             Self::Point => "point",
             Self::Note => "note",
             Self::Small => "small",
+            Self::Title => "title",
+            Self::Caption => "caption",
+            Self::Headline => "headline",
         }
     }
 
@@ -39,6 +49,9 @@ impl TextKind {
             Self::Point => "points, vectors and lengths",
             Self::Note => "notes and words at things",
             Self::Small => "numbers of steps and of axes",
+            Self::Title => "titles of panels",
+            Self::Caption => "the caption",
+            Self::Headline => "the headline",
         }
     }
 
@@ -52,20 +65,29 @@ impl TextKind {
         match self {
             Self::Name => 17.0,
             Self::Point => 16.0,
-            Self::Note => 14.0,
+            Self::Note | Self::Caption => 14.0,
             Self::Small => 12.0,
+            Self::Title => 13.0,
+            Self::Headline => 19.0,
         }
     }
 }
 
 /// How large a theme sets each kind of text, page pixels an em on the usual page.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TypeSizes([f64; 4]);
+pub struct TypeSizes([f64; 7]);
 
 impl TypeSizes {
     /// The sizes of the house.
-    pub(super) const HOUSE: Self =
-        Self([TextKind::Name.size(), TextKind::Point.size(), TextKind::Note.size(), TextKind::Small.size()]);
+    pub(crate) const HOUSE: Self = Self([
+        TextKind::Name.size(),
+        TextKind::Point.size(),
+        TextKind::Note.size(),
+        TextKind::Small.size(),
+        TextKind::Title.size(),
+        TextKind::Caption.size(),
+        TextKind::Headline.size(),
+    ]);
     /// The least and the largest size: letters of less can't be read, and formulas have scripts of six tenths
     /// of it; larger ones leave no room for the picture.
     pub(super) const RANGE: (f64, f64) = (11.0, 40.0);

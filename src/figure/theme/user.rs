@@ -254,7 +254,9 @@ mod tests {
         assert_eq!(said("fill_opacity = 2"), "fill_opacity: expected 0 to 1, got 2");
         assert_eq!(said("text.name = 10.5"), "text.name: expected 11 to 40, got 10.5");
         assert_eq!(said("stroke.outline = nan"), "stroke.outline: expected 0.5 to 8, got NaN");
-        assert!(said("text.title = 12").starts_with("text: expected one of name, point, note, small, got"));
+        assert!(
+            said("text.word = 12").starts_with("text: expected one of name, point, note, small, title, ")
+        );
         assert!(said("stroke.line = 1").contains("dimension, axes, grid, got `line`"));
     }
 
