@@ -82,41 +82,42 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-6.1, -5.3, 6.3, 6.6]);
+    let world = look(&f, 0, [-6.1, -5.0, 6.3, 6.9]);
     shows![
         world.polygon(A, &[(-1.5, -3.0), (3.3, 0.6), (1.5, 3.0), (-3.3, -0.6)]).is_some(),
-        world.polygon(B, &[(0.3, -0.4), (3.5, 2.0), (1.7, 4.4), (-1.5, 2.0)]).is_some(),
-        world.arrow(Translation, (1.5, 0.5), (0.3, 2.1)),
-        world.marker(Now, (0.3, -0.4)),
-        world.marker(Now, (3.5, 2.0)),
+        world.polygon(B, &[(0.7, -0.1), (3.9, 2.3), (2.1, 4.7), (-1.1, 2.3)]).is_some(),
+        // From the middle of what the parallel edges share, along (-3, 4)/5.
+        world.arrow(Translation, (1.7, 0.65), (0.5, 2.25)),
+        world.marker(Now, (0.7, -0.1)),
+        world.marker(Now, (3.9, 2.3)),
         world
-            .line(Now, (0.3, -0.4), (3.5, 2.0))
+            .line(Now, (0.7, -0.1), (3.9, 2.3))
             .is_some_and(|p| p.stroke.as_ref().is_some_and(|s| s.dash.is_empty())),
-        world.text_near("$b_1$", (0.3, -0.4), 40.0),
-        world.text_near("$b_2$", (3.5, 2.0), 40.0),
+        world.text_near("$b_1$", (0.7, -0.1), 40.0),
+        world.text_near("$b_2$", (3.9, 2.3), 40.0),
     ];
-    let conf = look(&f, 1, [-5.2, -3.9, 7.2, 8.0]);
+    let conf = look(&f, 1, [-5.0, -3.7, 7.7, 8.3]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-1.2, -3.4), B),
-            ((2.0, -1.0), A),
-            ((6.8, 2.6), B),
-            ((5.0, 5.0), A),
-            ((3.2, 7.4), B),
-            ((0.0, 5.0), A),
-            ((-4.8, 1.4), B),
-            ((-3.0, -1.0), A),
+            ((-0.8, -3.1), B),
+            ((2.4, -0.7), A),
+            ((7.2, 2.9), B),
+            ((5.4, 5.3), A),
+            ((3.6, 7.7), B),
+            ((0.4, 5.3), A),
+            ((-4.4, 1.7), B),
+            ((-2.6, -0.7), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
-        conf.marker(Now, (2.0, -1.0)),
+        conf.marker(Now, (2.4, -0.7)),
         f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.line(Muted, (0.0, 0.0), (-2.4, -1.8)).is_some(),
-        f.says("$3$: longer"),
+        conf.line(Muted, (0.0, 0.0), (-2.8, -2.1)).is_some(),
+        f.says("$3.5$: longer"),
     ];
 }
 

@@ -86,13 +86,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
     }
-    if options.flag("around", false) {
-        around(sketch, context, &found, &outline_b, b);
-    }
+    let around = if options.flag("around", false) {
+        around(sketch, context, &found, &outline_b, b)
+    } else {
+        Vec::new()
+    };
     sketch.part("grown-edges");
     for edge in &found.edges {
         let (from, to) = found.drawn(edge);
         draw_edge(sketch, edge.source, (turned(from), turned(to)), Pen::outline(edge.source.into()));
+    }
+    sketch.part("around");
+    for place in around {
+        sketch.marker(place, Marker::Square, Role::B, SMALL_MARKER);
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {
@@ -104,28 +110,31 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));
 }
 
-/// Draws B where it touches A with a vertex on the middle of an edge, its point on the grown outline.
-fn around(sketch: &mut Sketch, context: &Context, found: &Difference, outline_b: &Outline, b: DVec2) {
+/// Draws B where it touches A with a vertex on the middle of an edge, and gives the places of its point then,
+/// which are on the grown outline.
+fn around(
+    sketch: &mut Sketch,
+    context: &Context,
+    found: &Difference,
+    outline_b: &Outline,
+    b: DVec2,
+) -> Vec<DVec2> {
     let edges: Vec<&Edge> = found.edges.iter().filter(|edge| edge.source == Side::A).collect();
-    sketch.part("copies").weight(Weight::Light);
-    let mut last = None;
-    for edge in edges.iter().step_by(edges.len().div_ceil(MOST).max(1)) {
+    let middle = |edge: &&Edge| {
         let (from, to) = found.drawn(edge);
-        let place = b - 0.5 * (from + to);
-        let copy = outline_b.moved(place - b);
-        sketch.area(&copy, None, Some(Pen::ghost(Role::B))).marker(
-            place,
-            Marker::Square,
-            Role::B,
-            SMALL_MARKER,
-        );
-        last = Some(copy);
+        b - 0.5 * (from + to)
+    };
+    let places: Vec<DVec2> = edges.iter().step_by(edges.len().div_ceil(MOST).max(1)).map(middle).collect();
+    sketch.part("copies").weight(Weight::Light);
+    for &place in &places {
+        sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B)));
     }
-    if let Some(copy) = last {
+    if let Some(&last) = places.last() {
         let text = format!("{} moved around {}", context.name(Side::B), context.name(Side::A));
-        let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
+        let label = Label::new("copy", text, Anchor::inside(&outline_b.moved(last - b)), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
+    places
 }
 
 /// Draws the way from B's point to the nearest point of the grown A: a length, or, from within, the minimum

@@ -142,12 +142,11 @@ fn the_grown_body_is_as_far_from_the_point_as_the_bodies_from_each_other() {
 #[test]
 fn copies_around_a_body_are_moved_and_not_turned() {
     let copies = |options: &str| paths(&grown(options).drawing.items, "copies").len();
-    // Two of the four edges, each with B and its point; or B on each of the four vertices.
-    assert_eq!(
-        [copies(", copies = false, around = true"), copies(", copies = false"), copies("")],
-        [4, 0, 4]
-    );
-    assert_eq!(labels(&grown(", copies = false, around = true"))["copy"].0, "$B$ moved around $A$");
+    // B at two of the four edges, and its point there; or B on each of the four vertices.
+    let around = ", copies = false, around = true";
+    assert_eq!([copies(around), copies(", copies = false"), copies("")], [2, 0, 4]);
+    assert_eq!(paths(&grown(around).drawing.items, "around").len(), 2);
+    assert_eq!(labels(&grown(around))["copy"].0, "$B$ moved around $A$");
 }
 
 #[test]
