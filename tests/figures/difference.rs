@@ -116,8 +116,8 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.marker(Now, (2.4, -0.7)),
         f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.line(Muted, (0.0, 0.0), (-2.8, -2.1)).is_some(),
-        f.says("$3.5$: longer"),
+        conf.line(Muted, (0.0, 0.0), (-2.0, -1.5)).is_some(),
+        f.says("$2.5$: longer"),
     ];
 }
 
