@@ -296,9 +296,9 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
 
 /// The title over a panel.
 fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &Theme) -> Item {
-    let at = plan.page.title_baseline(&panel.frame.panel);
+    let lines = text.of(theme);
     let mut group = Group::new("title");
-    for line in text.of(theme) {
+    for (line, at) in lines.iter().zip(plan.page.title_baselines(&panel.frame.panel, lines.len())) {
         let origin = Point::new(at.x - 0.5 * line.width, at.y);
         group.items.extend(lettered(line, origin, Role::Ink, (theme, None)));
     }

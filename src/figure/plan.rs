@@ -12,6 +12,7 @@ use super::default_picture;
 use super::describe::sentence;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
+use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
@@ -132,7 +133,14 @@ fn resolve<'s>(
     let sheets = default_picture::sheets(scene, &runs, &mut problems);
     let count = sheets.len();
     let measures = Measures::of(&scene.canvas, theme.text);
-    let mut resolver = Resolver { scene, runs: &runs, measures: &measures, problems, notes: Vec::new() };
+    let mut resolver = Resolver {
+        scene,
+        runs: &runs,
+        measures: &measures,
+        problems,
+        notes: Vec::new(),
+        title_width: Layout::title_width(&measures, count, scene.canvas.columns),
+    };
     let mut panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
@@ -151,11 +159,11 @@ fn resolve<'s>(
     if scene.panels.is_empty() && scene.caption.is_none() {
         caption = caption_of_words(&measures, sentence(scene, &runs.own(scene, scene.query.time)));
     }
-    let titled = panels.iter().any(|p| p.title.is_some());
+    let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let layout = Layout {
         measures,
         columns: scene.canvas.columns,
-        titled,
+        titles,
         head: headline.lines.len(),
         lines: caption.lines.len(),
     };

@@ -9,7 +9,7 @@ use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
 use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, When};
-use crate::typeset::{Style, typeset};
+use crate::typeset::{Style, typeset, wrap};
 
 use super::context::{Context, Moment};
 use super::default_picture::Sheet;
@@ -23,6 +23,9 @@ use super::runs::Runs;
 use super::standing::standing;
 use super::text::{filled, set};
 
+/// Lines of the longest title that is broken into lines.
+const MOST_TITLE: usize = 4;
+
 /// Resolves the panels of a scene and keeps what is wrong with them.
 pub(super) struct Resolver<'r, 's> {
     /// The scene whose panels they are.
@@ -31,6 +34,8 @@ pub(super) struct Resolver<'r, 's> {
     pub(super) runs: &'r Runs,
     /// The sizes on the page.
     pub(super) measures: &'r Measures,
+    /// How wide a line of a panel's title may be, page pixels; `None` where it stands on one line.
+    pub(super) title_width: Option<f64>,
     /// What keeps the figure from being drawn.
     pub(super) problems: Vec<Problem>,
     /// What the answer lacks, with its place in the scene.
@@ -65,9 +70,13 @@ impl<'s> Resolver<'_, 's> {
             }
         }
         let title = source.title.as_ref().and_then(|t| {
-            let size = self.measures.title_size();
+            let style = Style::semibold(self.measures.title_size());
+            let width = self.title_width;
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
-                typeset(text, Style::semibold(size)).map(|line| vec![line])
+                let line = typeset(text, style)?;
+                let folded = width.filter(|width| line.width > *width).map(|width| wrap(text, style, width));
+                let folded = folded.transpose()?.filter(|lines| lines.len() <= MOST_TITLE);
+                Ok(folded.unwrap_or_else(|| vec![line]))
             })
         });
         // What is said of the panel has the values that stand over it.

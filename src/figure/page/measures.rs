@@ -14,6 +14,8 @@ const TOP: f64 = 20.0;
 const BOTTOM: f64 = 20.0;
 /// Height of a row of titles, page pixels.
 const TITLE: f64 = 24.0;
+/// From one baseline of a title to the next, page pixels.
+const TITLE_STEP: f64 = 17.0;
 /// From a title's baseline down to its panel, page pixels.
 const TITLE_DROP: f64 = 12.0;
 /// From the panels down to the first baseline of the caption, page pixels.
@@ -140,9 +142,17 @@ impl Measures {
         self.margin.unwrap_or(TOP * self.share)
     }
 
-    /// Height of a row of titles, page pixels.
-    pub(super) fn title(&self) -> f64 {
-        TITLE * self.grown(TextKind::Title)
+    /// Height of a row of titles of so many lines, page pixels.
+    pub(super) fn title(&self, lines: usize) -> f64 {
+        match lines {
+            0 => 0.0,
+            _ => TITLE * self.grown(TextKind::Title) + self.title_step() * count(lines - 1),
+        }
+    }
+
+    /// From one baseline of a panel's title to the next, page pixels.
+    pub(super) fn title_step(&self) -> f64 {
+        TITLE_STEP * self.title_size() / TextKind::Title.size()
     }
 
     /// From a title's baseline down to its panel, page pixels.

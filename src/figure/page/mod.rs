@@ -21,8 +21,8 @@ pub(crate) struct Layout {
     pub(crate) measures: Measures,
     /// Panels side by side, where the scene says how many.
     pub(crate) columns: Option<usize>,
-    /// Whether the panels have titles.
-    pub(crate) titled: bool,
+    /// Lines of the longest title of a panel; 0 where none has one.
+    pub(crate) titles: usize,
     /// Lines of the headline.
     pub(crate) head: usize,
     /// Lines of the caption.
@@ -48,6 +48,8 @@ pub(crate) struct Page {
     pub(crate) caption: Point,
     /// From a panel's title's baseline down to the panel, page pixels.
     title_drop: f64,
+    /// From one baseline of a panel's title to the next, page pixels.
+    title_step: f64,
     /// From one baseline of the caption to the next, page pixels.
     pub(crate) step: f64,
 }
@@ -55,9 +57,9 @@ pub(crate) struct Page {
 impl Layout {
     /// Cells for panels that show so much, above the caption.
     pub(crate) fn page(&self, wants: &[Want]) -> Page {
-        let Self { measures, titled, head, .. } = *self;
+        let Self { measures, titles, head, .. } = *self;
         let (side, gap) = (measures.side(), measures.gap());
-        let title = if titled { measures.title() } else { 0.0 };
+        let title = measures.title(titles);
         let foot = measures.foot(count(self.caption_room()));
         let top = measures.top() + measures.headline_height(head);
         let space = rows::Space {
@@ -93,8 +95,22 @@ impl Layout {
             headline_step: measures.headline_step(),
             caption: Point::new(side, bottom + measures.drop()),
             title_drop: measures.title_drop(),
+            title_step: measures.title_step(),
             step: measures.step(),
         }
+    }
+
+    /// How wide a line of a panel's title may be, page pixels; `None` on a page of a given height, where more
+    /// lines would take room from the panels.
+    pub(crate) fn title_width(measures: &Measures, panels: usize, columns: Option<usize>) -> Option<f64> {
+        let space = rows::Space {
+            width: measures.measure(),
+            height: None,
+            gap: measures.gap(),
+            title: 0.0,
+            larger: measures.larger(),
+        };
+        measures.height.is_none().then(|| space.narrowest(panels, columns))
     }
 
     /// Lines that the caption has room for: on a page of a given height no fewer than two, so that the panels
@@ -108,9 +124,10 @@ impl Layout {
 }
 
 impl Page {
-    /// Middle of the baseline of a title over a panel, page pixels.
-    pub(crate) fn title_baseline(&self, cell: &Rect) -> Point {
-        Point::new(cell.center().x, cell.y0 - self.title_drop)
+    /// Middles of the baselines of a title of so many lines over a panel, page pixels, from the top.
+    pub(crate) fn title_baselines(&self, cell: &Rect, lines: usize) -> impl Iterator<Item = Point> {
+        let (middle, last, step) = (cell.center().x, cell.y0 - self.title_drop, self.title_step);
+        (0..lines).rev().map(move |above| Point::new(middle, last - step * count(above)))
     }
 }
 
@@ -137,9 +154,9 @@ mod tests {
     use crate::scene::{Canvas, Height};
 
     /// A page for panels that show so much each.
-    fn page(canvas: &Canvas, wants: &[(f64, f64)], titled: bool, lines: usize) -> Page {
+    fn page(canvas: &Canvas, wants: &[(f64, f64)], titles: usize, lines: usize) -> Page {
         let measures = Measures::of(canvas, TypeSizes::HOUSE);
-        let layout = Layout { measures, columns: canvas.columns, titled, head: 0, lines };
+        let layout = Layout { measures, columns: canvas.columns, titles, head: 0, lines };
         let wants: Vec<_> =
             wants.iter().map(|&(width, height)| Want { width, height, room: false }).collect();
         layout.page(&wants)
@@ -152,19 +169,19 @@ mod tests {
     #[test]
     fn a_page_of_a_given_height_gives_the_panels_all_that_the_caption_leaves() {
         let usual = of_size(960.0, Some(540.0));
-        let one = page(&usual, &[(1.0, 1.0)], false, 2);
+        let one = page(&usual, &[(1.0, 1.0)], 0, 2);
         assert_eq!(one.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 476.0 }]);
-        let two = page(&usual, &[(1.0, 1.0); 2], true, 1);
+        let two = page(&usual, &[(1.0, 1.0); 2], 1, 1);
         assert_eq!(two.cells[0], Rect { x0: 24.0, y0: 44.0, x1: 468.0, y1: 476.0 });
         assert_eq!(two.cells[1], Rect { x0: 492.0, y0: 44.0, x1: 936.0, y1: 476.0 });
-        assert_eq!(two.title_baseline(&two.cells[0]).y, 32.0);
-        let three = page(&usual, &[(1.0, 1.0); 3], true, 2);
+        assert_eq!(two.title_baselines(&two.cells[0], 1).next().unwrap().y, 32.0);
+        let three = page(&usual, &[(1.0, 1.0); 3], 1, 2);
         assert_eq!(three.cells[2].width(), 288.0);
     }
 
     #[test]
     fn a_page_without_a_height_ends_where_the_drawing_ends() {
-        let page = page(&Canvas::default(), &[(4.0, 1.0)], false, 1);
+        let page = page(&Canvas::default(), &[(4.0, 1.0)], 0, 1);
         assert_eq!(page.cells, [Rect { x0: 24.0, y0: 20.0, x1: 936.0, y1: 248.0 }]);
         assert_eq!((page.caption.y, page.height), (272.0, 292.0));
     }
@@ -175,7 +192,7 @@ mod tests {
             let layout = |head| Layout {
                 measures: Measures::of(&canvas, TypeSizes::HOUSE),
                 columns: None,
-                titled: false,
+                titles: 0,
                 head,
                 lines: 2,
             };
@@ -188,9 +205,19 @@ mod tests {
     }
 
     #[test]
+    fn a_title_of_more_lines_stands_above_its_panel() {
+        let page = |titles| page(&Canvas::default(), &[(2.0, 1.0)], titles, 0);
+        let top = |titles| page(titles).cells[0].y0;
+        assert!(top(1) > top(0) && (top(3) - top(1) - 2.0 * 17.0).abs() < 1e-9);
+        let page = page(3);
+        let ys: Vec<f64> = page.title_baselines(&page.cells[0], 3).map(|p| p.y).collect();
+        assert!(20.0 + 9.0 < ys[0] && ys[0] < ys[1] && ys[2] == page.cells[0].y0 - 12.0, "{ys:?}");
+    }
+
+    #[test]
     fn panels_of_a_row_share_its_height_and_rows_differ() {
         let canvas = Canvas { columns: Some(2), ..Canvas::default() };
-        let cells = page(&canvas, &[(2.0, 1.0), (1.0, 1.0), (4.0, 1.0)], false, 0).cells;
+        let cells = page(&canvas, &[(2.0, 1.0), (1.0, 1.0), (4.0, 1.0)], 0, 0).cells;
         let heights: Vec<f64> = cells.iter().map(|cell| cell.height()).collect();
         assert_eq!(heights[0], heights[1]);
         assert_eq!(heights[2], 111.0);
@@ -206,7 +233,7 @@ mod tests {
             for (panels, columns) in (1..=6).flat_map(|n| [(n, None), (n, Some(1)), (n, Some(4))]) {
                 for wants in [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1e300, 1e-300)] {
                     let canvas = Canvas { columns, ..canvas.clone() };
-                    let page = page(&canvas, &vec![wants; panels], true, 2);
+                    let page = page(&canvas, &vec![wants; panels], 1, 2);
                     assert_eq!(page.cells.len(), panels);
                     for (i, cell) in page.cells.iter().enumerate() {
                         let on_page = cell.x0 >= 0.0 && cell.x1 <= page.width && cell.y1 <= page.height;

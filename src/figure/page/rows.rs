@@ -94,6 +94,15 @@ impl Space {
         fit.clone().find(all).or_else(|| fit.next_back()).unwrap_or(1)
     }
 
+    /// The least width that a panel, one of so many, has on a page that ends with the drawing, whatever they
+    /// show.
+    pub(super) fn narrowest(&self, panels: usize, asked: Option<usize>) -> f64 {
+        let panels = panels.max(1);
+        let wide = |columns: &usize| *columns == 1 || self.panel_width(*columns) >= NARROWEST * self.larger;
+        let columns = asked.map(|columns| columns.min(panels)).or_else(|| (1..=panels).rfind(wide));
+        self.panel_width(columns.unwrap_or(1))
+    }
+
     /// Width of a panel, one of so many side by side.
     fn panel_width(&self, columns: usize) -> f64 {
         ((self.width - count(columns - 1) * self.gap) / count(columns)).max(1.0)
