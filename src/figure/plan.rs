@@ -145,12 +145,9 @@ fn resolve<'s>(
     let Resolver { mut problems, notes: mut warnings, .. } = resolver;
     label_keys(scene, &panels, &mut problems);
     let first = panels.first().map(|panel| panel.context(scene, &runs));
-    let mut set = |block| {
-        first
-            .as_ref()
-            .map(|first| across(block, (first, &measures), (&mut problems, &mut warnings)))
-            .unwrap_or_default()
-    };
+    let on_page = first.as_ref().map(|first| (first, &measures));
+    let mut set =
+        |block| on_page.map(|at| across(block, at, (&mut problems, &mut warnings))).unwrap_or_default();
     let (headline, mut caption) = (set(Block::Headline), set(Block::Caption));
     let mut said = |text: &Option<_>| {
         first.as_ref().and_then(|first| spoken(text.as_ref(), first, (&mut problems, &mut warnings)))
