@@ -3,8 +3,10 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch};
-use crate::geometry::Side;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of,
+};
+use crate::geometry::{DVec2, Side};
 
 use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
@@ -12,6 +14,12 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, 
 
 /// Opacity of the edge that is not taken.
 const REJECTED: f64 = 0.55;
+
+/// How far the edge before is drawn on, page pixels.
+const AHEAD: f64 = 90.0;
+
+/// Radius of the arc of the smaller turn, page pixels; that of the other one is less.
+const TURN: f64 = 60.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "merging",
@@ -46,6 +54,12 @@ fn shown(context: &Context, options: &Options) -> Option<Vec<Merged>> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(all) = shown(context, options) else { return };
+    if let [.., before, next] = all.as_slice()
+        && options.gives("step")
+        && next.other.is_some()
+    {
+        straight_on(sketch, before.edge, next);
+    }
     let whole = !options.gives("step");
     let before = if whole { all.len() } else { all.len() - 1 };
     for (k, edge) in (1..).zip(&all[..before]) {
@@ -61,6 +75,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if let Some(next) = all.last().filter(|_| !whole) {
         choice(sketch, context, next);
+    }
+}
+
+/// Draws how the edge before would go on, and how far either next edge turns from that.
+fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) {
+    let Some(u) = before.try_normalize() else { return };
+    let ahead = next.at + u * sketch.px(AHEAD);
+    sketch.part("straight-on").weight(Weight::Light).line(next.at, ahead, Pen::construction());
+    let both = [(next.taken, Some(next.edge), TURN), (next.taken.other(), next.other, TURN * 0.6)];
+    for (side, edge, radius) in both {
+        let Some(edge) = edge else { continue };
+        let (start, turn) = (angle_of(u), libm::atan2(u.perp_dot(edge), u.dot(edge)));
+        let radius = sketch.px(radius);
+        sketch.part("turn").weight(Weight::Light);
+        sketch.arc_arrow(next.at, radius, start, turn, Pen::dimension(side.into()));
     }
 }
 
@@ -93,4 +122,31 @@ fn key(side: Side) -> &'static str {
 fn name(context: &Context, side: Side) -> String {
     let edge = context.named(side).below("e");
     if side == Side::A { format!("$-{edge}$") } else { format!("${edge}$") }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_choice_shows_both_turns_from_the_edge_before_where_there_is_one() {
+        for (step, choice) in [("step = 4", true), ("step = 1", false), ("labels = true", false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 1]] }}
+                shapes.B = {{ kind = 'polygon', vertices = [[3.5, 2.5], [7, 1], [8, 3], [5, 5]] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'merge' }}
+                panels = [{{ space = 'configuration', layers = [{{ layer = 'merging', {step} }}] }}]"
+            );
+            let scene = open_text("merge", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "merge");
+            // An arc and its head for each of the two.
+            let turns = paths(&figure.drawing.items, "turn").len();
+            assert_eq!(turns, if choice { 4 } else { 0 }, "{step}");
+            assert_eq!(paths(&figure.drawing.items, "straight-on").is_empty(), !choice, "{step}");
+            assert_eq!(labels(&figure).contains_key("less"), !step.starts_with("labels"), "{step}");
+        }
+    }
 }

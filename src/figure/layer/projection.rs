@@ -10,7 +10,7 @@
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
@@ -35,13 +35,23 @@ pub(super) const LAYER: Layer = Layer {
     name: "projection",
     about: "both bodies' intervals on one axis of the separating-axis test",
     shows: Shows::World,
-    options: &[OptionSpec {
-        name: "axis",
-        takes: Takes::Number,
-        default: "the one of the largest gap, else of the least depth",
-        about: "which tested axis, from 1",
-    }],
+    options: &[
+        OptionSpec {
+            name: "axis",
+            takes: Takes::Number,
+            default: "the one of the largest gap, else of the least depth",
+            about: "which tested axis, from 1",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the axis, and where A ends and B begins along it",
+        },
+    ],
     labels: &[
+        LabelKey { key: "end.A", about: "where A ends along the axis, with values" },
+        LabelKey { key: "begin.B", about: "where B begins along the axis, with values" },
         LabelKey { key: "n", about: "the axis" },
         LabelKey {
             key: "gap",
@@ -103,14 +113,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let past = sketch.px(PAST);
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
+    let values = options.flag("values", false);
+    let n = if values { format!("$n = ({}, {})$", number(t.n.x), number(t.n.y)) } else { "$n$".to_owned() };
     // Of a round body's vertex there is no edge to show n at.
-    if edge(sketch, context, &t).is_none() {
-        sketch.part("axis").label(Label::new(
-            "n",
-            "$n$",
-            Anchor::tip(at(first, 0.0), at(last, 0.0)),
-            Role::Muted,
-        ));
+    if edge(sketch, context, &t, &n).is_none() {
+        let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
+        sketch.part("axis").label(Label::new("n", n, beyond, Role::Muted));
     }
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
         let track = sketch.px(track);
@@ -125,6 +133,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
     measure(sketch, &t, at);
+    if values {
+        let above = sketch.px(-TRACK);
+        for (key, side, along) in [("end.A", Side::A, t.a.hi), ("begin.B", Side::B, t.b.lo)] {
+            let label = Label::new(
+                key,
+                format!("${}$", number(along)),
+                Anchor::point_toward(at(along, above), -down),
+                side.into(),
+            );
+            sketch.label(label.rank(Rank::Measure).size(Size::Note));
+        }
+    }
 }
 
 /// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to
@@ -139,7 +159,7 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
 
 /// Draws the edge whose normal the axis is, thick, with n square to it at its middle; `None` where the axis
 /// is of no edge.
-fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
+fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, n: &str) -> Option<()> {
     let (side, Feature::Edge(index)) = t.source else { return None };
     let body = context.body(side)?;
     let [i, j] = body.shape.edge_ends(index)?;
@@ -148,7 +168,7 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
     let (p, q) = (p + out, q + out);
     let middle = 0.5 * (p + q);
     sketch.part("edge").line(p, q, Pen::highlighted(side.into())).right_angle(middle, q - middle, t.n);
-    unit_vector(sketch, (middle, t.n), None, Label::new("n", "$n$", Anchor::point(middle), Role::Ink));
+    unit_vector(sketch, (middle, t.n), None, Label::new("n", n, Anchor::point(middle), Role::Ink));
     Some(())
 }
 
@@ -204,7 +224,7 @@ mod tests {
             shapes.B = {{ kind = "polygon", vertices = [[-0.8, -0.5], [0.8, -0.6], [1, 0.3], [0.1, 0.9]],
                 radius = 0.25, position = [1.3, 0.9], angle_deg = 10 }}
             query = {{ kind = "separation", of = ["A", "B"], algorithm = "separating-axes" }}
-            panels = [{{ layers = [{{ layer = "projection", axis = {axis} }}] }}]
+            panels = [{{ layers = [{{ layer = "projection", axis = {axis}, values = true }}] }}]
         "#
         )
     }
@@ -221,7 +241,12 @@ mod tests {
             let (a, b, gap) = plan.own_run().events().filter_map(tested).nth(axis - 1).unwrap();
             assert!((gap - (b.lo - a.hi)).abs() < 1e-14 * 4.0, "axis {axis}: {gap}, {a:?} to {b:?}");
             let figure = draw(&plan, plan.theme, "axes");
-            let (label, number) = labels(&figure).remove("gap").unwrap();
+            let mut labels = labels(&figure);
+            for (key, end) in [("end.A", a.hi), ("begin.B", b.lo)] {
+                assert!((labels[key].1 - end).abs() < 0.006, "axis {axis}: {:?} is not {end}", labels[key]);
+            }
+            assert!(labels["n"].0.starts_with("$n = ("), "{:?}", labels["n"]);
+            let (label, number) = labels.remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
             assert_eq!(label.contains("faces away"), b.hi < a.lo, "axis {axis}: {label}");
             let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;

@@ -32,8 +32,11 @@ const FILL: f64 = 0.16;
 /// How far a tangent reaches past the point where it touches, page pixels.
 const PAST: f64 = 30.0;
 
-/// Edge of the square that marks a right angle, page pixels.
-const SQUARE: f64 = 17.0;
+/// How far a tangent reaches back through O, page pixels: the right angle is marked there, outside the cone.
+const BACK: f64 = 40.0;
+
+/// Edge of the square that marks a right angle, page pixels: clear of O's ring.
+const SQUARE: f64 = 20.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 60.0];
@@ -99,13 +102,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
     let sector = Outline::sector(origin, radius, start, end - start);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
-    let past = sketch.px(PAST);
+    let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
     let ends = [(cone.tangents[0], end, cone.touching[0]), (cone.tangents[1], start, cone.touching[1])];
     for (tangent, edge, touching) in ends {
-        let beyond = on_circle(touching, past, tangent);
-        sketch.part("tangent").weight(Weight::Light).line(origin, beyond, Pen::construction());
+        let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
+        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::construction());
         sketch.part("cone-edge").line(origin, on_circle(origin, radius, edge), Pen::vector(role));
-        right_angle(sketch, origin, [tangent, edge]);
+        right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
     }
     let [least, most] = READABLE.map(|px| sketch.px(px));

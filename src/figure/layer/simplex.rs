@@ -3,7 +3,10 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight,
+};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
@@ -27,16 +30,26 @@ pub(super) const LAYER: Layer = Layer {
     name: "simplex",
     about: "one step of GJK or EPA: the simplex, its closest point, the next vertex",
     shows: Shows::Configuration,
-    options: &[OptionSpec {
-        name: "step",
-        takes: Takes::Number,
-        default: "the last",
-        about: "which simplex or polytope, from 1",
-    }],
+    options: &[
+        OptionSpec {
+            name: "step",
+            takes: Takes::Number,
+            default: "the last",
+            about: "which simplex or polytope, from 1",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the length of v and the supporting line's distance: the most and the least",
+        },
+    ],
     labels: &[
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
         LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
+        LabelKey { key: "least", about: "the supporting line's distance from the origin, with values" },
+        LabelKey { key: "dropped", about: "a vertex of the step before that is no longer needed" },
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
@@ -55,6 +68,8 @@ struct Step {
     closest: Option<DVec2>,
     /// The vertex that it lacks and the next step has, w.
     next: Option<DVec2>,
+    /// Vertices of the step before that it does without.
+    dropped: Vec<DVec2>,
 }
 
 /// The step that the scene wants; else the last.
@@ -74,7 +89,9 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
     let &(vertices, closest) = all.get(index)?;
     let next =
         all.get(index + 1).and_then(|(after, _)| after.iter().find(|w| !vertices.contains(w)).copied());
-    Some(Step { vertices: vertices.clone(), closest: closest.filter(|v| *v != DVec2::ZERO), next })
+    let before = index.checked_sub(1).and_then(|i| all.get(i)).into_iter().flat_map(|(before, _)| *before);
+    let dropped = before.filter(|w| !vertices.contains(w)).copied().collect();
+    Some(Step { vertices: vertices.clone(), closest: closest.filter(|v| *v != DVec2::ZERO), next, dropped })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -87,11 +104,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for &vertex in &step.vertices {
         sketch.part("simplex").marker(vertex, Marker::Diamond, role, MARKER);
     }
+    for &vertex in &step.dropped {
+        sketch.part("dropped").marker(vertex, Marker::Cross, Role::Muted, LARGE_MARKER);
+        let label = Label::new("dropped", "dropped", Anchor::point(vertex), Role::Muted);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
     if let Some(v) = step.closest {
+        let values = options.flag("values", false);
         let blue = Role::Translation;
         sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
-        sketch.label(Label::new("closest", "$v$", Anchor::middle(DVec2::ZERO, v), blue));
-        search(sketch, v, &step.vertices, step.next);
+        let text = if values { format!(r"$\|v\| = {}$", number(v.length())) } else { "$v$".to_owned() };
+        sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
+        search(sketch, v, &step, values);
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
@@ -101,7 +125,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// Draws the direction −v beside v, and the supporting line square to it through the vertex that is farthest
 /// that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search ends.
-fn search(sketch: &mut Sketch, v: DVec2, vertices: &[DVec2], next: Option<DVec2>) {
+fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, values: bool) {
     let Some(u) = v.try_normalize() else { return };
     let beside = perp(u) * sketch.px(BESIDE);
     let reach = sketch.px(SEARCH).min(0.5 * v.length());
@@ -119,8 +143,45 @@ fn search(sketch: &mut Sketch, v: DVec2, vertices: &[DVec2], next: Option<DVec2>
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
     sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
     sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
+    if values && next.is_some() {
+        let least = Label::new("least", format!("${}$", number(w.dot(u))), Anchor::point(foot), Role::Ink);
+        sketch.label(least.rank(Rank::Measure));
+    }
     if next.is_none() {
         let text = Label::new("stop", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
         sketch.label(text.rank(Rank::Word).size(Size::Note));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn each_step_encloses_the_distance_and_crosses_out_what_the_one_before_had_and_it_has_not() {
+        // 5.2 is the distance of O from the line through (5, 2) and (2, 6).
+        let dropped = [0, 1, 0, 1];
+        for (step, dropped) in (1..).zip(dropped) {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -3], [2, 0], [-3, 2]] }}
+                shapes.B = {{ kind = 'polygon', vertices = [[7, 2], [8, 7], [4, 6]] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
+                panels = [{{ space = 'configuration',
+                    layers = [{{ layer = 'simplex', step = {step}, values = true }}] }}]"
+            );
+            let scene = open_text("gjk", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "gjk");
+            let labels = labels(&figure);
+            let most = labels["closest"].1;
+            let least = labels.get("least").map(|least| least.1);
+            assert!(most >= 5.2 && least.is_none_or(|least| least < 5.2), "{step}: {least:?} to {most}");
+            assert_eq!((least.is_none(), labels.contains_key("stop")), (step == 4, step == 4));
+            assert_eq!(labels.contains_key("dropped"), dropped > 0, "step {step}");
+            assert_eq!(paths(&figure.drawing.items, "dropped").is_empty(), dropped == 0, "step {step}");
+            assert!(!lines(&figure, "supporting-line").is_empty());
+        }
     }
 }
