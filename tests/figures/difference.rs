@@ -162,19 +162,30 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-1.5, -1.5, 12.5, 10.5];
-    let panels = [0, 1, 2].map(|i| look(&f, i, view));
+    let view = [-0.8, -0.9, 12.2, 10.4];
+    let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     shows![
-        // b₀ − a₀ = (8.5, 3.5) − (−3, −1); then b₂ − a₃ and b₃ − a₃, on the line 4x + 3y = 25, 5 from the
-        // origin.
-        panels[0].marker(Now, (11.5, 4.5)),
-        panels[0].arrow_toward(Translation, (0.0, 0.0), (11.5, 4.5)),
-        panels[0].text_near("$w$", (2.5, 5.0), 40.0),
-        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.5, 5.0)),
-        panels[1].text_near("$w$", (5.5, 1.0), 40.0),
-        panels[2].line(Now, (2.5, 5.0), (5.5, 1.0)).is_some(),
-        panels[2].arrow_toward(Translation, (0.0, 0.0), (4.0, 3.0)),
-        // The supporting line through w, square to v: 11.5x + 4.5y = 51.25 in the first.
-        panels[0].through((2.5, 5.0), (3.864_754, 1.512_295)),
+        // b₁ − a₂ = (8, 7) − (−3, 2) is farthest to the right; then b₂ − a₁ = (2, 6), b₀ − a₂ = (10, 0), and
+        // b₀ − a₁ = (5, 2), which with (2, 6) is on the line 4x + 3y = 26, 5.2 from the origin.
+        panels[0].marker(Now, (11.0, 5.0)),
+        panels[0].arrow_toward(Translation, (0.0, 0.0), (11.0, 5.0)),
+        panels[0].text_near("$w$", (2.0, 6.0), 40.0),
+        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.0, 6.0)),
+        panels[1].text_near("$w$", (10.0, 0.0), 40.0),
+        panels[1].text_near("dropped", (11.0, 5.0), 60.0),
+        panels[2].line(Now, (2.0, 6.0), (10.0, 0.0)).is_some(),
+        panels[2].arrow_toward(Translation, (0.0, 0.0), (3.6, 4.8)),
+        panels[3].line(Now, (2.0, 6.0), (5.0, 2.0)).is_some(),
+        panels[3].arrow_toward(Translation, (0.0, 0.0), (4.16, 3.12)),
+        panels[3].text_near("dropped", (10.0, 0.0), 60.0),
+        // The supporting line through w, square to v: 11x + 5y = 52 in the first, 0.356 of v from O.
+        panels[0].through((2.0, 6.0), (3.917_808, 1.780_822)),
     ];
+    // ‖v‖ is √146, √40, 6 and 5.2, and w · v/‖v‖ is 52/√146, 20/√40 and 27.6/6.
+    for number in ["12.1", "6.32", "6", "5.2"] {
+        assert!(f.says(&format!(r"$\|v\| = {number}$")), "{number}");
+    }
+    for number in ["4.3", "3.16", "4.6"] {
+        assert!(f.says(&format!("${number}$")), "{number}");
+    }
 }

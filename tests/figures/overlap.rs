@@ -239,27 +239,33 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 #[test]
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
-    let view = [-7.6, -4.6, 5.4, 7.4];
+    let view = [-7.0, -7.2, 8.0, 6.2];
+    let length = |l: &super::seen::Look, p: (f64, f64), q: (f64, f64)| {
+        super::seen::distance(l.panel.page(p), l.panel.page(q))
+    };
+    let has = |l: &super::seen::Look, role, n: (f64, f64), wanted: f64| {
+        let along = (l.panel.page(n), l.panel.page((0.0, 0.0)));
+        let (bars, unit) = (l.lengths(role, along), length(l, n, (0.0, 0.0)));
+        assert!(bars.iter().any(|&b| (b - wanted * unit).abs() < 0.25), "{wanted} units: {bars:?}");
+    };
     let one = look(&f, 0, view);
     shows![
-        one.polygon(A, &[(-4.5, -3.0), (-0.5, -3.0), (-0.5, 0.0), (-4.5, 0.0)]).is_some(),
-        one.polygon(B, &[(-2.5, 2.75), (4.5, -2.5), (4.0, 3.0)]).is_some(),
-        one.horizontal(A, -4.5, -0.5),
-        one.horizontal(B, -2.5, 4.5),
-        one.horizontal(Translation, -2.5, -0.5),
-        f.says("depth $= 2$"),
-        f.says("gap $= 1$"),
-        f.says("$n$"),
+        one.polygon(A, &[(-4.0, -3.0), (-2.0, -3.5), (1.0, 0.5), (-3.0, 2.0)]).is_some(),
+        one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (6.0, 3.0), (3.0, 6.0)]).is_some(),
+        one.line(Now, (-2.0, -3.5), (1.0, 0.5)).is_some(),
+        f.says("depth $= 3.7$") && f.says("gap $= 1.6$"),
+        f.says("$n = (0.8, -0.6)$") && f.says("$n = (0.6, 0.8)$"),
+        f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
     ];
-    // Along (3, 4)/5 A ends at −0.3, at its vertex (−0.5, 0), and B begins at 0.7, on the edge 3x + 4y = 3.5.
+    // Along (4, −3)/5 A spans −3.6 to 0.5, where its edge lies, and B −3.2 to 3.
+    let across = (0.8, -0.6);
+    has(&one, A, across, 4.1);
+    has(&one, B, across, 6.2);
+    has(&one, Translation, across, 3.7);
+    // Along (3, 4)/5 A spans −4.8 to 1, at its vertex (1, 0.5), and B 2.6, on the edge 3x + 4y = 13, to 6.6.
     let two = look(&f, 1, view);
-    let length = |p: (f64, f64), q: (f64, f64)| super::seen::distance(two.panel.page(p), two.panel.page(q));
-    let along = (two.panel.page((0.6, 0.8)), two.panel.page((0.0, 0.0)));
-    let bars: Vec<f64> = two.lengths(Translation, along);
-    assert!(bars.iter().any(|&b| (b - length((0.0, 0.0), (0.6, 0.8))).abs() < 0.25), "a gap of 1: {bars:?}");
-    let shadow = two.lengths(A, along);
-    assert!(
-        shadow.iter().any(|&b| (b - 4.8 * two.panel.scale).abs() < 0.25),
-        "from −5.1 to −0.3: {shadow:?}"
-    );
+    assert!(two.line(Now, (-1.0, 4.0), (3.0, 1.0)).is_some());
+    has(&two, A, (0.6, 0.8), 5.8);
+    has(&two, B, (0.6, 0.8), 4.0);
+    has(&two, Translation, (0.6, 0.8), 1.6);
 }
