@@ -131,11 +131,14 @@ fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
 #[test]
 fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let f = figure("08-arc-length");
-    let (p, q) = ((4.0, 0.9), (1.220_58, 3.914_10));
-    let one = look(&f, 0, [-4.6, -4.2, 4.6, 4.8]);
-    let two = look(&f, 1, [-0.9, -0.9, 5.3, 5.1]);
-    let turned = |(x, y): P| (0.5 * x - 0.75_f64.sqrt() * y, 0.75_f64.sqrt() * x + 0.5 * y);
-    let vertices = [(-4.0, -0.9), (4.0, -0.9), (4.0, 0.9), (-4.0, 0.9)];
+    // cos 1.2 and sin 1.2, of the point 5 from the origin.
+    let (c, s) = (0.362_357_754_477, 0.932_039_085_967);
+    let turned = |(x, y): P| (c * x - s * y, s * x + c * y);
+    let p = (4.8, 1.4);
+    let q = turned(p);
+    let one = look(&f, 0, [-2.6, -2.6, 5.6, 5.6]);
+    let two = look(&f, 1, [-0.6, -0.6, 5.6, 5.6]);
+    let vertices = [(-2.0, -0.6), (4.0, -0.6), p, (-2.0, 1.4)];
     shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
     for panel in [&one, &two] {
         shows![
@@ -148,10 +151,9 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
         ];
     }
     shows![
-        f.says(r"$\theta$"),
-        f.says(r"$\theta = 60°$") || f.says(r"$\theta = 60^\circ$"),
-        f.says("$r = 4.1$"),
-        f.says(r"$L = \theta\,r = 4.29$"),
+        f.says(r"$\theta = 1.2$"),
+        f.says("$r = 5$"),
+        f.says(r"$L = \theta\,r = 6$"),
         f.says("$p$"),
         f.says("$p'$"),
     ];

@@ -12,25 +12,25 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-6.0, -4.4, 11.0, 5.4]);
-    let a = [(5.0, -1.0), (2.0, 3.0), (-3.0, 3.5), (-5.0, 0.0), (-3.0, -3.5), (2.0, -4.0)];
-    let b = [(1.5, -0.5), (6.0, -2.0), (8.0, 1.0), (6.0, 3.5), (2.5, 3.0)];
-    let pushed = [(3.5, 1.0), (8.0, -0.5), (10.0, 2.5), (8.0, 5.0), (4.5, 4.5)];
+    let w = look(&f, 0, [-3.0, -4.0, 11.6, 4.2]);
+    let a = [(5.0, -1.0), (1.25, 4.0), (-2.0, 3.0), (-3.0, -1.0), (-1.0, -4.0), (1.0, -4.0)];
+    let b = [(1.0, 1.0), (4.0, -2.0), (8.0, -2.0), (10.0, 1.0), (6.0, 3.0)];
+    // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 20/5 from B's vertex (1, 1).
+    let pushed = b.map(|(x, y)| (x + 1.6, y + 1.2));
     let ghost = w.polygon(B, &pushed);
     shows![
         w.polygon(A, &a).is_some(),
         w.polygon(B, &b).is_some(),
         ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
-        w.arrow_toward(Translation, (1.5, -0.5), (3.5, 1.0)),
-        w.arrow(Ink, (3.5, 1.0), (3.5 + 0.8, 1.0 + 0.6)),
-        w.marker(A, (3.5, 1.0)),
-        w.marker(B, (1.5, -0.5)),
-        // The carrier line of A's edge 0 beyond its ends, by one unit each: along (−0.6, 0.8).
-        w.any_line((5.6, -1.8), (5.0, -1.0)),
-        w.any_line((2.0, 3.0), (1.4, 3.8)),
-        f.says("$d = 2.5$"),
+        w.arrow_toward(Translation, (1.0, 1.0), (2.6, 2.2)),
+        w.arrow(Ink, (2.6, 2.2), (2.6 + 0.8, 2.2 + 0.6)),
+        w.arrow(Muted, (1.0, 1.0), (3.4, -2.2)),
+        w.marker(A, (2.6, 2.2)),
+        w.marker(B, (1.0, 1.0)),
+        f.says("$d = 2$"),
+        f.says("$4$: longer"),
         f.says("$n$"),
-        f.says(r"B pushed out by $d\,n$"),
+        f.says(r"$B$ pushed out by $d\,n$"),
         f.says("$A$"),
         f.says("$B$"),
     ];
@@ -39,104 +39,98 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-6.6, -4.4, 9.0, 3.9]);
+    let w = look(&f, 0, [-6.6, -4.0, 9.0, 5.7]);
     let px = 1.0 / w.panel.scale;
     let a = [
-        (-5.0, 0.5),
-        (-3.0, -1.0),
+        (-5.0, 2.0),
+        (-3.0, 0.0),
         (-2.0, -3.0),
-        (0.0, -1.5),
-        (3.0, -2.0),
-        (4.0, -0.5),
-        (7.0, 1.0),
-        (4.0, 1.5),
-        (3.0, 3.0),
-        (1.0, 1.0),
+        (0.0, -1.0),
+        (4.0, -2.0),
+        (7.0, -1.0),
+        (4.0, 1.0),
+        (3.0, 5.0),
+        (0.0, 3.0),
+        (-2.0, 4.0),
         (-2.0, 2.0),
-        (-2.0, 0.5),
     ];
     let (below, right) = (-3.0 - 24.0 * px, 7.0 + 24.0 * px);
     shows![
         w.polygon(A, &a).is_some(),
-        w.polygon(Ink, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 3.0), (-5.0, 3.0)]).is_some(),
+        w.polygon(Ink, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 5.0), (-5.0, 5.0)]).is_some(),
         w.marker(Ink, (-5.0, -3.0)),
-        w.marker(Ink, (7.0, 3.0)),
-        w.marker(A, (-5.0, 0.5)),
+        w.marker(Ink, (7.0, 5.0)),
+        w.marker(A, (-5.0, 2.0)),
         w.marker(A, (-2.0, -3.0)),
-        w.marker(A, (7.0, 1.0)),
-        w.marker(A, (3.0, 3.0)),
-        w.marker(Ink, (1.0, 0.0)),
-        w.line(A, (1.0, below), (7.0, below)).is_some(),
-        w.line(A, (right, 0.0), (right, 3.0)).is_some(),
+        w.marker(A, (7.0, -1.0)),
+        w.marker(A, (3.0, 5.0)),
+        w.marker(Ink, (1.0, 1.0)),
+        w.line(Ink, (1.0, below), (7.0, below)).is_some(),
+        w.line(Ink, (right, 1.0), (right, 5.0)).is_some(),
         f.says("min $= (-5, -3)$"),
-        f.says("max $= (7, 3)$"),
+        f.says("max $= (7, 5)$"),
         f.says(r"$x_{\min} = -5$") && f.says(r"$x_{\max} = 7$"),
-        f.says(r"$y_{\min} = -3$") && f.says(r"$y_{\max} = 3$"),
-        f.says("$c$"),
+        f.says(r"$y_{\min} = -3$") && f.says(r"$y_{\max} = 5$"),
+        f.says("$c = (1, 1)$"),
         f.says("$h_x = 6$"),
-        f.says("$h_y = 3$"),
+        f.says("$h_y = 4$"),
     ];
 }
 
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-5.6, -2.0, 7.4, 4.3]);
+    let w = look(&f, 0, [-7.6, -2.6, 11.4, 7.8]);
+    let closest = (6.0, 1.5);
     shows![
-        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), (4.0, 1.0), (-4.0, 1.0)]).is_some(),
-        w.circle(B, (5.5, 3.0), 1.0).is_some(),
-        w.arrow(Ink, (0.0, 0.0), (5.5, 3.0)),
-        w.arrow(Muted, (0.0, 0.0), (5.5, 0.0)),
-        w.arrow(Muted, (0.0, 0.0), (0.0, 3.0)),
-        w.line(A, (0.0, 0.0), (4.0, 0.0)).is_some_and(thick),
-        w.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
-        w.any_line((5.5, 0.0), (5.5, 3.0)),
-        w.any_line((0.0, 3.0), (5.5, 3.0)),
-        w.marker(A, (4.0, 1.0)),
-        w.arrow(Translation, (4.0, 1.0), (5.5, 3.0)),
-        w.text_near("$B_c$", (4.0, 1.0), 40.0),
-        f.says("$V$") && f.says("$V_x$") && f.says("$V_y$"),
-        f.says("clamped $V_x$") && f.says("clamped $V_y$"),
-        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
-        f.says("$D$"),
-        f.says("$r = 1$"),
-        f.says("distance") && f.says("$= 1.5$"),
-        f.says("clamp$(V) = (4, 1)$, $D = (1.5, 2)$"),
-        f.says(r"distance $= \|D\| - r = 2.5 - 1 = 1.5$"),
+        w.polygon(A, &[(-6.0, -1.5), (6.0, -1.5), closest, (-6.0, 1.5)]).is_some(),
+        w.circle(B, (9.0, 5.5), 2.0).is_some(),
+        w.arrow(Ink, (0.0, 0.0), (9.0, 5.5)),
+        w.arrow(Muted, (0.0, 0.0), (9.0, 0.0)),
+        w.arrow(Muted, (0.0, 0.0), (0.0, 5.5)),
+        w.line(A, (0.0, 0.0), (6.0, 0.0)).is_some_and(thick),
+        w.line(A, (0.0, 0.0), (0.0, 1.5)).is_some_and(thick),
+        w.any_line((9.0, 0.0), (9.0, 5.5)),
+        w.any_line((0.0, 5.5), (9.0, 5.5)),
+        w.marker(A, closest),
+        w.arrow(Translation, closest, (9.0, 5.5)),
+        w.text_near("$B_c$", closest, 40.0),
+        f.says("$V = (9, 5.5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5.5$"),
+        f.says("$V_x$ cut to 6") && f.says("$V_y$ cut to 1.5"),
+        f.says("$h_x = 6$") && f.says("$h_y = 1.5$"),
+        f.says("$D = (3, 4)$"),
+        f.says("$r = 2$"),
+        f.says("distance") && f.says("$= 3$"),
     ];
-    // The blue dimension runs beside D, from B_c's level to the circle's, 16 px to the right of it: (0.8,
-    // −0.6).
-    let off = 16.0 / w.panel.scale;
+    // Beside D, 28 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
+    let off = 28.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    shows![w.along(Translation, beside((4.0, 1.0)), beside((4.9, 2.2)))];
-    let b_c = f.text_at("$B_c$");
-    let vertex = w.panel.page((4.0, 1.0));
-    assert!(b_c.x < vertex.x && b_c.y > vertex.y, "B_c is named inside A, away from the distance line");
+    let rim = (7.8, 3.9);
+    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((9.0, 5.5))),];
 }
 
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, [-5.0, -5.1, 11.2, 3.2]);
+    let w = look(&f, 0, [-5.0, -6.6, 13.0, 4.4]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
-        w.circle(B, (4.0, 0.0), 2.5).is_some(),
-        w.circle(B, (5.5, 0.0), 2.5).is_some_and(|p| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty())),
+        w.circle(B, (5.0, 0.0), 4.0).is_some(),
+        w.circle(B, (7.0, 0.0), 4.0).is_some_and(|p| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty())),
         w.marker(A, (0.0, 0.0)),
-        w.marker(B, (4.0, 0.0)),
-        w.line(Translation, (1.5, 0.0), (3.0, 0.0)).is_some(),
-        w.arrow(Now, (4.0, 0.0), (5.5, 0.0)),
-        w.arrow(Ink, (0.0, 0.0), (-1.0, 0.0)),
-        w.horizontal(Ink, 0.0, 4.0),
+        w.marker(B, (5.0, 0.0)),
+        w.line(Translation, (1.0, 0.0), (3.0, 0.0)).is_some(),
+        w.arrow(Now, (5.0, 0.0), (7.0, 0.0)),
+        w.arrow(Ink, (5.0, 0.0), (4.0, 0.0)),
+        w.horizontal(Ink, 0.0, 5.0),
         w.horizontal(A, 0.0, 3.0),
-        w.horizontal(B, 1.5, 4.0),
-        f.says(r"$\|A - B\| = 4$"),
+        w.horizontal(B, 1.0, 5.0),
+        f.says(r"$\|A - B\| = 5$"),
         f.says("$r_1 = 3$"),
-        f.says("$r_2 = 2.5$"),
-        f.says("$p = -1.5$"),
-        f.says("$P = N p$"),
-        f.says("$N$"),
-        f.says(r"$p = \|A - B\| - (r_1 + r_2)$"),
+        f.says("$r_2 = 4$"),
+        f.says("$p = -2$"),
+        f.says("$P = N p = (2, 0)$"),
+        f.says("$N = -(1, 0)$"),
     ];
 }
 

@@ -41,12 +41,6 @@ impl Figure {
     pub(crate) fn says(&self, markup: &str) -> bool {
         self.texts.iter().any(|(text, _)| text == markup)
     }
-
-    /// Where the text with this markup stands: the middle of its box.
-    pub(crate) fn text_at(&self, markup: &str) -> Point {
-        let found = self.texts.iter().find(|(text, _)| text == markup);
-        found.unwrap_or_else(|| panic!("no text {markup:?} among {:?}", self.texts)).1
-    }
 }
 
 /// A panel: where a point of its space lies on the page.

@@ -4,7 +4,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::difference::Edge;
+use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch};
 use crate::figure::text::{distance_or_depth, number};
 use crate::geometry::DVec2;
@@ -80,25 +80,41 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 
-/// Draws the next longer way from inside B ⊖ A square to one of its edges, with its length.
-fn rival(sketch: &mut Sketch, context: &Context, from: DVec2, least: f64) {
-    let Some(found) = difference(context, context.difference_time()) else { return };
+/// A way out of B ⊖ A from a point inside it, square to an edge.
+pub(super) struct WayOut {
+    /// The edge of B ⊖ A.
+    pub(super) edge: Edge,
+    /// How long the way is, in world units.
+    pub(super) length: f64,
+}
+
+/// The next way out of B ⊖ A that is longer than `least`, from a point inside it.
+pub(super) fn longer_way(found: &Difference, from: DVec2, least: f64) -> Option<WayOut> {
     let way = |edge: &Edge| {
         let (p, q) = found.drawn(edge);
         let (length, along) = ((p - from).dot(edge.normal), q - p);
         let share = (from + edge.normal * length - p).dot(along) / along.length_squared();
         let longer = length > least * (1.0 + SAME) && (0.0..=1.0).contains(&share);
-        longer.then_some((length, edge.normal, along))
+        longer.then_some(WayOut { edge: *edge, length })
     };
-    let Some((length, normal, along)) = found.edges.iter().filter_map(way).min_by(|a, b| a.0.total_cmp(&b.0))
-    else {
-        return;
-    };
-    let to = from + normal * length;
-    sketch.part("right-angle").right_angle(to, along, -normal * length);
+    found.edges.iter().filter_map(way).min_by(|a, b| a.length.total_cmp(&b.length))
+}
+
+/// What is said of a longer way out.
+pub(super) fn longer(length: f64) -> String {
+    format!("${}$: longer", number(length))
+}
+
+/// Draws the next longer way from inside B ⊖ A square to one of its edges, with its length.
+fn rival(sketch: &mut Sketch, context: &Context, from: DVec2, least: f64) {
+    let Some(found) = difference(context, context.difference_time()) else { return };
+    let Some(WayOut { edge, length }) = longer_way(&found, from, least) else { return };
+    let way = edge.normal * length;
+    let to = from + way;
+    sketch.part("right-angle").right_angle(to, edge.to - edge.from, -way);
     sketch.part("rival").dimension(from, to, 0.0, Pen::dimension(Role::Muted));
-    let text = format!("${}$: longer", number(length));
-    sketch.label(Label::new("rival", text, Anchor::middle(from, to), Role::Muted).size(Size::Note));
+    let anchor = Anchor::middle(from, to);
+    sketch.label(Label::new("rival", longer(length), anchor, Role::Muted).size(Size::Note));
 }
 
 /// Marks the right angle at the nearest point, where that is within an edge.

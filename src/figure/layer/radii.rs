@@ -28,9 +28,16 @@ pub(super) const LAYER: Layer = Layer {
         OptionSpec { name: "of", takes: Takes::Bodies, default: "all that are round", about: "which bodies" },
         OptionSpec {
             name: "as",
-            takes: Takes::Word(&["line", "lengths", "reach"]),
+            takes: Takes::Word(&["line", "lengths", "reach", "dimension"]),
             default: "\"line\"",
-            about: "a line in the circle, bars of all lengths on tracks, or a body's reach from its origin",
+            about: "a line in the circle, bars of all lengths on tracks, a body's reach from its origin, \
+                    or a dimension line at the closest point",
+        },
+        OptionSpec {
+            name: "offset",
+            takes: Takes::Number,
+            default: "0",
+            about: "of a dimension line: page px to the right of the way from A to B, as of `separation`",
         },
         OptionSpec {
             name: "toward",
@@ -82,6 +89,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     match options.word("as", "line") {
         "lengths" => lengths(sketch, context),
         "reach" => reaches(sketch, context, options),
+        "dimension" => dimensions(sketch, context, options),
         _ => lines(sketch, context, options),
     }
 }
@@ -124,14 +132,41 @@ fn lines(sketch: &mut Sketch, context: &Context, options: &Options) {
         let rim = center + out * body.shape.radius;
         let role = options.role(side.into());
         let number = number(body.shape.radius);
-        let (key, symbol) = match (sides.len(), side) {
-            (1, _) => ("r", "r".to_owned()),
-            (_, Side::A) => ("r1", context.numbered("r", side)),
-            (_, Side::B) => ("r2", context.numbered("r", side)),
-        };
-        let text = format!("${symbol} = {number}$");
+        let (key, text) = named(context, sides.len(), side, &number);
         sketch.part(part("radius", side)).line(center, rim, Pen::dimension(role).width(1.5));
         sketch.label(Label::new(key, text, Anchor::middle(center, rim), role));
+    }
+}
+
+/// Key and text of the label of a radius, one of so many.
+fn named(context: &Context, count: usize, side: Side, number: &str) -> (&'static str, String) {
+    let (key, symbol) = match (count, side) {
+        (1, _) => ("r", "r".to_owned()),
+        (_, Side::A) => ("r1", context.numbered("r", side)),
+        (_, Side::B) => ("r2", context.numbered("r", side)),
+    };
+    (key, format!("${symbol} = {number}$"))
+}
+
+/// Draws a radius as a dimension line from the closest point of each round body inwards, so that it goes on
+/// where the line of their separation ends.
+fn dimensions(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let answer = context.separation_at(context.time).and_then(|run| run.separation().copied());
+    let Some(answer) = answer else { return };
+    let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
+    let sides = round(context, options);
+    for &side in &sides {
+        let Some(body) = context.body(side) else { continue };
+        // From A to B, whichever body it is, so that the line lies on the same side.
+        let inward = answer.normal * body.shape.radius;
+        let (from, to) = match side {
+            Side::A => (answer.points[0] - inward, answer.points[0]),
+            Side::B => (answer.points[1], answer.points[1] + inward),
+        };
+        let role = options.role(side.into());
+        let (key, text) = named(context, sides.len(), side, &number(body.shape.radius));
+        sketch.part(part("radius", side)).dimension(from, to, -offset, Pen::dimension(role).width(1.5));
+        sketch.label(Label::new(key, text, Anchor::Beside { from: to, to: from, offset }, role));
     }
 }
 

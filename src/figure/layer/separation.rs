@@ -10,13 +10,15 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch, Weight};
 use crate::figure::text::{Quantity, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::Event;
 
 use crate::scene::When;
 
+use super::closest::{WayOut, longer, longer_way};
+use super::difference::difference;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// How far the carrier line reaches beyond its edge, world units.
@@ -58,6 +60,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "marks the closest points",
         },
         OptionSpec {
+            name: "rival",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of bodies that overlap, the next longer way out, square to another edge",
+        },
+        OptionSpec {
             name: "text",
             takes: Takes::Lines,
             default: "by the algorithm",
@@ -67,6 +75,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "p", about: "the signed penetration of two circles" },
+        LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],
     needs: "two bodies",
@@ -108,6 +117,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
     right_angles(sketch, context, &run, &answer);
+    if options.flag("rival", false) && answer.bounds.hi < 0.0 {
+        rival(sketch, context, &run, -answer.separation);
+    }
     points(sketch, options, &answer);
     let (key, text) = words(&run, &answer);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
@@ -164,6 +176,31 @@ fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Sepa
         let leg = if at.distance_squared(p) > at.distance_squared(q) { p } else { q };
         sketch.part("right-angle").right_angle(at, leg - at, other - at);
     }
+    sketch.part("separation");
+}
+
+/// Draws the next longer way that parts the bodies, from the vertex that is deepest to the edge that it
+/// leaves through, the way B goes, with its length.
+fn rival(sketch: &mut Sketch, context: &Context, run: &Run, least: f64) {
+    let Some(found) = difference(context, run.time) else { return };
+    let Some(WayOut { edge, length }) = longer_way(&found, DVec2::ZERO, least) else { return };
+    let side = edge.source.other();
+    let (Some(body), Some(pose)) = (context.body(side), context.pose(side, run.time)) else { return };
+    let Some(&vertex) = body.shape.vertices.get(edge.vertex) else { return };
+    // B's deepest point lies along the edge's normal, A's against it; B goes against it.
+    let (way, radius) = (edge.normal * length, edge.normal * body.shape.radius);
+    let (start, end, on_edge) = if side == Side::B {
+        let deepest = pose.point(vertex) + radius;
+        (deepest, deepest - way, deepest - way)
+    } else {
+        let deepest = pose.point(vertex) - radius;
+        (deepest + way, deepest, deepest + way)
+    };
+    let inward = if side == Side::B { way } else { -way };
+    sketch.part("right-angle").right_angle(on_edge, edge.to - edge.from, inward);
+    sketch.part("rival").arrow(start, end, Pen::vector(Role::Muted));
+    let anchor = Anchor::middle(start, end);
+    sketch.label(Label::new("rival", longer(length), anchor, Role::Muted).size(Size::Note));
     sketch.part("separation");
 }
 

@@ -1,12 +1,22 @@
 //! One mark, one meaning: vectors that say their scale, lengths without heads, ghosts that say when they are.
 
-use crate::drawing::Contour;
+use crate::drawing::{Contour, Path, Point, Segment};
 use crate::figure::layer::normal::scaled;
 use crate::figure::{Figure, draw, plan};
 use crate::geometry::DVec2;
 use crate::scene::open_text;
 
 use super::{labels, lines, paths};
+
+/// The points that a path goes through.
+fn points(path: &Path) -> Vec<Point> {
+    let Contour::Segments(segments) = &path.contour else { panic!("straight") };
+    let point = |s: &Segment| match *s {
+        Segment::Move(p) | Segment::Line(p) => Some(p),
+        _ => None,
+    };
+    segments.iter().filter_map(point).collect()
+}
 
 /// A box that goes and turns towards a disc, asked by `query`, shown by `layers`.
 fn figure(turn: &str, query: &str, layers: &str) -> Figure {
@@ -44,7 +54,7 @@ fn a_spin_says_its_degrees_where_the_scene_wants_them() {
 #[test]
 fn a_distance_has_ticks_and_no_head_and_a_depth_one_head() {
     let heads = |figure: &Figure| {
-        let filled = |path: &&&crate::drawing::Path| path.fill.is_some();
+        let filled = |path: &&&Path| path.fill.is_some();
         paths(&figure.drawing.items, "separation").iter().filter(filled).count()
     };
     let apart = figure("", "separation", "'separation'");
@@ -57,15 +67,8 @@ fn a_distance_has_ticks_and_no_head_and_a_depth_one_head() {
     let inside = draw(&plan, plan.theme, "marks");
     assert_eq!(heads(&inside), 1);
     // B goes to the right: from its leftmost point to A's rightmost one.
-    let Contour::Segments(shaft) = &paths(&inside.drawing.items, "separation")[0].contour else { panic!() };
-    let ends: Vec<f64> = shaft
-        .iter()
-        .filter_map(|s| match *s {
-            crate::drawing::Segment::Move(p) | crate::drawing::Segment::Line(p) => Some(p.x),
-            _ => None,
-        })
-        .collect();
-    assert!(ends[0] < ends[1], "{ends:?}");
+    let ends = points(paths(&inside.drawing.items, "separation")[0]);
+    assert!(ends[0].x < ends[1].x, "{ends:?}");
 }
 
 #[test]
@@ -91,6 +94,28 @@ fn the_rival_is_the_next_longer_way_out() {
     let (label, length) = labels(&figure)["rival"].clone();
     assert_eq!((label.as_str(), length), ("$2.5$: longer", 2.5));
     assert!((lines(&figure, "rival")[0] / figure.panels[0].frame.scale - length).abs() < 1e-9);
+}
+
+#[test]
+fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
+    // B's vertex (3, 1) is 2 from A's edge x = 5 and 3 from y = 4; then the bodies change places.
+    let a = "vertices = [[0, -9], [5, -9], [5, 4], [0, 4]]";
+    let b = "vertices = [[3, 1], [9, 3], [7, 8]]";
+    for (a, b) in [(a, b), (b, a)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', {a} }}\nshapes.B = {{ kind = 'polygon', {b} }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ layers = [{{ layer = 'separation', rival = true }}] }}]"
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        assert_eq!(labels(&figure)["rival"].0, "$3$: longer");
+        let frame = &figure.panels[0].frame;
+        let ends: Vec<_> = paths(&figure.drawing.items, "rival").into_iter().flat_map(points).collect();
+        let at = |p: [f64; 2]| ends.iter().any(|&q| (q - frame.page(DVec2::from(p))).length() < 0.5);
+        assert!(at([3.0, 1.0]) && at([3.0, 4.0]), "{ends:?}");
+    }
 }
 
 #[test]
