@@ -12,7 +12,7 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-3.0, -4.0, 11.6, 4.2]);
+    let w = look(&f, 0, [-3.4, -4.3, 12.0, 4.5]);
     let a = [(5.0, -1.0), (1.25, 4.0), (-2.0, 3.0), (-3.0, -1.0), (-1.0, -4.0), (1.0, -4.0)];
     let b = [(1.0, 1.0), (4.0, -2.0), (8.0, -2.0), (10.0, 1.0), (6.0, 3.0)];
     // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 20/5 from B's vertex (1, 1).
@@ -137,26 +137,26 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.3, 11.2, 4.1]);
+    let w = look(&f, 0, [-8.4, -5.6, 12.8, 4.8]);
     shows![
-        w.polygon(A, &[(-8.0, -2.5), (0.0, -2.5), (0.0, 1.5), (-8.0, 1.5)]).is_some(),
-        w.polygon(B, &[(1.0, 0.5), (7.0, 0.5), (7.0, 3.5), (1.0, 3.5)]).is_some(),
-        w.marker(A, (-4.0, -0.5)),
-        w.marker(B, (4.0, 2.0)),
+        w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
+        w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
+        w.marker(A, (-4.0, -1.0)),
+        w.marker(B, (5.0, 2.0)),
         w.horizontal(A, -4.0, 0.0),
-        w.horizontal(Now, 0.0, 1.0),
-        w.horizontal(B, 1.0, 4.0),
-        w.horizontal(Ink, -4.0, 4.0),
-        w.vertical(A, -0.5, 1.5),
-        w.vertical(Now, 0.5, 1.5),
-        w.vertical(B, 0.5, 2.0),
-        w.vertical(Ink, -0.5, 2.0),
+        w.horizontal(Now, 0.0, 2.0),
+        w.horizontal(B, 2.0, 5.0),
+        w.horizontal(Ink, -4.0, 5.0),
+        w.vertical(A, -1.0, 1.0),
+        w.vertical(Now, -0.5, 1.0),
+        w.vertical(B, -0.5, 2.0),
+        w.vertical(Ink, -1.0, 2.0),
         f.says("$h_{A,x} = 4$")
             && f.says("$h_{B,x} = 3$")
             && f.says("$h_{A,y} = 2$")
-            && f.says("$h_{B,y} = 1.5$"),
-        f.says("$D_x = 1$") && f.says("$D_y = -1$"),
-        f.says("$|c_B - c_A|_x = 8$") && f.says("$|c_B - c_A|_y = 2.5$"),
+            && f.says("$h_{B,y} = 2.5$"),
+        f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
+        f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
     ];
 }
@@ -164,40 +164,39 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.7, -3.0, 3.7, 6.0];
-    let vertices = [(-3.0, -1.0), (3.0, -1.0), (3.0, 1.0), (-3.0, 1.0)];
+    let view = [-3.4, -2.3, 4.8, 5.6];
+    let vertices = [(-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)];
     let tilted = vertices.map(turned);
+    let center = turned((4.0, 2.5));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (-0.5, 4.0), 1.5).is_some(),
-        world.arrow(Ink, (0.0, 0.0), (-0.5, 4.0)),
-        world.arrow(Muted, (0.0, 0.0), (1.28, 0.96)),
-        world.arrow(Muted, (0.0, 0.0), (-0.96, 1.28)),
+        world.circle(B, (1.7, 4.4), 1.0).is_some(),
+        world.arrow(Ink, (0.0, 0.0), center),
     ];
-    let body = look(&f, 1, view);
+    let body = look(&f, 1, [-3.0, -3.2, 5.2, 4.7]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (2.0, 3.5), 1.5).is_some(),
-        body.arrow(Ink, (0.0, 0.0), (2.0, 3.5)),
+        body.circle(B, (4.0, 2.5), 1.0).is_some(),
+        body.arrow(Ink, (0.0, 0.0), (4.0, 2.5)),
+        body.arrow(Muted, (0.0, 0.0), (4.0, 0.0)),
+        body.arrow(Muted, (0.0, 0.0), (0.0, 2.5)),
         body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
         body.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
         body.marker(A, (2.0, 1.0)),
-        body.horizontal(Ink, 0.0, 3.0),
+        body.horizontal(Ink, 0.0, 2.0),
         body.vertical(Ink, 0.0, 1.0),
     ];
     let back = look(&f, 2, view);
     shows![
         back.polygon(A, &tilted).is_some(),
-        back.marker(A, (1.0, 2.0)),
-        back.arrow(Translation, (1.0, 2.0), (-0.5, 4.0)),
-        f.says("$V$")
-            && f.says("$h_x$")
-            && f.says("$h_y$")
-            && f.says("$B_c$")
-            && f.says("$D$")
-            && f.says("$r$"),
-        f.says("distance $= 1$"),
+        back.marker(A, turned((2.0, 1.0))),
+        back.arrow(Translation, turned((2.0, 1.0)), center),
+        f.says("$V$") && f.says("$V_x = 4$") && f.says("$V_y = 2.5$"),
+        f.says("$h_x = 2$") && f.says("$h_y = 1$") && f.says("$B_c$"),
+        f.says("$D = (0.7, 2.4)$"),
+        f.says("$r = 1$"),
+        f.says("1.5"),
     ];
 }
 

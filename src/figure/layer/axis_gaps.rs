@@ -19,7 +19,7 @@ const BELOW: f64 = 40.0;
 
 /// Distance of the tracks to the right from the boxes and from each other, page pixels: a label of 16 fits
 /// between.
-const BESIDE: f64 = 40.0;
+const BESIDE: f64 = 48.0;
 
 /// Opacity of the stretch that overlapping boxes share.
 const SHARED: f64 = 0.14;
@@ -201,7 +201,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let tracks = [own(0), own(1), own(2), own(2) + 1];
     let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
-    let low = [name == 'y', name == 'y', false, true];
+    let low = [name == 'y', false, false, true];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));
         Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], low: low[i] }
