@@ -130,6 +130,28 @@ fn a_body_reaches_from_its_origin_to_its_farthest_point() {
 }
 
 #[test]
+fn a_radius_goes_on_where_the_distance_ends() {
+    // Discs of radii 1 and 2, 5 apart: from 1 to 3 the distance, then B's radius to 5, A's from 0 to 1.
+    let text = "shapes.A = { kind = 'circle', radius = 1 }
+         shapes.B = { kind = 'circle', radius = 2, position = [5, 0] }
+         query = { kind = 'separation', of = ['A', 'B'] }
+         panels = [{ layers = [{ layer = 'radii', as = 'dimension', offset = 20 }] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "marks");
+    let frame = &figure.panels[0].frame;
+    for (part, key, [from, to]) in [("radius-A", "r1", [0.0, 1.0]), ("radius-B", "r2", [3.0, 5.0])] {
+        let drawn: Vec<Point> = paths(&figure.drawing.items, part).into_iter().flat_map(points).collect();
+        let at = |x: f64| {
+            let place = frame.page(DVec2::new(x, 0.0));
+            drawn.iter().any(|q| (q.x - place.x).abs() < 0.5 && (q.y - place.y - 20.0).abs() < 0.5)
+        };
+        assert!(at(from) && at(to), "{part}: {drawn:?}");
+        assert!((labels(&figure)[key].1 - (to - from)).abs() < 1e-9);
+    }
+}
+
+#[test]
 fn points_as_far_as_the_extreme_one_are_marked() {
     let text = "shapes.A = { kind = 'box', half_extents = [2, 1], angular_velocity_deg = 60 }
          query = { kind = 'motion-bound', of = ['A'] }\npanels = [{ layers = ['arc'] }]";
