@@ -141,6 +141,15 @@ fn another_theme_is_a_line_a_colour() {
 }
 
 #[test]
+fn a_background_that_comes_or_goes_is_said() {
+    let clear = svg(&SCENE.replace("[query]", "[canvas]\nbackground = \"transparent\"\n[query]"));
+    let gone = what_moved(svg_format(), &svg(SCENE), &clear);
+    says(&gone, "page: no background any more");
+    says(&what_moved(svg_format(), &clear, &svg(SCENE)), "page: a background, where there was none");
+    assert!(gone.iter().all(|line| !line.contains("label-") && !line.contains("body-A:")), "{gone:#?}");
+}
+
+#[test]
 fn another_layer_is_new_and_gone() {
     let more = SCENE
         .replace("\"normal\"]", "\"normal\", \"velocity\"]")

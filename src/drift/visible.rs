@@ -27,7 +27,12 @@ pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
     if size(old) != size(new) {
         changes.add(format!("{} → {}", size(old), size(new)), "page");
     }
-    changes.color("", &old.background, &new.background, "page");
+    match (old.is_transparent(), new.is_transparent()) {
+        (false, false) => changes.color("", &old.background, &new.background, "page"),
+        (true, false) => changes.add("a background, where there was none".to_owned(), "page"),
+        (false, true) => changes.add("no background any more".to_owned(), "page"),
+        (true, true) => {}
+    }
     let (mut before, mut after) = (Vec::new(), Vec::new());
     elements(&old.items, "", &mut before);
     elements(&new.items, "", &mut after);

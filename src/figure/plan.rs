@@ -130,20 +130,9 @@ fn resolve<'s>(
     mut problems: Vec<Problem>,
 ) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
     let runs = Runs::default();
-    let sheets = default_picture::sheets(scene, &runs, &mut problems);
-    let count = sheets.len();
     let measures = Measures::of(&scene.canvas, theme.text);
-    let mut resolver = Resolver {
-        scene,
-        runs: &runs,
-        measures: &measures,
-        problems,
-        notes: Vec::new(),
-        title_width: Layout::title_width(&measures, count, scene.canvas.columns),
-    };
-    let mut panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
-    let Resolver { mut problems, notes: mut warnings, .. } = resolver;
-    label_keys(scene, &panels, &mut problems);
+    let mut warnings = Vec::new();
+    let (mut panels, all) = panels_of(scene, &runs, &measures, (&mut problems, &mut warnings));
     let first = panels.first().map(|panel| panel.context(scene, &runs));
     let on_page = first.as_ref().map(|first| (first, &measures));
     let mut set =
@@ -165,7 +154,7 @@ fn resolve<'s>(
         lines: caption.lines.len(),
     };
     let mut page = None;
-    if panels.len() == count {
+    if all {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &layout, &mut panels));
@@ -195,6 +184,25 @@ fn resolve<'s>(
     problems.dedup();
     problems.truncate(MAX_PROBLEMS);
     Err(problems)
+}
+
+/// The panels of a scene, and whether these are all that it asks for: one that can't be is left out and told.
+fn panels_of<'s>(
+    scene: &'s Scene,
+    runs: &Runs,
+    measures: &Measures,
+    (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
+) -> (Vec<PanelPlan<'s>>, bool) {
+    let sheets = default_picture::sheets(scene, runs, problems);
+    let count = sheets.len();
+    let title_width = Layout::title_width(measures, count, scene.canvas.columns);
+    let before = std::mem::take(problems);
+    let mut resolver = Resolver { scene, runs, measures, title_width, problems: before, notes: Vec::new() };
+    let panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
+    (*problems, *warnings) = (resolver.problems, resolver.notes);
+    label_keys(scene, &panels, problems);
+    let all = panels.len() == count;
+    (panels, all)
 }
 
 /// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
