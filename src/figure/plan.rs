@@ -132,7 +132,7 @@ fn resolve<'s>(
     let runs = Runs::default();
     let measures = Measures::of(&scene.canvas, theme.text);
     let mut warnings = Vec::new();
-    let (mut panels, all) = panels_of(scene, &runs, &measures, (&mut problems, &mut warnings));
+    let (all, mut panels) = panels_of(scene, &runs, &measures, (&mut problems, &mut warnings));
     let first = panels.first().map(|panel| panel.context(scene, &runs));
     let on_page = first.as_ref().map(|first| (first, &measures));
     let mut set =
@@ -186,13 +186,13 @@ fn resolve<'s>(
     Err(problems)
 }
 
-/// The panels of a scene, and whether these are all that it asks for: one that can't be is left out and told.
+/// Whether all panels of a scene can be, and those that can: one that can't be is left out and told.
 fn panels_of<'s>(
     scene: &'s Scene,
     runs: &Runs,
     measures: &Measures,
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
-) -> (Vec<PanelPlan<'s>>, bool) {
+) -> (bool, Vec<PanelPlan<'s>>) {
     let sheets = default_picture::sheets(scene, runs, problems);
     let count = sheets.len();
     let title_width = Layout::title_width(measures, count, scene.canvas.columns);
@@ -201,8 +201,7 @@ fn panels_of<'s>(
     let panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     (*problems, *warnings) = (resolver.problems, resolver.notes);
     label_keys(scene, &panels, problems);
-    let all = panels.len() == count;
-    (panels, all)
+    (panels.len() == count, panels)
 }
 
 /// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
