@@ -116,12 +116,12 @@ fn painted_words(drawing: &Drawing, part: &str) -> String {
 
 #[test]
 fn a_unit_normal_has_its_length_or_says_that_it_has_not() {
-    let (length, says) = normal(1.0, "");
+    let (length, says) = normal(2.0, "");
     assert!(says == "$n$" && length > 60.0, "{length}: {says}");
     for size in [1e-6, 0.01, 200.0, 1e6] {
         let (length, says) = normal(size, "");
         assert!(says == "$n$ (not to scale)" && (14.0..60.0).contains(&length), "{size}: {length} {says}");
     }
     let (_, says) = normal(200.0, ", length = 100");
-    assert_eq!(says, "$n$", "a length that the scene gives is the scene's");
+    assert_eq!(says, "$100$ $n$", "a vector that is not one long says how long it is");
 }

@@ -37,9 +37,10 @@ const ONCE: &[&str] = &[
 ];
 
 /// Lines of more dashes than can be counted, and one line more.
-const DASHES: &str = "[shapes.A]\nkind = 'outline'\nvertices = [[-5, 0.5], [-3, -1], [1e300, 1], [-2, 0.5]]\n\
-                      [query]\nkind = 'bounds'\nof = ['A']\n\
-                      [[panels]]\nview = [-6, -4, 9, 3]\nlayers = [{ layer = 'half-extents', style = 'bar' }]\n";
+const DASHES: &str = "[shapes.A]\nkind = 'aabb'\nhalf_extents = [1, 1]\n\
+                      [shapes.B]\nkind = 'circle'\nradius = 1\nposition = [1e90, 1e90]\n\
+                      [query]\nkind = 'separation'\nof = ['A', 'B']\nalgorithm = 'clamp'\n\
+                      [[panels]]\nview = [-6, -4, 9, 3]\nlayers = ['clamp']\n";
 
 #[test]
 fn dashes_without_number_are_more_than_a_figure_may_show() {

@@ -87,6 +87,22 @@ pub(super) const SCENES: &[(&str, &str)] = &[
     "#,
     ),
     (
+        "merged",
+        r#"
+        shapes.A = { kind = "box", half_extents = [0.8, 0.5], velocity = [1, 1], angular_velocity_deg = 80 }
+        shapes.B = { kind = "box", half_extents = [0.5, 0.5], position = [3, 0.5], velocity = [-1, 0.5] }
+        query = { kind = "separation", of = ["A", "B"], algorithm = "merge" }
+    "#,
+    ),
+    (
+        "clipped",
+        r#"
+        shapes.A = { kind = "box", half_extents = [0.8, 0.5], velocity = [1, 1], angular_velocity_deg = 80 }
+        shapes.B = { kind = "box", half_extents = [0.5, 0.5], position = [1, 0.5], velocity = [-1, 0.5] }
+        query = { kind = "contact", of = ["A", "B"] }
+    "#,
+    ),
+    (
         "simplexes",
         r#"
         shapes.A = { kind = "box", half_extents = [0.8, 0.5], velocity = [1, 1], angular_velocity_deg = 80 }
@@ -111,6 +127,7 @@ const OF_THE_START: &[(&str, &str)] = &[
     ("ray", "ray"),
     ("ray", "until-hit"),
     ("advancement", ""),
+    ("graph", ""),
 ];
 
 /// Layers that show the hit too: where it is past, no later motion has it.
@@ -267,7 +284,7 @@ fn every_layer_shows_what_the_bodies_are_at_the_panels_moment() {
     let never = LAYERS.iter().map(|l| l.name).filter(|l| !followed.contains(l));
     let mut others: Vec<&str> = OF_NO_MOMENT.to_vec();
     // The bound of a whole motion, and the steps of an algorithm.
-    others.extend(["arc", "advancement"]);
+    others.extend(["arc", "advancement", "graph"]);
     assert!(never.clone().all(|layer| others.contains(&layer)), "{:?}", never.collect::<Vec<_>>());
 }
 

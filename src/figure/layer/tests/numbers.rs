@@ -163,11 +163,39 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("velocity", "t") => until_hit(scene, time),
         ("ray", "t") => until_hit(scene, 0.0),
         ("projection", "gap") => largest_gap(context),
+        ("graph", "s_1") => separation(scene, 0.0).separation,
+        // EPA knows the cores only.
+        ("polytope", "d") => core_depth(context),
+        ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
         ("arc", "theta") => a.unwrap().spin.degrees().abs(),
         ("arc", "r") => reach(a.unwrap()),
         ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
         _ => return None,
     })
+}
+
+/// How deep the cores of the pair are in one another, by the vertices of B ⊖ A that EPA's polytope has then.
+fn core_depth(context: &Context) -> f64 {
+    let last = |vertices: &[DVec2]| {
+        let edges = vertices.iter().zip(vertices.iter().cycle().skip(1));
+        edges.map(|(p, q)| p.perp_dot(*q).abs() / (*q - *p).length()).fold(f64::INFINITY, f64::min)
+    };
+    let run = context.run();
+    let polytopes = run.events().filter_map(|event| match event {
+        Event::PolytopeExpanded { vertices, .. } => Some(vertices),
+        _ => None,
+    });
+    polytopes.last().map_or(f64::NAN, |vertices| last(vertices))
+}
+
+/// How far the two points of a contact are from each other.
+fn depth_of(context: &Context, index: usize) -> f64 {
+    let run = context.run();
+    let mut depths = run.events().filter_map(|event| match event {
+        Event::ContactFound { points: [a, b], touches: true, .. } => Some((*b - *a).length()),
+        _ => None,
+    });
+    depths.nth(index).unwrap_or(f64::NAN)
 }
 
 /// The time from a moment to the hit, by the last algorithm that answers.
