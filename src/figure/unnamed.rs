@@ -53,7 +53,7 @@ impl fmt::Display for Unnamed {
 /// query = { kind = "bounds", of = ["A"] }
 /// panels = [{ layers = ["shapes", "origin"] }]
 /// "#;
-/// let scene = tracefig::open_text("ball.toml", text)?.scene;
+/// let scene = tracefig::scene::open_text("ball.toml", text)?.scene;
 /// let plan = plan(&scene).unwrap();
 /// let found = unnamed(&draw(&plan, plan.theme, "ball").drawing);
 /// assert_eq!(found, [Unnamed::NotShown("c".into()), Unnamed::NotNamed("O".into())]);
