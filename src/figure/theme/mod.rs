@@ -65,13 +65,13 @@ pub struct Side {
 }
 
 impl Side {
-    /// This side on another background.
+    /// This side on another background; a grid is as quiet there as it was.
     fn on(mut self, background: Color) -> Self {
         self.colors[index(Role::Background)] = background;
         let colors = self.colors;
         let is_seen =
             |role: Role| contrast::contrast(colors[index(role)], background) >= fitness::LINE_CONTRAST;
-        adapted::adapted(self, |role| role == Role::Background || is_seen(role))
+        adapted::adapted(self, |role| role == Role::Background || (role != Role::Grid && is_seen(role)))
     }
 
     /// The colour of a role's words.
@@ -174,4 +174,23 @@ pub static THEMES: &[Theme] = &[light::THEME, dark::THEME, print::THEME, auto::T
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Theme> {
     THEMES.iter().find(|t| t.name == name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::contrast::contrast;
+    use super::*;
+
+    #[test]
+    fn a_grid_is_quiet_on_every_background() {
+        for theme in THEMES {
+            for background in [0xFF_FFFF, 0xFF_F8E7, 0x1A_1A2E, 0x00_0000].map(Color::hex) {
+                let on = theme.on(background);
+                for side in on.sides() {
+                    let grid = contrast(side.colors[index(Role::Grid)], background);
+                    assert!((1.05..1.6).contains(&grid), "{} on {background}: {grid}", theme.name);
+                }
+            }
+        }
+    }
 }
