@@ -6,6 +6,7 @@ mod bad_input;
 mod breakage;
 mod check;
 mod habits;
+mod hooks;
 #[path = "../hostile_figures/mod.rs"]
 mod hostile_figures;
 mod inert;
