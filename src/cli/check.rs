@@ -18,6 +18,7 @@ use super::console::Console;
 use super::files::{Drawn, Encoded, Files, Plan};
 use super::inputs::shown;
 use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
+use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::orphans::orphans;
 use super::parallel::in_order;
 use super::regular::{read_regular, replaceable};
@@ -77,6 +78,26 @@ impl Checked {
 }
 
 impl Runs for Check {
+    const MANUAL: Manual = Manual {
+        examples: &[
+            ("tracefig check", "Compare the figures of the project, or of figures/"),
+            (
+                "tracefig check docs --junit check.xml --tolerance 2",
+                "Let pixels differ by two levels, and write the findings for a CI",
+            ),
+            (
+                "tracefig check docs --accept --prune",
+                "Write what changed, and delete figures whose scene is gone",
+            ),
+        ],
+        files: &[
+            PROJECT_FILE,
+            FIGURES,
+            ("target/tracefig-check/", "a page and pictures of what differs, unless -o names another folder"),
+        ],
+        wrong: Some("a figure is not what its scene gives, or a scene is wrong or can't be read"),
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         if self.files.read_stdin() {
             let message = "`check` compares files, and a scene from standard input has none: name its file";

@@ -9,6 +9,7 @@ use tracefig::scene::{Refused, visible};
 
 use super::console::Console;
 use super::inputs::single;
+use super::manual::Manual;
 use super::themes::OwnThemes;
 use super::{Runs, Status};
 
@@ -20,6 +21,12 @@ pub(crate) struct Describe {
 }
 
 impl Runs for Describe {
+    const MANUAL: Manual = Manual {
+        examples: &[("tracefig describe scene.toml", "Print the alternative text, short and long")],
+        files: &[],
+        wrong: Some("the scene is wrong"),
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let input = single(&self.scene);
         let file = match input.open() {

@@ -18,6 +18,7 @@ use tracefig::scene::{ERRORS, Field, Holds, PROJECT_TABLES, TABLES, schema, shap
 
 use super::console::Console;
 use super::inputs::find;
+use super::manual::Manual;
 use super::{Runs, Status};
 
 /// A topic of `list`.
@@ -96,6 +97,15 @@ pub(crate) struct List {
 }
 
 impl Runs for List {
+    const MANUAL: Manual = Manual {
+        examples: &[
+            ("tracefig list", "Print all that a scene may say"),
+            ("tracefig list schema > scene.schema.json", "Keep the JSON Schema of scenes for an editor"),
+        ],
+        files: &[],
+        wrong: None,
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         if self.topic.as_deref() == Some(SCHEMA) {
             writeln!(console.out, "{:#}", schema())?;

@@ -17,6 +17,7 @@ mod jobs;
 mod lines;
 mod list;
 mod man;
+mod manual;
 mod orphans;
 mod outputs;
 mod parallel;
@@ -47,6 +48,7 @@ use clap::{ArgMatches, Args, FromArgMatches};
 use tracefig::scene::{Explain, Refused};
 
 use console::{Console, Manner};
+use manual::Manual;
 
 /// How a command ended, where it was not stopped.
 ///
@@ -71,15 +73,20 @@ impl Status {
         if refused.problems.iter().all(|problem| problem.fault.has_place()) { Self::Wrong } else { Self::Io }
     }
 
-    /// The exit status. What can't be read or written is the 74 of BSD's `sysexits.h`.
-    fn code(self) -> ExitCode {
-        ExitCode::from(match self {
+    /// The number of the exit status. What can't be read or written is the 74 of BSD's `sysexits.h`.
+    fn number(self) -> u8 {
+        match self {
             Self::Done => 0,
             Self::Wrong => 1,
             Self::Usage => 2,
             Self::Bug => 3,
             Self::Io => 74,
-        })
+        }
+    }
+
+    /// The exit status.
+    fn code(self) -> ExitCode {
+        ExitCode::from(self.number())
     }
 }
 
@@ -89,6 +96,8 @@ struct Command {
     name: &'static str,
     /// One line of help.
     about: &'static str,
+    /// What its page says beyond that.
+    manual: Manual,
     /// Adds its options to a parser.
     args: fn(clap::Command) -> clap::Command,
     /// Runs it with the options that were given.
@@ -97,13 +106,16 @@ struct Command {
 
 /// A command: its options by `clap`, and what it does.
 trait Runs: Args {
+    /// What its help and its man page say beyond the options.
+    const MANUAL: Manual;
+
     /// Runs the command. An `Err` is a failure of standard output itself.
     fn run(self, console: &mut Console) -> io::Result<Status>;
 }
 
 /// The row of a command.
 const fn row<T: Runs>(name: &'static str, about: &'static str) -> Command {
-    Command { name, about, args: T::augment_args, run: run_as::<T> }
+    Command { name, about, manual: T::MANUAL, args: T::augment_args, run: run_as::<T> }
 }
 
 /// Runs a command with what the parser found.
@@ -133,15 +145,13 @@ fn app() -> clap::Command {
     let app = clap::Command::new("tracefig")
         .version(env!("CARGO_PKG_VERSION"))
         .about("Draw what a 2D collision algorithm did")
-        .after_help(
-            "`-` is standard input or output. Exit status: 0 done, 1 wrong input or failed check, 2 usage, \
-             3 a bug of tracefig, 74 something can't be read or written.",
-        )
+        .after_help(format!("`-` is standard input or output. {}", manual::endings_in_a_line()))
         .subcommand_required(true)
         .arg_required_else_help(true);
     let app = Manner::augment_args(app);
     COMMANDS.iter().fold(app, |app, command| {
-        app.subcommand((command.args)(clap::Command::new(command.name)).about(command.about))
+        let parser = clap::Command::new(command.name).after_help(command.manual.below_help());
+        app.subcommand((command.args)(parser).about(command.about))
     })
 }
 

@@ -10,6 +10,7 @@ use super::atomic_file::clear_leftovers;
 use super::console::Console;
 use super::files::{Files, Plan};
 use super::jobs::{Job, folders_of};
+use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
 use super::partition::Partition;
 use super::settings::Destination;
@@ -45,6 +46,22 @@ pub(crate) struct Render {
 }
 
 impl Runs for Render {
+    const MANUAL: Manual = Manual {
+        examples: &[
+            ("tracefig render", "Draw the scenes of the project, or of figures/"),
+            (
+                "tracefig render docs -o docs/img --theme auto",
+                "Draw every scene in docs and the folders in it, as the same tree below docs/img",
+            ),
+            (
+                "tracefig render --jsonl -o out < pairs.jsonl",
+                "Draw a scene a line, each into files named by its id",
+            ),
+        ],
+        files: &[PROJECT_FILE, FIGURES],
+        wrong: Some("a scene or a theme file is wrong"),
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         if self.jsonl {
             return self.stream(console);

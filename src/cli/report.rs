@@ -13,6 +13,7 @@ use tracefig::report::{self, Contender, Effort};
 use super::atomic_file::{Wait, write_whole};
 use super::console::Console;
 use super::inputs::shown;
+use super::manual::Manual;
 use super::written::cant_write;
 use super::{Runs, Status};
 
@@ -34,6 +35,15 @@ pub(crate) struct Report {
 const QUICK: Effort = Effort { batch: Duration::from_millis(1), batches: 3 };
 
 impl Runs for Report {
+    const MANUAL: Manual = Manual {
+        examples: &[(
+            "tracefig report --quick -o target/report",
+            "Measure briefly, and write tables and plots there",
+        )],
+        files: &[],
+        wrong: Some("no workload has such a name, or the measuring was stopped"),
+    };
+
     /// Ctrl-C ends the measuring; what is finished is written.
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let stop = stopped_by_ctrl_c(console);

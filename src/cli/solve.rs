@@ -11,6 +11,7 @@ use tracefig::scene::{SceneFile, Solution};
 use super::answering::{End, answer_all};
 use super::console::Console;
 use super::inputs::{find, shown};
+use super::manual::Manual;
 use super::outputs::write_report;
 use super::partition::Partition;
 use super::unplanned::tell_unplanned;
@@ -46,6 +47,18 @@ pub(crate) struct Solve {
 }
 
 impl Runs for Solve {
+    const MANUAL: Manual = Manual {
+        examples: &[
+            ("tracefig solve scene.toml --json", "Answer a scene, with bounds that enclose the exact answer"),
+            (
+                "tracefig solve --jsonl --errors lines < pairs.jsonl > answers.jsonl",
+                "Answer a scene a line; lines that are refused do not count for the exit status",
+            ),
+        ],
+        files: &[],
+        wrong: Some("a scene, or a line, is wrong"),
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         if self.jsonl { self.stream(console) } else { self.each(console) }
     }

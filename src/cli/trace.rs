@@ -9,6 +9,7 @@ use tracefig::trace::{Trace as Events, Tracer, json_lines, story};
 
 use super::console::Console;
 use super::inputs::single;
+use super::manual::Manual;
 use super::{Runs, Status};
 
 /// Options of `trace`.
@@ -22,6 +23,15 @@ pub(crate) struct Trace {
 }
 
 impl Runs for Trace {
+    const MANUAL: Manual = Manual {
+        examples: &[
+            ("tracefig trace scene.toml", "Tell the algorithm step by step"),
+            ("tracefig trace --jsonl scene.toml > events.jsonl", "Write an event a line, for a program"),
+        ],
+        files: &[],
+        wrong: Some("the scene is wrong"),
+    };
+
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let file = match single(&self.scene).open() {
             Ok(file) => file,

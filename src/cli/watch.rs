@@ -18,6 +18,7 @@ use super::console::Console;
 use super::files::{Files, Plan};
 use super::inputs::Input;
 use super::jobs::{Job, each_settings, folders_of};
+use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
 use super::unplanned::{Unplanned, tell_unplanned};
 use super::written::{Written, makes_folders, write_files};
@@ -48,6 +49,15 @@ enum Wake {
 }
 
 impl Runs for Watch {
+    const MANUAL: Manual = Manual {
+        examples: &[(
+            "tracefig watch docs",
+            "Draw the scenes of docs, and each again when it changes, until Ctrl-C",
+        )],
+        files: &[PROJECT_FILE, FIGURES],
+        wrong: None,
+    };
+
     fn run(mut self, console: &mut Console) -> io::Result<Status> {
         if self.files.read_stdin() || self.output.as_deref().is_some_and(|to| to.as_os_str() == "-") {
             console.error("`watch` is of files: name scenes or folders, and a folder for the figures");
