@@ -82,29 +82,29 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-6.1, -5.0, 6.3, 6.9]);
+    let world = look(&f, 0, [-5.8, -4.45, 5.8, 6.55]);
     shows![
         world.polygon(A, &[(-1.5, -3.0), (3.3, 0.6), (1.5, 3.0), (-3.3, -0.6)]).is_some(),
-        world.polygon(B, &[(0.7, -0.1), (3.9, 2.3), (2.1, 4.7), (-1.1, 2.3)]).is_some(),
+        world.polygon(B, &[(0.7, -0.1), (2.3, 1.1), (0.5, 3.5), (-1.1, 2.3)]).is_some(),
         // From the middle of what the parallel edges share, along (-3, 4)/5.
-        world.arrow(Translation, (1.7, 0.65), (0.5, 2.25)),
+        world.arrow(Translation, (1.5, 0.5), (0.3, 2.1)),
         world.marker(Now, (0.7, -0.1)),
-        world.marker(Now, (3.9, 2.3)),
+        world.marker(Now, (2.3, 1.1)),
         world
-            .line(Now, (0.7, -0.1), (3.9, 2.3))
+            .line(Now, (0.7, -0.1), (2.3, 1.1))
             .is_some_and(|p| p.stroke.as_ref().is_some_and(|s| s.dash.is_empty())),
         world.text_near("$b_1$", (0.7, -0.1), 40.0),
-        world.text_near("$b_2$", (3.9, 2.3), 40.0),
+        world.text_near("$b_2$", (2.3, 1.1), 40.0),
     ];
-    let conf = look(&f, 1, [-5.0, -3.7, 7.7, 8.3]);
+    let conf = look(&f, 1, [-5.2, -3.8, 6.4, 7.2]);
     edges_wear_their_source(
         &conf,
         &[
             ((-0.8, -3.1), B),
-            ((2.4, -0.7), A),
-            ((7.2, 2.9), B),
-            ((5.4, 5.3), A),
-            ((3.6, 7.7), B),
+            ((0.8, -1.9), A),
+            ((5.6, 1.7), B),
+            ((3.8, 4.1), A),
+            ((2.0, 6.5), B),
             ((0.4, 5.3), A),
             ((-4.4, 1.7), B),
             ((-2.6, -0.7), A),
@@ -113,7 +113,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
-        conf.marker(Now, (2.4, -0.7)),
+        conf.marker(Now, (0.8, -1.9)),
         f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), (-2.0, -1.5)).is_some(),

@@ -7,16 +7,13 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
-
-/// Opacity of the polytope's fill: it lies on the difference, which is filled too.
-const FILL: f64 = 0.12;
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
@@ -85,7 +82,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(step) = shown(context, options) else { return };
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
-    sketch.part("polytope").area(&outline, Some(Wash::faint(role, FILL)), Some(Pen::vector(role)));
+    sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
     supporting_line(sketch, &step, foot);
     sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
