@@ -6,7 +6,7 @@ use clap::Args;
 use clap_mangen::roff::{Roff, bold, roman};
 
 use super::console::Console;
-use super::manual::{ENVIRONMENT, Manual, of_all};
+use super::manual::{ENVIRONMENT, Manual, all_endings, first_examples};
 use super::{COMMANDS, Runs, Status, app};
 
 /// Options of `man`.
@@ -31,8 +31,7 @@ impl Runs for Man {
         let mut app = app();
         app.build();
         let Some(name) = &self.command else {
-            let (examples, endings) = of_all();
-            console.out.write_all(&page(app, &examples, &[], &endings)?)?;
+            console.out.write_all(&page(app, &first_examples(), &[], &all_endings())?)?;
             return Ok(Status::Done);
         };
         let row = COMMANDS.iter().find(|row| row.name == name);

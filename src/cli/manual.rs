@@ -54,15 +54,19 @@ impl Manual {
     }
 }
 
-/// The page of tracefig itself: the first example of each command, and all endings.
-pub(crate) fn of_all() -> (Vec<(&'static str, &'static str)>, Vec<(u8, &'static str)>) {
-    let examples = COMMANDS.iter().filter_map(|command| command.manual.examples.first().copied());
-    (examples.collect(), ENDINGS.iter().map(|(status, says)| (status.number(), *says)).collect())
+/// The examples on the page of tracefig itself: the first of each command.
+pub(crate) fn first_examples() -> Vec<(&'static str, &'static str)> {
+    COMMANDS.iter().filter_map(|command| command.manual.examples.first().copied()).collect()
+}
+
+/// All exit statuses, each with what it says.
+pub(crate) fn all_endings() -> Vec<(u8, &'static str)> {
+    ENDINGS.iter().map(|(status, says)| (status.number(), *says)).collect()
 }
 
 /// How commands end, as a sentence of the help.
 pub(crate) fn endings_in_a_line() -> String {
-    let all = ENDINGS.iter().map(|(status, says)| format!("{} {says}", status.number()));
+    let all = all_endings().into_iter().map(|(number, says)| format!("{number} {says}"));
     format!("Exit status: {}.", all.collect::<Vec<_>>().join(", "))
 }
 

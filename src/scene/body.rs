@@ -25,25 +25,30 @@ const MAX_NAME: usize = 40;
 
 /// Reads one shape, and notes what is wrong with it.
 pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Read {
+    short_name(name, p);
+    let before = p.len();
+    let body = body(name, node, p).filter(|_| p.len() == before);
+    Read { name: name.clone(), body }
+}
+
+/// Notes a name that is too long to be written on its shape.
+pub(super) fn short_name(name: &Spanned<String>, p: &mut Problems) {
     let length = name.value.chars().count();
     if length > MAX_NAME {
         let fault =
             Fault::OverLimit { what: "a name".to_owned(), limit: MAX_NAME, unit: "characters", got: length };
         p.add(fault, &name.span);
     }
-    let before = p.len();
-    let body = body(name, node, p).filter(|_| p.len() == before);
-    Read { name: name.clone(), body }
 }
 
 /// The keys of an angle at t = 0, in degrees and in radians.
-const ANGLES: [&str; 2] = ["angle_deg", "angle_rad"];
+pub(super) const ANGLES: [&str; 2] = ["angle_deg", "angle_rad"];
 
 /// The key of cosine and sine at t = 0, instead of an angle.
-const MATRIX: &str = "rotation";
+pub(super) const MATRIX: &str = "rotation";
 
 /// The keys of an angular velocity, in degrees and in radians.
-const SPINS: [&str; 2] = ["angular_velocity_deg", "angular_velocity_rad"];
+pub(super) const SPINS: [&str; 2] = ["angular_velocity_deg", "angular_velocity_rad"];
 
 fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
     let Some(kind) =
@@ -70,7 +75,7 @@ fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
 }
 
 /// Notes what turns a kind of shape that does not turn.
-fn unturned(kind: &Kind, table: &Checked<'_>, p: &mut Problems) {
+pub(super) fn unturned(kind: &Kind, table: &Checked<'_>, p: &mut Problems) {
     for key in ANGLES.into_iter().chain(SPINS) {
         if let Some(angle) = table.number(key).filter(|angle| angle.value != 0.0) {
             let got = number(angle.value);
@@ -135,7 +140,7 @@ fn without_kind(name: &Spanned<String>, node: &Node, p: &mut Problems) {
 }
 
 /// A kind as messages call it: "a circle", "an aabb".
-fn with_article(kind: &str) -> String {
+pub(super) fn with_article(kind: &str) -> String {
     let article = if kind.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
     format!("{article} {kind}")
 }

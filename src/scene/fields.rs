@@ -99,6 +99,12 @@ pub(super) static BODY: TableRows = TableRows {
     ],
 };
 
+/// What a shape holds, whatever kind it is of, where a program made it.
+pub(super) const MADE_SHAPE: [Field; 2] = [
+    must("shape.vertices", Holds::Points, "its vertices, in its body's frame"),
+    must("shape.radius", Holds::Number { min: 0.0, max: MAX_NUMBER }, "how far it reaches about them"),
+];
+
 /// The question.
 pub(super) static QUERY: TableRows = TableRows {
     header: "[query]",

@@ -1,6 +1,7 @@
 //! The scene file: what it may hold, how it is read, and what is wrong with it.
 
 mod answer;
+mod asked;
 mod body;
 mod canvas;
 mod checked;
