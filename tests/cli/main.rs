@@ -18,6 +18,7 @@ mod readme;
 mod render;
 mod render_jsonl;
 mod report;
+mod schema;
 mod streams;
 mod themes;
 #[cfg(unix)]

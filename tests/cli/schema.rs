@@ -1,0 +1,193 @@
+//! `list schema` takes every scene that we draw, and refuses what we refuse.
+//!
+//! Read here is the part of JSON Schema that ours uses; a keyword that is not known here fails the test.
+
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use crate::{run, tracefig};
+
+/// The one pattern of the schema, that of colours.
+const COLOR: &str = "^#[0-9A-Fa-f]{6}$";
+
+fn schema() -> Value {
+    let ran = run(tracefig(Path::new(".")).args(["list", "schema"]));
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    serde_json::from_str(&ran.out).unwrap()
+}
+
+/// What a value is refused for, each with its place.
+fn faults(schema: &Value, value: &Value, at: &str) -> Vec<String> {
+    let schema = schema.as_object().unwrap_or_else(|| panic!("{at}: {schema} is no schema"));
+    let told = |(keyword, rule): (&String, &Value)| {
+        let inner = within(schema, keyword, rule, value, at);
+        inner.unwrap_or_else(|| {
+            let is_held = holds(keyword, rule, value);
+            if is_held { Vec::new() } else { vec![format!("{at}: {keyword} {rule}, got {value}")] }
+        })
+    };
+    schema.iter().flat_map(told).collect()
+}
+
+/// Faults of what a value holds; `None` where the keyword is about the value itself.
+fn within(
+    schema: &Map<String, Value>,
+    keyword: &str,
+    rule: &Value,
+    value: &Value,
+    at: &str,
+) -> Option<Vec<String>> {
+    let empty = Map::new();
+    let properties = schema.get("properties").and_then(Value::as_object).unwrap_or(&empty);
+    let entries = value.as_object().unwrap_or(&empty).iter();
+    Some(match keyword {
+        "properties" => entries
+            .filter_map(|(key, inner)| Some(faults(rule.get(key)?, inner, &format!("{at}/{key}"))))
+            .flatten()
+            .collect(),
+        "additionalProperties" => entries
+            .filter(|(key, _)| !properties.contains_key(*key))
+            .flat_map(|(key, inner)| match rule {
+                Value::Bool(true) => Vec::new(),
+                Value::Bool(false) => vec![format!("{at}/{key}: no such key")],
+                rule => faults(rule, inner, &format!("{at}/{key}")),
+            })
+            .collect(),
+        "items" => {
+            let items = value.as_array().map_or(&[][..], Vec::as_slice).iter().enumerate();
+            items.flat_map(|(i, inner)| faults(rule, inner, &format!("{at}/{i}"))).collect()
+        }
+        _ => return None,
+    })
+}
+
+/// Whether a value is as a keyword wants it.
+fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
+    let number = |compare: fn(&f64, &f64) -> bool| {
+        value.as_f64().is_none_or(|x| compare(&x, &rule.as_f64().expect("a limit is a number")))
+    };
+    let length = |compare: fn(&u64, &u64) -> bool| {
+        let limit = rule.as_u64().expect("a length is a whole number");
+        value.as_array().is_none_or(|items| compare(&(items.len() as u64), &limit))
+    };
+    let fitting = || {
+        let schemas = rule.as_array().expect("a list of schemas");
+        schemas.iter().filter(|schema| faults(schema, value, "").is_empty()).count()
+    };
+    match keyword {
+        "$schema" | "title" | "description" => rule.is_string(),
+        "type" => match rule.as_str().expect("a word") {
+            "object" => value.is_object(),
+            "array" => value.is_array(),
+            "string" => value.is_string(),
+            "boolean" => value.is_boolean(),
+            "number" => value.is_number(),
+            "integer" => value.as_f64().is_some_and(|x| x.fract() == 0.0),
+            other => panic!("no type {other}"),
+        },
+        "required" => {
+            let keys = rule.as_array().expect("a list of keys");
+            value.as_object().is_none_or(|o| keys.iter().all(|key| o.contains_key(key.as_str().unwrap())))
+        }
+        "enum" => rule.as_array().expect("a list of values").contains(value),
+        "const" => rule == value,
+        "minimum" => number(f64::ge),
+        "maximum" => number(f64::le),
+        "minItems" => length(u64::ge),
+        "maxItems" => length(u64::le),
+        "anyOf" => fitting() > 0,
+        "oneOf" => fitting() == 1,
+        "pattern" => {
+            assert_eq!(rule, COLOR);
+            let is_color = |text: &str| {
+                text.strip_prefix('#')
+                    .is_some_and(|hex| hex.len() == 6 && hex.bytes().all(|b| b.is_ascii_hexdigit()))
+            };
+            value.as_str().is_none_or(is_color)
+        }
+        other => panic!("the keyword {other} is not known to this test"),
+    }
+}
+
+#[test]
+fn the_schema_takes_every_committed_scene() {
+    let schema = schema();
+    let figures = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut read = 0;
+    for file in std::fs::read_dir(figures).unwrap().map(|file| file.unwrap().path()) {
+        if file.extension().is_none_or(|extension| extension != "toml") {
+            continue;
+        }
+        let scene: Value = toml::from_str(&std::fs::read_to_string(&file).unwrap()).unwrap();
+        let found = faults(&schema, &scene, "");
+        assert!(found.is_empty(), "{}:\n{}", file.display(), found.join("\n"));
+        read += 1;
+    }
+    assert!(read >= 19, "{read} scenes");
+}
+
+/// A scene that is right, with one value put in.
+fn with(pointer: &str, put: Value) -> Value {
+    let mut scene = json!({
+        "title": "Two", "lang": "de", "canvas": { "width": 720, "height": "auto", "background": "#FFFFFF" },
+        "shapes": {
+            "A": { "kind": "circle", "radius": 1, "position": [0, 0] },
+            "B": { "kind": "box", "half_extents": [1, 0.5], "position": [4, 0], "angle_deg": 3.5 },
+        },
+        "query": { "kind": "separation", "of": ["A", "B"], "time": 0.5 },
+        "panels": [{ "space": "world", "layers": ["shapes", { "layer": "axes", "ticks": true }] }],
+        "labels": { "A": { "text": "$A$", "at": "NE" }, "B": "$B$" },
+    });
+    if let Some((parent, key)) = pointer.rsplit_once('/') {
+        let parent = scene.pointer_mut(parent).unwrap();
+        match parent {
+            Value::Array(items) => items[key.parse::<usize>().unwrap()] = put,
+            Value::Object(entries) if put.is_null() => drop(entries.remove(key)),
+            Value::Object(entries) => drop(entries.insert(key.to_owned(), put)),
+            _ => panic!("{pointer}"),
+        }
+    }
+    scene
+}
+
+#[test]
+fn the_schema_refuses_what_the_reader_refuses() {
+    let schema = schema();
+    let folder = tempfile::tempdir().unwrap();
+    let solved = |scene: &Value| {
+        std::fs::write(folder.path().join("s.json"), scene.to_string()).unwrap();
+        run(tracefig(folder.path()).args(["render", "s.json"])).code
+    };
+    let right = with("", Value::Null);
+    assert_eq!((faults(&schema, &right, ""), solved(&right)), (Vec::new(), Some(0)));
+    for (pointer, put) in [
+        ("/shapes", Value::Null),
+        ("/query", Value::Null),
+        ("/tilte", json!("Two")),
+        ("/title", json!(2)),
+        ("/shapes/A/kind", json!("circel")),
+        ("/shapes/A/radius", Value::Null),
+        ("/shapes/A/half_extents", json!([1, 1])),
+        ("/shapes/B/half_extents", json!([1, 1, 1])),
+        ("/shapes/B/position", json!("here")),
+        ("/shapes/B/angle_deg", json!(true)),
+        ("/query/kind", json!("distance")),
+        ("/query/of", json!([])),
+        ("/query/of", json!(["A", "B", "A"])),
+        ("/query/time", json!(1.5)),
+        ("/query/max_iterations", json!(2.5)),
+        ("/canvas/background", json!("#GGGGGG")),
+        ("/canvas/width", json!("wide")),
+        ("/canvas/height", json!("tall")),
+        ("/panels", json!({})),
+        ("/panels/0/layers/0", json!(7)),
+        ("/panels/0/layers/1", json!({ "ticks": true })),
+        ("/panels/0/view", json!([0, 0, 1])),
+        ("/labels/A/at", json!("up")),
+    ] {
+        let wrong = with(pointer, put.clone());
+        assert_eq!(solved(&wrong), Some(1), "{pointer} {put}");
+        assert!(!faults(&schema, &wrong, "").is_empty(), "the schema takes {pointer} {put}");
+    }
+}
