@@ -74,7 +74,7 @@ fn together((p, q): (Point, Point), (a, b): (Point, Point)) -> f64 {
 }
 
 /// What breaks the grammar among the paths and texts of one panel.
-fn broken(items: &[Item], origin: Point) -> Vec<String> {
+fn broken(items: &[Item], origins: &[Point]) -> Vec<String> {
     let (mut all, mut words) = (Vec::new(), Vec::new());
     paths(items, &mut all);
     texts(items, &mut words);
@@ -102,7 +102,7 @@ fn broken(items: &[Item], origin: Point) -> Vec<String> {
         }
     }
     for center in rings(&all) {
-        if distance(center, origin) > 1e-6 {
+        if origins.iter().all(|&origin| distance(center, origin) > 1e-6) {
             wrong.push(format!("the origin's mark at {center:?}, which is not the origin"));
         }
     }
@@ -163,8 +163,10 @@ fn faults(figure: &Figure) -> Vec<String> {
         Item::Group(group) if group.name.starts_with("panel-") => Some(&group.items),
         _ => None,
     });
+    let enlarged: Vec<Point> = figure.insets.iter().map(|inset| inset.frame.page(DVec2::ZERO)).collect();
     let origins = figure.panels.iter().map(|panel| panel.frame.page(DVec2::ZERO));
-    groups.zip(origins).flat_map(|(items, origin)| broken(items, origin)).collect()
+    let origins = origins.map(|origin| [&enlarged[..], &[origin]].concat());
+    groups.zip(origins).flat_map(|(items, origins)| broken(items, &origins)).collect()
 }
 
 #[test]
