@@ -14,11 +14,12 @@ use tracefig::figure::theme::{THEMES, ThemeKey, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
-use tracefig::scene::{ERRORS, Field, Holds, PROJECT_TABLES, TABLES, schema, shape_rows, visible};
+use tracefig::scene::{ERRORS, Field, Holds, PROJECT_TABLES, TABLES, shape_rows, visible};
 
 use super::console::Console;
 use super::inputs::find;
 use super::manual::Manual;
+use super::schema::schema;
 use super::{Runs, Status};
 
 /// A topic of `list`.

@@ -27,6 +27,7 @@ mod regular;
 mod render;
 mod report;
 mod reports;
+mod schema;
 mod settings;
 mod solve;
 mod stream;

@@ -10,7 +10,7 @@ use super::fields::{
 use super::holds::Holds;
 use super::{COMPASS, When};
 
-/// JSON Schema (draft 2020-12) of a scene. Layers' own options are left open.
+/// JSON Schema (draft 2020-12) of a scene. Which layers there are is left open.
 ///
 /// ```
 /// let schema = tracefig::scene::schema();
