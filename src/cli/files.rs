@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::thread::available_parallelism;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -20,6 +19,7 @@ use super::Status;
 use super::atomic_file::Wait;
 use super::inputs::{Input, find, shown};
 use super::jobs::{Job, Planned, Target, jobs};
+use super::parallel::threads;
 use super::regular::read_regular;
 use super::settings::{Flags, Projects, Settings, usual_formats};
 use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
@@ -185,7 +185,7 @@ impl Files {
 
     /// How many scenes are drawn at once.
     pub(crate) fn threads(&self) -> NonZeroUsize {
-        self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+        threads(self.threads)
     }
 
     /// Reads, answers and draws one scene.

@@ -7,6 +7,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
+/// How many threads work where so many are asked for; else as many as there are processors.
+pub(crate) fn threads(asked: Option<NonZeroUsize>) -> NonZeroUsize {
+    asked.or_else(|| thread::available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN)
+}
+
 /// Works on every item, on as many threads as asked for, and hands the results to `each` in the order of the
 /// items. A result is `None` where the work panicked: a bug, of which the others must not suffer. Where the
 /// system gives fewer threads, those do it; where it gives none, and for one, this thread does.

@@ -3,7 +3,6 @@
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
-use std::thread::available_parallelism;
 
 use clap::{Args, ValueEnum};
 use tracefig::scene::{SceneFile, Solution};
@@ -13,6 +12,7 @@ use super::console::Console;
 use super::inputs::{find, shown};
 use super::manual::Manual;
 use super::outputs::write_report;
+use super::parallel::threads;
 use super::partition::Partition;
 use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
@@ -109,9 +109,8 @@ enum Errors {
 impl Solve {
     /// Answers a stream line by line, in its order.
     fn stream(&self, console: &mut Console) -> io::Result<Status> {
-        let threads = self.threads.or_else(|| available_parallelism().ok()).unwrap_or(NonZeroUsize::MIN);
         let part = self.partition.unwrap_or(Partition::WHOLE);
-        let (tally, end) = answer_all(io::stdin(), part, threads, &mut console.out);
+        let (tally, end) = answer_all(io::stdin(), part, threads(self.threads), &mut console.out);
         console.out.flush()?;
         let refused = tally.has_errors() && self.errors != Errors::Lines;
         let mut status = if refused { Status::Wrong } else { Status::Done };

@@ -13,6 +13,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::simplex::has_simplexes;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
@@ -38,10 +39,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "stop", about: "at the last step, why it stops" },
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
-    fed: |context, options| {
-        let some = context.run().events().any(|e| matches!(e, Event::SimplexUpdated { .. }));
-        Fed::by_the_answer(shown(context, options).is_some(), some)
-    },
+    fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
     draw,
 };
 

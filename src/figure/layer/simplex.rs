@@ -53,12 +53,14 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
-    fed: |context, options| {
-        let some = context.run().events().any(|e| matches!(e, Event::SimplexUpdated { .. }));
-        Fed::by_the_answer(shown(context, options).is_some(), some)
-    },
+    fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
     draw,
 };
+
+/// Whether the algorithm told simplexes, as GJK does before EPA.
+pub(super) fn has_simplexes(context: &Context) -> bool {
+    context.run().events().any(|event| matches!(event, Event::SimplexUpdated { .. }))
+}
 
 /// A simplex or polytope that the algorithm told.
 struct Step {

@@ -20,8 +20,8 @@ use glam::DVec2;
 pub use feature::Edges;
 
 use values::{
-    finite, finite_point, half_extents_value, optional_radius, points_value, radius_value, switch_value,
-    unusable, value,
+    SWEEPING_RADIUS, finite, finite_point, half_extents_value, optional_radius, points_value, radius_value,
+    switch_value, unusable, value,
 };
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! A box that may be turned, with sharp or rounded vertices.
 
 use super::{
-    Field, FieldType, FieldValue, Kind, Shape, ShapeError, box_of, half_extents_value, optional_radius, value,
+    Field, FieldType, FieldValue, Kind, SWEEPING_RADIUS, Shape, ShapeError, box_of, half_extents_value,
+    optional_radius, value,
 };
 
 /// The row of the table.
@@ -16,12 +17,7 @@ pub(super) const KIND: Kind = Kind {
             required: true,
             about: "half the width and height of the core, world units, more than 0",
         },
-        Field {
-            name: "radius",
-            holds: FieldType::Number,
-            required: false,
-            about: "radius of the disc that sweeps the core, world units; 0",
-        },
+        SWEEPING_RADIUS,
     ],
     build,
     turns: true,

@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use super::convex::{convex_core, hull_core};
 use super::{
-    Edges, Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, optional_radius, points_value,
-    switch_value, value,
+    Edges, Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, optional_radius,
+    points_value, switch_value, value,
 };
 
 /// The row of the table.
@@ -15,12 +15,7 @@ pub(super) const KIND: Kind = Kind {
     in_words: "a convex polygon",
     fields: &[
         Field { name: "vertices", holds: FieldType::Points, required: true, about: "three vertices or more" },
-        Field {
-            name: "radius",
-            holds: FieldType::Number,
-            required: false,
-            about: "radius of the disc that sweeps the core, world units; 0",
-        },
+        SWEEPING_RADIUS,
         Field {
             name: "hull",
             holds: FieldType::Switch,

@@ -13,7 +13,8 @@ use glam::DVec2;
 
 use super::convex::convex_core;
 use super::{
-    Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, finite, optional_radius, unusable, value,
+    Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, finite, optional_radius,
+    unusable, value,
 };
 use crate::geometry::{Turn, taming_power};
 
@@ -38,12 +39,7 @@ pub(super) const KIND: Kind = Kind {
             required: true,
             about: "from the middle to each vertex, world units, more than 0",
         },
-        Field {
-            name: "radius",
-            holds: FieldType::Number,
-            required: false,
-            about: "radius of the disc that sweeps the core, world units; 0",
-        },
+        SWEEPING_RADIUS,
     ],
     build,
     turns: true,

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{FieldValue, ShapeError};
+use super::{Field, FieldType, FieldValue, ShapeError};
 
 /// Numbers beyond this are refused as `too-large`.
 const LARGEST: f64 = 1e300;
@@ -66,6 +66,14 @@ pub(super) fn radius_value(found: Option<&FieldValue>) -> Result<f64, ShapeError
     // −0 is 0.
     Ok(radius + 0.0)
 }
+
+/// The field of a radius that need not be written: [`optional_radius`] reads it.
+pub(super) const SWEEPING_RADIUS: Field = Field {
+    name: "radius",
+    holds: FieldType::Number,
+    required: false,
+    about: "radius of the disc that sweeps the core, world units; 0",
+};
 
 /// A radius that may be left out: then 0.
 pub(super) fn optional_radius(found: Option<&FieldValue>) -> Result<f64, ShapeError> {
