@@ -98,9 +98,9 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
         panels.push(labelled);
     }
-    let Page { headline, headline_step, caption, step, .. } = plan.page;
-    items.push(across("headline", &plan.headline, (headline, headline_step), theme));
-    items.push(across("caption", &plan.caption, (caption, step), theme));
+    let Page { headline, headline_step, caption, step, caption_column, .. } = plan.page;
+    items.push(across("headline", &plan.headline, (headline, headline_step, 0.0), theme));
+    items.push(across("caption", &plan.caption, (caption, step, caption_column), theme));
     let shaded = |side: Side| theme.shaded().map(|role| (role, side.word_color(role))).collect();
     let dark = theme.dark.map(|side| Dark {
         colors: Role::ALL.into_iter().zip(side.colors).collect(),
@@ -255,7 +255,7 @@ fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
     let long = describe::long(plan.scene, run, &panels);
     let headline = plan.headline.words.as_deref().map(sentence);
-    let caption = plan.caption.words.clone().filter(|_| plan.caption.lines.len() == 0);
+    let caption = plan.caption.words.clone().filter(|_| plan.caption.lines() == 0);
     headline.into_iter().chain([long]).chain(caption).collect::<Vec<_>>().join(" ")
 }
 
@@ -305,13 +305,19 @@ fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &Theme) -> Item
     Item::Group(group)
 }
 
-/// A text across the page: its first baseline begins at `at`, and the others follow by `step` pixels.
-fn across(name: &str, text: &Across, (mut at, step): (Point, f64), theme: &Theme) -> Item {
+/// A text across the page: its first baseline begins at `at`, the others follow by `step` pixels, and another
+/// column by `aside`.
+fn across(name: &str, text: &Across, (at, step, aside): (Point, f64, f64), theme: &Theme) -> Item {
     let mut group = Group::new(name);
     group.label.clone_from(&text.words);
-    for line in text.lines.of(theme) {
-        group.items.extend(lettered(line, at, Role::Ink, (theme, None)));
-        at.y += step;
+    let mut x = at.x;
+    for column in &text.columns {
+        let mut y = at.y;
+        for line in column.of(theme) {
+            group.items.extend(lettered(line, Point::new(x, y), Role::Ink, (theme, None)));
+            y += step;
+        }
+        x += aside;
     }
     Item::Group(group)
 }

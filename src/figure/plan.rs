@@ -150,8 +150,8 @@ fn resolve<'s>(
         measures,
         columns: scene.canvas.columns,
         titles,
-        head: headline.lines.len(),
-        lines: caption.lines.len(),
+        head: headline.lines(),
+        lines: caption.lines(),
     };
     let mut page = None;
     if all {

@@ -100,7 +100,7 @@ fn a_panel_without_layers_has_those_of_its_space_and_the_names_of_the_scene() {
         let plan = plan(&scene).unwrap();
         let panel = &plan.panels[0];
         let of = panel.layers.iter().find(|layer| layer.layer.name == "ghosts").map(|l| l.options.of(&[]));
-        (panel.layers.iter().map(|l| l.layer.name).collect::<Vec<_>>(), of, plan.caption.lines.len())
+        (panel.layers.iter().map(|l| l.layer.name).collect::<Vec<_>>(), of, plan.caption.lines())
     };
     let (names, of, caption) = layers("[[panels]]\nspace = 'body'\nframe = 'B'");
     assert_eq!((names, of, caption), (vec!["shapes", "ghosts", "separation"], Some(vec![Side::B]), 0));

@@ -24,6 +24,8 @@ const CAPTION_DROP: f64 = 24.0;
 const CAPTION_STEP: f64 = 20.0;
 /// Width of a caption's line at most, in ems: some 95 letters, as many as the eye finds its way back over.
 const CAPTION_MEASURE: f64 = 43.0;
+/// The least width of a column of a caption that has two, in ems: some 60 letters.
+const CAPTION_COLUMN: f64 = 28.0;
 /// From one baseline of the headline to the next, in ems: headings stand closer than text.
 const HEADLINE_STEP: f64 = 1.25;
 /// Height of the capitals of a headline, in ems.
@@ -187,6 +189,13 @@ impl Measures {
     /// Width of a caption's line that is read with ease, page pixels: on a wide page less than the page has.
     pub(crate) fn caption_measure(&self) -> f64 {
         self.measure().min(CAPTION_MEASURE * self.size(TextKind::Caption))
+    }
+
+    /// Width of each of two columns of a caption, page pixels, the second of which begins where the right one
+    /// of two panels does; `None` where the page is too narrow for two.
+    pub(crate) fn caption_column(&self) -> Option<f64> {
+        let (column, size) = (0.5 * (self.measure() - self.gap()), self.size(TextKind::Caption));
+        (column >= CAPTION_COLUMN * size).then(|| column.min(CAPTION_MEASURE * size))
     }
 
     /// From one baseline of the headline to the next, page pixels: whole ones, so that what stands below is

@@ -46,6 +46,8 @@ pub(crate) struct Page {
     pub(crate) headline_step: f64,
     /// Left end of the first baseline of the caption, page pixels.
     pub(crate) caption: Point,
+    /// From the left end of a column of the caption to that of the next, page pixels.
+    pub(crate) caption_column: f64,
     /// From a panel's title's baseline down to the panel, page pixels.
     title_drop: f64,
     /// From one baseline of a panel's title to the next, page pixels.
@@ -94,6 +96,7 @@ impl Layout {
             headline: Point::new(side, measures.top() + measures.headline_rise()),
             headline_step: measures.headline_step(),
             caption: Point::new(side, bottom + measures.drop()),
+            caption_column: 0.5 * (measures.measure() + measures.gap()),
             title_drop: measures.title_drop(),
             title_step: measures.title_step(),
             step: measures.step(),

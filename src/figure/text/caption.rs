@@ -9,6 +9,7 @@ use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
 use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
 
+use super::columns::columns;
 use super::fill::fill;
 use super::plain;
 use super::wording::{bad_markup, bad_role, no_value};
@@ -49,12 +50,14 @@ impl Block {
             Self::Headline => Room {
                 style: Style::semibold(measures.headline_size()),
                 widths: [page; 2],
+                column: None,
                 most: measures.headline_lines(),
                 is_balanced: true,
             },
             Self::Caption => Room {
                 style: Style::regular(measures.caption_size()),
                 widths: [measures.caption_measure(), page],
+                column: measures.caption_column(),
                 most: measures.caption_lines(),
                 is_balanced: false,
             },
@@ -68,6 +71,8 @@ struct Room {
     style: Style,
     /// How wide lines are that are read with ease, and at most, page pixels.
     widths: [f64; 2],
+    /// How wide each of two columns is, page pixels; `None` where there is room for one alone.
+    column: Option<f64>,
     /// How many lines there is room for.
     most: usize,
     /// Whether the lines are as long as each other, so that the last one is not a single word.
@@ -75,6 +80,22 @@ struct Room {
 }
 
 impl Room {
+    /// Sets markup in one or two columns.
+    fn columns(
+        &self,
+        markup: &str,
+        typeset: impl Fn(&str, &Self) -> Result<Lettering, TypesetError>,
+    ) -> Result<Vec<Lettering>, TypesetError> {
+        let Some(column) = self.column else { return Ok(vec![typeset(markup, self)?]) };
+        match columns(markup, self.style, self.widths[0])?.as_slice() {
+            [left, right] => {
+                let each = Self { widths: [column; 2], column: None, ..*self };
+                Ok(vec![typeset(left, &each)?, typeset(right, &each)?])
+            }
+            _ => Ok(vec![typeset(markup, self)?]),
+        }
+    }
+
     /// Sets markup on lines that are read with ease, or on longer ones where these would be too many.
     fn set(&self, markup: &str) -> Result<Vec<Line>, TypesetError> {
         let [ease, widest] = self.widths;
@@ -104,9 +125,19 @@ impl Room {
 pub(crate) fn set(
     text: &Spanned<String>,
     context: &Context,
-    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
+    said: (&mut Vec<Problem>, &mut Vec<Problem>),
     typeset: impl Fn(&str) -> Result<Vec<Line>, TypesetError>,
 ) -> Option<Lettering> {
+    set_as(text, context, said, |filled| Lettering::new(filled, typeset))
+}
+
+/// A text of the scene, filled and set by `typeset` as [`set`] does it.
+fn set_as<T>(
+    text: &Spanned<String>,
+    context: &Context,
+    (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
+    typeset: impl FnOnce(&str) -> Result<T, TypesetError>,
+) -> Option<T> {
     let filled = match fill(&text.value, context, &text.span) {
         Ok((filled, lacking)) => {
             notes.extend(lacking.into_iter().map(|value| no_value(value, context, &text.span)));
@@ -121,17 +152,23 @@ pub(crate) fn set(
         problems.push(problem);
         return None;
     }
-    let set = Lettering::new(&filled, typeset);
-    set.map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
+    typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
 /// A text across the page, set.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Across {
-    /// Its lines; none where there is no text, or no room for it on the page.
-    pub(crate) lines: Lettering,
+    /// Its lines, column by column from the left; none where there is no text, or no room for it on the page.
+    pub(crate) columns: Vec<Lettering>,
     /// Its plain words; `None` where there is no text.
     pub(crate) words: Option<String>,
+}
+
+impl Across {
+    /// How many lines the longest column has.
+    pub(crate) fn lines(&self) -> usize {
+        self.columns.iter().map(Lettering::len).max().unwrap_or(0)
+    }
 }
 
 /// A text across the page; without lines where the page has no room for all of them, which is a warning. Its
@@ -143,15 +180,17 @@ pub(crate) fn across(
 ) -> Across {
     let Some(text) = block.of(context.scene) else { return Across::default() };
     let room = block.room(measures);
-    let lines = set(text, context, (problems, warnings), |text| room.set(text)).unwrap_or_default();
+    let in_columns = |filled: &str| room.columns(filled, |part, room| Lettering::new(part, |t| room.set(t)));
+    let columns = set_as(text, context, (problems, warnings), in_columns).unwrap_or_default();
     let filled = fill(&text.value, context, &text.span).ok();
     let words = filled.map(|(filled, _)| plain(&filled));
-    if lines.len() <= room.most {
-        return Across { lines, words };
+    let set = Across { columns, words };
+    if set.lines() <= room.most {
+        return set;
     }
-    let fault = Fault::TextDropped { what: block.name(), lines: lines.len(), room: room.most };
+    let fault = Fault::TextDropped { what: block.name(), lines: set.lines(), room: room.most };
     warnings.push(Problem::new(fault, text.span.clone()));
-    Across { lines: Lettering::default(), words }
+    Across { columns: Vec::new(), ..set }
 }
 
 /// A text of a scene in plain words, for those who do not see the figure; `None`, with the reason in
@@ -178,10 +217,10 @@ pub(crate) fn spoken(
 /// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
 pub(crate) fn caption_of_words(measures: &Measures, words: String) -> Across {
     let room = Block::Caption.room(measures);
-    let set = Lettering::new(&with_powers(&as_markup(&words)), |text| room.set(text));
-    set.ok()
-        .filter(|lines| lines.len() <= room.most)
-        .map_or_else(Across::default, |lines| Across { lines, words: Some(words) })
+    let markup = with_powers(&as_markup(&words));
+    let columns = room.columns(&markup, |part, room| Lettering::new(part, |text| room.set(text)));
+    let set = Across { columns: columns.unwrap_or_default(), words: Some(words) };
+    if set.columns.is_empty() || set.lines() > room.most { Across::default() } else { set }
 }
 
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.

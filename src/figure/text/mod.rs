@@ -2,10 +2,11 @@
 //!
 //! `{=name}` in a text stands for a value of the answer ([`values`]), a [`quantity`] written as a
 //! [`number`](number::number) of three significant digits at most ([`fill`](fill::fill)). Headline and
-//! [`caption`] are broken into lines, a label gets its [`wording`], and [`plain`](plain::plain) reads markup
-//! out in words for the alternative text.
+//! [`caption`] are broken into lines, a long caption in two [`columns`](columns::columns), a label gets its
+//! [`wording`], and [`plain`](plain::plain) reads markup out in words for the alternative text.
 
 mod caption;
+mod columns;
 mod decimal;
 mod digits;
 mod fill;
