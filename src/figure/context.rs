@@ -155,12 +155,12 @@ impl Context<'_> {
         Some(Outline::of_body(self.body(side)?, &self.pose(side, time)?))
     }
 
-    /// The bodies that are asked nothing, each with its name as markup and its outline at the panel's moment,
-    /// as the panel shows it.
-    pub(crate) fn bystanders(&self) -> impl Iterator<Item = (String, Outline)> {
+    /// The bodies that are asked nothing, each with its index, its name as markup and its outline at the
+    /// panel's moment, as the panel shows it.
+    pub(crate) fn bystanders(&self) -> impl Iterator<Item = (usize, String, Outline)> {
         let shapes = self.scene.shapes.iter().enumerate();
-        shapes.filter(|(i, _)| !self.scene.query.of.contains(i)).map(|(_, (name, body))| {
-            (Name(&name.value).primed(0), Outline::of_body(body, &body.pose_at(self.time)))
+        shapes.filter(|(i, _)| !self.scene.query.of.contains(i)).map(|(i, (name, body))| {
+            (i, Name(&name.value).primed(0), Outline::of_body(body, &body.pose_at(self.time)))
         })
     }
 

@@ -10,6 +10,7 @@ use crate::scene::Background;
 
 use super::describe;
 use super::fault::{Fault, Problem};
+use super::handle::Handle;
 use super::inset::Inset;
 use super::layer::is_key;
 use super::lettering::{Lettering, lettered};
@@ -17,6 +18,7 @@ use super::page::Page;
 use super::panel::PanelPlan;
 use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
 use super::plan::Plan;
+use super::playhead::given;
 use super::runs::Run;
 use super::sketch::{Anchor, Request, Size, Sketched};
 use super::text::{Across, Wording, plain};
@@ -38,6 +40,8 @@ pub struct Figure {
     pub panels: Vec<Labelled>,
     /// Each inset's map, obstacles and labels, in the order of their panels.
     pub insets: Vec<Labelled>,
+    /// What a reader of a live figure may drag, panel by panel.
+    pub handles: Vec<Handle>,
     /// What should be better, with its place in the scene.
     pub warnings: Vec<Problem>,
 }
@@ -91,8 +95,9 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
     let (mut panels, mut insets): (Vec<Labelled>, Vec<Labelled>) = (Vec::new(), Vec::new());
+    let mut handles = Vec::new();
     for panel in &plan.panels {
-        let (group, labelled, inset) = draw_panel(plan, theme, &panels);
+        let (group, labelled, inset) = draw_panel(plan, theme, &panels, &mut handles);
         insets.extend(inset);
         items.push(Item::Group(group));
         items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
@@ -130,7 +135,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         hash: String::new(),
         items,
     };
-    Figure { drawing, panels, insets, warnings }
+    Figure { drawing, panels, insets, handles, warnings }
 }
 
 /// The theme with the background that the scene gives: halos have its colour too.
@@ -209,11 +214,20 @@ fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) ->
     sketched.requests.iter().filter_map(set).collect()
 }
 
-/// Draws a panel beside those before it.
-fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled]) -> (Group, Labelled, Option<Labelled>) {
+/// Draws a panel beside those before it. Where the answer gives its moment, what is dragged would move that
+/// too, and nothing has a handle.
+fn draw_panel(
+    plan: &Plan,
+    theme: &Theme,
+    before: &[Labelled],
+    handles: &mut Vec<Handle>,
+) -> (Group, Labelled, Option<Labelled>) {
     let index = before.len();
     let panel = &plan.panels[index];
     let ((sketched, sought), enlarged) = sought(plan, theme, index);
+    if given(&panel.source, plan.scene).is_some() {
+        handles.extend(sketched.holds.iter().filter_map(|hold| hold.on_page(&sketched.frame, index)));
+    }
     let series = earlier(plan, index).map(|i| &before[i]);
     let series: Vec<(Rect, Placed)> =
         series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();

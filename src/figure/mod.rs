@@ -14,6 +14,7 @@ mod difference;
 mod draw;
 mod fault;
 mod frame;
+mod handle;
 mod inset;
 pub mod layer;
 mod lettering;
@@ -24,6 +25,7 @@ mod page;
 mod panel;
 mod placement;
 mod plan;
+mod playhead;
 mod question;
 #[cfg(test)]
 #[path = "../../tests/random_scenes/mod.rs"]
@@ -45,6 +47,7 @@ use layer::{LAYERS, Shows};
 pub use draw::{Figure, draw};
 pub use fault::{Fault, off_page};
 pub use frame::Frame;
+pub use handle::{Handle, Pull, Setting, handles_json};
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan, plan_in};

@@ -190,7 +190,7 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
         Holds::Pair => numbers(node, row, 2, p),
         Holds::Rectangle => numbers(node, row, 4, p),
         Holds::Points => points(node, row, p),
-        Holds::Names => match as_list(node) {
+        Holds::Names | Holds::Drags => match as_list(node) {
             Some(items) if items.iter().all(|i| as_text(i).is_some()) => true,
             _ => wrong(node, row, p),
         },

@@ -70,6 +70,7 @@ pub(super) static ROOT: TableRows = TableRows {
         ),
         may("labels", Holds::Tables("labels"), "texts and places of labels, by label key"),
         may("canvas", Holds::Table, "the page"),
+        may("live", Holds::Table, "what a reader may move in a live figure"),
         may("id", Holds::Anything, "copied to the answer of `solve --jsonl`"),
         may("expected", Holds::Anything, "not read; a place for the known answer in suites of tests"),
     ],
@@ -234,6 +235,22 @@ pub(super) static CANVAS: TableRows = TableRows {
     ],
 };
 
+/// What a reader may do with a live figure.
+pub(super) static LIVE: TableRows = TableRows {
+    header: "[live]",
+    place: "`[live]`",
+    fields: &[
+        may("drag", Holds::Drags, "what may be moved; default: bodies and velocities that a layer draws"),
+        may(
+            "snap",
+            Holds::Number { min: 0.0, max: MAX_NUMBER },
+            "the step that places and lengths snap to, world units; 0 for none; default 0.25",
+        ),
+        may("steps", Holds::Switch, "buttons that lead through the algorithm's steps; default true"),
+        may("time", Holds::Switch, "a playhead; default: where a panel's moment is not pinned"),
+    ],
+};
+
 /// The top of a project file.
 pub(super) static PROJECT: TableRows = TableRows {
     header: "tracefig.toml",
@@ -269,8 +286,8 @@ pub(super) static RENDER: TableRows = TableRows {
 pub static PROJECT_TABLES: [&TableRows; 2] = [&PROJECT, &RENDER];
 
 /// Every table of a scene but the fields of the kinds of shape.
-pub static TABLES: [&TableRows; 8] =
-    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS];
+pub static TABLES: [&TableRows; 9] =
+    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS, &LIVE];
 
 /// All the rows of a kind of shape: first those of every shape, then its own.
 ///

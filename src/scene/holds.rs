@@ -52,6 +52,8 @@ pub enum Holds {
     Points,
     /// Names of shapes of the scene.
     Names,
+    /// Names of shapes, each alone or with a word for something of it.
+    Drags,
     /// A number in [0, 1], or "start", "hit", "closest", "end".
     Moment,
     /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
@@ -93,6 +95,7 @@ impl Holds {
             Self::Rectangle => "four numbers [x0, y0, x1, y1]".to_owned(),
             Self::Points => "a list of points [[x, y], …]".to_owned(),
             Self::Names => "a list of names of shapes".to_owned(),
+            Self::Drags => "a list of shapes, or of what they have, as [\"A\", \"B.velocity\"]".to_owned(),
             Self::Moment => "a number in [0, 1], \"start\", \"hit\", \"closest\" or \"end\"".to_owned(),
             Self::LabelPlace => {
                 "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()

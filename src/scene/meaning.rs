@@ -2,12 +2,13 @@
 //!
 //! Comments, blanks, the order of keys, TOML or JSON, `1` or `1.0` are how a file is written. The order of
 //! shapes and labels is not: those stand above others that come later. What is not read, as the `id`, is left
-//! out.
+//! out, and so is what a reader may move: no picture shows it.
 
 use std::fmt::Write;
 
 use super::fields::ROOT;
 use super::holds::Holds;
+use super::live;
 use super::node::{Node, NodeValue};
 
 /// Whether the order of a table's entries says something.
@@ -23,6 +24,9 @@ enum Order {
 pub(super) fn meaning(root: &Node) -> String {
     let mut text = String::new();
     for (key, node) in sorted(root) {
+        if key == live::KEY {
+            continue;
+        }
         match ROOT.fields.iter().find(|row| row.name == key).map(|row| row.holds) {
             Some(Holds::Anything) => {}
             Some(Holds::Tables(_)) => entry(key, node, Order::Kept, &mut text),

@@ -12,6 +12,7 @@ mod holds;
 mod json;
 mod labels;
 pub mod limits;
+mod live;
 mod meaning;
 mod message;
 mod moment;
@@ -39,6 +40,7 @@ pub use codes::{ERRORS, ErrorCode};
 pub use fields::{Field, PROJECT_TABLES, TABLES, TableRows, shape_rows};
 pub use holds::Holds;
 pub(crate) use labels::COMPASS;
+pub use live::{Drag, Grip, Live};
 pub use message::{Ink, Severity, message};
 pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
@@ -91,6 +93,8 @@ pub struct Scene {
     pub labels: Vec<(Spanned<String>, LabelOverride)>,
     /// The page that the figure is drawn on.
     pub canvas: Canvas,
+    /// What a reader may move where the figure is live.
+    pub live: Live,
 }
 
 impl Scene {

@@ -8,7 +8,7 @@ use super::limits::MAX_SHAPES;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problem, Problems};
 use super::source::Source;
-use super::{Scene, Spanned, body, canvas, labels, panels, question};
+use super::{Scene, Spanned, body, canvas, labels, live, panels, question};
 
 /// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the
 /// values in texts are checked by the figure's plan.
@@ -44,6 +44,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
     let panels = panels::read(&top, &names, p);
     let labels = labels::read(&top, p);
     let canvas = canvas::read(&top, p);
+    let live = live::read(&top, &read, p);
     let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
     Some(Scene {
         title: top.text("title"),
@@ -56,6 +57,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
         panels,
         labels,
         canvas,
+        live,
     })
 }
 

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXPECTED, EXPECTED_POINTS, Field, LABEL, PANEL, QUERY, ROOT, TableRows, shape_rows,
+    CANVAS, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, TableRows, shape_rows,
 };
 use super::holds::Holds;
 use super::{COMPASS, When};
@@ -75,6 +75,7 @@ fn holds(field: &Field) -> Value {
         Holds::Names => {
             json!({ "type": "array", "items": { "type": "string" }, "minItems": 1, "maxItems": 2 })
         }
+        Holds::Drags => json!({ "type": "array", "items": { "type": "string" } }),
         Holds::Moment => json!({ "anyOf": [
             { "type": "number", "minimum": 0, "maximum": 1 },
             { "enum": When::WORDS.map(|(word, _)| word) },
@@ -96,6 +97,7 @@ fn holds(field: &Field) -> Value {
             "query" => &QUERY,
             "expected" => &EXPECTED,
             "points" => &EXPECTED_POINTS,
+            "live" => &LIVE,
             _ => &CANVAS,
         }),
         Holds::Anything => json!({}),

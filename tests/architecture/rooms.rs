@@ -129,10 +129,15 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/name", &["typeset"]),
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
+    ("figure/playhead", &["geometry", "scene", "figure/question"]),
+    ("figure/handle", &["geometry", "scene", "drawing", "figure/frame", "figure/playhead"]),
     ("figure/theme", &["drawing"]),
     ("figure/page", &["scene", "drawing", "figure/theme"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
-    ("figure/sketch", &["geometry", "typeset", "drawing", "figure/frame", "figure/limits", "figure/theme"]),
+    (
+        "figure/sketch",
+        &["geometry", "typeset", "drawing", "figure/frame", "figure/handle", "figure/limits", "figure/theme"],
+    ),
     (
         "figure/inset",
         &[
@@ -195,6 +200,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "drawing",
             "figure/context",
             "figure/difference",
+            "figure/handle",
             "figure/runs",
             "figure/sketch",
             "figure/text",

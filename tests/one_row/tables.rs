@@ -151,7 +151,9 @@ fn layers() -> Vec<Table> {
             ("separation", "scene/fields.rs", "a part of what is expected"),
             ("frame", "scene", "a key of a panel"),
             ("shapes", "scene", "a table of a scene"),
+            ("shapes", "figure/handle.rs", "a table of a scene"),
             ("velocity", "scene", "a key of a shape"),
+            ("vertices", "scene/live.rs", "what of a body may be dragged"),
         ],
     }]
 }

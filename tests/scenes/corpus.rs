@@ -12,7 +12,7 @@ use tracefig::figure::layer::LAYERS;
 use tracefig::figure::theme::THEMES;
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::KINDS;
-use tracefig::scene::{Holds, TABLES, shape_rows};
+use tracefig::scene::{Grip, Holds, TABLES, shape_rows};
 
 use crate::fuzz_bodies;
 
@@ -86,6 +86,7 @@ fn words() -> BTreeSet<String> {
             }
         }
     }
+    words.extend(Grip::words().map(str::to_owned));
     for layer in LAYERS {
         words.insert(layer.name.to_owned());
         words.extend(layer.labels.iter().map(|key| key.key.to_owned()));

@@ -26,6 +26,7 @@ mod graph;
 mod grid;
 mod grown;
 mod half_extents;
+mod held;
 mod merging;
 mod normal;
 mod note;

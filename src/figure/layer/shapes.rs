@@ -8,6 +8,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::geometry::{DVec2, Pose, Side};
 
+use super::held;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Opacity of the fill of context.
@@ -67,6 +68,7 @@ fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
     sketch.part(part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
+    held::body(sketch, context, side);
 }
 
 /// Names a body inside it; with `center`, marks its origin.
@@ -89,7 +91,7 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
 /// Draws the bodies that the query is not about.
 fn bystanders(sketch: &mut Sketch, context: &Context) {
     let pair = extent_of_the_pair(context);
-    for (i, (name, outline)) in context.bystanders().enumerate() {
+    for (i, (index, name, outline)) in context.bystanders().enumerate() {
         let Some(own) = extent(context, &outline) else { continue };
         let (lo, hi) = pair.map_or(own, |pair| (pair.0.min(own.0), pair.1.max(own.1)));
         let near = pair.is_none_or(|(a, b)| (hi - lo).max_element() <= GROWTH * (b - a).max_element());
@@ -102,6 +104,7 @@ fn bystanders(sketch: &mut Sketch, context: &Context) {
         let pen = Pen::outline(Role::Muted).width(1.0);
         sketch.part(format!("context-{}", i + 1)).weight(weight);
         sketch.area(&outline, Some(Wash::faint(Role::Muted, FAINT)), Some(pen));
+        held::bystander(sketch, context, index);
         if seen {
             let anchor = Anchor::inside(&outline);
             sketch.label(Label::new("context", name, anchor, Role::Muted).rank(Rank::Word).size(Size::Note));

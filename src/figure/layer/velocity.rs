@@ -11,6 +11,7 @@ use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
 
+use super::held;
 use super::normal::scaled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
@@ -105,7 +106,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let key = if side == Side::A { "v_A" } else { "v_B" };
         let text = text(&context.symbol("v", side), v, options);
         let from = pose.point(local);
-        arrow(sketch, options, &Motion { key, text, way, from, v, now: context.time, hit, scale });
+        let motion = Motion { key, text, way, from, v, now: context.time, hit, scale };
+        arrow(sketch, options, &motion);
+        // An arrow that the hit cuts off ends there, whatever the velocity is.
+        if !is_cut(options, &motion) {
+            held::velocity(sketch, context, side, (from + v * scale, scale));
+        }
     }
 }
 
@@ -159,11 +165,16 @@ impl Motion {
     }
 }
 
+/// Whether the arrow is cut off at the hit.
+fn is_cut(options: &Options, m: &Motion) -> bool {
+    options.word("cut", "") == When::HIT && m.hit.is_some()
+}
+
 /// Draws an arrow; up to the hit in the accent, where the scene wants that.
 fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
     let ahead = m.ahead();
     // A motion without a hit is drawn whole; a hit that is no longer ahead leaves nothing to draw.
-    if options.word("cut", "") == When::HIT && m.hit.is_some() {
+    if is_cut(options, m) {
         let Some((way, _)) = ahead else { return };
         let role = options.role(Role::Now);
         sketch.part("velocity");

@@ -18,6 +18,7 @@ mod words;
 
 use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect};
 use crate::figure::frame::Frame;
+use crate::figure::handle::Hold;
 use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
 use crate::geometry::DVec2;
@@ -121,6 +122,8 @@ pub(crate) struct Sketch<'f> {
     requests: Vec<Request>,
     /// What has no label so far, though one of its kind could name it.
     unnamed: Vec<Anchor>,
+    /// What a reader may take hold of so far, each once.
+    holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     extent: Option<(DVec2, DVec2)>,
     /// Points of all lines so far.
@@ -141,6 +144,8 @@ pub(crate) struct Sketched {
     pub(crate) requests: Vec<Request>,
     /// What has no label, though one of its kind could name it.
     pub(crate) unnamed: Vec<Anchor>,
+    /// What a reader may take hold of.
+    pub(crate) holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     pub(crate) extent: Option<(DVec2, DVec2)>,
     /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
@@ -166,6 +171,7 @@ impl<'f> Sketch<'f> {
             obstacles: Vec::new(),
             requests: Vec::new(),
             unnamed: Vec::new(),
+            holds: Vec::new(),
             extent: None,
             points: 0,
             painted: 0.0,
@@ -182,9 +188,10 @@ impl<'f> Sketch<'f> {
 
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
-        let Self { frame, mut layers, obstacles, requests, unnamed, extent, points, painted, .. } = self;
+        let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, points, painted, .. } =
+            self;
         construction::end_at_lines(&mut layers);
-        Sketched { frame, layers, obstacles, requests, unnamed, extent, points, painted }
+        Sketched { frame, layers, obstacles, requests, unnamed, holds, extent, points, painted }
     }
 
     /// Whether more was drawn than a figure may show: it will be refused.
@@ -228,6 +235,14 @@ impl<'f> Sketch<'f> {
             self.unnamed.push(anchor);
         }
         self
+    }
+
+    /// Lets a reader of a live figure take hold of something that is drawn here; once, whoever draws it.
+    pub(crate) fn hold(&mut self, hold: Hold) {
+        let same = |h: &Hold| (h.body, h.grip, h.vertex) == (hold.body, hold.grip, hold.vertex);
+        if self.holds.len() < MAX_POINTS && !self.holds.iter().any(same) {
+            self.holds.push(hold);
+        }
     }
 
     /// The smallest and largest coordinates that the panel shows, in its space (a body's own, in its panel).

@@ -1,6 +1,8 @@
 //! A box whose sides stay parallel to the axes: the article's AABB.
 
-use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, box_of, half_extents_value, value};
+use super::{
+    Field, FieldType, FieldValue, Kind, Shape, ShapeError, VertexKey, box_of, half_extents_value, value,
+};
 
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
@@ -15,6 +17,7 @@ pub(super) const KIND: Kind = Kind {
     }],
     build,
     turns: false,
+    vertices: VertexKey::Half("half_extents"),
 };
 
 /// Fields to a shape.

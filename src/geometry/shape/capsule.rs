@@ -1,6 +1,8 @@
 //! A capsule: a segment swept by a disc. Radius 0 is a segment; two equal points are a circle.
 
-use super::{Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, points_value, radius_value, value};
+use super::{
+    Field, FieldType, FieldValue, Hull, Kind, Shape, ShapeError, VertexKey, points_value, radius_value, value,
+};
 
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
@@ -23,6 +25,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     build,
     turns: true,
+    vertices: VertexKey::Each("points"),
 };
 
 /// Fields to a shape.

@@ -3,7 +3,8 @@
 use glam::DVec2;
 
 use super::{
-    Field, FieldType, FieldValue, Kind, Shape, ShapeError, finite_point, radius_value, unusable, value,
+    Field, FieldType, FieldValue, Kind, Shape, ShapeError, VertexKey, finite_point, radius_value, unusable,
+    value,
 };
 
 /// The row of the table.
@@ -27,6 +28,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     build,
     turns: true,
+    vertices: VertexKey::None,
 };
 
 /// Fields to a shape.

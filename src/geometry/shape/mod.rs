@@ -129,6 +129,19 @@ pub struct Kind {
     pub build: fn(&[Option<FieldValue>]) -> Result<Shape, ShapeError>,
     /// Whether a pose may turn it (an AABB may not).
     pub turns: bool,
+    /// Which key of a scene sets a vertex.
+    pub(crate) vertices: VertexKey,
+}
+
+/// Which key of a scene sets a vertex of a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum VertexKey {
+    /// No key does.
+    None,
+    /// The list under this key has a point for each.
+    Each(&'static str),
+    /// The pair under this key is how far each is from the middle, along x and y.
+    Half(&'static str),
 }
 
 /// Every kind of shape.

@@ -1,8 +1,8 @@
 //! A box that may be turned, with sharp or rounded vertices.
 
 use super::{
-    Field, FieldType, FieldValue, Kind, SWEEPING_RADIUS, Shape, ShapeError, box_of, half_extents_value,
-    optional_radius, value,
+    Field, FieldType, FieldValue, Kind, SWEEPING_RADIUS, Shape, ShapeError, VertexKey, box_of,
+    half_extents_value, optional_radius, value,
 };
 
 /// The row of the table.
@@ -21,6 +21,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     build,
     turns: true,
+    vertices: VertexKey::Half("half_extents"),
 };
 
 /// Fields to a shape.

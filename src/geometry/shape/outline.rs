@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::convex::{orientation, tamer};
-use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, points_value, value};
+use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, VertexKey, points_value, value};
 
 /// The row of the table.
 pub(super) const KIND: Kind = Kind {
@@ -18,6 +18,7 @@ pub(super) const KIND: Kind = Kind {
     }],
     build,
     turns: true,
+    vertices: VertexKey::Each("vertices"),
 };
 
 /// Fields to a shape.

@@ -4,8 +4,8 @@ use glam::DVec2;
 
 use super::convex::{convex_core, hull_core};
 use super::{
-    Edges, Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, optional_radius,
-    points_value, switch_value, value,
+    Edges, Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, VertexKey,
+    optional_radius, points_value, switch_value, value,
 };
 
 /// The row of the table.
@@ -25,6 +25,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     build,
     turns: true,
+    vertices: VertexKey::Each("vertices"),
 };
 
 impl Shape {

@@ -13,8 +13,8 @@ use glam::DVec2;
 
 use super::convex::convex_core;
 use super::{
-    Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, finite, optional_radius,
-    unusable, value,
+    Field, FieldType, FieldValue, Hull, Kind, SWEEPING_RADIUS, Shape, ShapeError, VertexKey, finite,
+    optional_radius, unusable, value,
 };
 use crate::geometry::{Turn, taming_power};
 
@@ -43,6 +43,7 @@ pub(super) const KIND: Kind = Kind {
     ],
     build,
     turns: true,
+    vertices: VertexKey::None,
 };
 
 /// Fields to a shape.

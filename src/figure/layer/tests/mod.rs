@@ -1,5 +1,6 @@
 //! What a figure shows, for the tests of its layers: the texts of its labels and the lengths of its lines.
 
+mod handles;
 mod insets;
 mod marks;
 mod moments;
