@@ -11,7 +11,7 @@ use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 use tracefig::figure::theme;
 use tracefig::figure::{Fault, Figure, draw, off_page, plan, plan_in};
-use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer};
+use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, short_id};
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
@@ -339,23 +339,15 @@ fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut 
     }
 }
 
-/// What the ids and classes of an SVG begin with, so that several figures can stand in one page: a letter,
-/// and three letters or digits, one of 1.2 million from the file's name. It stands some hundred times in a
-/// file, where the whole name would cost a fifth of its bytes.
+/// What the ids and classes of a figure begin with, so that several can stand in one page: made of the
+/// file's name.
 fn figure_id(job: &Job, planned: &Planned) -> String {
     let stem = match (&planned.target, &job.input) {
         (Target::File(path), _) | (Target::Stdout, Input::File(path)) => path.file_stem(),
         (Target::Stdout, Input::Stdin | Input::Line { .. }) => None,
     };
     let name = stem.map_or("stdin".into(), |s| s.to_string_lossy());
-    let mut rest = u128::from_str_radix(&fingerprint(&name, "id"), 16).unwrap_or(0);
-    let bases = [26, 36, 36, 36];
-    let digit = |base: u128| {
-        let digit = u8::try_from(rest % base).unwrap_or(0);
-        rest /= base;
-        char::from(if digit < 26 { b'a' + digit } else { b'0' + digit - 26 })
-    };
-    bases.map(digit).iter().collect()
+    short_id(u128::from_str_radix(&fingerprint(&name, "id"), 16).unwrap_or(0))
 }
 
 /// The message of a file that a format can't make.

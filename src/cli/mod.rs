@@ -7,6 +7,7 @@
 
 mod answering;
 mod atomic_file;
+mod book;
 mod check;
 mod completions;
 mod console;
@@ -18,6 +19,7 @@ mod lines;
 mod list;
 mod man;
 mod manual;
+mod mdbook;
 mod orphans;
 mod outputs;
 mod parallel;
@@ -135,6 +137,7 @@ static COMMANDS: &[Command] = &[
     row::<solve::Solve>("solve", "Answer scenes, as text or JSON"),
     row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
     row::<describe::Describe>("describe", "Tell a figure in words: its alternative text, short and long"),
+    row::<mdbook::Mdbook>("mdbook", "Draw the scenes in the pages of a book, as mdBook builds it"),
     row::<report::Report>("report", "Measure speed against error, as tables and plots"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),

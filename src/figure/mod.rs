@@ -32,6 +32,7 @@ mod question;
 mod random_scenes;
 mod resolve;
 mod runs;
+mod said;
 mod sketch;
 mod standing;
 mod text;

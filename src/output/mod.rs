@@ -25,6 +25,7 @@ pub(crate) use picture::{Picture, Rows, Unread};
 pub(crate) use png::ImageWriter;
 pub(crate) use raster::Pixel;
 pub use raster::{Pixels, rasterize};
+pub use svg::inline::{data_uri, inline, short_id};
 pub(crate) use svg::read::sheets_apart;
 
 /// A row in the table of formats.

@@ -13,6 +13,7 @@ mod inert;
 #[cfg(unix)]
 mod inputs_stay;
 mod jsonl;
+mod mdbook;
 mod project;
 mod readme;
 mod render;

@@ -59,6 +59,8 @@ fn outer() -> Vec<Table> {
             other_meanings: &[
                 ("svg", "output/html.rs", "the element inside a page"),
                 ("png", "output/mod.rs", "the option `--png`"),
+                ("html", "cli/mdbook.rs", "the renderer of mdBook whose pages take elements"),
+                ("svg", "cli/book/colors.rs", "the element inside a page"),
                 ("html", "cli/reports.rs", "the page of findings, which is no figure"),
                 ("html", "drift/report", "the page of findings, which is no figure"),
             ],

@@ -113,8 +113,15 @@ impl Theme {
 
     /// This theme on another background, for dark systems too: what can't be seen there has another colour,
     /// and words a shade that can be read.
+    ///
+    /// ```
+    /// use tracefig::{drawing::{Color, Role}, figure::theme::{THEMES, contrast::contrast}};
+    /// let night = Color::hex(0x16_1923);
+    /// let ink = THEMES[0].on(night).word_color(Role::Ink);
+    /// assert!(contrast(ink, night) >= 4.5, "lighter than that of the light theme");
+    /// ```
     #[must_use]
-    pub(crate) fn on(&self, background: Color) -> Self {
+    pub fn on(&self, background: Color) -> Self {
         let Side { colors, words, .. } = self.light().on(background);
         Self { colors, words, dark: self.dark.map(|dark| dark.on(background)), ..self.clone() }
     }

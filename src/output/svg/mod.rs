@@ -6,6 +6,7 @@
 //! once and used where it stands. Nothing is loaded from elsewhere and nothing runs.
 
 mod contour;
+pub(super) mod inline;
 pub(super) mod read;
 mod style;
 mod text;

@@ -1,0 +1,264 @@
+//! Draws what a page asks for, as a piece of its Markdown.
+
+use std::fmt::Write as _;
+use std::path::{Component, Path, PathBuf};
+
+use tracefig::figure::theme::Theme;
+use tracefig::figure::{draw, plan, plan_in};
+use tracefig::output::{data_uri, inline};
+use tracefig::scene::{
+    CanvasDefaults, Explain, Ink, Refused, SceneFile, Source, Spanned, message, open, open_text, project,
+    visible,
+};
+
+use super::super::inputs::Input;
+use super::super::project::nearest;
+use super::super::themes::{OwnThemes, theme_in};
+use super::super::unplanned::Unplanned;
+use super::attributes::Attributes;
+use super::colors::Colors;
+use super::markdown::{Place, What};
+
+/// Width of the page of figures that say none, page pixels: that of mdBook's text, so that letters have the
+/// size that they say.
+const WIDTH: &str = "canvas.width = 750";
+
+/// How the renderer of a book takes a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Takes {
+    /// It stands in the page as an element.
+    Element,
+    /// It stands there as an image.
+    Image,
+}
+
+/// What a figure is drawn for.
+pub(crate) struct Desk<'d> {
+    /// How figures are taken.
+    pub(crate) takes: Takes,
+    /// How figures look that follow the book.
+    pub(crate) colors: &'d Colors,
+    /// The theme files that scenes name.
+    pub(crate) own_themes: OwnThemes,
+    /// How messages are written.
+    pub(crate) ink: Ink,
+}
+
+/// A place of a page, with what it takes to draw it.
+#[derive(Debug)]
+pub(crate) struct Order<'p> {
+    /// The place.
+    pub(crate) place: &'p Place,
+    /// What the page is called in messages.
+    pub(crate) name: &'p str,
+    /// The page's file, from whose folder paths count.
+    pub(crate) file: &'p Path,
+    /// Number of the place's line in that file; `None` where it was included from another.
+    pub(crate) line: Option<usize>,
+    /// What ids of the figure begin with.
+    pub(crate) id: String,
+    /// Whether the style sheet comes with it.
+    pub(crate) with_sheet: bool,
+}
+
+/// What comes of an order.
+#[derive(Debug, Default)]
+pub(crate) struct Served {
+    /// What stands in the page instead; `None` where something is wrong.
+    pub(crate) text: Option<String>,
+    /// Messages, ready to be shown.
+    pub(crate) messages: String,
+}
+
+impl Desk<'_> {
+    /// Does what a place asks for.
+    pub(crate) fn serve(&self, order: &Order) -> Served {
+        let mut messages = String::new();
+        let text = match &order.place.what {
+            What::Backslash => Ok(String::new()),
+            What::Wrong(told) => Err(order.told(told)),
+            What::Value { path, name } => self.value(order, path, name),
+            What::Scene { attributes, text } => self.figure(order, None, (attributes, text), &mut messages),
+            What::File { path, attributes } => {
+                self.figure(order, Some(path), (attributes, ""), &mut messages)
+            }
+        };
+        match text {
+            Ok(text) => Served { text: Some(text), messages },
+            Err(told) => Served { text: None, messages: messages + &told },
+        }
+    }
+
+    /// The text of a value of a file's answer.
+    fn value(&self, order: &Order, path: &str, name: &str) -> Result<String, String> {
+        let file = open(&order.path(path)).map_err(|refused| order.refused(&refused, self.ink))?;
+        let refuse = |problems| order.refused(&Refused { source: file.source.clone(), problems }, self.ink);
+        let plan = plan(&file.scene).map_err(refuse)?;
+        plan.say(&format!("{{={name}}}")).map_err(|problems| {
+            let told = |problem: &tracefig::scene::Problem<tracefig::figure::Fault>| {
+                let help = problem.fault.help().map(|help| format!("; {help}")).unwrap_or_default();
+                order.told(&format!("{}{help}", problem.fault))
+            };
+            problems.iter().map(told).collect()
+        })
+    }
+
+    /// A figure as Markdown: the scene's text where that is asked for, and the picture. `path` is the file
+    /// of the scene; without one it stands in the page as `text`.
+    fn figure(
+        &self,
+        order: &Order,
+        path: Option<&String>,
+        (attributes, text): (&str, &str),
+        messages: &mut String,
+    ) -> Result<String, String> {
+        let attributes = Attributes::read(attributes).map_err(|told| order.told(&told))?;
+        let (mut file, input) = self.opened(order, path, text)?;
+        if let Some(alt) = &attributes.alt {
+            file.scene.alt = Some(Spanned { value: alt.clone(), span: 0..0 });
+        }
+        let refuse = |problems| order.refused(&Refused { source: file.source.clone(), problems }, self.ink);
+        let own = self.own_theme(order, &attributes, &file, &input)?;
+        let theme = own.as_ref().unwrap_or(&self.colors.base);
+        let plan = plan_in(&file.scene, theme).map_err(refuse)?;
+        let mut figure = draw(&plan, theme, &order.id);
+        if own.is_none() {
+            self.colors.open_words(&mut figure.drawing);
+        }
+        for warning in &figure.warnings {
+            messages.push_str(&message(&file.source, warning, warning.fault.severity(), self.ink));
+        }
+        let drawing = &figure.drawing;
+        let cant = |error| order.told(&format!("the figure can't be written: {error}"));
+        let mut out = String::new();
+        if attributes.source {
+            let shown = if path.is_some() { &file.source.text } else { text };
+            push_fenced(&mut out, shown, &order.place.margin);
+        }
+        match self.takes {
+            Takes::Element => {
+                let style = attributes.width.map(|w| format!(" style=\"width:{w}\"")).unwrap_or_default();
+                let _ = write!(out, "<figure class=\"{}\"{style}>", Colors::class(own.is_none()));
+                if order.with_sheet {
+                    let _ = write!(out, "<style>{}</style>", self.colors.sheet);
+                }
+                out.push_str(&inline(drawing).map_err(cant)?);
+                out.push_str("</figure>");
+            }
+            Takes::Image => {
+                out.push_str("![");
+                push_escaped(&mut out, &drawing.title);
+                let _ = write!(out, "]({})", data_uri(drawing).map_err(cant)?);
+            }
+        }
+        // A blank line ends the element for Markdown.
+        let _ = write!(out, "\n{}", order.place.margin.trim_end());
+        Ok(out)
+    }
+
+    /// The scene of an order, on the page of its project or of a book, and where it is from.
+    fn opened(&self, order: &Order, path: Option<&String>, text: &str) -> Result<(SceneFile, Input), String> {
+        let (path, opened) = match path {
+            Some(path) => (order.path(path), open(&order.path(path))),
+            // As many lines before it as in the page, so that messages count as the page's editor does.
+            None => {
+                (order.file.to_owned(), open_text(order.name, &("\n".repeat(order.line.unwrap_or(0)) + text)))
+            }
+        };
+        let file = opened
+            .and_then(|file| file.with_canvas(&page_of(&path)?))
+            .map_err(|refused| order.refused(&refused, self.ink))?;
+        Ok((file, Input::File(path)))
+    }
+
+    /// The theme that a figure keeps whatever its reader chose; `None` where it follows the book.
+    fn own_theme(
+        &self,
+        order: &Order,
+        attributes: &Attributes,
+        file: &SceneFile,
+        input: &Input,
+    ) -> Result<Option<Theme>, String> {
+        if let Some(word) = &attributes.theme {
+            let folder = order.file.parent().unwrap_or(Path::new(""));
+            let chosen = theme_in(folder, word).map_err(|e| order.told(&format!("theme {word}: {e}")))?;
+            return Ok(Some(chosen.theme));
+        }
+        let own = self.own_themes.of(file, input).map_err(|problem| {
+            order.refused(&Refused { source: file.source.clone(), problems: vec![problem] }, self.ink)
+        })?;
+        let named = || theme_in(Path::new(""), &file.scene.canvas.theme.as_ref()?.value).ok();
+        let own = own.map(|own| own.theme.clone()).or_else(|| named().map(|own| own.theme));
+        // Who has two sides follows the reader's system elsewhere, and the book here.
+        Ok(own.filter(|theme| theme.dark.is_none()))
+    }
+}
+
+impl Order<'_> {
+    /// A path of the page.
+    fn path(&self, path: &str) -> PathBuf {
+        let path = self.file.parent().unwrap_or(Path::new("")).join(path);
+        let mut plain = PathBuf::new();
+        for part in path.components() {
+            // Of a folder that is a link the system would say otherwise; a page's reader would not.
+            if part != Component::ParentDir || !plain.pop() {
+                plain.push(part);
+            }
+        }
+        let here = std::env::current_dir().unwrap_or_default();
+        plain.strip_prefix(here).map(Path::to_owned).unwrap_or(plain)
+    }
+
+    /// Where the place is, as messages say it.
+    fn place(&self) -> String {
+        match self.line {
+            Some(line) => format!("{}:{line}", visible(self.name)),
+            None => format!("{} (a part that is included)", visible(self.name)),
+        }
+    }
+
+    /// A message of ours about the place.
+    fn told(&self, told: &str) -> String {
+        format!("error: {told}\n --> {}\n", self.place())
+    }
+
+    /// All that is wrong with a scene, and where it is asked for.
+    fn refused<F: Explain>(&self, refused: &Refused<F>, ink: Ink) -> String {
+        format!("{}  asked for at {}\n", refused.render(ink), self.place())
+    }
+}
+
+/// The page of scenes in the folder of a file that say none: that of their project file, else a book's.
+fn page_of(file: &Path) -> Result<CanvasDefaults, Box<Refused>> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    match nearest(folder) {
+        Ok(Some(project)) => Ok(project.said.canvas),
+        Err(Unplanned::Refused(refused)) => Err(refused),
+        // A project is read or refused.
+        Ok(None) | Err(Unplanned::Usage(_) | Unplanned::Wrong(_)) => {
+            Ok(project(&Source::new("", WIDTH)).map(|project| project.canvas).unwrap_or_default())
+        }
+    }
+}
+
+/// Appends a text as a fenced block of TOML or JSON, with the margin before each further line.
+fn push_fenced(out: &mut String, text: &str, margin: &str) {
+    let runs = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(runs.max(2) + 1);
+    let language = if text.trim_start().starts_with('{') { "json" } else { "toml" };
+    let _ = writeln!(out, "{fence}{language}");
+    for line in text.trim_end().lines() {
+        let _ = writeln!(out, "{}", format!("{margin}{line}").trim_end());
+    }
+    let _ = write!(out, "{margin}{fence}\n{}\n{margin}", margin.trim_end());
+}
+
+/// Appends words so that Markdown reads them as they are.
+fn push_escaped(out: &mut String, words: &str) {
+    for c in words.chars() {
+        if c.is_ascii_punctuation() {
+            out.push('\\');
+        }
+        out.push(if c.is_control() { ' ' } else { c });
+    }
+}

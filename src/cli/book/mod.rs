@@ -1,0 +1,12 @@
+//! The pages of a book: what of their Markdown is ours, drawn and put in its place.
+//!
+//! A page says ```` ```tracefig ```` before a scene, `{{#tracefig FILE}}` for one in a file, and
+//! `{{=FILE VALUE}}` for a number of its answer. [`markdown`] finds them, [`figures`] draws them, [`colors`]
+//! lets them follow the book's theme, and [`mail`] is how the book comes and goes.
+
+pub(crate) mod attributes;
+pub(crate) mod colors;
+pub(crate) mod figures;
+pub(crate) mod mail;
+pub(crate) mod markdown;
+pub(crate) mod places;
