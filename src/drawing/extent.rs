@@ -163,10 +163,11 @@ impl Text {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use tracefig::drawing::{Color, Paint, Point, Role, Text};
+    /// use tracefig::drawing::{Color, Paint, Point, Role, Shown, Text};
     /// let line = tracefig::typeset::typeset("A", tracefig::typeset::Style::regular(16.0)).unwrap();
     /// let (width, paint) = (line.width, Paint::role(Role::Ink, Color::hex(0)));
-    /// let text = Text { line: Arc::new(line), origin: Point::new(30.0, 40.0), paint, halo: None };
+    /// let (origin, shown) = (Point::new(30.0, 40.0), Shown::ALWAYS);
+    /// let text = Text { line: Arc::new(line), origin, paint, halo: None, shown };
     /// assert_eq!((text.bounds().x0, text.bounds().x1, text.bounds().y1), (30.0, 30.0 + width, 40.0));
     /// ```
     #[must_use]
@@ -179,10 +180,11 @@ impl Text {
     ///
     /// ```
     /// use std::sync::Arc;
-    /// use tracefig::drawing::{Color, Paint, Point, Role, Text};
+    /// use tracefig::drawing::{Color, Paint, Point, Role, Shown, Text};
     /// let line = tracefig::typeset::typeset("A", tracefig::typeset::Style::regular(16.0)).unwrap();
     /// let paint = Paint::role(Role::Ink, Color::hex(0));
-    /// let text = Text { line: Arc::new(line), origin: Point::new(30.0, 40.0), paint, halo: None };
+    /// let (origin, shown) = (Point::new(30.0, 40.0), Shown::ALWAYS);
+    /// let text = Text { line: Arc::new(line), origin, paint, halo: None, shown };
     /// let (bounds, extent) = (text.bounds(), text.extent());
     /// assert!(extent.x0 <= bounds.x0 && bounds.x1 <= extent.x1);
     /// ```
@@ -264,7 +266,13 @@ mod tests {
         for markup in ["j", r"$\hat{A}$", "$f$", r"$\vec v$", r"$\frac{1}{2}$", "Wide, plain words", " "] {
             let line = Arc::new(typeset(markup, Style::regular(16.0)).unwrap());
             let halo = Some(Halo { paint, width: 2.5 });
-            let text = Text { line, origin: Point::new(30.0, 40.0), paint, halo };
+            let text = Text {
+                line,
+                origin: Point::new(30.0, 40.0),
+                paint,
+                halo,
+                shown: crate::drawing::Shown::ALWAYS,
+            };
             let all = text.extent();
             for glyph in &text.line.glyphs {
                 let unit = glyph.size / UNITS_PER_EM;

@@ -8,12 +8,15 @@ mod offset;
 mod paint;
 mod path;
 mod pattern;
+mod shown;
+mod steps;
 
 use std::sync::Arc;
 
 pub use offset::Offset;
 pub use paint::{Cap, Color, Halo, Paint, Pattern, PatternKind, Role, Stroke};
 pub use path::{Contour, Path, Segment};
+pub use shown::{Shown, Step};
 
 use crate::typeset::Line;
 
@@ -86,6 +89,8 @@ pub struct Drawing {
     pub hash: String,
     /// Everything drawn, in painting order.
     pub items: Vec<Item>,
+    /// The steps in which the figure comes about, the first one first; none where it has none.
+    pub steps: Vec<Step>,
 }
 
 impl Drawing {
@@ -174,4 +179,6 @@ pub struct Text {
     pub paint: Paint,
     /// A rim behind the glyphs; none where they need no background of their own.
     pub halo: Option<Halo>,
+    /// Which steps of the figure show it.
+    pub shown: Shown,
 }

@@ -1,6 +1,6 @@
 //! Contours: polygons, curves, circular arcs, whole circles.
 
-use super::{Paint, Pattern, Point, Stroke};
+use super::{Paint, Pattern, Point, Shown, Stroke};
 
 /// A contour with what is drawn in and along it, in the order fill, pattern, stroke.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +13,8 @@ pub struct Path {
     pub pattern: Option<Pattern>,
     /// The line along the contour; none where only the area is drawn.
     pub stroke: Option<Stroke>,
+    /// Which steps of the figure show it.
+    pub shown: Shown,
 }
 
 impl Path {
@@ -25,7 +27,7 @@ impl Path {
     /// ```
     #[must_use]
     pub fn filled(contour: Contour, fill: Paint) -> Self {
-        Self { contour, fill: Some(fill), pattern: None, stroke: None }
+        Self { contour, fill: Some(fill), pattern: None, stroke: None, shown: Shown::ALWAYS }
     }
 
     /// A line without an area.
@@ -38,7 +40,7 @@ impl Path {
     /// ```
     #[must_use]
     pub fn stroked(contour: Contour, stroke: Stroke) -> Self {
-        Self { contour, fill: None, pattern: None, stroke: Some(stroke) }
+        Self { contour, fill: None, pattern: None, stroke: Some(stroke), shown: Shown::ALWAYS }
     }
 }
 

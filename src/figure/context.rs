@@ -10,6 +10,7 @@ use crate::geometry::{Body, DVec2, Enclosure, Pose, Side};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
 
+use super::cue::Cue;
 use super::moving_frame::MovingFrame;
 use super::name::Name;
 use super::question::keeps_the_difference;
@@ -301,6 +302,34 @@ impl Context<'_> {
     #[must_use]
     pub(crate) fn asks_for_a_hit(&self) -> bool {
         matches!(self.run().answer, Answer::Impact(_))
+    }
+
+    /// The cue of the last event of the scene's own question that is so; `None` where none is.
+    #[must_use]
+    pub(crate) fn cue(&self, is_so: impl Fn(&Event) -> bool) -> Option<Cue> {
+        self.run().last_cue(is_so)
+    }
+
+    /// The cue of the answer to the scene's own question at the panel's moment.
+    #[must_use]
+    pub(crate) fn answered(&self) -> Cue {
+        self.run().end()
+    }
+
+    /// The cue with which a moment is known; `None` for one that needs no answer.
+    #[must_use]
+    pub(crate) fn known(&self, when: &When) -> Option<Cue> {
+        let advanced = |k: usize| {
+            let run = self.run();
+            run.last_cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k))
+        };
+        match when {
+            When::Time(_) | When::Start | When::End => None,
+            When::Hit => Some(self.answered()),
+            When::Closest => self.cue(|event| matches!(event, Event::ClosestApproachFound { .. })),
+            When::Bound => self.first_step()?.last_cue(|event| matches!(event, Event::Advanced { .. })),
+            When::Step(k) => advanced(k.checked_sub(1)?),
+        }
     }
 
     /// The moment that a scene names; `None` where there is no hit, no miss, or no such step.

@@ -3,11 +3,12 @@
 use std::borrow::Cow;
 
 use crate::drawing::{
-    Color, Contour, Dark, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Role, Stroke,
+    Color, Contour, Dark, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Role, Shown, Stroke,
 };
 
 use crate::scene::Background;
 
+use super::cue::Cue;
 use super::describe;
 use super::fault::{Fault, Problem};
 use super::handle::Handle;
@@ -21,6 +22,7 @@ use super::plan::Plan;
 use super::playhead::given;
 use super::runs::Run;
 use super::sketch::{Anchor, Request, Size, Sketched};
+use super::steps::{Scope, numbered};
 use super::text::{Across, Wording, plain};
 use super::theme::{Side, Theme};
 
@@ -91,16 +93,43 @@ impl Figure {
 /// ```
 #[must_use]
 pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
+    let figure = draw_in_steps(plan, theme, id);
+    Figure { drawing: figure.drawing.finished(), ..figure }
+}
+
+/// Draws a plan in a theme with all that its steps show: also what a later step takes away. Labels are placed
+/// once, for the finished figure, so [`Drawing::at_step`] moves nothing.
+///
+/// ```
+/// use tracefig::{figure::{draw_in_steps, plan}, scene::{Source, read}};
+/// let text = r#"
+/// shapes.A = { kind = "circle", radius = 1 }
+/// shapes.B = { kind = "circle", radius = 1, position = [3, 1] }
+/// query = { kind = "separation", of = ["A", "B"] }
+/// panels = [{ space = "world", layers = ["shapes", "separation"] }]
+/// "#;
+/// let scene = read(&Source::new("circles.toml", text)).unwrap();
+/// let plan = plan(&scene).unwrap();
+/// let steps = draw_in_steps(&plan, plan.theme, "circles").drawing.steps;
+/// assert_eq!(steps[0].title, "The question");
+/// assert!(steps[1].sentences[0].starts_with("A and B are 1.16 apart"));
+/// ```
+#[must_use]
+pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
     let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
     let (mut panels, mut insets): (Vec<Labelled>, Vec<Labelled>) = (Vec::new(), Vec::new());
     let mut handles = Vec::new();
+    let mut scopes = Vec::new();
     for panel in &plan.panels {
-        let (group, labelled, inset) = draw_panel(plan, theme, &panels, &mut handles);
+        let drawn = draw_panel(plan, theme, &panels, &mut handles);
+        let DrawnPanel { group, labelled, inset, cues, base } = drawn;
+        let begin = items.len();
         insets.extend(inset);
         items.push(Item::Group(group));
         items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
+        scopes.push(Scope { items: begin..items.len(), cues, base });
         panels.push(labelled);
     }
     let Page { headline, headline_step, caption, step, caption_column, .. } = plan.page;
@@ -118,6 +147,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         let span = fault.label().1.clone();
         Problem::new(Fault::LabelClash(fault), span)
     }));
+    let steps = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
     let drawing = Drawing {
         width: plan.page.width,
         height: plan.page.height,
@@ -134,6 +164,7 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
         metadata: String::new(),
         hash: String::new(),
         items,
+        steps,
     };
     Figure { drawing, panels, insets, handles, warnings }
 }
@@ -214,14 +245,23 @@ fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) ->
     sketched.requests.iter().filter_map(set).collect()
 }
 
+/// A panel, drawn.
+struct DrawnPanel {
+    /// What is drawn of it.
+    group: Group,
+    /// Its labels.
+    labelled: Labelled,
+    /// The labels of its inset.
+    inset: Option<Labelled>,
+    /// The cues of what is drawn, in the order of their numbers.
+    cues: Vec<Cue>,
+    /// With what the panel as a whole comes.
+    base: Option<Cue>,
+}
+
 /// Draws a panel beside those before it. Where the answer gives its moment, what is dragged would move that
 /// too, and nothing has a handle.
-fn draw_panel(
-    plan: &Plan,
-    theme: &Theme,
-    before: &[Labelled],
-    handles: &mut Vec<Handle>,
-) -> (Group, Labelled, Option<Labelled>) {
+fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled], handles: &mut Vec<Handle>) -> DrawnPanel {
     let index = before.len();
     let panel = &plan.panels[index];
     let ((sketched, sought), enlarged) = sought(plan, theme, index);
@@ -234,18 +274,26 @@ fn draw_panel(
     let labelled = labelled(plan, &sketched, &sought, &series);
     let mut group = Group::new(format!("panel-{}", index + 1));
     group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
+    let names = labels(&labelled, &sketched.requests, theme);
+    let mut cues = sketched.cues.clone();
     group.items = vec![layers(sketched)];
     group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
-    group.items.push(labels(&labelled, theme));
-    let within = enlarged.map(|Enlarged { inset, sketched, labelled }| {
+    group.items.push(names);
+    let inset = enlarged.map(|Enlarged { inset, sketched, labelled }| {
         let [ground, frame] = inset.ground(theme);
         let mut detail = Group::new("inset");
         detail.label = Some(inset.in_words());
-        detail.items = vec![ground, layers(sketched), frame, labels(&labelled, theme)];
-        group.items.push(Item::Group(detail));
+        let names = labels(&labelled, &sketched.requests, theme);
+        let (first, own) = (cues.len(), sketched.cues.clone());
+        detail.items = vec![ground, layers(sketched), frame, names];
+        let mut detail = Item::Group(detail);
+        detail.for_each_shown(&|shown| *shown = shown.after(first));
+        cues.extend(own);
+        group.items.push(detail);
         labelled
     });
-    (group, labelled, within)
+    let base = panel.known(&panel.context(plan.scene, &plan.runs));
+    DrawnPanel { group, labelled, inset, cues, base }
 }
 
 /// What was drawn of a panel with its labels at their places; `series` are those of earlier panels.
@@ -286,7 +334,7 @@ fn without_empty_parts(mut layer: Group) -> Group {
 }
 
 /// The labels of a panel, each with its halo and its leader line.
-fn labels(panel: &Labelled, theme: &Theme) -> Item {
+fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
     let mut group = Group::new("labels");
     for label in &panel.placed {
         let mut one = Group::new(format!("label-{}", label.key));
@@ -303,7 +351,11 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
         one.items.extend(
             label.lines.iter().flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo))),
         );
-        group.items.push(Item::Group(one));
+        let asked = requests.iter().find(|r| (r.part, r.label.key) == (label.part, label.key));
+        let now = asked.map_or(Shown::ALWAYS, |request| request.shown);
+        let mut one = Item::Group(one);
+        one.for_each_shown(&|shown| *shown = now);
+        group.items.push(one);
     }
     Item::Group(group)
 }

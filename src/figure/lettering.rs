@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use crate::drawing::{Halo, Item, Point, Role, Text};
+use crate::drawing::{Halo, Item, Point, Role, Shown, Text};
 use crate::figure::theme::Theme;
 use crate::typeset::{Line, Piece, TypesetError, pieces};
 
@@ -58,13 +58,19 @@ pub(crate) fn lettered(
 ) -> Vec<Item> {
     let text = |line, x: f64, role, halo| {
         let origin = Point::new(origin.x + x, origin.y);
-        Item::Text(Text { line, origin, paint: theme.word_paint(role), halo })
+        Item::Text(Text { line, origin, paint: theme.word_paint(role), halo, shown: Shown::ALWAYS })
     };
     if line.tints.is_empty() {
         return vec![text(Arc::clone(line), 0.0, role, halo)];
     }
     // The halo of a stretch would cover the end of the one before it, so that of the whole line comes first.
-    let halo = halo.map(|halo| Text { line: Arc::clone(line), origin, paint: halo.paint, halo: Some(halo) });
+    let halo = halo.map(|halo| Text {
+        line: Arc::clone(line),
+        origin,
+        paint: halo.paint,
+        halo: Some(halo),
+        shown: Shown::ALWAYS,
+    });
     let stretches = line
         .stretches()
         .into_iter()

@@ -8,6 +8,7 @@
 mod bands;
 mod budget;
 mod context;
+mod cue;
 pub mod default_picture;
 mod describe;
 mod difference;
@@ -35,6 +36,7 @@ mod runs;
 mod said;
 mod sketch;
 mod standing;
+mod steps;
 mod text;
 pub mod theme;
 mod unnamed;
@@ -45,7 +47,7 @@ use crate::scene::Scene;
 #[cfg(test)]
 use layer::{LAYERS, Shows};
 
-pub use draw::{Figure, draw};
+pub use draw::{Figure, draw, draw_in_steps};
 pub use fault::{Fault, off_page};
 pub use frame::Frame;
 pub use handle::{Handle, Pull, Setting, handles_json};

@@ -7,6 +7,7 @@ use std::ops::Range;
 use crate::scene::{Panel, Scene};
 
 use super::context::{Context, Moment};
+use super::cue::Cue;
 use super::frame::Frame;
 use super::inset::Inset;
 use super::layer::{LabelKey, Layer, Options};
@@ -64,6 +65,11 @@ impl PanelPlan<'_> {
     pub(crate) fn labels(&self) -> impl Iterator<Item = &'static LabelKey> {
         let drawn = self.layers.iter().flat_map(|planned| planned.layer.labels);
         drawn.chain(self.unwritten.iter().copied())
+    }
+
+    /// With what the panel comes: its moment may be one that an algorithm finds.
+    pub(crate) fn known(&self, context: &Context) -> Option<Cue> {
+        context.known(&self.source.when.as_ref()?.value)
     }
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.

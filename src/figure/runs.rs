@@ -6,10 +6,11 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Query, QueryKind, Separation};
+use crate::collision::{ALGORITHMS, Algorithm, Answer, Impact, Outcome, Query, QueryKind, Separation};
 use crate::scene::{Problem, Scene};
-use crate::trace::{Event, MOST_EVENTS, Trace};
+use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
+use super::cue::{Cue, Teller};
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
 
@@ -24,6 +25,12 @@ pub(crate) struct Run {
     pub(crate) answer: Answer,
     /// What the algorithm told on its way to the answer.
     pub(crate) trace: Trace,
+    /// The moment that each event is about, in [0, 1]; it never goes back.
+    moments: Vec<f64>,
+    /// The name of the algorithm.
+    algorithm: &'static str,
+    /// Whose story it is.
+    teller: Teller,
     /// Which of the events the figure shows, by their place in the trace.
     shown: Mutex<BTreeSet<usize>>,
 }
@@ -32,7 +39,6 @@ impl Run {
     /// The separation that it answers with: that of the question, or the contact of a hit.
     #[must_use]
     pub(crate) fn separation(&self) -> Option<&Separation> {
-        use crate::collision::Outcome;
         match &self.answer {
             Answer::Separation(separation) => Some(separation),
             Answer::Contact(contact) => Some(&contact.separation),
@@ -66,6 +72,65 @@ impl Run {
         let (i, found) = self.events().enumerate().find_map(|(i, event)| Some((i, pick(event)?)))?;
         self.mark(i);
         Some(found)
+    }
+
+    /// The cue of the last event that is so; `None` where none is. The event does not count as shown.
+    pub(crate) fn last_cue(&self, is_so: impl Fn(&Event) -> bool) -> Option<Cue> {
+        let index = self.trace.events.iter().rposition(is_so)?;
+        Some(self.cue(index))
+    }
+
+    /// The cues of all events that are so, in order, each with what `pick` finds in it.
+    pub(crate) fn cues<'r, T>(
+        &'r self,
+        mut pick: impl FnMut(&'r Event) -> Option<T> + 'r,
+    ) -> impl Iterator<Item = (Cue, T)> + 'r {
+        self.events().enumerate().filter_map(move |(i, event)| Some((self.cue(i), pick(event)?)))
+    }
+
+    /// The cue of the answer: the end of the run.
+    pub(crate) fn end(&self) -> Cue {
+        self.cue(self.trace.events.len().saturating_sub(1))
+    }
+
+    /// The cue with which the nearest point is known: of the best candidate, else of the answer.
+    pub(crate) fn nearest(&self) -> Cue {
+        self.last_cue(|event| matches!(event, Event::CandidateImproved { .. })).unwrap_or_else(|| self.end())
+    }
+
+    /// The cue with which the whole of B ⊖ A is known, after its last edge.
+    pub(crate) fn whole_difference(&self) -> Option<Cue> {
+        let last = self.last_cue(tells_difference)?;
+        Some(if self.is_own() { last.part(step::WHOLE) } else { last })
+    }
+
+    /// The cue of an event by its place in the trace. Of runs that the figure is not about, B ⊖ A comes as a
+    /// whole, a step of an advancement by itself, and all else with the answer.
+    fn cue(&self, index: usize) -> Cue {
+        let events = &self.trace.events;
+        let event = match events.get(index) {
+            _ if self.teller == Teller::Own => index,
+            Some(Event::Advanced { .. }) => index,
+            Some(event) if tells_difference(event) => {
+                events.iter().rposition(tells_difference).unwrap_or(index)
+            }
+            _ => events.len().saturating_sub(1),
+        };
+        let (teller, algorithm) = (self.teller, self.algorithm);
+        let moment = self.moments.get(event).copied().unwrap_or(self.time);
+        Cue { moment, teller, algorithm, asked: self.time, event, part: 0 }
+    }
+
+    /// Whether it is the scene's own question to its own algorithm.
+    pub(crate) fn is_own(&self) -> bool {
+        self.teller == Teller::Own
+    }
+
+    /// The event of a cue; `None` where the cue is of another run.
+    pub(crate) fn event_of(&self, cue: &Cue) -> Option<&Event> {
+        let own = (self.teller, self.algorithm, self.time.to_bits());
+        let is_so = own == (cue.teller, cue.algorithm, cue.asked.to_bits());
+        self.trace.events.get(cue.event).filter(|_| is_so)
     }
 
     /// Counts an event as shown.
@@ -107,7 +172,7 @@ impl Runs {
     /// The scene's own question at a moment (which matters only to bounds, overlap and separation).
     pub(crate) fn own(&self, scene: &Scene, time: f64) -> Arc<Run> {
         let time = if is_of_a_moment(scene.query.kind) { time } else { 0.0 };
-        self.run(scene.query.algorithm, &scene.query_at(time))
+        self.run(scene, scene.query.algorithm, &scene.query_at(time))
     }
 
     /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's
@@ -115,7 +180,7 @@ impl Runs {
     pub(crate) fn separation(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
         let algorithm = std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| a.takes(&query))?;
-        Some(self.run(algorithm, &query))
+        Some(self.run(scene, algorithm, &query))
     }
 
     /// The separation at a moment by an algorithm that tells the edges of B ⊖ A.
@@ -126,7 +191,7 @@ impl Runs {
         std::iter::once(scene.query.algorithm)
             .chain(ALGORITHMS)
             .filter(|a| a.takes(&query))
-            .map(|a| self.run(a, &query))
+            .map(|a| self.run(scene, a, &query))
             .find(|run| tells(run))
     }
 
@@ -136,8 +201,9 @@ impl Runs {
         let advances = |run: &Arc<Run>| run.events().any(|e| matches!(e, Event::Advanced { .. }));
         let own = Some(self.own(scene, 0.0)).filter(advances);
         let query = Query { max_iterations: 1, ..scene.query_at(0.0) };
-        let of_another =
-            || ALGORITHMS.iter().filter(|a| a.takes(&query)).map(|a| self.run(a, &query)).find(advances);
+        let of_another = || {
+            ALGORITHMS.iter().filter(|a| a.takes(&query)).map(|a| self.run(scene, a, &query)).find(advances)
+        };
         own.or_else(of_another)
     }
 
@@ -159,7 +225,7 @@ impl Runs {
     }
 
     /// The run of a query by an algorithm: an earlier one where it was asked before.
-    fn run(&self, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
+    fn run(&self, scene: &Scene, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
         let key = (query.kind, algorithm.name, query.time.to_bits(), query.max_iterations);
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, run)) = done.iter().find(|(k, _)| *k == key) {
@@ -174,9 +240,48 @@ impl Runs {
         let mut trace = Trace::default();
         let answer = (algorithm.traced)(query, &mut trace);
         let shown = Mutex::default();
-        let run = Arc::new(Run { kind: query.kind, time: query.time, answer, trace, shown });
+        let (algorithm, teller) = (algorithm.name, teller(scene, algorithm, query));
+        let moments = moments(query.time, &trace, &answer);
+        let run =
+            Run { kind: query.kind, time: query.time, answer, trace, moments, algorithm, teller, shown };
+        let run = Arc::new(run);
         done.push((key, Arc::clone(&run)));
         run
+    }
+}
+
+/// The moments that the events of a run are about, which was asked about the moment `asked`: that of the last
+/// one that has a moment of its own; that of a hit at the end.
+fn moments(asked: f64, trace: &Trace, answer: &Answer) -> Vec<f64> {
+    let mut now = asked;
+    let moment = |event: &Event| match *event {
+        Event::Started { at, .. } | Event::Advanced { at, .. } | Event::ClosestApproachFound { at, .. } => {
+            at.time
+        }
+        Event::AxisSwept { from, .. } => from,
+        _ => asked,
+    };
+    let mut all: Vec<f64> = Vec::with_capacity(trace.events.len());
+    for event in &trace.events {
+        now = now.max(moment(event));
+        all.push(now);
+    }
+    if let (Answer::Impact(Impact { outcome: Outcome::Hit { time, .. }, .. }), Some(last)) =
+        (answer, all.last_mut())
+    {
+        *last = last.max(time.lo);
+    }
+    all
+}
+
+/// Whose story the run of a query by an algorithm is.
+fn teller(scene: &Scene, algorithm: &Algorithm, query: &Query) -> Teller {
+    if query.kind != scene.query.kind {
+        Teller::OtherQuestion
+    } else if algorithm.name != scene.query.algorithm.name {
+        Teller::OtherAlgorithm
+    } else {
+        Teller::Own
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::drawing::{
     Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Role,
-    Segment, Stroke, Text,
+    Segment, Shown, Stroke, Text,
 };
 use crate::typeset::{Style, typeset, wrap};
 
@@ -26,7 +26,13 @@ const fn paint(role: Role) -> Paint {
 
 fn path(contour: Contour, role: Role, width: f64) -> Path {
     let fill = Some(paint(role).with_opacity(0.14));
-    Path { contour, fill, pattern: None, stroke: Some(Stroke::solid(paint(role), width)) }
+    Path {
+        contour,
+        fill,
+        pattern: None,
+        stroke: Some(Stroke::solid(paint(role), width)),
+        shown: Shown::ALWAYS,
+    }
 }
 
 fn dashed(contour: Contour, role: Role, dash: &[f64]) -> Item {
@@ -36,7 +42,7 @@ fn dashed(contour: Contour, role: Role, dash: &[f64]) -> Item {
 fn label(markup: &str, x: f64, y: f64, role: Role) -> Item {
     let line = Arc::new(typeset(markup, Style::regular(16.0)).unwrap());
     let halo = Some(Halo { paint: paint(Role::Background), width: 2.5 });
-    Item::Text(Text { line, origin: Point::new(x, y), paint: paint(role), halo })
+    Item::Text(Text { line, origin: Point::new(x, y), paint: paint(role), halo, shown: Shown::ALWAYS })
 }
 
 /// A page like figure 3, with an arc, a pattern, a clip and a see-through group besides.
@@ -64,7 +70,13 @@ pub(super) fn everything() -> Drawing {
                    $D = B - B_c$, and the distance is $\\|D\\| - r$.";
     for (i, line) in (0_u8..).zip(wrap(caption, Style::regular(14.0), 912.0).unwrap()) {
         let origin = Point::new(24.0, 498.0 + 20.0 * f64::from(i));
-        items.push(Item::Text(Text { line: Arc::new(line), origin, paint: paint(Role::Ink), halo: None }));
+        items.push(Item::Text(Text {
+            line: Arc::new(line),
+            origin,
+            paint: paint(Role::Ink),
+            halo: None,
+            shown: Shown::ALWAYS,
+        }));
     }
     Drawing {
         width: 960.0,
@@ -82,6 +94,7 @@ pub(super) fn everything() -> Drawing {
         metadata: "{\"version\":1,\"hash\":\"00ff\"}".into(),
         hash: "00ff".into(),
         items,
+        steps: Vec::new(),
     }
 }
 
@@ -132,7 +145,13 @@ fn ghosts() -> Item {
             Stroke { dash: vec![0.01, 3.5], cap: Cap::Round, ..Stroke::solid(paint(Role::Now), 1.25) };
         let fill = Some(paint(Role::Now).with_opacity(0.14));
         let contour = Contour::Circle { center, radius: 45.0 };
-        ghost.items.push(Item::Path(Path { contour, fill, pattern: None, stroke: Some(stroke) }));
+        ghost.items.push(Item::Path(Path {
+            contour,
+            fill,
+            pattern: None,
+            stroke: Some(stroke),
+            shown: Shown::ALWAYS,
+        }));
         all.items.push(Item::Group(ghost));
     }
     Item::Group(all)

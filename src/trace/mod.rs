@@ -9,6 +9,7 @@ mod story;
 
 pub use event::{Culling, Event, Goal, Moment, SupportVertex};
 pub use json::json_lines;
+pub(crate) use story::{difference, step};
 pub use story::{sentence, story};
 
 /// Listens to an algorithm.

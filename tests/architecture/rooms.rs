@@ -134,9 +134,19 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/theme", &["drawing"]),
     ("figure/page", &["scene", "drawing", "figure/theme"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
+    ("figure/cue", &[]),
     (
         "figure/sketch",
-        &["geometry", "typeset", "drawing", "figure/frame", "figure/handle", "figure/limits", "figure/theme"],
+        &[
+            "geometry",
+            "typeset",
+            "drawing",
+            "figure/cue",
+            "figure/frame",
+            "figure/handle",
+            "figure/limits",
+            "figure/theme",
+        ],
     ),
     (
         "figure/inset",
@@ -151,7 +161,7 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
-    ("figure/runs", &["trace", "collision", "scene", "figure/limits", "figure/question"]),
+    ("figure/runs", &["trace", "collision", "scene", "figure/cue", "figure/limits", "figure/question"]),
     ("figure/moving_frame", &["geometry", "collision"]),
     (
         "figure/context",
@@ -160,6 +170,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "trace",
             "collision",
             "scene",
+            "figure/cue",
             "figure/moving_frame",
             "figure/name",
             "figure/question",
@@ -199,6 +210,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "scene",
             "drawing",
             "figure/context",
+            "figure/cue",
             "figure/difference",
             "figure/handle",
             "figure/runs",
@@ -216,6 +228,7 @@ pub(crate) const ROOMS: &[Row] = &[
         &[
             "scene",
             "figure/context",
+            "figure/cue",
             "figure/frame",
             "figure/inset",
             "figure/layer",

@@ -7,6 +7,7 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARK
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
+use crate::trace::step::advanced;
 
 use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
@@ -74,6 +75,10 @@ fn step(context: &Context) -> Option<Step> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(s) = step(context) else { return };
+    let is_this =
+        |event: &Event| matches!(event, Event::Advanced { step, .. } if Some(*step) == context.step);
+    let cue = context.cue(is_this);
+    sketch.since(cue);
     let tangent = TANGENT.map(|px| sketch.px(px));
     let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + tangent[1];
     let along = tangent_direction(&s, context.closing_velocity());
@@ -104,7 +109,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     word(sketch, options, "estimate", Anchor::point_toward(s.estimate, DVec2::new(-2.0, -2.0)), Role::Ink);
     if let Some(next) = s.next {
         let role = options.role(Role::Now);
-        sketch.part("next").marker(next, Marker::HollowDiamond, role, MARKER);
+        sketch.since(cue.map(|cue| cue.part(advanced::NEXT))).part("next").marker(
+            next,
+            Marker::HollowDiamond,
+            role,
+            MARKER,
+        );
         word(sketch, options, "next", Anchor::point_toward(next, DVec2::new(2.0, -2.0)), role);
     }
 }

@@ -8,7 +8,7 @@ use crate::figure::context::{Approach, Context};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::number;
 use crate::geometry::Side;
-use crate::scene::Space;
+use crate::scene::{Space, When};
 
 use super::ghosts::{at_moment, ghost};
 use super::{Fed, LabelKey, Layer, Options, Shows};
@@ -41,6 +41,7 @@ fn can_be_seen(context: &Context, closest: &Approach) -> bool {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(closest) = context.closest() else { return };
+    sketch.since(context.known(&When::Closest));
     if *context.space == Space::Configuration {
         on_the_ray(sketch, context, options, &closest);
     } else {

@@ -11,6 +11,7 @@ use crate::figure::sketch::{
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
+use crate::trace::step::turned;
 
 use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
@@ -120,6 +121,9 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = turn(context, options) else { return };
     let sector = options.flag("sector", false);
+    let cue = context.cue(|event| matches!(event, Event::MotionBounded { .. }));
+    let at = |part| cue.map(|cue| cue.part(part));
+    sketch.since(at(if sector { turned::BOUND } else { turned::ARC }));
     let after = t.after();
     if sector {
         let slice = Outline::sector(t.center, t.radius, t.start, t.sweep);
@@ -136,7 +140,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
     if !sector {
-        as_far(sketch, &t);
+        as_far(sketch.since(at(turned::FARTHEST)), &t);
     }
     sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
     sketch.part("extreme-point").marker(after, marker, role, MARKER);

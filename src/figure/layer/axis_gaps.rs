@@ -107,6 +107,7 @@ fn compared(context: &Context) -> Option<([DVec2; 2], [DVec2; 2], DVec2)> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((c, h, gap)) = compared(context) else { return };
+    sketch.since(context.cue(|event| matches!(event, Event::ExtentsCompared { .. })));
     if options.shows("axes", "x", true) {
         let extents = Extents { name: 'x', centers: [c[0].x, c[1].x], half: [h[0].x, h[1].x], gap: gap.x };
         let bottom = (c[0].y - h[0].y).min(c[1].y - h[1].y);

@@ -3,9 +3,11 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
+use crate::trace::step::bounds;
 use crate::trace::{Event, SupportVertex};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
@@ -77,6 +79,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         })
         .collect();
     let Some((last, parts)) = found.split_last() else { return };
+    let cue = context.cue(|event| matches!(event, Event::BoundsFound { .. }));
+    let at = |part| cue.map(|cue| cue.part(part));
+    sketch.since(at(bounds::BOX));
     for part in parts {
         let role = part.of.map_or(Role::Ink, Role::from);
         sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
@@ -84,10 +89,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
     sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(1.5)));
     if options.flag("touching", true) {
-        touching(sketch, last);
+        touching(sketch, last, cue);
     }
     if options.flag("corners", true) {
-        corners(sketch, last, role);
+        corners(sketch.since(at(bounds::BOX)), last, role, at(bounds::CENTER));
     }
 }
 
@@ -98,10 +103,11 @@ fn rectangle(found: &Found) -> Outline {
 }
 
 /// Marks the vertices that touch each side; the first of each is named.
-fn touching(sketch: &mut Sketch, found: &Found) {
+fn touching(sketch: &mut Sketch, found: &Found, cue: Option<Cue>) {
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
-    for (vertices, (key, symbol, outward)) in found.touching.iter().zip(SIDES) {
+    for (i, (vertices, (key, symbol, outward))) in found.touching.iter().zip(SIDES).enumerate() {
+        sketch.since(cue.map(|cue| cue.part(bounds::TOUCHING + i)));
         // A round body touches a radius out from its vertex.
         let touch = |vertex: &SupportVertex| {
             let edge = if outward.x + outward.y < 0.0 { found.min } else { found.max };
@@ -124,7 +130,7 @@ fn touching(sketch: &mut Sketch, found: &Found) {
 }
 
 /// Marks and names the corners min and max and the centre.
-fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
+fn corners(sketch: &mut Sketch, found: &Found, role: Role, middle: Option<Cue>) {
     let center = 0.5 * (found.min + found.max);
     for (key, point) in [("min", found.min), ("max", found.max)] {
         sketch.part(key).marker(point, Marker::Disc, role, MARKER);
@@ -132,7 +138,7 @@ fn corners(sketch: &mut Sketch, found: &Found, role: Role) {
         let anchor = Anchor::point_toward(point, point - center);
         sketch.label(Label::new(key, text, anchor, role));
     }
-    sketch.part("center").marker(center, Marker::Cross, role, MARKER);
+    sketch.since(middle).part("center").marker(center, Marker::Cross, role, MARKER);
     sketch.label(Label::new("c", "$c$", Anchor::point(center), role).rank(Rank::Point));
 }
 

@@ -9,6 +9,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sket
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
+use crate::trace::step::clamped as parts;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
@@ -76,28 +77,31 @@ fn clamped(context: &Context) -> Option<Clamped> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(c) = clamped(context) else { return };
     let shows = |part| options.shows("show", part, true);
+    let cue = context.cue(|event| matches!(event, Event::Clamped { .. }));
+    let at = |part| cue.map(|cue| cue.part(part));
+    sketch.since(at(parts::WAY));
     if shows("components") {
         components(sketch, &c, shows("clamped"));
     }
     if shows("clamped") {
-        kept(sketch, options, &c);
+        kept(sketch.since(at(parts::CUT)), options, &c);
     }
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
-        sketch.part("V").arrow(from, tip, Pen::vector(Role::Ink));
+        sketch.since(at(parts::WAY)).part("V").arrow(from, tip, Pen::vector(Role::Ink));
         let text = valued("V", c.v, options);
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
         let (from, tip) = (c.closest, c.closest + c.d);
-        sketch.part("D").arrow(from, tip, Pen::vector(Role::Translation));
+        sketch.since(at(parts::CLOSEST)).part("D").arrow(from, tip, Pen::vector(Role::Translation));
         let text = valued("D", c.d, options);
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {
         let marker = if c.side == Side::A { Marker::Disc } else { Marker::Square };
         let role = Role::from(c.side);
-        sketch.part("Bc").marker(c.closest, marker, role, LARGE_MARKER);
+        sketch.since(at(parts::CLOSEST)).part("Bc").marker(c.closest, marker, role, LARGE_MARKER);
         // The circle's centre, clamped.
         let text = format!("${}_c$", context.named(c.side.other()).term());
         sketch.label(Label::new("B_c", text, Anchor::point(c.closest), Role::Ink).rank(Rank::Point));

@@ -122,6 +122,7 @@ fn ends_told(context: &Context) -> Vec<([DVec2; 2], f64, bool)> {
 
 /// Draws the one point of bodies of which no edge was clipped.
 fn single(sketch: &mut Sketch, context: &Context, options: &Options) {
+    sketch.since(context.answered());
     for (points, separation, _) in ends_told(context) {
         let over = Point { at: points[1], over: points[0], separation, touches: true };
         let away = points[1] - points[0];
@@ -134,6 +135,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         single(sketch, context, options);
         return;
     };
+    let known = |is_so: fn(&Event) -> bool| context.cue(is_so);
+    sketch.since(known(|event| matches!(event, Event::EdgesFaced { .. })));
     let [edges, planes, cut, depths] = PARTS.map(|part| options.shows("show", part, true));
     if planes {
         side_planes(sketch, &found);
@@ -143,12 +146,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         both_edges(sketch, &found, left, options);
     }
     if cut {
+        sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })));
         for [end, at] in &found.cuts {
             sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
             sketch.part("cut").marker(*at, of(found.body.other()), found.body.other().into(), MARKER);
         }
     }
     if depths {
+        sketch.since(known(|event| matches!(event, Event::ContactFound { .. })));
         ends(sketch, &found, options);
     }
 }

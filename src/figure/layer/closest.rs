@@ -65,15 +65,22 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
     let role = options.role(Role::Translation);
+    let run = context.separation_at(context.time);
+    sketch.since(run.as_ref().map(|run| run.end()));
     let from = context.estimate();
     let to = from + foot;
     right_angle(sketch, context, from, foot);
     sketch.part("closest");
     if overlap {
         if options.flag("rival", false) {
-            rival(sketch, context, from, foot.length());
+            rival(sketch.since(run.as_ref().map(|run| run.end())), context, from, foot.length());
         }
-        sketch.part("closest").arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
+        sketch.since(run.map(|run| run.end())).part("closest").arrow_to(
+            to,
+            from,
+            Marker::Origin.reach(MARKER),
+            Pen::vector(role),
+        );
     } else {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }

@@ -20,6 +20,7 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((_, contact)) = context.hit() else { return };
     // At the last moment proved free the witness points are a rounding apart; the contact is between them.
+    sketch.since(context.answered());
     let point = 0.5 * (contact.points[0] + contact.points[1]);
     let role = options.role(Role::Ink);
     sketch.part("contact").marker(point, Marker::Disc, role, MARKER);

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::runs::tells_difference;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash};
@@ -13,6 +14,7 @@ use crate::trace::{Culling, Event};
 
 use crate::scene::When;
 
+use super::edge_cues::EdgeCues;
 use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 
@@ -154,14 +156,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let time = when(context, options).unwrap_or(context.difference_time());
     let Some(found) = difference(context, time) else { return };
-    area(sketch, options, &found);
+    let cues = EdgeCues::at(context, time);
+    area(sketch.since(cues.whole), options, &found);
     let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };
     edges(sketch, &found, |edge, pen| {
         let thin = skipped.contains(&(edge.source == Side::B, edge.index));
-        if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen }
+        let pen = if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen };
+        (pen, cues.of(edge))
     });
-    diamonds(sketch, &found);
-    name(sketch, context, options, &found);
+    diamonds(sketch, &found, |edge| cues.of(edge));
+    name(sketch.since(cues.whole), context, options, &found);
     if options.flag("sources", false) {
         sources(sketch, context, &found);
     }
@@ -196,24 +200,26 @@ pub(super) fn draw_edge(sketch: &mut Sketch, source: Side, (from, to): (DVec2, D
     };
 }
 
-/// Draws the edges, as one part for each body that they come from; `pen` changes the pen of an outline.
-fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> Pen) {
+/// Draws the edges, as one part for each body that they come from; `pen` changes the pen of an outline, and
+/// says with what an edge comes.
+fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> (Pen, Option<Cue>)) {
     for (side, part) in [(Side::A, "edges-A"), (Side::B, "edges-B")] {
         sketch.part(part);
         for edge in found.edges.iter().filter(|e| e.source == side) {
-            draw_edge(sketch, side, found.drawn(edge), pen(edge, Pen::outline(side.into())));
+            let (pen, cue) = pen(edge, Pen::outline(side.into()));
+            draw_edge(sketch.since(cue), side, found.drawn(edge), pen);
         }
     }
 }
 
 /// Marks the vertices of a sharp difference.
-fn diamonds(sketch: &mut Sketch, found: &Difference) {
+fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Option<Cue>) {
     if found.radius > 0.0 {
         return;
     }
     sketch.part("vertices");
     for edge in &found.edges {
-        sketch.marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
+        sketch.since(cue(edge)).marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
     }
 }
 
@@ -264,17 +270,20 @@ fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let at = |(k, time): (usize, f64)| Some((k, difference(context, time)?));
     let all: Vec<(usize, Difference)> = thinned(&context.steps()).into_iter().filter_map(at).collect();
-    let Some(((_, last), before)) = all.split_last() else { return };
-    for ((_, found), opacity) in before.iter().zip(fade(SERIES, before.len())) {
+    let Some(((number, last), before)) = all.split_last() else { return };
+    for ((step, found), opacity) in before.iter().zip(fade(SERIES, before.len())) {
+        let cue = context.known(&When::Step(*step));
+        sketch.since(cue);
         arcs(sketch, found, Pen::outline(options.role(Role::Difference)).width(EARLIER).opacity(opacity));
-        edges(sketch, found, |_, pen| pen.width(EARLIER).opacity(opacity));
+        edges(sketch, found, |_, pen| (pen.width(EARLIER).opacity(opacity), cue));
     }
-    area(sketch, options, last);
-    edges(sketch, last, |_, pen| pen);
-    diamonds(sketch, last);
+    let cue = context.known(&When::Step(*number));
+    area(sketch.since(cue), options, last);
+    edges(sketch, last, |_, pen| (pen, cue));
+    diamonds(sketch, last, |_| cue);
     name(sketch, context, options, last);
     if options.flag("numbers", false) {
-        numbers(sketch, &all);
+        numbers(sketch, context, &all);
     }
 }
 
@@ -286,7 +295,7 @@ fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
 }
 
 /// Writes the number of each iteration below its lowest vertex.
-fn numbers(sketch: &mut Sketch, all: &[(usize, Difference)]) {
+fn numbers(sketch: &mut Sketch, context: &Context, all: &[(usize, Difference)]) {
     let level = sketch.px(LEVEL);
     let places: Vec<(usize, DVec2)> =
         all.iter().filter_map(|(k, found)| Some((*k, lowest(found, level)?))).collect();
@@ -303,7 +312,7 @@ fn numbers(sketch: &mut Sketch, all: &[(usize, Difference)]) {
     for (k, place) in kept {
         let anchor = Anchor::point_toward(place, DVec2::NEG_Y);
         let label = Label::new("step", k.to_string(), anchor, Role::Difference);
-        sketch.label(label.rank(Rank::Word).size(Size::Small));
+        sketch.since(context.known(&When::Step(k))).label(label.rank(Rank::Word).size(Size::Small));
     }
 }
 

@@ -3,6 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -42,23 +43,29 @@ pub(super) struct Merged {
     pub(super) edge: DVec2,
     /// The other body's next edge as a vector, where it has more.
     pub(super) other: Option<DVec2>,
+    /// With what it comes.
+    pub(super) cue: Cue,
 }
 
 /// The edges in the order in which the algorithm took them, at the panel's moment; none for another one.
 pub(super) fn merged(context: &Context) -> Vec<Merged> {
     let Some(run) = context.difference_at(context.difference_time()) else { return Vec::new() };
+    let cues = run.cues(|event| matches!(event, Event::EdgesMerged { .. }).then_some(()));
     let told = run.told(|event| match *event {
-        Event::EdgesMerged { taken, at, edge, other } => Some(Merged { taken, at, edge, other }),
+        Event::EdgesMerged { taken, at, edge, other } => Some((taken, at, edge, other)),
         _ => None,
     });
-    told.collect()
+    told.zip(cues)
+        .map(|((taken, at, edge, other), (cue, ()))| Merged { taken, at, edge, other, cue })
+        .collect()
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let step = options.number("step").unwrap_or(f64::INFINITY);
-    for (k, Merged { taken, edge, .. }) in (1..).zip(merged(context)) {
+    for (k, Merged { taken, edge, cue, .. }) in (1..).zip(merged(context)) {
         let role = Role::from(taken);
         let opacity = if number_of(k) <= step { 1.0 } else { LATER };
+        sketch.since((opacity == 1.0).then_some(cue));
         sketch.part(super::part("edge", taken)).arrow(DVec2::ZERO, edge, Pen::vector(role).opacity(opacity));
         // Whose edge it is, for those who don't see the colour.
         let name = context.named(taken);

@@ -35,6 +35,7 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(theirs) = context.scene.query.expected else { return };
     let role = options.role(Role::Now);
+    sketch.since(context.answered());
     bodies(sketch, context, options, &theirs);
     let ours = ours(context);
     if let Some(ours) = &ours {

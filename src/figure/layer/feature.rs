@@ -209,6 +209,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Now);
     let pen = Pen::highlighted(role);
     let mut labelled = Vec::new();
+    let asked = options.counts("edge").is_some() || options.counts("vertex").is_some();
+    let run = context.separation_at(context.time).filter(|_| !asked);
+    sketch.since(run.map(|run| run.nearest()));
     for Mark { side, feature, form, text } in marks(context, options) {
         sketch.part(part("feature", side));
         let anchor = match form {

@@ -100,6 +100,7 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
     let (Some(answer), Some(outline)) = (separation(context), context.outline(side, context.time)) else {
         return;
     };
+    sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let away = answer.normal * answer.separation;
     let text = format!("{} pushed out", context.named(side).primed(0));
     ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), vec![text]);
@@ -108,6 +109,7 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
 /// Draws a body at another moment, if it is elsewhere then.
 fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(time) = when(context, options) else { return };
+    sketch.since(context.known(&options.when("at").unwrap_or(When::Hit)));
     let still = context.pose(side, time) == context.pose(side, context.time);
     if still && options.words("of").is_none() {
         return;
@@ -155,7 +157,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let role = options.role(side.into());
     // An advancement closes in: its first steps are the ones that differ.
     let kept = before.get(..MOST - 1).unwrap_or(before);
-    for (&time, opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
+    for ((step, &time), opacity) in (2..).zip(kept).zip(fade(SERIES, kept.len())) {
+        sketch.since(context.known(&When::Step(step)));
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
@@ -164,6 +167,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         }
     }
     if let Some(outline) = context.outline(side, last) {
+        sketch.since(context.known(&When::Step(times.len() + 1)));
         ghost(sketch, options, side, &outline, at_moment(context, side, &number(last)));
     }
 }

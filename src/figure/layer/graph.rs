@@ -12,6 +12,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
+use crate::scene::When;
 use crate::trace::Event;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
@@ -128,7 +129,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let role = options.role(Role::Translation);
     let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
-    sketch.part("curve").weight(Weight::Background).stroke(&Outline::polyline(&curve), Pen::outline(role));
+    sketch
+        .since(None)
+        .part("curve")
+        .weight(Weight::Background)
+        .stroke(&Outline::polyline(&curve), Pen::outline(role));
     marks(sketch, &chart, &all);
 }
 
@@ -148,6 +153,8 @@ fn axes(sketch: &mut Sketch, chart: &Chart) {
 fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
+        let look = |k| chart.context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
+        sketch.since(look(k + 1));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
         let dashed = Pen::construction();
         sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
@@ -156,6 +163,7 @@ fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
             sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1) {
+            sketch.since(look(k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
         }
@@ -166,6 +174,7 @@ fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
 fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     let mut free = f64::NEG_INFINITY;
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
+        sketch.since(chart.context.known(&When::Step(k)));
         let on_axis = chart.place(step.time, 0.0);
         let on_curve = chart.place(step.time, step.separation);
         let tick = chart.vector(DVec2::Y * sketch.px(TICK));

@@ -14,6 +14,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::closest::{Nearest, nearest};
 use super::difference::{difference, draw_edge};
+use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// How many copies of B go around A at most; more hide it.
@@ -65,13 +66,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let b = b.position;
     let turned = |p: DVec2| b - p;
     let grown = found.outline().turned_about(DVec2::ZERO).moved(b);
-    sketch.part("grown").area(&grown, Some(Wash::theme(Role::Difference)), None);
+    let cues = EdgeCues::at(context, time);
+    sketch.since(cues.whole).part("grown").area(&grown, Some(Wash::theme(Role::Difference)), None);
     for piece in &grown.pieces {
         if let Piece::Arc { center, radius, start, sweep } = *piece {
             sketch.arc(center, radius, start, sweep, Pen::outline(Role::Difference));
         }
     }
-    sketch.part("body-A").area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
+    sketch.since(None).part("body-A").area(
+        &outline_a,
+        Some(Wash::theme(Role::A)),
+        Some(Pen::outline(Role::A)),
+    );
     if options.flag("copies", true) {
         sketch.part("copies").weight(Weight::Light);
         let mut last = None;
@@ -94,17 +100,22 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("grown-edges");
     for edge in &found.edges {
         let (from, to) = found.drawn(edge);
-        draw_edge(sketch, edge.source, (turned(from), turned(to)), Pen::outline(edge.source.into()));
+        draw_edge(
+            sketch.since(cues.of(edge)),
+            edge.source,
+            (turned(from), turned(to)),
+            Pen::outline(edge.source.into()),
+        );
     }
-    sketch.part("around");
+    sketch.since(None).part("around");
     for place in around {
         sketch.marker(place, Marker::Square, Role::B, SMALL_MARKER);
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {
-        distance(sketch, context, b);
+        distance(sketch.since(context.separation_at(context.time).map(|run| run.end())), context, b);
     }
-    sketch.part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
+    sketch.since(None).part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
     sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));

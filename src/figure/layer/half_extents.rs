@@ -6,6 +6,8 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, left_of};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
+use crate::trace::Event;
+use crate::trace::step::bounds;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
@@ -76,6 +78,9 @@ fn boxed(context: &Context, options: &Options) -> Option<Boxed> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(b) = boxed(context, options) else { return };
+    sketch.since(
+        context.cue(|event| matches!(event, Event::BoundsFound { .. })).map(|cue| cue.part(bounds::CENTER)),
+    );
     let offset = sketch.px(options.number("offset").unwrap_or(OFFSET));
     // Beside the box, on the sides that no other body is at; below and to the right where all are free.
     let away = others(context, &b);

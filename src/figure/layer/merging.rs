@@ -58,23 +58,28 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         && options.gives("step")
         && next.other.is_some()
     {
-        straight_on(sketch, before.edge, next);
+        straight_on(sketch.since(next.cue), before.edge, next);
     }
     let whole = !options.gives("step");
     let before = if whole { all.len() } else { all.len() - 1 };
     for (k, edge) in (1..).zip(&all[..before]) {
         let (from, to) = (edge.at, edge.at + edge.edge);
         let role = Role::from(edge.taken);
-        sketch.part(part("taken", edge.taken));
+        sketch.since(edge.cue).part(part("taken", edge.taken));
         draw_edge(sketch, edge.taken, (from, to), Pen::outline(role));
         let label = Label::new("step", k.to_string(), Anchor::middle(from, to), role);
         sketch.label(label.rank(Rank::Word).size(Size::Small));
     }
     for edge in &all[..before] {
-        sketch.part("vertices").marker(edge.at, Marker::Diamond, Role::Difference, SMALL_MARKER);
+        sketch.since(edge.cue).part("vertices").marker(
+            edge.at,
+            Marker::Diamond,
+            Role::Difference,
+            SMALL_MARKER,
+        );
     }
     if let Some(next) = all.last().filter(|_| !whole) {
-        choice(sketch, context, next);
+        choice(sketch.since(next.cue), context, next);
     }
 }
 

@@ -16,6 +16,7 @@ mod closest;
 mod contact;
 mod coordinates;
 mod difference;
+mod edge_cues;
 mod edge_fan;
 mod expected;
 mod feature;

@@ -67,6 +67,7 @@ fn found(context: &Context, options: &Options) -> Option<(f64, Separation)> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, answer)) = found(context, options) else { return };
     let Some(from) = start(context, options, time, &answer) else { return };
+    sketch.since(context.separation_at(time).map(|run| run.nearest()));
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
     let role = options.role(Role::Ink);

@@ -2,9 +2,15 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Corner, Label, Rank, Size, Sketch};
+use crate::trace::Event;
+use crate::trace::step::advanced;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+
+/// How a value in a line begins.
+const VALUE: &str = "{=";
 
 pub(super) const LAYER: Layer = Layer {
     name: "note",
@@ -30,9 +36,18 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-fn draw(sketch: &mut Sketch, _context: &Context, options: &Options) {
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(lines) = options.words("lines") else { return };
+    sketch.since(known(context, &lines));
     let corner = Corner::of_word(options.word("at", "top-left")).unwrap_or(Corner::TopLeft);
     let label = Label::new("note", "", Anchor::Corner(corner), options.role(Role::Ink)).given(lines);
     sketch.label(label.rank(Rank::Note).size(Size::Note));
+}
+
+/// With what the values in its lines are known: of a panel that shows a step, with that; of others, with the
+/// answer. `None` for lines without a value.
+fn known(context: &Context, lines: &[String]) -> Option<Cue> {
+    let this = |event: &Event| matches!(event, Event::Advanced { step, .. } if Some(*step) == context.step);
+    let is_valued = lines.iter().any(|line| line.contains(VALUE));
+    is_valued.then(|| context.cue(this).map_or_else(|| context.answered(), |cue| cue.part(advanced::NEXT)))
 }

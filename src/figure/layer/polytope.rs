@@ -6,6 +6,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
 };
@@ -57,11 +58,12 @@ struct Step {
     beyond: Option<DVec2>,
 }
 
-/// The step that the scene wants; else the last.
-fn shown(context: &Context, options: &Options) -> Option<Step> {
+/// The step that the scene wants, else the last, and with what it comes.
+fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
     let run = context.run();
-    let count = run.events().filter(|e| matches!(e, Event::PolytopeExpanded { .. })).count();
-    let wanted = options.number("step").unwrap_or(number_of(count));
+    let cues: Vec<(Cue, ())> =
+        run.cues(|e| matches!(e, Event::PolytopeExpanded { .. }).then_some(())).collect();
+    let wanted = options.number("step").unwrap_or(number_of(cues.len()));
     let mut step = 0;
     run.find_told(|event| match event {
         Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } => {
@@ -70,14 +72,16 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
             let beyond = (*beyond > 0.0).then_some(*support);
             let found =
                 Step { vertices: vertices.clone(), edge: ends, distance: *nearest, normal: *normal, beyond };
-            (number_of(step) == wanted).then_some(found)
+            let cue = cues.get(step - 1).map(|(cue, ())| *cue);
+            (number_of(step) == wanted).then_some((found, cue))
         }
         _ => None,
     })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(step) = shown(context, options) else { return };
+    let Some((step, cue)) = shown(context, options) else { return };
+    sketch.since(cue);
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));

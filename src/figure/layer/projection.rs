@@ -102,6 +102,9 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = tested(context, options) else { return };
+    sketch.since(context.cue(
+        |event| matches!(*event, Event::AxisTested { axis, source, .. } if (axis, source) == (t.n, t.source)),
+    ));
     let points: Vec<DVec2> = context
         .sides()
         .into_iter()

@@ -154,6 +154,7 @@ fn dimensions(sketch: &mut Sketch, context: &Context, options: &Options) {
     let answer = context.separation_at(context.time).and_then(|run| run.separation().copied());
     let Some(answer) = answer else { return };
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
+    sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let sides = round(context, options);
     for &side in &sides {
         let Some(body) = context.body(side) else { continue };
@@ -206,6 +207,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let side = perp(*n);
     let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
     let down = if onto.y > 0.0 { -side } else { side };
+    let run = context.separation_at(context.time);
+    sketch.since(run.and_then(|run| run.last_cue(|e| matches!(e, Event::CirclesCompared { .. }))));
     let tracks = tracks(context, &compared);
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));

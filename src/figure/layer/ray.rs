@@ -57,6 +57,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("v", text("$v$", v, options), Anchor::tip(from, tip), role));
     if let Some(time) = hit {
         let hit = from + v * time.lo;
+        sketch.since(context.answered());
         sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);

@@ -97,6 +97,7 @@ fn cone(context: &Context) -> Option<Cone> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(cone) = cone(context) else { return };
     let role = options.role(Role::Translation);
+    sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = context.estimate();
     let radius = sketch.px(RADIUS);
     let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);

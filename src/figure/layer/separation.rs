@@ -101,12 +101,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(run) = found(context, options) else { return };
     let Some(answer) = context.separation_seen(run.time) else { return };
     let role = options.role(Role::Translation);
+    sketch.since(run.nearest());
     if options.flag("carrier", false) {
         carrier(sketch, context, &run, &answer);
     }
     let [p, q] = answer.points;
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
-    sketch.part("separation");
+    sketch.since(run.end()).part("separation");
     match options.word("style", "arrow") {
         "dimension" => sketch.dimension(p, q, -offset, Pen::dimension(role).width(1.5)),
         "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
@@ -118,14 +119,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     };
     right_angles(sketch, context, &run, &answer);
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
-        rival(sketch, context, &run, -answer.separation);
+        rival(sketch.since(run.end()), context, &run, -answer.separation);
     }
-    points(sketch, options, &answer);
+    points(sketch.since(run.nearest()), options, &answer);
     let (key, text) = words(&run, &answer);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
     let label = Label::new(key, text, anchor, role);
-    sketch.label(match options.words("text") {
+    sketch.since(run.end()).label(match options.words("text") {
         Some(lines) => label.given(lines),
         None => label,
     });

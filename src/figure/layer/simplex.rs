@@ -3,6 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight,
 };
@@ -72,6 +73,8 @@ struct Step {
     next: Option<DVec2>,
     /// Vertices of the step before that it does without.
     dropped: Vec<DVec2>,
+    /// With what it comes.
+    cue: Option<Cue>,
 }
 
 /// The step that the scene wants; else the last.
@@ -88,16 +91,27 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
         Some(step) => (0..all.len()).find(|&i| number_of(i + 1) == step)?,
         None => all.len().checked_sub(1)?,
     };
+    let updated = |event: &Event| {
+        matches!(event, Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. }).then_some(())
+    };
+    let cue = run.cues(updated).nth(index).map(|(cue, ())| cue);
     let &(vertices, closest) = all.get(index)?;
     let next =
         all.get(index + 1).and_then(|(after, _)| after.iter().find(|w| !vertices.contains(w)).copied());
     let before = index.checked_sub(1).and_then(|i| all.get(i)).into_iter().flat_map(|(before, _)| *before);
     let dropped = before.filter(|w| !vertices.contains(w)).copied().collect();
-    Some(Step { vertices: vertices.clone(), closest: closest.filter(|v| *v != DVec2::ZERO), next, dropped })
+    Some(Step {
+        vertices: vertices.clone(),
+        closest: closest.filter(|v| *v != DVec2::ZERO),
+        next,
+        dropped,
+        cue,
+    })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(step) = shown(context, options) else { return };
+    sketch.since(step.cue);
     let role = options.role(Role::Now);
     if step.vertices.len() > 1 {
         let wash = (step.vertices.len() > 2).then(|| Wash::faint(role, FILL));

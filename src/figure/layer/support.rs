@@ -70,12 +70,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Now);
     if *context.space == Space::Configuration {
         if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
+            sketch.since(context.separation_at(context.time).map(|run| run.nearest()));
             let joint = joint + context.estimate();
             sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
         }
         return;
     }
     let Some((side, vertices)) = supports(context) else { return };
+    sketch.since(context.separation_at(context.time).map(|run| run.nearest()));
     if let [p, q] = vertices.as_slice() {
         sketch.part("support").weight(Weight::Light).line(p.point, q.point, Pen::highlighted(role));
     }

@@ -41,6 +41,7 @@ fn swept(context: &Context, options: &Options) -> Vec<Side> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, _)) = context.hit() else { return };
+    sketch.since(context.answered());
     for side in swept(context, options) {
         let (before, after) = (core(context, side, context.time), core(context, side, time));
         if before == after {

@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, contact)) = context.hit() else { return };
+    sketch.since(context.answered());
     for (side, point, key, marker) in
         [(Side::A, contact.points[0], "x1", Marker::Disc), (Side::B, contact.points[1], "x2", Marker::Square)]
     {

@@ -30,6 +30,7 @@ fn run(context: &Context) -> Option<Arc<Run>> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (Some(run), Some(pose)) = (run(context), context.pose(Side::B, context.time)) else { return };
     let Some(answer) = run.separation() else { return };
+    sketch.since(run.end());
     let tip = pose.position - answer.normal * answer.separation;
     let role = options.role(Role::Now);
     let of_circles = run.tells(|e| matches!(e, Event::PenetrationMeasured { .. }));

@@ -6,6 +6,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Enclosure, Side};
@@ -87,7 +88,7 @@ fn seen(context: &Context, side: Side) -> DVec2 {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let scale = options.number("scale").unwrap_or(1.0);
-    let hit = context.hit_time();
+    let (hit, known) = (context.hit_time(), context.answered());
     if *context.space == Space::Configuration {
         let v = context.closing_velocity();
         let now = context.difference_time();
@@ -95,7 +96,17 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         arrow(
             sketch,
             options,
-            &Motion { key: "v", text: text("$v$", v, options), way, from: DVec2::ZERO, v, now, hit, scale },
+            &Motion {
+                key: "v",
+                text: text("$v$", v, options),
+                way,
+                from: DVec2::ZERO,
+                v,
+                now,
+                hit,
+                scale,
+                known,
+            },
         );
         return;
     }
@@ -106,7 +117,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let key = if side == Side::A { "v_A" } else { "v_B" };
         let text = text(&context.symbol("v", side), v, options);
         let from = pose.point(local);
-        let motion = Motion { key, text, way, from, v, now: context.time, hit, scale };
+        let motion = Motion { key, text, way, from, v, now: context.time, hit, scale, known };
         arrow(sketch, options, &motion);
         // An arrow that the hit cuts off ends there, whatever the velocity is.
         if !is_cut(options, &motion) {
@@ -154,6 +165,8 @@ struct Motion {
     hit: Option<Enclosure>,
     /// Drawn length of a unit of velocity, world units.
     scale: f64,
+    /// With what the hit is known.
+    known: Cue,
 }
 
 impl Motion {
@@ -176,6 +189,7 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
     // A motion without a hit is drawn whole; a hit that is no longer ahead leaves nothing to draw.
     if is_cut(options, m) {
         let Some((way, _)) = ahead else { return };
+        sketch.since(m.known);
         let role = options.role(Role::Now);
         sketch.part("velocity");
         if let [from, tip] = way[..] {
@@ -187,13 +201,14 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
         sketch.label(Label::new(m.key, m.text.clone(), anchor, role));
         return;
     }
+    sketch.since(None);
     let role = options.role(Role::Ink);
     let (from, tip) = (m.from, m.from + m.v * m.scale);
     sketch.part("velocity").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
     if let (Some((way, time)), When::HIT) = (ahead, options.word("accent", "")) {
         let pen = Pen::highlighted(Role::Now);
-        sketch.part("until-hit");
+        sketch.since(m.known).part("until-hit");
         if let [from, end] = way[..] {
             sketch.line(from, end, pen);
         } else {

@@ -1,6 +1,6 @@
 //! Markers: points that have a meaning, told apart by shape as well as by colour.
 
-use crate::drawing::{Contour, Item, Offset, Path, Point, Rect, Role};
+use crate::drawing::{Contour, Item, Offset, Path, Point, Rect, Role, Shown};
 use crate::geometry::DVec2;
 
 use super::{Cover, Dash, MARKER, Marker, Outline, Pen, Sketch, Wash};
@@ -80,7 +80,13 @@ impl Sketch<'_> {
     fn hollow(&mut self, contour: Contour, role: Role) -> &mut Self {
         let stroke = self.stroke_of(Pen::vector(role).width(HOLLOW));
         let fill = Some(self.paint(Role::Background));
-        self.push(Item::Path(Path { contour, fill, pattern: None, stroke: Some(stroke) }))
+        self.push(Item::Path(Path {
+            contour,
+            fill,
+            pattern: None,
+            stroke: Some(stroke),
+            shown: Shown::ALWAYS,
+        }))
     }
 
     /// Draws two lines across each other.

@@ -5,6 +5,7 @@
 //! when it is asked for, and may touch that part's strokes only.
 
 mod construction;
+mod cues;
 mod label;
 mod line;
 mod look;
@@ -16,13 +17,15 @@ mod right_angle;
 mod round;
 mod words;
 
-use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect};
+use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
+use crate::figure::cue::Cue;
 use crate::figure::frame::Frame;
 use crate::figure::handle::Hold;
 use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
 use crate::geometry::DVec2;
 
+use cues::Cues;
 pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
 pub(crate) use marker::SPECK;
 pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
@@ -94,6 +97,8 @@ pub(crate) struct Request {
     pub(crate) part: usize,
     /// The index of the layer in its panel.
     pub(crate) layer: usize,
+    /// When it comes and goes, as [`Sketched::cues`] have it.
+    pub(crate) shown: Shown,
 }
 
 /// A panel that layers draw in, one after the other.
@@ -130,6 +135,8 @@ pub(crate) struct Sketch<'f> {
     points: usize,
     /// Million page pixels of all areas so far.
     painted: f64,
+    /// With what marks come and go.
+    cues: Cues,
 }
 
 /// What a panel's layers drew and asked for.
@@ -152,6 +159,9 @@ pub(crate) struct Sketched {
     pub(crate) points: usize,
     /// Million page pixels of all areas.
     pub(crate) painted: f64,
+    /// The cues of marks and labels: what is shown since 2 comes with the first one; since 1 is what was
+    /// there before.
+    pub(crate) cues: Vec<Cue>,
 }
 
 impl<'f> Sketch<'f> {
@@ -175,6 +185,7 @@ impl<'f> Sketch<'f> {
             extent: None,
             points: 0,
             painted: 0.0,
+            cues: Cues::default(),
         }
     }
 
@@ -183,6 +194,7 @@ impl<'f> Sketch<'f> {
     pub(crate) fn begin_layer(&mut self, name: &str, labels: bool) {
         self.layers.push(Group::new(name));
         self.labels = labels;
+        self.cues.rest();
         self.part(name);
     }
 
@@ -191,7 +203,8 @@ impl<'f> Sketch<'f> {
         let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, points, painted, .. } =
             self;
         construction::end_at_lines(&mut layers);
-        Sketched { frame, layers, obstacles, requests, unnamed, holds, extent, points, painted }
+        let cues = self.cues.known;
+        Sketched { frame, layers, obstacles, requests, unnamed, holds, extent, points, painted, cues }
     }
 
     /// Whether more was drawn than a figure may show: it will be refused.
@@ -223,7 +236,8 @@ impl<'f> Sketch<'f> {
         }
         if self.requests.len() < MAX_POINTS {
             let layer = self.layers.len().saturating_sub(1);
-            self.requests.push(Request { label, part: self.part, layer });
+            let (part, shown) = (self.part, self.cues.now);
+            self.requests.push(Request { label, part, layer, shown });
         }
         self
     }
@@ -294,6 +308,7 @@ impl<'f> Sketch<'f> {
             fill: wash.map(|w| self.wash(w)),
             pattern: wash.and_then(|w| self.pattern(w)),
             stroke: pen.map(|p| self.stroke_of(p)),
+            shown: Shown::ALWAYS,
         };
         self.count(&points, wash, pen);
         self.reach(&points);
@@ -326,7 +341,8 @@ impl<'f> Sketch<'f> {
     }
 
     /// Puts something into the current part.
-    fn push(&mut self, item: Item) -> &mut Self {
+    fn push(&mut self, mut item: Item) -> &mut Self {
+        self.cues.stamp(&mut item);
         self.spend(1);
         if self.is_full() {
             return self;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::drawing::{Contour, Halo, Item, Path, Point, Rect, Role, Segment, Text};
+use crate::drawing::{Contour, Halo, Item, Path, Point, Rect, Role, Segment, Shown, Text};
 use crate::geometry::DVec2;
 use crate::typeset::{Line, Style, typeset};
 
@@ -87,6 +87,12 @@ impl Sketch<'_> {
         }
         let halo = Some(Halo { paint: self.paint(Role::Background), width: HALO });
         let paint = self.word_paint(role);
-        self.push(Item::Text(Text { line: Arc::clone(&words.line), origin, paint, halo }))
+        self.push(Item::Text(Text {
+            line: Arc::clone(&words.line),
+            origin,
+            paint,
+            halo,
+            shown: Shown::ALWAYS,
+        }))
     }
 }

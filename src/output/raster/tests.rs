@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::rasterize;
 use crate::drawing::{
     Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Role,
-    Segment, Stroke, Text,
+    Segment, Shown, Stroke, Text,
 };
 use crate::typeset::{Style, typeset};
 
@@ -37,6 +37,7 @@ impl Seen {
             metadata: String::new(),
             hash: String::new(),
             items,
+            steps: Vec::new(),
         };
         let pixels = rasterize(&drawing, scale).unwrap();
         let dark = |pixel: &[u8]| 1.0 - f64::from(pixel[0]) / 255.0;
@@ -89,7 +90,13 @@ fn line(contour: Contour, width: f64, dash: &[f64], cap: Cap) -> Seen {
 
 fn text(markup: &str, origin: (f64, f64), halo: Option<Halo>) -> Item {
     let line = Arc::new(typeset(markup, Style::regular(40.0)).unwrap());
-    Item::Text(Text { line, origin: Point::new(origin.0, origin.1), paint: BLACK, halo })
+    Item::Text(Text {
+        line,
+        origin: Point::new(origin.0, origin.1),
+        paint: BLACK,
+        halo,
+        shown: Shown::ALWAYS,
+    })
 }
 
 /// How much of each pixel is inside, by 16 by 16 samples.
@@ -294,7 +301,7 @@ fn small_dots_have_their_share_of_ink() {
 fn a_pattern_stays_inside_its_area_and_covers_its_share() {
     let hatch = Pattern { kind: PatternKind::Hatch, paint: BLACK };
     let contour = polygons(&[&[(20.0, 20.0), (80.5, 20.0), (80.5, 300.0), (20.0, 300.0)]]);
-    let path = Path { contour, fill: None, pattern: Some(hatch), stroke: None };
+    let path = Path { contour, fill: None, pattern: Some(hatch), stroke: None, shown: Shown::ALWAYS };
     let seen = Seen::of(vec![Item::Path(path)], (1000.0, 320.0), 1.0);
     let inside = (20..80).map(|x| (20..300).map(|y| seen.at(x, y)).sum::<f64>()).sum::<f64>();
     let border = (20..300).map(|y| seen.at(80, y)).sum::<f64>();

@@ -1,7 +1,7 @@
 //! Markers of series.
 
 use super::LINES;
-use crate::drawing::{Contour, Paint, Path, Point, Stroke};
+use crate::drawing::{Contour, Paint, Path, Point, Shown, Stroke};
 
 /// The shape of a series's points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,6 +53,12 @@ impl Marker {
         };
         let open = matches!(self, Self::Ring | Self::HollowSquare | Self::HollowDiamond);
         let fill = if open { background } else { paint };
-        Path { contour, fill: Some(fill), pattern: None, stroke: Some(Stroke::solid(paint, LINES[0])) }
+        Path {
+            contour,
+            fill: Some(fill),
+            pattern: None,
+            stroke: Some(Stroke::solid(paint, LINES[0])),
+            shown: Shown::ALWAYS,
+        }
     }
 }

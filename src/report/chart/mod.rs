@@ -11,7 +11,9 @@ use std::sync::Arc;
 pub(crate) use axis::Axis;
 pub(crate) use marks::Marker;
 
-use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Point, Rect, Role, Stroke, Text};
+use crate::drawing::{
+    Color, Contour, Drawing, Group, Item, Paint, Path, Point, Rect, Role, Shown, Stroke, Text,
+};
 use crate::typeset::{Line, Style, TypesetError, typeset};
 
 /// Width and height of the page, page pixels: those of a figure.
@@ -108,6 +110,7 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
         metadata: String::new(),
         hash: String::new(),
         items: artist.items,
+        steps: Vec::new(),
     })
 }
 
@@ -158,7 +161,13 @@ impl Artist<'_> {
     /// Writes a set line from the start of its baseline on.
     fn write(&mut self, line: Line, origin: Point, role: Role) {
         let paint = self.paint(role);
-        self.items.push(Item::Text(Text { line: Arc::new(line), origin, paint, halo: None }));
+        self.items.push(Item::Text(Text {
+            line: Arc::new(line),
+            origin,
+            paint,
+            halo: None,
+            shown: Shown::ALWAYS,
+        }));
     }
 
     /// Where a point in the axes' units lies on the page.

@@ -5,6 +5,7 @@
 
 mod clip;
 mod motion;
+pub(crate) mod step;
 mod words;
 
 use super::{Event, Goal, Moment, SupportVertex, Trace};
@@ -219,7 +220,7 @@ fn merged(names: &Names, taken: Side, edge: DVec2, other: Option<DVec2>) -> Stri
 }
 
 /// The Minkowski difference in plain text, as "B - A".
-fn difference(names: &Names) -> String {
+pub(crate) fn difference(names: &Names) -> String {
     format!("{} - {}", names.quoted(Side::B), names.quoted(Side::A))
 }
 

@@ -17,7 +17,8 @@ use svgtypes::FuncIRI;
 use super::super::Stamped;
 use super::super::picture::{Picture, TooMuch, Unread};
 use crate::drawing::{
-    Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Segment, Stroke,
+    Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Segment, Shown,
+    Stroke,
 };
 use effort::{Effort, MOST_LENGTH, MOST_PIECES};
 use path_data::{Map, contour};
@@ -102,6 +103,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         metadata: String::new(),
         hash: String::new(),
         items,
+        steps: Vec::new(),
         id: prefix.clone(),
     };
     Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style") })
@@ -197,6 +199,7 @@ impl<'d> Reader<'d> {
                         fill: style.fill,
                         pattern: None,
                         stroke: style.stroke(map.scale),
+                        shown: Shown::ALWAYS,
                     },
                 };
                 self.path(path, items)
@@ -272,6 +275,7 @@ impl<'d> Reader<'d> {
             fill: None,
             pattern: Some(pattern),
             stroke: None,
+            shown: Shown::ALWAYS,
         })
     }
 }

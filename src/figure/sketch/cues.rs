@@ -1,0 +1,47 @@
+//! Which event a mark comes with: a layer says it before it draws.
+
+use crate::drawing::{Item, Shown};
+use crate::figure::cue::Cue;
+
+use super::Sketch;
+
+/// The cues of a panel so far, and those of what is drawn now.
+#[derive(Debug, Default)]
+pub(super) struct Cues {
+    /// Each cue once, in the order in which they were named.
+    pub(super) known: Vec<Cue>,
+    /// When what is drawn now comes and goes.
+    pub(super) now: Shown,
+}
+
+impl Cues {
+    /// What is drawn from here on was there before the first event.
+    pub(super) fn rest(&mut self) {
+        self.now = Shown::ALWAYS;
+    }
+
+    /// Says of an item that it is drawn now.
+    pub(super) fn stamp(&self, item: &mut Item) {
+        item.for_each_shown(&|shown| *shown = self.now);
+    }
+
+    /// The number of a cue: 2 for the first one, as 1 is what was there before.
+    fn number(&mut self, cue: Cue) -> usize {
+        let known = self.known.iter().position(|&other| other == cue);
+        let index = known.unwrap_or(self.known.len());
+        if known.is_none() {
+            self.known.push(cue);
+        }
+        index + 2
+    }
+}
+
+impl Sketch<'_> {
+    /// What is drawn and labelled from here to the end of the layer comes with this event; without one it was
+    /// there before the first event.
+    pub(crate) fn since(&mut self, cue: impl Into<Option<Cue>>) -> &mut Self {
+        let since = cue.into().map_or(1, |cue| self.cues.number(cue));
+        self.cues.now = Shown { since, until: None };
+        self
+    }
+}

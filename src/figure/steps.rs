@@ -1,0 +1,183 @@
+//! The steps of a figure, counted: marks that came with an event get the number of the step that it ends.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use crate::drawing::{Group, Item, Path, Step, Text};
+use crate::scene::Scene;
+use crate::trace::{self, Event, step};
+
+use super::cue::{Cue, Teller};
+use super::describe;
+use super::runs::{Run, Runs};
+
+/// Items of a page that share their cues: a panel and its title.
+pub(super) struct Scope {
+    /// Which of the items.
+    pub(super) items: Range<usize>,
+    /// What the numbers in its items stand for: 2 for the first cue, 1 for what was there before.
+    pub(super) cues: Vec<Cue>,
+    /// With what the panel as a whole comes; none for one that is there from the start.
+    pub(super) base: Option<Cue>,
+}
+
+impl Scope {
+    /// The cue of a number in its items; `None` for what is there from the start.
+    fn cue(&self, number: usize) -> Option<Cue> {
+        let own = number.checked_sub(2).and_then(|index| self.cues.get(index)).copied();
+        match (own, self.base) {
+            (Some(own), Some(base)) if own.order(&base).is_lt() => Some(base),
+            (own, base) => own.or(base),
+        }
+    }
+}
+
+/// Numbers the steps in all items, and tells them.
+pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Scene, &Runs)) -> Vec<Step> {
+    let runs = runs.all();
+    let mut cues = Vec::new();
+    for scope in scopes {
+        let mut used = BTreeSet::new();
+        items[scope.items.clone()].iter().for_each(|item| collect(item, &mut used));
+        cues.extend(used.into_iter().filter_map(|number| scope.cue(number)));
+    }
+    cues.sort_by(Cue::order);
+    cues.dedup();
+    let told: Vec<Told> = cues.iter().filter_map(|cue| Told::of(scene, &runs, *cue)).collect();
+    let mut steps = vec![first(scene, &runs)];
+    let mut numbers = Vec::with_capacity(told.len());
+    let mut is_open = false;
+    for (i, this) in told.iter().enumerate() {
+        if !is_open {
+            steps.push(Step::default());
+        }
+        numbers.push(steps.len());
+        if let Some(last) = steps.last_mut() {
+            last.title.clone_from(&this.title);
+            if last.sentences.last() != Some(&this.sentence) {
+                last.sentences.push(this.sentence.clone());
+            }
+        }
+        let goes_on = told.get(i + 1).is_some_and(|next| next.cue.is_of_the_run_of(&this.cue));
+        is_open = goes_on && !this.ends;
+    }
+    for scope in scopes {
+        let number = |number: usize| {
+            let cue = scope.cue(number)?;
+            told.iter().position(|told| told.cue == cue).map(|i| numbers[i])
+        };
+        for item in &mut items[scope.items.clone()] {
+            item.for_each_shown(&|shown| {
+                shown.since = number(shown.since).unwrap_or(1);
+                shown.until = shown.until.and_then(number);
+            });
+        }
+    }
+    steps
+}
+
+/// The numbers by which items come and go.
+fn collect(item: &Item, used: &mut BTreeSet<usize>) {
+    match item {
+        Item::Group(Group { items, .. }) => items.iter().for_each(|item| collect(item, used)),
+        Item::Path(Path { shown, .. }) | Item::Text(Text { shown, .. }) => {
+            used.insert(shown.since);
+            used.extend(shown.until);
+        }
+    }
+}
+
+/// The step before the first event: what the scene says.
+fn first(scene: &Scene, runs: &[std::sync::Arc<Run>]) -> Step {
+    let own = runs.iter().filter(|run| run.is_own()).find_map(|run| run.events().next());
+    let names = scene.names();
+    own.map_or_else(Step::default, |event| Step {
+        title: step::title(event, 0, &names),
+        sentences: vec![trace::sentence(event, &names)],
+    })
+}
+
+/// A cue in words.
+struct Told {
+    /// The cue.
+    cue: Cue,
+    /// The title of a step that ends with it.
+    title: String,
+    /// What happened.
+    sentence: String,
+    /// Whether a step ends with it.
+    ends: bool,
+}
+
+impl Told {
+    /// What a cue says; `None` where no run has it.
+    fn of(scene: &Scene, runs: &[std::sync::Arc<Run>], cue: Cue) -> Option<Self> {
+        let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
+        let names = scene.names();
+        let title = step::title(event, cue.part, &names);
+        let told = |title, sentence| Self { cue, title, sentence, ends: step::ends_step(event) };
+        Some(match event {
+            Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
+                if is_whole(&cue) && run.events().any(tells_edge) =>
+            {
+                let title = trace::difference(&names);
+                let edges = run.events().filter(|event| tells_edge(event)).count();
+                let sentence = format!("{title} has {edges} edges.");
+                told(title, sentence)
+            }
+            Event::Finished { .. } => told(title, describe::sentence(scene, run)),
+            _ => told(title, step::sentence_of_part(event, cue.part, &names)),
+        })
+    }
+}
+
+/// Whether a cue of B ⊖ A is that of the whole.
+fn is_whole(cue: &Cue) -> bool {
+    cue.teller != Teller::Own || cue.part == step::WHOLE
+}
+
+/// Whether an event tells an edge of B ⊖ A.
+fn tells_edge(event: &Event) -> bool {
+    matches!(event, Event::DifferenceEdgeFound { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::{draw, draw_in_steps, plan};
+    use crate::scene::open_text;
+
+    /// The committed figures with the texts of their scenes, in order of their names.
+    fn figures() -> Vec<(String, String)> {
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+        let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let mut all: Vec<_> = files
+            .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+            .map(|path| (path.display().to_string(), std::fs::read_to_string(&path).unwrap()))
+            .collect();
+        all.sort();
+        all
+    }
+
+    #[test]
+    fn each_figure_comes_about_in_steps_of_which_each_changes_it_and_the_last_is_the_figure() {
+        let mut of_the_article = 0;
+        for (name, text) in figures() {
+            let scene = open_text(&name, &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let whole = draw_in_steps(&plan, plan.theme, "f").drawing;
+            let count = whole.steps.len();
+            let steps: Vec<_> = (1..=count).map(|step| whole.at_step(step).items).collect();
+            for (k, pair) in (2..).zip(steps.windows(2)) {
+                assert!(pair[0] != pair[1], "{name}: step {k} changes nothing");
+            }
+            assert_eq!(whole.at_step(count), draw(&plan, plan.theme, "f").drawing, "{name}");
+            for step in &whole.steps {
+                assert!(!step.title.is_empty() && !step.sentences.is_empty(), "{name}: {step:?}");
+            }
+            let number = name.rsplit('/').next().is_some_and(|file| file.starts_with('0'));
+            assert!(count >= if number { 3 } else { 2 }, "{name} has {count} steps");
+            of_the_article += usize::from(number);
+        }
+        assert_eq!(of_the_article, 8);
+    }
+}
