@@ -92,18 +92,24 @@ impl Difference {
         (edge.from + out, edge.to + out)
     }
 
-    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot: both bodies'
-    /// supporting edges face each other there. `None` where no edges are aligned at the nearest one.
+    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot.
     #[must_use]
     pub(crate) fn joint(&self) -> Option<DVec2> {
+        self.aligned().map(|[e, _]| e.to)
+    }
+
+    /// The edges of A and of B that lie on one line, one after the other, nearest the origin's foot: both
+    /// bodies' supporting edges face each other there. `None` where no edges are aligned at the nearest one.
+    #[must_use]
+    pub(crate) fn aligned(&self) -> Option<[Edge; 2]> {
         let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
         let size = self.size();
         let n = self.edges.len();
-        (0..n).map(|i| (&self.edges[i], &self.edges[(i + 1) % n])).find_map(|(e, f)| {
+        (0..n).map(|i| [self.edges[i], self.edges[(i + 1) % n]]).find(|[e, f]| {
             let aligned = e.source != f.source && e.normal.distance(f.normal) <= JOINED;
             let near = (e.distance - nearest).abs() <= JOINED * size
                 && (f.distance - nearest).abs() <= JOINED * size;
-            (aligned && near).then_some(e.to)
+            aligned && near
         })
     }
 

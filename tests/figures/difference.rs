@@ -82,110 +82,134 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-5.8, -4.45, 5.8, 6.55]);
+    let world = look(&f, 0, [-8.0, -6.5, 7.5, 9.0]);
     shows![
-        world.polygon(A, &[(-1.5, -3.0), (3.3, 0.6), (1.5, 3.0), (-3.3, -0.6)]).is_some(),
-        world.polygon(B, &[(0.7, -0.1), (2.3, 1.1), (0.5, 3.5), (-1.1, 2.3)]).is_some(),
+        world.polygon(A, &[(-2.5, -5.0), (5.5, 1.0), (2.5, 5.0), (-5.5, -1.0)]).is_some(),
+        world.polygon(B, &[(-1.5, -0.5), (2.5, 2.5), (-0.5, 6.5), (-4.5, 3.5)]).is_some(),
         // From the middle of what the parallel edges share, along (-3, 4)/5.
-        world.arrow(Translation, (1.5, 0.5), (0.3, 2.1)),
-        world.marker(Now, (0.7, -0.1)),
-        world.marker(Now, (2.3, 1.1)),
+        world.arrow(Translation, (0.5, 1.0), (-0.7, 2.6)),
+        world.marker(Now, (-1.5, -0.5)),
+        world.marker(Now, (2.5, 2.5)),
+        // The edges that face each other, 5 and 10 long.
+        world.emphasised(B, (-1.5, -0.5), (2.5, 2.5)),
+        world.emphasised(A, (2.5, 5.0), (-5.5, -1.0)),
+        world.text_near("$b_1$", (-1.5, -0.5), 40.0),
+        world.text_near("$b_2$", (2.5, 2.5), 40.0),
+        f.says("$5$") && f.says("$10$"),
         world
-            .line(Now, (0.7, -0.1), (2.3, 1.1))
-            .is_some_and(|p| p.stroke.as_ref().is_some_and(|s| s.dash.is_empty())),
-        world.text_near("$b_1$", (0.7, -0.1), 40.0),
-        world.text_near("$b_2$", (2.3, 1.1), 40.0),
+            .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-1.7, 8.1), (-5.7, 5.1)])
+            .is_some_and(|p| p.fill.is_none()),
     ];
-    let conf = look(&f, 1, [-5.2, -3.8, 6.4, 7.2]);
+    let conf = look(&f, 1, [-11.0, -6.5, 9.0, 12.5]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-0.8, -3.1), B),
-            ((0.8, -1.9), A),
-            ((5.6, 1.7), B),
-            ((3.8, 4.1), A),
-            ((2.0, 6.5), B),
-            ((0.4, 5.3), A),
-            ((-4.4, 1.7), B),
-            ((-2.6, -0.7), A),
+            ((-4.0, -5.5), B),
+            ((0.0, -2.5), A),
+            ((8.0, 3.5), B),
+            ((5.0, 7.5), A),
+            ((2.0, 11.5), B),
+            ((-2.0, 8.5), A),
+            ((-10.0, 2.5), B),
+            ((-7.0, -1.5), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
-        conf.marker(Now, (0.8, -1.9)),
-        f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
+        conf.marker(Now, (0.0, -2.5)),
+        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.line(Muted, (0.0, 0.0), (-2.0, -1.5)).is_some(),
-        f.says("$2.5$: longer"),
+        conf.text_near("$5$ from $B$", (-2.0, -4.0), 60.0),
+        conf.text_near("$10$ from $A$", (4.0, 0.5), 60.0),
     ];
 }
 
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-5.5, -5.1, 8.2, 7.9]);
+    let world = look(&f, 0, [-5.2, -4.6, 7.2, 6.4]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
-        world.polygon(A, &[(2.5, 2.0), (-1.0, 3.5), (-4.0, 1.0), (-3.0, -2.0), (0.0, -2.5)]).is_some(),
+        world.polygon(A, &[(2.5, 2.0), (-1.0, 3.5), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
         world.polygon(B, &[(-0.75, 3.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
         world.polygon(B, &[(0.85, 4.2), (4.6, -0.8), (6.6, 5.2)]).is_some_and(|p| p.fill.is_none()),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-4.0, -6.0, 9.7, 7.0]);
+    let conf = look(&f, 1, [-6.4, -5.9, 11.0, 7.8]);
     edges_wear_their_source(
         &conf,
         &[
             ((4.0, -5.5), A),
             ((7.0, -3.0), B),
             ((9.0, 3.0), A),
-            ((8.0, 6.0), A),
-            ((5.0, 6.5), B),
-            ((-0.75, 5.5), A),
+            ((8.0, 5.5), A),
+            ((5.5, 6.0), B),
+            ((-0.25, 5.0), A),
             ((-3.25, 1.0), B),
             ((0.5, -4.0), A),
         ],
     );
-    // The next way out is square to the edge from (-0.75, 5.5) to (-3.25, 1): 17.125 / √26.5 = 3.327 long.
-    let foot = (-4.5 * 17.125 / 26.5, 2.5 * 17.125 / 26.5);
+    // The next way out is square to the edge from (-0.25, 5) to (-3.25, 1) on the line 4x - 3y = -16. Pushed by
+    // (1.6, 1.2), B takes B ⊖ A along until the nearest edge runs through O.
+    let foot = (-0.8 * 3.2, 0.6 * 3.2);
+    let pushed = [
+        (5.6, -4.3),
+        (8.6, -1.8),
+        (10.6, 4.2),
+        (9.6, 6.7),
+        (7.1, 7.2),
+        (1.35, 6.2),
+        (-1.65, 2.2),
+        (2.1, -2.8),
+    ];
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
-        f.texts.iter().filter(|(t, _)| t == "depth $d = 2$").count() == 2,
+        conf.polygon(Difference, &pushed).is_some_and(|p| p.fill.is_none()),
+        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
-        f.says("$3.33$: longer"),
+        f.says("$3.2$: longer"),
     ];
 }
 
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-0.8, -0.9, 12.2, 10.4];
+    let view = [-1.6, -1.2, 11.2, 8.0];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
+    for panel in &panels {
+        // (3, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
+        let all = [(0.0, 7.0), (1.0, 3.0), (5.0, 0.0), (10.0, 2.0), (9.0, 5.0), (3.0, 7.0)];
+        let faint = |p: &Path| p.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0 && s.width < 1.5);
+        shows![panel.polygon(Difference, &all).is_some_and(faint), !panel.marker(Difference, (9.0, 5.0))];
+    }
     shows![
-        // b₁ − a₂ = (8, 7) − (−3, 2) is farthest to the right; then b₂ − a₁ = (2, 6), b₀ − a₂ = (10, 0), and
-        // b₀ − a₁ = (5, 2), which with (2, 6) is on the line 4x + 3y = 26, 5.2 from the origin.
-        panels[0].marker(Now, (11.0, 5.0)),
-        panels[0].arrow_toward(Translation, (0.0, 0.0), (11.0, 5.0)),
-        panels[0].text_near("$w$", (2.0, 6.0), 40.0),
-        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.0, 6.0)),
-        panels[1].text_near("$w$", (10.0, 0.0), 40.0),
-        panels[1].text_near("dropped", (11.0, 5.0), 60.0),
-        panels[2].line(Now, (2.0, 6.0), (10.0, 0.0)).is_some(),
-        panels[2].arrow_toward(Translation, (0.0, 0.0), (3.6, 4.8)),
-        panels[3].line(Now, (2.0, 6.0), (5.0, 2.0)).is_some(),
-        panels[3].arrow_toward(Translation, (0.0, 0.0), (4.16, 3.12)),
-        panels[3].text_near("dropped", (10.0, 0.0), 60.0),
-        // The supporting line through w, square to v: 11x + 5y = 52 in the first, 0.356 of v from O.
-        panels[0].through((2.0, 6.0), (3.917_808, 1.780_822)),
+        // b₁ − a₀ = (10, 2) is farthest to the right; then b₀ − a₁ = (0, 7), b₁ − a₂ = (5, 0) and
+        // b₀ − a₂ = (1, 3), which with (5, 0) is on the line 3x + 4y = 15, 3 from the origin.
+        panels[0].marker(Now, (10.0, 2.0)),
+        panels[0].arrow_toward(Translation, (0.0, 0.0), (10.0, 2.0)),
+        panels[0].text_near("$w$", (0.0, 7.0), 40.0),
+        panels[1].line(Now, (10.0, 2.0), (0.0, 7.0)).is_some(),
+        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.8, 5.6)),
+        panels[1].text_near("$w$", (5.0, 0.0), 40.0),
+        panels[2].line(Now, (0.0, 7.0), (5.0, 0.0)).is_some(),
+        panels[2].arrow_toward(Translation, (0.0, 0.0), (245.0 / 74.0, 175.0 / 74.0)),
+        panels[2].text_near("$w$", (1.0, 3.0), 40.0),
+        panels[2].text_near("dropped", (10.0, 2.0), 60.0),
+        panels[3].line(Now, (5.0, 0.0), (1.0, 3.0)).is_some(),
+        panels[3].arrow_toward(Translation, (0.0, 0.0), (1.8, 2.4)),
+        panels[3].text_near("dropped", (0.0, 7.0), 60.0),
+        // The supporting line through w, square to v: x + 2y = 5 in the second.
+        panels[1].through((5.0, 0.0), (1.0, 2.0)),
     ];
-    // ‖v‖ is √146, √40, 6 and 5.2, and w · v/‖v‖ is 52/√146, 20/√40 and 27.6/6.
-    for number in ["12.1", "6.32", "6", "5.2"] {
+    // ‖v‖ is √104, √39.2, 35/√74 and 3, and w · v/‖v‖ is 14/√104, 14/√39.2 and 22/√74: ever larger.
+    for number in ["10.2", "6.26", "4.07", "3"] {
         assert!(f.says(&format!(r"$\|v\| = {number}$")), "{number}");
     }
-    for number in ["4.3", "3.16", "4.6"] {
-        assert!(f.says(&format!("${number}$")), "{number}");
+    for number in ["1.37", "2.24", "2.56"] {
+        assert!(f.says(&format!("at least ${number}$")), "{number}");
     }
 }

@@ -1,7 +1,7 @@
 //! Figures of motion: sweeps, advancement, the conservative bound, arcs.
 
 use tracefig::drawing::Path;
-use tracefig::drawing::Role::{A, B, Difference, Ink, Now, Translation};
+use tracefig::drawing::Role::{A, B, Difference, Ink, Muted, Now, Translation};
 
 use super::seen::distance;
 use super::{figure, look};
@@ -19,43 +19,43 @@ fn moved<const N: usize>(points: [P; N], by: P) -> [P; N] {
 #[test]
 fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() {
     let f = figure("05-linear-sweep");
-    let a = [(-4.0, -2.0), (-6.0, -1.5), (-7.0, -3.0), (-5.5, -5.0), (-3.0, -4.0)];
-    let b = [(-1.0, 4.5), (3.5, 1.5), (5.5, 3.5), (4.0, 6.0), (1.0, 6.5)];
-    let world = look(&f, 0, [-7.9, -6.0, 6.5, 7.5]);
-    // After three quarters of (6, 2) and (-2, -4), A's vertex (-4, -2) is on B's lower edge.
+    let a = [(-5.0, 0.0), (-7.5, -0.5), (-7.5, -2.5), (-5.0, -3.0), (-4.0, -1.5)];
+    let b = [(-3.0, 4.25), (1.0, 2.25), (2.5, 4.25), (1.0, 6.25), (-1.5, 6.25)];
+    let world = look(&f, 0, [-8.4, -4.9, 4.6, 6.8]);
+    // After three quarters of (6, -1) and (2, -6), A's vertex (-5, 0) is on B's lower edge.
     shows![
         world.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
         world.polygon(B, &b).is_some_and(|p| p.fill.is_some()),
-        world.polygon(A, &moved(a, (4.5, 1.5))).is_some_and(dashed),
-        world.polygon(B, &moved(b, (-1.5, -3.0))).is_some_and(dashed),
-        world.arrow(Ink, (-5.0, -3.0), (1.0, -1.0)),
-        world.arrow(Ink, (2.5, 4.5), (0.5, 0.5)),
-        world.marker(Ink, (0.5, -0.5)),
+        world.polygon(A, &moved(a, (4.5, -0.75))).is_some_and(dashed),
+        world.polygon(B, &moved(b, (1.5, -4.5))).is_some_and(dashed),
+        world.arrow(Ink, (-6.0, -1.5), (0.0, -2.5)),
+        world.arrow(Ink, (-0.5, 4.25), (1.5, -1.75)),
+        world.marker(Ink, (-0.5, -0.75)),
         f.says("$A$ at $t = 0.75$") && f.says("$B$ at $t = 0.75$"),
-        f.says("$v_A$ $= (6, 2)$") && f.says("$v_B$ $= (-2, -4)$"),
+        f.says("$v_A$ $= (6, -1)$") && f.says("$v_B$ $= (2, -6)$"),
     ];
-    let conf = look(&f, 1, [-1.6, -1.6, 12.8, 11.9]);
+    let conf = look(&f, 1, [-1.6, -1.6, 11.0, 9.9]);
     let edges = [
-        ((3.0, 6.5), B),
-        ((7.5, 3.5), A),
-        ((9.5, 3.0), B),
-        ((11.5, 5.0), A),
-        ((12.5, 6.5), B),
-        ((11.0, 9.0), A),
-        ((9.5, 11.0), B),
-        ((6.5, 11.5), A),
-        ((4.0, 10.5), B),
-        ((2.0, 8.5), A),
+        ((2.0, 4.25), B),
+        ((6.0, 2.25), A),
+        ((8.5, 2.75), B),
+        ((10.0, 4.75), A),
+        ((10.0, 6.75), B),
+        ((8.5, 8.75), A),
+        ((6.0, 9.25), B),
+        ((3.5, 9.25), B),
+        ((2.0, 7.25), A),
+        ((1.0, 5.75), A),
     ];
     for (i, &(from, role)) in edges.iter().enumerate() {
         assert!(conf.edge(role, from, edges[(i + 1) % 10].0).is_some_and(|e| !dashed(e)), "edge {i}");
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.line(Now, (0.0, 0.0), (6.0, 4.5)).is_some(),
-        conf.head(Ink, (8.0, 6.0)),
-        conf.marker(Now, (6.0, 4.5)),
-        f.says("$v$ $= (8, 6)$"),
+        conf.line(Now, (0.0, 0.0), (3.0, 3.75)).is_some(),
+        conf.arrow(Ink, (0.0, 0.0), (4.0, 5.0)),
+        conf.marker(Now, (3.0, 3.75)),
+        f.says("$v$ $= (4, 5)$"),
         f.says("$t = 0.75$"),
     ];
 }
@@ -160,37 +160,39 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 #[test]
 fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-6.8, -5.3, 5.8, 2.9];
-    let b = [(-1.25, -3.5), (2.0, -5.0), (5.5, -1.5), (3.25, 2.5)];
+    let view = [-6.8, -3.3, 6.8, 2.6];
+    let b = [(-2.5, -2.5), (-1.0, -3.0), (2.75, 2.0), (0.5, 1.5)];
     let one = look(&f, 0, view);
-    // The band's edges are 1.5 from the way, square to (6, -2): by 1.5 (1, 3)/√10.
-    let (x, y) = (1.5 * 0.1_f64.sqrt(), 4.5 * 0.1_f64.sqrt());
-    // After 0.7 of the way the centre (-0.8, -0.4) is 1.5 from the line 4x - 3y = 5.5, at (0.4, -1.3).
+    // The band's edges are 1 from the way, square to (11, -2): by (2, 11)/√125.
+    let (x, y) = (2.0 / 125.0_f64.sqrt(), 11.0 / 125.0_f64.sqrt());
+    // After 0.35 of the way the centre (-1.65, 0.3) is 1 from the line 4x - 3y = -2.5, at (-0.85, -0.3).
     shows![
-        one.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.circle(A, (-0.8, -0.4), 1.5).is_some_and(dashed),
-        one.any_line((-5.0 + x, 1.0 + y), (-0.8 + x, -0.4 + y)),
-        one.any_line((-5.0 - x, 1.0 - y), (-0.8 - x, -0.4 - y)),
-        one.line(Now, (-5.0, 1.0), (-0.8, -0.4)).is_some(),
-        one.head(Ink, (1.0, -1.0)),
-        one.marker(Ink, (0.4, -1.3)),
-        f.says("$v_A$ $= (6, -2)$"),
-        f.says("$t = 0.7$"),
-        f.says("$A$ at $t = 0.7$") && f.says("$A$ at $t = 0$"),
+        one.circle(A, (-1.65, 0.3), 1.0).is_some_and(dashed),
+        one.any_line((-5.5 + x, 1.0 + y), (-1.65 + x, 0.3 + y)),
+        one.any_line((-5.5 - x, 1.0 - y), (-1.65 - x, 0.3 - y)),
+        one.line(Now, (-5.5, 1.0), (-1.65, 0.3)).is_some(),
+        one.arrow(Ink, (-5.5, 1.0), (5.5, -1.0)),
+        one.marker(Ink, (-0.85, -0.3)),
+        f.says("$v_A$ $= (11, -2)$"),
+        f.says("$t = 0.35$"),
+        f.says("$A$ at $t = 0.35$") && f.says("$A$ at $t = 0$"),
     ];
     let two = look(&f, 1, view);
     shows![
-        two.circle(A, (-0.8, -0.4), 1.5).is_some_and(|p| p.fill.is_some()),
-        two.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_none()),
-        two.marker(Ink, (0.4, -1.3)),
+        two.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_none()),
+        two.marker(Ink, (-0.85, -0.3)),
+        two.head(Ink, (-0.05, -0.9)),
+        f.says("$n$"),
     ];
 }
 
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, [-6.2, -2.0, 9.2, 10.4]);
+    let world = look(&f, 0, [-7.0, -2.4, 9.2, 10.2]);
     let a = [(3.5, 7.5), (6.0, 4.5), (8.5, 7.0), (6.5, 9.5)];
     // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, 1) to (-3.5, 5.5).
     shows![
@@ -198,12 +200,12 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         world.polygon(B, &[(-2.0, 1.0), (-3.5, 5.5), (-5.5, 3.0), (-5.0, 0.0), (-3.0, -1.0)]).is_some(),
         world.polygon(A, &moved(a, (-6.0, -5.0))).is_some_and(dashed),
         world.line(Now, (3.5, 7.5), (-2.5, 2.5)).is_some(),
-        world.head(Ink, (-4.0, 1.25)),
+        world.arrow(Ink, (3.5, 7.5), (-4.0, 1.25)),
         world.marker(Ink, (-2.5, 2.5)),
         f.says("$A$ at $t = 0.8$"),
         f.says("$v_A$ $= (-7.5, -6.25)$"),
     ];
-    let conf = look(&f, 1, [-14.4, -11.0, 1.0, 1.4]);
+    let conf = look(&f, 1, [-15.8, -12.0, 1.0, 2.2]);
     // Edges that face the ray have a normal against (-7.5, -6.25).
     let edges = [
         ((-11.5, -9.5), B, true),
@@ -220,11 +222,19 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         let edge = conf.edge(role, from, edges[(i + 1) % 9].0);
         let thin = |e: &Path| e.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0);
         assert!(edge.is_some_and(|e| thin(e) == culled), "edge {i} of {role:?} is thin: {culled}");
+        // Its outward normal, on the right of the way around.
+        let (to, middle) = (edges[(i + 1) % 9].0, |p: f64, q: f64| 0.5 * (p + q));
+        let (dx, dy) = (to.0 - from.0, to.1 - from.1);
+        let size = libm::hypot(dx, dy);
+        let (x, y) = (middle(from.0, to.0), middle(from.1, to.1));
+        let role = if culled { Muted } else { Ink };
+        assert!(conf.arrow(role, (x, y), (x + dy / size, y - dx / size)), "the normal of edge {i}");
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
-        conf.head(Ink, (-7.5, -6.25)),
+        conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
+        f.says("$n$"),
         f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
         f.says("$v$ $= (-7.5, -6.25)$"),
         f.says(r"$B \ominus A$"),

@@ -201,27 +201,32 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
 }
 
 #[test]
-fn frames_discrete_shows_apart_then_overlapping_and_the_contact_between_them() {
+fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let view = [-6.8, -5.3, 5.8, 2.9];
-    let b = [(-1.25, -3.5), (2.0, -5.0), (5.5, -1.5), (3.25, 2.5)];
-    let one = look(&f, 0, view);
-    // Along (4, -3)/5: from A's rim to B's edge on the line 4x - 3y = 5.5, and as far beyond it.
+    let view = [-6.8, -3.3, 6.8, 2.6];
+    let b = [(-2.5, -2.5), (-1.0, -3.0), (2.75, 2.0), (0.5, 1.5)];
+    let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
+    // B's long edges lie on 4x - 3y = -2.5 and 5. Along (4, -3)/5, A's rim comes to 3.5 before the one, then 1.5
+    // beyond it, and leaves the other 3 behind.
+    let centers = [(-5.5, 1.0), (0.0, 0.0), (5.5, -1.0), (-1.65, 0.3)];
+    for (panel, center) in panels.iter().zip(centers) {
+        shows![
+            panel.circle(A, center, 1.0).is_some_and(|p| p.fill.is_some()),
+            panel.polygon(B, &b).is_some()
+        ];
+    }
+    let [one, two, three, between] = panels;
     shows![
-        one.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_some()),
-        one.polygon(B, &b).is_some(),
-        one.line(Translation, (-3.8, 0.1), (-0.44, -2.42)).is_some(),
-        f.says("apart by 4.2"),
-    ];
-    let two = look(&f, 1, view);
-    shows![
-        two.circle(A, (1.0, -1.0), 1.5).is_some_and(|p| p.fill.is_some()),
-        two.polygon(B, &b).is_some(),
-        two.circle(A, (-5.0, 1.0), 1.5).is_some_and(|p| p.fill.is_none()),
-        two.circle(A, (-0.8, -0.4), 1.5).is_some_and(|p| p.fill.is_none()),
-        two.line(Translation, (2.2, -1.9), (0.76, -0.82)).is_some(),
-        f.says("overlap 1.8"),
-        f.says("$A$ at $t = 0.7$"),
+        one.line(Translation, (-4.7, 0.4), (-1.9, -1.7)).is_some(),
+        f.says("apart by 3.5"),
+        two.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
+        f.says("overlap 1.5"),
+        three.line(Translation, (4.7, -0.4), (2.3, 1.4)).is_some(),
+        f.says("apart by 3"),
+        between.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_none()),
+        between.circle(A, (5.5, -1.0), 1.0).is_some_and(|p| p.fill.is_none()),
+        between.marker(Ink, (-0.85, -0.3)),
+        f.says("$A$ at $t = 0$") && f.says("$A$ at $t = 1$"),
     ];
 }
 

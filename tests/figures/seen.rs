@@ -139,6 +139,16 @@ impl Look<'_> {
         })
     }
 
+    /// An unbroken line of the role from p to q, thicker than an outline.
+    pub(crate) fn emphasised(&self, role: Role, p: P, q: P) -> bool {
+        let (p, q) = (self.panel.page(p), self.panel.page(q));
+        self.paths().any(|path| {
+            let thick = path.stroke.as_ref().is_some_and(|s| s.width >= 2.75 && s.dash.is_empty());
+            let joins = |(a, b)| (near(a, p) && near(b, q)) || (near(a, q) && near(b, p));
+            thick && stroke_role(path) == Some(role) && edges(path).into_iter().any(joins)
+        })
+    }
+
     /// An arrow of the role: a shaft that starts at `from` and points at `tip`, where a filled head has a
     /// vertex.
     pub(crate) fn arrow(&self, role: Role, from: P, tip: P) -> bool {

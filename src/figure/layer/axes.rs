@@ -29,6 +29,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "numbers at round steps, along the panel's lower and left edge",
         },
         OptionSpec { about: "from one tick to the next, units of the panel's space", ..STEP },
+        OptionSpec {
+            name: "lines",
+            takes: Takes::Flag,
+            default: "true",
+            about: "false: the numbers alone, where a grid is enough",
+        },
     ],
     labels: &[],
     needs: "nothing",
@@ -47,6 +53,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("ticks", false) && sketch.has_numbers() {
         // An axis that ran through a number would be its minus sign.
         lo += sketch.px(1.0) * ticks(sketch, context, options, pen);
+    }
+    if !options.flag("lines", true) {
+        return;
     }
     sketch.part("x-axis").weight(Weight::Background);
     if seen.y {
@@ -175,4 +184,28 @@ fn write(
     }
     sketch.quiet_lines(&ticks, pen);
     written.into_iter().reduce(Rect::union)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn without_lines_the_numbers_stay() {
+        for (options, lines) in [("", 2), (", lines = false", 0)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 4 }}
+                query = {{ kind = 'bounds', of = ['A'] }}
+                panels = [{{ layers = [{{ layer = 'axes', ticks = true{options} }}] }}]"
+            );
+            let scene = open_text("axes", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let items = draw(&plan, plan.theme, "axes").drawing.items;
+            let count = |part| paths(&items, part).len();
+            assert_eq!(count("x-axis") + count("y-axis"), lines, "{options}");
+            assert!(count("x-numbers") > 0 && count("y-numbers") > 0, "{options}");
+        }
+    }
 }

@@ -5,9 +5,9 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::{distance_or_depth, number};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::difference::difference;
@@ -17,15 +17,24 @@ pub(super) const LAYER: Layer = Layer {
     name: "closest",
     about: "distance of the origin, or a sweep's estimate, from B ⊖ A; inside, the minimum translation",
     shows: Shows::Configuration,
-    options: &[OptionSpec {
-        name: "rival",
-        takes: Takes::Flag,
-        default: "false",
-        about: "of bodies that overlap, the next longer way out to an edge",
-    }],
+    options: &[
+        OptionSpec {
+            name: "rival",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of bodies that overlap, the next longer way out to an edge",
+        },
+        OptionSpec {
+            name: "pushed",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of bodies that overlap, where B ⊖ A lies when B is pushed out, dotted",
+        },
+    ],
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "rival", about: "length of the next longer way out" },
+        LabelKey { key: "pushed", about: "B ⊖ A when B is pushed out" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -75,16 +84,25 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if options.flag("rival", false) {
             rival(sketch.since(run.as_ref().map(|run| run.end())), context, from, foot.length());
         }
-        sketch.since(run.map(|run| run.end())).part("closest").arrow_to(
-            to,
-            from,
-            Marker::Origin.reach(MARKER),
-            Pen::vector(role),
-        );
+        sketch.since(run.map(|run| run.end()));
+        if options.flag("pushed", false) {
+            pushed(sketch, context, -foot);
+        }
+        sketch.part("closest").arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
     } else {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
+}
+
+/// Draws B ⊖ A moved by the minimum translation of B, dotted.
+fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
+    let Some(found) = difference(context, context.difference_time()) else { return };
+    let (outline, role) = (found.outline().moved(by), Role::Difference);
+    sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
+    let text = format!("{} pushed out", context.named(Side::B).primed(0));
+    let label = Label::new("pushed", text, Anchor::inside(&outline), role);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// A way out of B ⊖ A from a point inside it, square to an edge.

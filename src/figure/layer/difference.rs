@@ -8,7 +8,9 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::runs::tells_difference;
-use crate::figure::sketch::{Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash};
+use crate::figure::sketch::{
+    Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
 
@@ -19,7 +21,11 @@ use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
-const THIN: (f64, f64) = (0.75, 0.55);
+const THIN: (f64, f64) = (1.0, 0.75);
+
+/// Width, page pixels, and opacity of the outline of a difference that nobody has built, and the opacity of
+/// its area: seen, and less than anything that is known of it.
+const UNBUILT: [f64; 3] = [1.0, 0.5, 0.07];
 
 /// How many iterations are drawn at most; more are a blur.
 const MOST: usize = 6;
@@ -65,6 +71,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "labels \"from A\" and \"from B\"",
         },
         OptionSpec { name: "numbers", takes: Takes::Flag, default: "false", about: "numbers the steps" },
+        OptionSpec {
+            name: "built",
+            takes: Takes::Flag,
+            default: "true",
+            about: "false: faint and without vertices, for an algorithm that never builds it",
+        },
     ],
     labels: &[
         LabelKey { key: "difference", about: "its name, B ⊖ A" },
@@ -156,6 +168,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let time = when(context, options).unwrap_or(context.difference_time());
     let Some(found) = difference(context, time) else { return };
+    if !options.flag("built", true) {
+        unbuilt(sketch.since(None), context, options, &found);
+        return;
+    }
     let cues = EdgeCues::at(context, time);
     area(sketch.since(cues.whole), options, &found);
     let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };
@@ -169,6 +185,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("sources", false) {
         sources(sketch, context, &found);
     }
+}
+
+/// Draws the area and its outline faintly, and its name: what is there though no algorithm has seen it.
+fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
+    let role = options.role(Role::Difference);
+    let pen = Pen::outline(role).width(UNBUILT[0]).opacity(UNBUILT[1]);
+    sketch.part("difference").weight(Weight::Light);
+    sketch.area(&found.outline(), Some(Wash::faint(role, UNBUILT[2])), Some(pen));
+    name(sketch, context, options, found);
 }
 
 /// Draws the area, and its line where no edge of a body is.
@@ -255,7 +280,7 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
 }
 
 /// The edges that the ray was not tested against: whether they are B's, and their numbers.
-fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
+pub(super) fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
     let run = context.run();
     let skipped = run.told(|event| match *event {
         Event::RayClipped { source: (side, Feature::Edge(index)), outcome: Culling::BackFacing, .. } => {

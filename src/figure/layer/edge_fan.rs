@@ -1,10 +1,12 @@
 //! The edges of B and the mirrored edges of A as vectors from one point, sorted by direction: the order in
 //! which the merge takes them into B ⊖ A, numbered by it.
 
+use std::f64::consts::TAU;
+
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -12,6 +14,13 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
 
 /// Opacity of an edge that is not taken yet.
 const LATER: f64 = 0.35;
+
+/// Width of a cased arrow, page pixels: as an outline's, at which its gap is seen.
+const CASED: f64 = 2.25;
+
+/// Radius of the arc that shows the order, in parts of the shortest edge, and at most, page pixels.
+const RING: f64 = 0.55;
+const WIDEST: f64 = 44.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "edge-fan",
@@ -23,10 +32,7 @@ pub(super) const LAYER: Layer = Layer {
         default: "all",
         about: "up to which edge they are taken, from 1; later ones are faint",
     }],
-    labels: &[LabelKey {
-        key: "step",
-        about: "the edge's number in the order of directions, and a body's letter",
-    }],
+    labels: &[LabelKey { key: "step", about: "the edge's number in the order of directions" }],
     needs: "the algorithm \"merge\" and bodies with edges",
     fed: |context, _| Fed::by_the_scene(!merged(context).is_empty()),
     draw,
@@ -62,15 +68,35 @@ pub(super) fn merged(context: &Context) -> Vec<Merged> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let step = options.number("step").unwrap_or(f64::INFINITY);
-    for (k, Merged { taken, edge, cue, .. }) in (1..).zip(merged(context)) {
+    let all = merged(context);
+    for (k, &Merged { taken, edge, cue, .. }) in (1..).zip(&all) {
         let role = Role::from(taken);
         let opacity = if number_of(k) <= step { 1.0 } else { LATER };
+        let pen = Pen::vector(role).opacity(opacity);
         sketch.since((opacity == 1.0).then_some(cue));
-        sketch.part(super::part("edge", taken)).arrow(DVec2::ZERO, edge, Pen::vector(role).opacity(opacity));
-        // Whose edge it is, for those who don't see the colour.
-        let name = context.named(taken);
-        let text = if name.is_symbol() { format!("{k} {}", name.primed(0)) } else { k.to_string() };
-        let label = Label::new("step", text, Anchor::tip(DVec2::ZERO, edge), role);
-        sketch.label(label.rank(Rank::Word).size(Size::Small));
+        sketch.part(super::part("edge", taken));
+        // B's are cased as in B ⊖ A, for those who don't see the colour.
+        match taken {
+            Side::A => sketch.arrow(DVec2::ZERO, edge, pen),
+            Side::B => sketch.cased_arrow(DVec2::ZERO, edge, pen.width(CASED)),
+        };
+        let label = Label::new("step", k.to_string(), Anchor::tip(DVec2::ZERO, edge), role);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
+    order(sketch, &all);
+}
+
+/// Draws an arc arrow about O from the direction of the first edge to that of the last: the order in which they
+/// are taken.
+fn order(sketch: &mut Sketch, all: &[Merged]) {
+    let ([first, ..], [.., last]) = (all, all) else { return };
+    let (start, end) = (angle_of(first.edge), angle_of(last.edge));
+    let sweep = (end - start).rem_euclid(TAU);
+    let shortest = all.iter().map(|m| m.edge.length()).fold(f64::INFINITY, f64::min);
+    let radius = (RING * shortest).min(sketch.px(WIDEST));
+    sketch.since(last.cue);
+    if sweep > 0.0 {
+        sketch.part("order").weight(Weight::Light);
+        sketch.arc_arrow(DVec2::ZERO, radius, start, sweep, Pen::dimension(Role::Ink));
     }
 }

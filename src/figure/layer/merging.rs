@@ -33,6 +33,7 @@ pub(super) const LAYER: Layer = Layer {
     }],
     labels: &[
         LabelKey { key: "step", about: "the edge's number in the order of directions" },
+        LabelKey { key: "start", about: "where the first edge begins" },
         LabelKey { key: "e.A", about: "the next edge of A, mirrored" },
         LabelKey { key: "e.B", about: "the next edge of B" },
         LabelKey { key: "less", about: "beside the edge that is taken" },
@@ -68,7 +69,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.since(edge.cue).part(part("taken", edge.taken));
         draw_edge(sketch, edge.taken, (from, to), Pen::outline(role));
         let label = Label::new("step", k.to_string(), Anchor::middle(from, to), role);
-        sketch.label(label.rank(Rank::Word).size(Size::Small));
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for edge in &all[..before] {
         sketch.since(edge.cue).part("vertices").marker(
@@ -80,6 +81,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if let Some(next) = all.last().filter(|_| !whole) {
         choice(sketch.since(next.cue), context, next);
+    }
+    if let Some(first) = all.first().filter(|_| before > 0) {
+        sketch.since(first.cue);
+        let label = Label::new("start", "start", Anchor::point(first.at), Role::Muted);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
 }
 

@@ -18,6 +18,7 @@ mod coordinates;
 mod difference;
 mod edge_cues;
 mod edge_fan;
+mod edge_normals;
 mod expected;
 mod feature;
 mod fed;
@@ -140,6 +141,7 @@ pub static LAYERS: &[Layer] = &[
     projection::LAYER,
     simplex::LAYER,
     polytope::LAYER,
+    edge_normals::LAYER,
     edge_fan::LAYER,
     merging::LAYER,
     separating_cone::LAYER,

@@ -9,7 +9,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
 use crate::geometry::DVec2;
 use crate::scene::When;
 
-use super::velocity::{label_of_hit, text};
+use super::velocity::{label_of_hit, text, underlay};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 pub(super) const LAYER: Layer = Layer {
@@ -53,12 +53,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time.lo));
     let from = -v * context.difference_time();
     let tip = from + v * cut;
-    sketch.part("ray").arrow(from, tip, Pen::vector(role));
+    if let Some(time) = hit {
+        // Under the arrow, which stays one vector from its tail to its tip.
+        sketch.since(context.answered()).part("until-hit").line(from, from + v * time.lo, underlay());
+    }
+    sketch.since(None).part("ray").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new("v", text("$v$", v, options), Anchor::tip(from, tip), role));
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
-        sketch.part("until-hit").line(from, hit, Pen::highlighted(Role::Now));
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
     }

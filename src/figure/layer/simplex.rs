@@ -20,6 +20,8 @@ const FILL: f64 = 0.12;
 const BESIDE: f64 = 10.0;
 /// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
 const SEARCH: f64 = 44.0;
+/// How far beside v its distance from the origin is measured, page pixels: clear of v's head.
+const LEAST: f64 = 16.0;
 /// How far a supporting line reaches past what it supports, page pixels.
 const PAST: f64 = 44.0;
 
@@ -143,14 +145,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 /// that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search ends.
 fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, values: bool) {
     let Some(u) = v.try_normalize() else { return };
-    let beside = perp(u) * sketch.px(BESIDE);
+    let w = next.unwrap_or(v);
+    let (foot, across) = (u * w.dot(u), perp(u));
+    let side = if w.dot(across) < 0.0 { -across } else { across };
+    let beside = side * sketch.px(BESIDE);
     let reach = sketch.px(SEARCH).min(0.5 * v.length());
     let (from, tip) = (v + beside, v + beside - u * reach);
     sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
     sketch.label(Label::new("search", "$-v$", Anchor::middle(tip, from), Role::Ink).rank(Rank::Word));
-    let w = next.unwrap_or(v);
-    let (foot, across) = (u * w.dot(u), perp(u));
-    let side = if w.dot(across) < 0.0 { -across } else { across };
     // Beyond the simplex too, whose edge the line lies on where the search ends.
     let supported = vertices.iter().filter(|p| (**p - w).dot(u).abs() <= ON_LINE * v.length());
     let reached = supported.chain([&w, &foot]).map(|p| p.dot(side));
@@ -159,14 +161,23 @@ fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, val
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
     sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
     sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
-    if values && next.is_some() {
-        let least = Label::new("least", format!("${}$", number(w.dot(u))), Anchor::point(foot), Role::Ink);
-        sketch.label(least.rank(Rank::Measure));
+    if values && next.is_some() && w.dot(u) > 0.0 {
+        least(sketch, foot, side);
     }
     if next.is_none() {
         let text = Label::new("stop", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
         sketch.label(text.rank(Rank::Word).size(Size::Note));
     }
+}
+
+/// Measures how far the supporting line is from the origin, on the other side of v than the vertex that it
+/// passes through, which lies on `side`: B ⊖ A is no nearer.
+fn least(sketch: &mut Sketch, foot: DVec2, side: DVec2) {
+    let offset = if perp(foot).dot(side) > 0.0 { -LEAST } else { LEAST };
+    sketch.part("least").dimension(DVec2::ZERO, foot, offset, Pen::dimension(Role::Ink));
+    let anchor = Anchor::Beside { from: DVec2::ZERO, to: foot, offset };
+    let text = format!("at least ${}$", number(foot.length()));
+    sketch.label(Label::new("least", text, anchor, Role::Ink).rank(Rank::Measure).size(Size::Note));
 }
 
 #[cfg(test)]

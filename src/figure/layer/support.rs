@@ -2,13 +2,16 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::difference::Edge;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 use crate::trace::{Event, SupportVertex};
 
-use super::difference::difference;
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::difference::{difference, draw_edge};
+use super::half_extents::ON_LINE;
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// How much a direction that is the normal's may differ from it: both are unit vectors rounded a few times. A
 /// hundred million times more is still a thousandth of a degree.
@@ -21,12 +24,19 @@ pub(super) const LAYER: Layer = Layer {
     name: "support",
     about: "all supporting vertices of the nearest edge; in configuration space, where its two parts join",
     shows: Shows::Anywhere,
-    options: &[],
+    options: &[OptionSpec {
+        name: "lengths",
+        takes: Takes::Flag,
+        default: "false",
+        about: "where edges face each other, both with their lengths, here as parts of the nearest edge",
+    }],
     labels: &[
         LabelKey { key: "a_1", about: "first supporting vertex, on A" },
         LabelKey { key: "a_2", about: "second supporting vertex, on A" },
         LabelKey { key: "b_1", about: "first supporting vertex, on B" },
         LabelKey { key: "b_2", about: "second supporting vertex, on B" },
+        LabelKey { key: "length.A", about: "length of A's facing edge, with lengths" },
+        LabelKey { key: "length.B", about: "length of B's facing edge, with lengths" },
     ],
     needs: "two convex bodies with edges",
     fed,
@@ -68,17 +78,17 @@ fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Now);
+    sketch.since(context.separation_at(context.time).map(|run| run.nearest()));
+    let lengths = options.flag("lengths", false) && lengths(sketch, context);
     if *context.space == Space::Configuration {
         if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
-            sketch.since(context.separation_at(context.time).map(|run| run.nearest()));
             let joint = joint + context.estimate();
             sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
         }
         return;
     }
     let Some((side, vertices)) = supports(context) else { return };
-    sketch.since(context.separation_at(context.time).map(|run| run.nearest()));
-    if let [p, q] = vertices.as_slice() {
+    if let ([p, q], false) = (vertices.as_slice(), lengths) {
         sketch.part("support").weight(Weight::Light).line(p.point, q.point, Pen::highlighted(role));
     }
     let middle = match vertices.as_slice() {
@@ -93,4 +103,43 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let anchor = Anchor::point_toward(vertex.point, vertex.point - middle);
         sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
     }
+}
+
+/// Draws the edges that face each other, one of each body, with their lengths: in the world where they are, in
+/// configuration space as the parts of the nearest edge. Whether there are such edges.
+fn lengths(sketch: &mut Sketch, context: &Context) -> bool {
+    let found = difference(context, context.time);
+    let Some((found, aligned)) = found.and_then(|found| found.aligned().map(|both| (found, both))) else {
+        return false;
+    };
+    for edge in aligned {
+        let (side, role) = (edge.source, Role::from(edge.source));
+        let length = number(edge.from.distance(edge.to));
+        let key = if side == Side::A { "length.A" } else { "length.B" };
+        let here = *context.space == Space::Configuration;
+        let Some((from, to)) = (if here { Some(found.drawn(&edge)) } else { on_body(context, &edge) }) else {
+            continue;
+        };
+        sketch.part(part("length", side));
+        let text = if here {
+            draw_edge(sketch, side, (from, to), Pen::highlighted(role));
+            format!("${length}$ from {}", context.named(side).primed(0))
+        } else {
+            sketch.line(from, to, Pen::highlighted(role));
+            format!("${length}$")
+        };
+        // Outside is on the right of from → to, and on the left of to → from.
+        let anchor = Anchor::Beside { from: to, to: from, offset: ON_LINE };
+        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Measure).size(Size::Note));
+    }
+    true
+}
+
+/// The edge of a body that an edge of B ⊖ A comes from, counter-clockwise, moved outward by the radius.
+fn on_body(context: &Context, edge: &Edge) -> Option<(DVec2, DVec2)> {
+    let shape = &context.body(edge.source)?.shape;
+    let out = if edge.source == Side::A { -edge.normal } else { edge.normal } * shape.radius;
+    let [from, to] = shape.edge_ends(edge.index)?;
+    let place = |k| context.vertex(edge.source, k, context.time).map(|p| p + out);
+    Some((place(from)?, place(to)?))
 }

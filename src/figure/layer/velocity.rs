@@ -16,6 +16,10 @@ use super::held;
 use super::normal::scaled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
+/// Width of the way to the hit under the vector that it is part of, page pixels, and its opacity: seen on either
+/// side of the shaft, which stays the vector's.
+const UNDERLAY: [f64; 2] = [7.0, 0.6];
+
 pub(super) const LAYER: Layer = Layer {
     name: "velocity",
     about: "velocities; the relative one in configuration space",
@@ -201,23 +205,31 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
         sketch.label(Label::new(m.key, m.text.clone(), anchor, role));
         return;
     }
-    sketch.since(None);
     let role = options.role(Role::Ink);
     let (from, tip) = (m.from, m.from + m.v * m.scale);
-    sketch.part("velocity").arrow(from, tip, Pen::vector(role));
-    sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
-    if let (Some((way, time)), When::HIT) = (ahead, options.word("accent", "")) {
-        let pen = Pen::highlighted(Role::Now);
+    let until = ahead.filter(|_| options.word("accent", "") == When::HIT);
+    if let Some((way, _)) = &until {
+        let pen = underlay();
         sketch.since(m.known).part("until-hit");
         if let [from, end] = way[..] {
             sketch.line(from, end, pen);
         } else {
-            sketch.area(&Outline::polyline(&way), None, Some(pen));
+            sketch.area(&Outline::polyline(way), None, Some(pen));
         }
+    }
+    sketch.since(None).part("velocity").arrow(from, tip, Pen::vector(role));
+    sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
+    if let Some((way, time)) = until {
+        sketch.since(m.known);
         let label =
             if m.now > 0.0 { waiting(time, m.now, along(&way)) } else { label_of_hit(time, along(&way)) };
         sketch.label(label);
     }
+}
+
+/// The pen for the way to the hit, under the vector that it is part of.
+pub(super) const fn underlay() -> Pen {
+    Pen::highlighted(Role::Now).width(UNDERLAY[0]).opacity(UNDERLAY[1])
 }
 
 /// The anchor of a label of a way: beside its middle.

@@ -69,6 +69,20 @@ impl Sketch<'_> {
         self
     }
 
+    /// Draws a vector of the panel's space with a cased shaft.
+    pub(crate) fn cased_arrow(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
+        let (tail, tip) = (self.frame.page(from), self.frame.page(to));
+        let length = (tip - tail).length();
+        let Some(u) = (tip - tail).unit().filter(|_| length >= SHORT) else {
+            return self.arrow(from, to, pen);
+        };
+        let head = self.head_length(pen, length);
+        self.cased(from, to - (to - from) * (0.8 * head / length), pen);
+        self.reach(&[to]);
+        self.page_head(tip, u, head, pen);
+        self
+    }
+
     /// Draws a path through time, given by points of the panel's space: a line with a small head half-way
     /// that looks the way it goes.
     pub(crate) fn path_through_time(&mut self, points: &[DVec2], pen: Pen) -> &mut Self {

@@ -1,0 +1,89 @@
+//! The outward unit normals of the edges of B ⊖ A. A ray enters only through edges whose normal n looks against
+//! it, v · n < 0: those that it was not tested against for that have their normals muted.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::difference::{Difference, Edge};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
+use crate::geometry::Side;
+
+use super::difference::{culled, difference};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+
+/// Width of the normals of edges that face away, page pixels.
+const AWAY: f64 = 1.0;
+/// The length of a normal on the page at least, page pixels, where 1 is shorter.
+const LEAST: f64 = 22.0;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "edge-normals",
+    about: "outward unit normals of the edges of B ⊖ A; muted where the edge faces away from the ray",
+    shows: Shows::Configuration,
+    options: &[OptionSpec {
+        name: "length",
+        takes: Takes::Positive,
+        default: "1, or 22 px",
+        about: "drawn length, units of configuration space",
+    }],
+    labels: &[LabelKey {
+        key: "n",
+        about: "the normal that looks most against the ray; without one, the first",
+    }],
+    needs: "two convex bodies, one of them with edges",
+    fed: |context, _| Fed::by_the_scene(found(context).is_some()),
+    draw,
+};
+
+/// B ⊖ A at the panel's moment, if it has edges.
+fn found(context: &Context) -> Option<Difference> {
+    difference(context, context.difference_time()).filter(|found| !found.edges.is_empty())
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(found) = found(context) else { return };
+    let length = options.number("length").unwrap_or(1.0_f64.max(sketch.px(LEAST)));
+    let role = options.role(Role::Ink);
+    let (skipped, v) = (culled(context), context.closing_velocity());
+    let arrow = |edge: &Edge| {
+        let (p, q) = found.drawn(edge);
+        let middle = 0.5 * (p + q);
+        (middle, middle + edge.normal * length)
+    };
+    for edge in &found.edges {
+        let away = skipped.contains(&(edge.source == Side::B, edge.index));
+        let pen = Pen::vector(if away { Role::Muted } else { role });
+        let (from, tip) = arrow(edge);
+        sketch.part(if away { "away" } else { "facing" }).weight(Weight::Light);
+        sketch.arrow(from, tip, if away { pen.width(AWAY) } else { pen });
+    }
+    let against = |edge: &&Edge| edge.normal.dot(v);
+    if let Some(edge) = found.edges.iter().min_by(|e, f| against(e).total_cmp(&against(f))) {
+        let (from, tip) = arrow(edge);
+        let label = Label::new("n", "$n$", Anchor::tip(from, tip), role);
+        sketch.label(label.rank(Rank::Measure).size(Size::Point));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn the_normals_that_look_along_the_ray_are_muted_and_without_a_ray_none_is() {
+        let squares = "shapes.A = { kind = 'box', half_extents = [1, 1], velocity = [4, 3] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [4, 3] }
+            panels = [{ space = 'configuration', layers = ['edge-normals'] }]
+            query = { of = ['A', 'B'], kind = ";
+        for (kind, away) in [("'linear-sweep' }", 4), ("'separation', algorithm = 'minkowski' }", 0)] {
+            let scene = open_text("normals", &format!("{squares}{kind}")).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "normals");
+            // B ⊖ A has an edge of each square in every direction; an arrow is a shaft and a head.
+            let count = |part| paths(&figure.drawing.items, part).len() / 2;
+            assert_eq!((count("away"), count("facing")), (away, 8 - away), "{kind}");
+            assert!(labels(&figure).contains_key("n"));
+        }
+    }
+}
