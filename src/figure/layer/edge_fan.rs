@@ -86,8 +86,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     order(sketch, &all);
 }
 
-/// Draws an arc arrow about O from the direction of the first edge to that of the last: the order in which they
-/// are taken.
+/// Draws an arc arrow about O from the direction of the first edge to that of the last: the order in which
+/// they are taken.
 fn order(sketch: &mut Sketch, all: &[Merged]) {
     let ([first, ..], [.., last]) = (all, all) else { return };
     let (start, end) = (angle_of(first.edge), angle_of(last.edge));

@@ -1,5 +1,5 @@
-//! The outward unit normals of the edges of B ⊖ A. A ray enters only through edges whose normal n looks against
-//! it, v · n < 0: those that it was not tested against for that have their normals muted.
+//! The outward unit normals of the edges of B ⊖ A. A ray enters only through edges whose normal n looks
+//! against it, v · n < 0: those that it was not tested against for that have their normals muted.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;

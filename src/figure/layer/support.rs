@@ -105,8 +105,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Draws the edges that face each other, one of each body, with their lengths: in the world where they are, in
-/// configuration space as the parts of the nearest edge. Whether there are such edges.
+/// Draws the edges that face each other, one of each body, with their lengths: in the world where they are,
+/// in configuration space as the parts of the nearest edge. Whether there are such edges.
 fn lengths(sketch: &mut Sketch, context: &Context) -> bool {
     let found = difference(context, context.time);
     let Some((found, aligned)) = found.and_then(|found| found.aligned().map(|both| (found, both))) else {

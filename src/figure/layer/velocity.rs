@@ -16,8 +16,8 @@ use super::held;
 use super::normal::scaled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
-/// Width of the way to the hit under the vector that it is part of, page pixels, and its opacity: seen on either
-/// side of the shaft, which stays the vector's.
+/// Width of the way to the hit under the vector that it is part of, page pixels, and its opacity: seen on
+/// either side of the shaft, which stays the vector's.
 const UNDERLAY: [f64; 2] = [7.0, 0.6];
 
 pub(super) const LAYER: Layer = Layer {
