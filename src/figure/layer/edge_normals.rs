@@ -8,6 +8,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::Side;
 
 use super::difference::{culled, difference};
+use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Width of the normals of edges that face away, page pixels.
@@ -44,6 +45,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let length = options.number("length").unwrap_or(1.0_f64.max(sketch.px(LEAST)));
     let role = options.role(Role::Ink);
     let (skipped, v) = (culled(context), context.closing_velocity());
+    let cues = EdgeCues::at(context, context.difference_time());
     let arrow = |edge: &Edge| {
         let (p, q) = found.drawn(edge);
         let middle = 0.5 * (p + q);
@@ -53,12 +55,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let away = skipped.contains(&(edge.source == Side::B, edge.index));
         let pen = Pen::vector(if away { Role::Muted } else { role });
         let (from, tip) = arrow(edge);
-        sketch.part(if away { "away" } else { "facing" }).weight(Weight::Light);
+        sketch.since(cues.of(edge)).part(if away { "away" } else { "facing" }).weight(Weight::Light);
         sketch.arrow(from, tip, if away { pen.width(AWAY) } else { pen });
     }
     let against = |edge: &&Edge| edge.normal.dot(v);
     if let Some(edge) = found.edges.iter().min_by(|e, f| against(e).total_cmp(&against(f))) {
         let (from, tip) = arrow(edge);
+        sketch.since(cues.of(edge));
         let label = Label::new("n", "$n$", Anchor::tip(from, tip), role);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
     }
