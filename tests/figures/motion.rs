@@ -134,9 +134,9 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let turned = |(x, y): P| (c * x - s * y, s * x + c * y);
     let p = (4.8, 1.4);
     let q = turned(p);
-    let one = look(&f, 0, [-2.6, -2.6, 5.6, 5.6]);
+    let one = look(&f, 0, [-2.7, -2.9, 5.6, 5.6]);
     let two = look(&f, 1, [-0.6, -0.6, 5.6, 5.6]);
-    let vertices = [(-2.0, -0.6), (4.0, -0.6), p, (-2.0, 1.4)];
+    let vertices = [(-2.0, -1.5), (3.0, -1.5), p, (-1.5, 1.4)];
     shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
     for panel in [&one, &two] {
         shows![
@@ -148,7 +148,13 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
             panel.marker(A, q),
         ];
     }
+    // The vertex (−2, −1.5) is 2.5 from the origin; in the sector it lies on the way to p.
+    let (near, half) = ((-2.0, -1.5), |(x, y): P| (0.5 * x, 0.5 * y));
     shows![
+        one.arc(A, (0.0, 0.0), near, turned(near)) && one.marker(A, near) && one.marker(A, turned(near)),
+        two.arc(A, (0.0, 0.0), half(p), half(q)) && two.marker(A, half(p)) && two.marker(A, half(q)),
+        f.says("$r_q = 2.5$") && f.says(r"$\theta\,r_q = 3$"),
+        f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
         f.says("$r = 5$"),
         f.says(r"$L = \theta\,r = 6$"),

@@ -12,23 +12,23 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-3.4, -4.3, 12.0, 4.5]);
-    let a = [(5.0, -1.0), (1.25, 4.0), (-2.0, 3.0), (-3.0, -1.0), (-1.0, -4.0), (1.0, -4.0)];
-    let b = [(1.0, 1.0), (4.0, -2.0), (8.0, -2.0), (10.0, 1.0), (6.0, 3.0)];
-    // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 20/5 from B's vertex (1, 1).
+    let w = look(&f, 0, [-2.4, -4.2, 11.6, 5.2]);
+    let a = [(5.0, -1.0), (0.5, 5.0), (-1.2, 3.8), (-2.0, 0.0), (-0.6, -3.2), (1.0, -4.0)];
+    let b = [(1.6, 0.2), (5.6, -1.8), (8.6, -1.0), (9.6, 1.7), (6.6, 2.2)];
+    // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 15/5 from B's vertex (1.6, 0.2); along the normals
+    // of B's edges there, x + 2y = 2 and 2x − 5y = 2.2, A reaches 8.5/√5 and 19.8/√29 past them.
     let pushed = b.map(|(x, y)| (x + 1.6, y + 1.2));
     let ghost = w.polygon(B, &pushed);
     shows![
         w.polygon(A, &a).is_some(),
         w.polygon(B, &b).is_some(),
         ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
-        w.arrow_toward(Translation, (1.0, 1.0), (2.6, 2.2)),
-        w.arrow(Ink, (2.6, 2.2), (2.6 + 0.8, 2.2 + 0.6)),
-        w.arrow(Muted, (1.0, 1.0), (3.4, -2.2)),
-        w.marker(A, (2.6, 2.2)),
-        w.marker(B, (1.0, 1.0)),
+        w.arrow(Translation, (1.6, 0.2), (3.2, 1.4)),
+        // Halfway from the contact to the edge's far end.
+        w.arrow(Ink, (1.85, 3.2), (2.65, 3.8)),
+        w.arrow(Muted, (1.6, 0.2), (3.4, -2.2)),
         f.says("$d = 2$"),
-        f.says("$4$: longer"),
+        f.says("$3$: longer"),
         f.says("$n$"),
         f.says(r"$B$ pushed out by $d\,n$"),
         f.says("$A$"),
@@ -137,7 +137,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.6, 12.8, 4.8]);
+    let w = look(&f, 0, [-8.2, -5.5, 15.6, 4.7]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -164,39 +164,42 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.4, -2.3, 4.8, 5.6];
+    let view = [-2.5, -2.2, 4.1, 5.5];
     let vertices = [(-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)];
     let tilted = vertices.map(turned);
-    let center = turned((4.0, 2.5));
+    let center = turned((3.0, 3.4));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (1.7, 4.4), 1.0).is_some(),
+        world.circle(B, (0.36, 4.52), 0.8).is_some(),
         world.arrow(Ink, (0.0, 0.0), center),
+        world.arrow(Muted, (0.0, 0.0), turned((3.2, 0.0))),
+        world.any_line((0.0, 0.0), (3.2, 0.0)),
+        f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-3.0, -3.2, 5.2, 4.7]);
+    let body = look(&f, 1, [-2.3, -2.2, 4.3, 5.5]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (4.0, 2.5), 1.0).is_some(),
-        body.arrow(Ink, (0.0, 0.0), (4.0, 2.5)),
-        body.arrow(Muted, (0.0, 0.0), (4.0, 0.0)),
-        body.arrow(Muted, (0.0, 0.0), (0.0, 2.5)),
+        body.circle(B, (3.0, 3.4), 0.8).is_some(),
+        body.arrow(Muted, (0.0, 0.0), (3.0, 0.0)),
+        body.arrow(Muted, (0.0, 0.0), (0.0, 3.4)),
         body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
         body.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
         body.marker(A, (2.0, 1.0)),
-        body.horizontal(Ink, 0.0, 2.0),
-        body.vertical(Ink, 0.0, 1.0),
+        body.arrow(Translation, (2.0, 1.0), (3.0, 3.4)),
     ];
     let back = look(&f, 2, view);
+    // Of D = (5, 12)/13 · 2.6 the circle takes 0.8.
+    let (closest, rim) = (turned((2.0, 1.0)), turned((2.0 + 9.0 / 13.0, 1.0 + 21.6 / 13.0)));
     shows![
         back.polygon(A, &tilted).is_some(),
-        back.marker(A, turned((2.0, 1.0))),
-        back.arrow(Translation, turned((2.0, 1.0)), center),
-        f.says("$V$") && f.says("$V_x = 4$") && f.says("$V_y = 2.5$"),
+        back.marker(A, closest),
+        back.along(Translation, closest, rim) && back.along(B, rim, center),
+        f.says("$V$") && f.says("$V_x = 3$") && f.says("$V_y = 3.4$"),
         f.says("$h_x = 2$") && f.says("$h_y = 1$") && f.says("$B_c$"),
-        f.says("$D = (0.7, 2.4)$"),
-        f.says("$r = 1$"),
-        f.says("1.5"),
+        f.says("$D = (1, 2.4)$"),
+        f.says("$r = 0.8$"),
+        f.says("1.8"),
     ];
 }
 
@@ -237,7 +240,7 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 #[test]
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
-    let view = [-7.0, -7.2, 8.0, 6.2];
+    let view = [-7.2, -8.5, 9.4, 6.2];
     let length = |l: &super::seen::Look, p: (f64, f64), q: (f64, f64)| {
         super::seen::distance(l.panel.page(p), l.panel.page(q))
     };
@@ -249,21 +252,21 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let one = look(&f, 0, view);
     shows![
         one.polygon(A, &[(-4.0, -3.0), (-2.0, -3.5), (1.0, 0.5), (-3.0, 2.0)]).is_some(),
-        one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (6.0, 3.0), (3.0, 6.0)]).is_some(),
+        one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (8.0, 2.5), (3.0, 6.0)]).is_some(),
         one.line(Now, (-2.0, -3.5), (1.0, 0.5)).is_some(),
         f.says("depth $= 3.7$") && f.says("gap $= 1.6$"),
         f.says("$n = (0.8, -0.6)$") && f.says("$n = (0.6, 0.8)$"),
-        f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
+        f.says("$0$") && f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
     ];
-    // Along (4, −3)/5 A spans −3.6 to 0.5, where its edge lies, and B −3.2 to 3.
+    // Along (4, −3)/5 A spans −3.6 to 0.5, where its edge lies, and B −3.2 to 4.9.
     let across = (0.8, -0.6);
     has(&one, A, across, 4.1);
-    has(&one, B, across, 6.2);
+    has(&one, B, across, 8.1);
     has(&one, Translation, across, 3.7);
-    // Along (3, 4)/5 A spans −4.8 to 1, at its vertex (1, 0.5), and B 2.6, on the edge 3x + 4y = 13, to 6.6.
+    // Along (3, 4)/5 A spans −4.8 to 1, at its vertex (1, 0.5), and B 2.6, on the edge 3x + 4y = 13, to 6.8.
     let two = look(&f, 1, view);
     assert!(two.line(Now, (-1.0, 4.0), (3.0, 1.0)).is_some());
     has(&two, A, (0.6, 0.8), 5.8);
-    has(&two, B, (0.6, 0.8), 4.0);
+    has(&two, B, (0.6, 0.8), 4.2);
     has(&two, Translation, (0.6, 0.8), 1.6);
 }

@@ -1,5 +1,6 @@
 //! The arc that the extreme point of a turning body travels about its origin: L = θ r, from p to p′; no point
-//! of the body goes farther. It is drawn about where the origin is at the panel's moment.
+//! of the body goes farther. It is drawn about where the origin is at the panel's moment; with it, where it
+//! is asked for, the shorter arc of a nearer vertex q.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -9,7 +10,7 @@ use crate::figure::sketch::{
     on_circle,
 };
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 use crate::trace::step::turned;
 
@@ -18,6 +19,9 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Radius of the angle mark, as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
+
+/// Radius of the angle mark of a nearer vertex, as a part of that vertex' distance.
+const NEARER_MARK: f64 = 0.45;
 
 /// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
@@ -43,6 +47,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "fills the sector and names its measures",
         },
+        OptionSpec {
+            name: "nearer",
+            takes: Takes::Counts,
+            default: "none",
+            about: "another vertex, whose shorter arc is drawn too; with sector in p's direction",
+        },
     ],
     labels: &[
         LabelKey { key: "theta", about: "the angle" },
@@ -50,6 +60,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "L", about: "length of the arc, with sector" },
         LabelKey { key: "p", about: "the extreme point" },
         LabelKey { key: "p'", about: "the extreme point after the turn" },
+        LabelKey { key: "q", about: "a nearer vertex" },
+        LabelKey { key: "q'", about: "the nearer vertex after the turn" },
+        LabelKey { key: "r_q", about: "distance of the nearer vertex, with sector" },
+        LabelKey { key: "L_q", about: "length of its arc, with sector" },
         LabelKey { key: "others", about: "another point that is as far" },
     ],
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
@@ -132,8 +146,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for end in [t.before(), after] {
         sketch.part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
     }
-    let mark = Outline::arc(t.center, MARK * t.radius, t.start, t.sweep);
-    sketch.part("angle").area(&mark, None, Some(Pen::dimension(Role::Ink).width(1.5)));
     // The head ends at the marker's rim, not under it.
     let rim = (sketch.px(MARKER + 1.0) / t.radius).min(t.sweep.abs()).copysign(t.sweep);
     let accent = Pen::highlighted(options.role(Role::Now));
@@ -147,6 +159,51 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
     points(sketch, &t, after);
     measures(sketch, options, &t, sector);
+    if let Some(arm) = nearer(context, options, &t) {
+        shorter(sketch, &t, arm, sector);
+    }
+}
+
+/// From the body's origin to the vertex whose arc is drawn too, in the world at the start.
+fn nearer(context: &Context, options: &Options, t: &Turn) -> Option<DVec2> {
+    let &index = options.counts("nearer")?.first()?;
+    let (begin, vertex) = (context.pose(t.side, 0.0)?.position, context.vertex(t.side, index, 0.0)?);
+    let core = vertex - begin;
+    let arm = core + core.normalize_or_zero() * context.body(t.side)?.shape.radius;
+    (arm.length() > 0.0).then_some(arm)
+}
+
+/// Draws the turn of a nearer vertex: at its place, or with the sector in the direction of the extreme point,
+/// where the lengths can be compared.
+fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
+    let radius = arm.length();
+    let start = if sector { t.start } else { angle_of(arm) };
+    let [from, to] = [start, start + t.sweep].map(|angle| on_circle(t.center, radius, angle));
+    let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
+    if !sector {
+        for end in [from, to] {
+            sketch.part("nearer").weight(Weight::Light).line(t.center, end, Pen::construction());
+        }
+        angle(sketch, t, (start, NEARER_MARK * radius), r"$\theta$".to_owned());
+    }
+    let rim = (sketch.px(MARKER + 1.0) / radius).min(t.sweep.abs()).copysign(t.sweep);
+    sketch.part("nearer-arc").arc_arrow(t.center, radius, start, t.sweep - rim, Pen::vector(role));
+    for (key, text, point) in [("q", "$q$", from), ("q'", "$q'$", to)] {
+        sketch.part("nearer-point").marker(point, marker, role, MARKER);
+        let out = (point - t.center).normalize_or_zero();
+        // In the sector on the outer side of its two radii.
+        let aside = if key == "q" { -perp(out) } else { perp(out) } * t.sweep.signum();
+        let anchor = Anchor::point_toward(point, if sector { aside } else { out });
+        sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
+    }
+    if sector {
+        let r = format!("$r_q = {}$", number(radius));
+        let (p, q) = if t.sweep > 0.0 { (from, t.center) } else { (t.center, from) };
+        sketch.label(Label::new("r_q", r, Anchor::Beside { from: p, to: q, offset: ON_LINE }, Role::Ink));
+        let path = Anchor::Arc { center: t.center, radius, start, sweep: t.sweep };
+        let length = format!(r"$\theta\,r_q = {}$", number(radius * t.sweep.abs()));
+        sketch.label(Label::new("L_q", length, path, role));
+    }
 }
 
 /// Marks the other points that are as far from the origin as the extreme point; the first is named.
@@ -170,15 +227,22 @@ fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
     }
 }
 
+/// Draws and names the angle of the turn, from a direction on, at a distance from the origin.
+fn angle(sketch: &mut Sketch, t: &Turn, (start, radius): (f64, f64), text: String) {
+    let (center, sweep) = (t.center, t.sweep);
+    let mark = Outline::arc(center, radius, start, sweep);
+    sketch.part("angle").area(&mark, None, Some(Pen::dimension(Role::Ink).width(1.5)));
+    sketch.label(Label::new("theta", text, Anchor::Arc { center, radius, start, sweep }, Role::Ink));
+}
+
 /// Names the angle, and with the sector its radius and the arc's length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
-    let mark = Anchor::Arc { center: t.center, radius: MARK * t.radius, start: t.start, sweep: t.sweep };
     let theta = if sector {
         format!(r"$\theta = {}°$", number(t.sweep.abs().to_degrees()))
     } else {
         r"$\theta$".to_owned()
     };
-    sketch.label(Label::new("theta", theta, mark, Role::Ink));
+    angle(sketch, t, (t.start, MARK * t.radius), theta);
     if sector {
         let r = format!("$r = {}$", number(t.radius));
         // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.

@@ -1,18 +1,19 @@
 //! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to
 //! the right (y).
 //!
-//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end; where D < 0 the bars overlap, so each has its
-//! own track. The distance of the centres is the last.
+//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
+//! on two lanes side by side, and the stretch that they share is measured beside them, with its sign. The
+//! distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
@@ -21,8 +22,12 @@ const BELOW: f64 = 40.0;
 /// between.
 const BESIDE: f64 = 48.0;
 
-/// Opacity of the stretch that overlapping boxes share.
-const SHARED: f64 = 0.14;
+/// From one of two lanes to the other, as a part of the way to the next track: side by side, not touching.
+const LANE: f64 = 0.2;
+
+/// Where the shared stretch is measured, and then the distance of the centres, as parts of the way to the
+/// next track, to the right: beyond a label of some 80 pixels.
+const MEASURED: [f64; 2] = [1.75, 3.9];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -70,13 +75,25 @@ struct Bar {
     text: String,
     /// The coordinates that it lies between.
     ends: [f64; 2],
-    /// Which track it lies on, from 0.
-    track: usize,
+    /// How far from the boxes it lies, as a part of the way to the first track.
+    track: f64,
     /// How it is drawn.
     pen: Pen,
-    /// Whether the label stands towards smaller coordinates of the track's own axis, not beyond its upper
-    /// end.
-    low: bool,
+    /// Where the label stands.
+    beside: Beside,
+}
+
+/// Where the label of a bar stands.
+#[derive(Clone, Copy, PartialEq)]
+enum Beside {
+    /// On the side of the boxes.
+    Inward,
+    /// On the side away from the boxes.
+    Outward,
+    /// Beyond the bar's first end.
+    First,
+    /// Beyond the bar's last end.
+    Last,
 }
 
 /// Where the tracks of an axis lie in the world.
@@ -90,9 +107,9 @@ struct Place {
 }
 
 impl Place {
-    /// The point of a track at a coordinate; tracks count from 0.
-    fn point(&self, along: f64, track: usize) -> DVec2 {
-        let across = self.edge + self.step * (number_of(track) + 1.0);
+    /// The point of a track at a coordinate.
+    fn point(&self, along: f64, track: f64) -> DVec2 {
+        let across = self.edge + self.step * track;
         if self.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
     }
 }
@@ -147,13 +164,10 @@ fn axis(
     for (body, &start) in across.iter().enumerate() {
         for along in [e.centers[body], facing[body]] {
             let reach = |b: &&Bar| b.ends.contains(&along);
-            let last = bars.iter().filter(reach).map(|b| b.track).max().unwrap_or(0);
+            let last = bars.iter().filter(reach).map(|b| b.track).fold(1.0, f64::max);
             let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
             sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), Pen::extension());
         }
-    }
-    if e.gap < 0.0 {
-        shared(sketch, place, facing);
     }
     for bar in bars {
         let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
@@ -161,33 +175,23 @@ fn axis(
         sketch.part(&part).bar(p, q, 0.0, bar.pen);
         // A part of its own, as a label beyond a bar's end must not lie on the bar.
         sketch.part("label");
-        let anchor = match (e.name, bar.low) {
-            ('x', true) => beside(p, q, DVec2::NEG_Y),
-            ('x', false) => beside(p, q, DVec2::Y),
-            (_, true) => Anchor::point_toward(if p.y < q.y { p } else { q }, DVec2::NEG_Y),
-            _ => Anchor::point_toward(if p.y < q.y { q } else { p }, DVec2::Y),
+        let out = place.point(0.0, 1.0) - place.point(0.0, 0.0);
+        let anchor = match bar.beside {
+            Beside::Inward => beside(p, q, -out),
+            Beside::Outward => beside(p, q, out),
+            Beside::First => Anchor::point_toward(p, p - q),
+            Beside::Last => Anchor::point_toward(q, q - p),
         };
         sketch.label(Label::new(bar.key, bar.text, anchor, role));
     }
 }
 
-/// Shows the stretch that overlapping boxes share along an axis, from the boxes to the bar of D.
-fn shared(sketch: &mut Sketch, place: &Place, facing: [f64; 2]) {
-    let at = |along: f64, across: f64| {
-        if place.axis == 'x' { DVec2::new(along, across) } else { DVec2::new(across, along) }
-    };
-    let far = place.edge + 2.0 * place.step;
-    let [p, q] = facing;
-    let band = Outline::polygon(&[at(p, place.edge), at(q, place.edge), at(q, far), at(p, far)]);
-    sketch.part("shared").area(&band, Some(Wash::faint(Role::Now, SHARED)), None);
-}
-
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
 fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
+    use Beside::{First, Inward, Last, Outward};
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let [a, b] = e.centers;
     let facing = [a + forward * e.half[0], b - forward * e.half[1]];
-    let own = |k: usize| if e.gap < 0.0 { k } else { 0 };
     let name = e.name;
     let keys = if name == 'x' {
         ["h.A.x", "D.x", "h.B.x", "centers.x"]
@@ -200,12 +204,17 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
-    let tracks = [own(0), own(1), own(2), own(2) + 1];
+    let [measured, last] = MEASURED;
+    let (tracks, places) = match (e.gap < 0.0, name) {
+        (true, 'x') => ([1.0, measured, 1.0 + LANE, measured + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, measured, 1.0 + LANE, last], [First, Outward, Last, Outward]),
+        (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
+        (false, _) => ([1.0, 1.0, 1.0, last - 1.0], [Outward; 4]),
+    };
     let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
-    let low = [name == 'y', false, false, true];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));
-        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], low: low[i] }
+        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], beside: places[i] }
     };
     (0..keys.len()).map(bar).collect()
 }

@@ -26,7 +26,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the components of V, in the box's frame, and of D, in the world",
+            about: "writes the components of V, in the box's frame, and of D, in the panel's",
         },
     ],
     labels: &[
@@ -95,7 +95,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("D") {
         let (from, tip) = (c.closest, c.closest + c.d);
         sketch.since(at(parts::CLOSEST)).part("D").arrow(from, tip, Pen::vector(Role::Translation));
-        let text = valued("D", c.d, options);
+        let seen = context.in_space(c.d) - context.in_space(DVec2::ZERO);
+        let text = valued("D", seen, options);
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {

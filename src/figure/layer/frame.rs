@@ -1,14 +1,22 @@
-//! A body's own axes: the frame in which an oriented box is an AABB.
+//! A body's own axes: the frame in which an oriented box is an AABB; and the angle by which it is turned,
+//! from the world's x axis to its own.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Pen, Sketch};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight, angle_of};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
+
+/// Where the angle is drawn, as a part of the axis' length: its arc clear of the axis' head.
+const MARK: f64 = 0.7;
+
+/// The least angle that is drawn, radians: less can't be seen.
+const SEEN: f64 = 0.02;
 
 pub(super) const LAYER: Layer = Layer {
     name: "frame",
@@ -17,8 +25,14 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "the first", about: "which bodies" },
         OptionSpec { name: "length", takes: Takes::Number, default: "1.6", about: "world units" },
+        OptionSpec {
+            name: "angle",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the angle by which it is turned, and no second axis",
+        },
     ],
-    labels: &[],
+    labels: &[LabelKey { key: "angle", about: "the angle by which the body is turned" }],
     needs: "nothing",
     fed: |_, _| Fed::Yes,
     draw,
@@ -29,8 +43,27 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let pen = Pen::vector(options.role(Role::Muted));
     for side in options.of(&[Side::A]) {
         let Some(pose) = context.pose(side, context.time) else { continue };
-        for axis in [DVec2::X, DVec2::Y] {
+        let turned = options.flag("angle", false);
+        for axis in [DVec2::X, DVec2::Y].into_iter().take(if turned { 1 } else { 2 }) {
             sketch.part(part("frame", side)).arrow(pose.position, pose.point(axis * length), pen);
         }
+        if turned {
+            angle(sketch, pose.position, pose.vector(DVec2::X), length);
+        }
     }
+}
+
+/// Draws the angle from the world's x axis to the direction of a body's own.
+fn angle(sketch: &mut Sketch, center: DVec2, axis: DVec2, length: f64) {
+    let sweep = angle_of(axis);
+    let level = center + DVec2::X * length;
+    sketch.part("level").weight(Weight::Light).line(center, level, Pen::construction());
+    if sweep.abs() < SEEN {
+        return;
+    }
+    let radius = MARK * length;
+    sketch.part("angle").arc_arrow(center, radius, 0.0, sweep, Pen::dimension(Role::Ink).width(1.5));
+    let text = format!("${}°$", number(sweep.to_degrees()));
+    let label = Label::new("angle", text, Anchor::Arc { center, radius, start: 0.0, sweep }, Role::Ink);
+    sketch.label(label.rank(Rank::Measure));
 }

@@ -9,6 +9,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
+use super::separation::edges;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
@@ -29,9 +30,9 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "from",
-            takes: Takes::Word(&["contact", "A", "B"]),
+            takes: Takes::Word(&["contact", "edge", "A", "B"]),
             default: "\"contact\"",
-            about: "starts at the closest point of A, or at the origin of a body",
+            about: "starts at the closest point of A, on the edge that faces, or at the origin of a body",
         },
         OptionSpec { name: "flip", takes: Takes::Flag, default: "false", about: "from B to A instead" },
         OptionSpec {
@@ -73,6 +74,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
     let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
     let length = options.number("length");
+    if let Some((on, leg)) = edge(context, options, time, &answer) {
+        sketch.part("right-angle").right_angle(on, leg, *n);
+    }
     unit_vector(sketch, (from, *n), length, Label::new(key, letter, Anchor::point(from), role));
 }
 
@@ -108,8 +112,22 @@ pub(super) fn scaled(factor: f64, text: &str) -> String {
 fn start(context: &Context, options: &Options, time: f64, answer: &Separation) -> Option<DVec2> {
     let origin = |side| context.pose(side, time).map(|pose| pose.position);
     match options.word("from", "contact") {
+        "edge" => edge(context, options, time, answer).map(|(on, _)| on).or(Some(answer.points[0])),
         "A" => origin(Side::A),
         "B" => origin(Side::B),
         _ => Some(answer.points[0]),
     }
+}
+
+/// Where the arrow starts on the edge that carries a closest point, and a way along the edge from there: in
+/// the middle of the longer part beside that point. `None` where the scene wants it elsewhere, or no edge
+/// faces.
+fn edge(context: &Context, options: &Options, time: f64, answer: &Separation) -> Option<(DVec2, DVec2)> {
+    if options.word("from", "") != "edge" {
+        return None;
+    }
+    let (at, ends) = edges(context, time, answer).into_iter().next()?;
+    let far = if at.distance_squared(ends[0]) < at.distance_squared(ends[1]) { ends[1] } else { ends[0] };
+    let on = 0.5 * (at + far);
+    Some((on, far - on))
 }

@@ -26,7 +26,10 @@ const OFFSET: f64 = 26.0;
 const TRACK: f64 = 6.0;
 
 /// Distance of the measure from the axis, page pixels: below the intervals.
-const MEASURE: f64 = 24.0;
+const MEASURE: f64 = 48.0;
+
+/// Half the length of the mark of 0 on the axis, page pixels: past both intervals.
+const ZERO: f64 = 11.0;
 
 /// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
@@ -46,12 +49,13 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the axis, and where A ends and B begins along it",
+            about: "writes the axis, its 0, and where A ends and B begins along it",
         },
     ],
     labels: &[
         LabelKey { key: "end.A", about: "where A ends along the axis, with values" },
         LabelKey { key: "begin.B", about: "where B begins along the axis, with values" },
+        LabelKey { key: "zero", about: "0 of the axis, with values" },
         LabelKey { key: "n", about: "the axis" },
         LabelKey {
             key: "gap",
@@ -137,17 +141,30 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     measure(sketch, &t, at);
     if values {
-        let above = sketch.px(-TRACK);
-        for (key, side, along) in [("end.A", Side::A, t.a.hi), ("begin.B", Side::B, t.b.lo)] {
-            let label = Label::new(
-                key,
-                format!("${}$", number(along)),
-                Anchor::point_toward(at(along, above), -down),
-                side.into(),
-            );
-            sketch.label(label.rank(Rank::Measure).size(Size::Note));
-        }
+        numbers(sketch, &t, down, at);
+        zero(sketch, (first, last), down, at);
     }
+}
+
+/// Writes where A ends and where B begins, each over its own interval, away from the other's.
+fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
+    let track = sketch.px(TRACK);
+    for (key, side, along, out) in [("end.A", Side::A, t.a.hi, -1.0), ("begin.B", Side::B, t.b.lo, 1.0)] {
+        let text = format!("${}$", number(along));
+        let anchor = Anchor::point_toward(at(along, out * track), (down + t.n) * out);
+        sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
+    }
+}
+
+/// Marks on the axis from where its numbers are counted, if that is in reach.
+fn zero(sketch: &mut Sketch, (first, last): (f64, f64), down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
+    if !(first..=last).contains(&0.0) {
+        return;
+    }
+    let tick = sketch.px(ZERO);
+    sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
+    let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, -tick), -down), Role::Ink);
+    sketch.label(label.rank(Rank::Measure).size(Size::Note));
 }
 
 /// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to
@@ -249,6 +266,7 @@ mod tests {
                 assert!((labels[key].1 - end).abs() < 0.006, "axis {axis}: {:?} is not {end}", labels[key]);
             }
             assert!(labels["n"].0.starts_with("$n = ("), "{:?}", labels["n"]);
+            assert_eq!(labels["zero"].1, 0.0, "both intervals hold 0, or lie beside it");
             let (label, number) = labels.remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
             assert_eq!(label.contains("faces away"), b.hi < a.lo, "axis {axis}: {label}");

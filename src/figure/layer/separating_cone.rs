@@ -7,6 +7,7 @@
 //! n · p > 0 for all p of B ⊖ A      vertex p of a core rounded by ρ fills   arg p ± asin(ρ/|p|)
 //! ```
 //!
+//! That line is drawn for the n of the greatest gap, and the gap as what is free between it and B ⊖ A.
 //! The nearer O comes to B ⊖ A the narrower is the cone; where O is on the boundary it is one direction, the
 //! edge's normal; inside there is none.
 
@@ -18,13 +19,17 @@ use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, angle_of, on_circle,
 };
 use crate::figure::text::number;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, perp};
 
 use super::difference::difference;
+use super::half_extents::beside;
 use super::{Fed, LabelKey, Layer, Options, Shows};
 
-/// Radius of the cone, page pixels.
+/// Radius of the cone, page pixels; less where B ⊖ A is near.
 const RADIUS: f64 = 84.0;
+
+/// The share of the way to B ⊖ A that the cone's radius takes at most, and its least radius, page pixels.
+const FREE: (f64, f64) = (0.86, 48.0);
 
 /// Opacity of the cone: the axes may lie under it.
 const FILL: f64 = 0.16;
@@ -35,8 +40,20 @@ const PAST: f64 = 30.0;
 /// How far a tangent reaches back through O, page pixels: the right angle is marked there, outside the cone.
 const BACK: f64 = 40.0;
 
+/// How far beside what touches B ⊖ A the gap is measured, page pixels.
+const ASIDE: f64 = 30.0;
+
 /// Edge of the square that marks a right angle, page pixels: clear of O's ring.
 const SQUARE: f64 = 20.0;
+
+/// How much nearer one of two points must be to count as nearer, page pixels: level ones don't change sides.
+const LEVEL: f64 = 1.0;
+
+/// How far a line reaches past the gap's measure, page pixels.
+const TICK: f64 = 10.0;
+
+/// How far the line square to n reaches from O the other way, page pixels.
+const BEHIND: f64 = 96.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 60.0];
@@ -49,6 +66,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "cone", about: "the cone's angle" },
         LabelKey { key: "n", about: "the direction of the greatest gap" },
+        LabelKey { key: "gap", about: "the greatest gap" },
     ],
     needs: "two convex bodies",
     fed: |context, _| {
@@ -66,6 +84,8 @@ struct Cone {
     touching: [DVec2; 2],
     /// The direction of the greatest gap.
     normal: DVec2,
+    /// The greatest gap: from the line through O square to `normal` to B ⊖ A.
+    gap: f64,
 }
 
 /// The cone; `None` for bodies that are not proved to be apart.
@@ -91,7 +111,7 @@ fn cone(context: &Context) -> Option<Cone> {
     let base = angle_of(normal);
     let tangents = [base + first.0, base + last.0];
     let touching = [on_circle(origin, first.1, tangents[0]), on_circle(origin, last.1, tangents[1])];
-    Some(Cone { tangents, touching, normal })
+    Some(Cone { tangents, touching, normal, gap: answer.separation })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -99,7 +119,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Translation);
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = context.estimate();
-    let radius = sketch.px(RADIUS);
+    let radius = sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)));
+    square(sketch, &cone, origin, role);
     let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
     let sector = Outline::sector(origin, radius, start, end - start);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
@@ -114,12 +135,34 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = origin + cone.normal * 1.0_f64.max(least).min(most);
-    sketch.part("direction").arrow(origin, tip, Pen::vector(role));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), role));
+    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
     let degrees = number((end - start) * (180.0 / PI));
     let anchor = Anchor::Arc { center: origin, radius, start, sweep: end - start };
     let label = Label::new("cone", format!("${degrees}°$"), anchor, role);
     sketch.label(label.size(Size::Note));
+}
+
+/// Draws the line through O square to n, and beside B ⊖ A the gap between the two: on the side where a
+/// tangent touches what is nearest, so that nothing stands in between.
+fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, role: Role) {
+    let along = perp(cone.normal);
+    let [last, first] = cone.touching.map(|p| p - origin);
+    let ahead = |p: DVec2| cone.normal.dot(p);
+    let near = if ahead(first) < ahead(last) - sketch.px(LEVEL) { first } else { last };
+    let out = along.dot(near).signum();
+    let [past, tick] = [ASIDE, TICK].map(|px| sketch.px(px));
+    let end = along.dot(near) + out * past;
+    let at = |aside: f64, ahead: f64| origin + along * aside + cone.normal * ahead;
+    let other = -out * sketch.px(BEHIND);
+    sketch.part("square-line").weight(Weight::Light);
+    sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::construction());
+    sketch.part("gap-line").weight(Weight::Light);
+    sketch.line(at(along.dot(near), cone.gap), at(end + out * tick, cone.gap), Pen::extension());
+    let (from, to) = (at(end, 0.0), at(end, cone.gap));
+    sketch.part("gap").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
+    let text = format!("gap $= {}$", number(cone.gap));
+    sketch.label(Label::new("gap", text, beside(from, to, along * out), role));
 }
 
 /// Draws the square of a right angle at a point, between two directions.
@@ -132,7 +175,8 @@ fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::plan;
+    use crate::figure::layer::tests::{labels, lines};
+    use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
     /// Whether a direction separates two polygons rounded by `radius`, by all their vertices.
@@ -169,6 +213,20 @@ mod tests {
             // At its edges the line touches B ⊖ A.
             assert!(gap(start).abs() < 1e-12 && gap(end).abs() < 1e-12, "{place}");
         }
+    }
+
+    #[test]
+    fn the_gap_is_drawn_as_long_as_it_is_written() {
+        let text = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }
+            shapes.B = { kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ space = 'configuration', layers = ['difference', 'separating-cone'] }]";
+        let scene = open_text("cone", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "cone");
+        // A's edge 3x + 4y = 9 and B's vertex (2, 3.5), where that is 20.
+        assert_eq!(labels(&figure)["gap"].1, 2.2);
+        assert!((lines(&figure, "gap")[0] / figure.panels[0].frame.scale - 2.2).abs() < 1e-9);
     }
 
     #[test]

@@ -142,10 +142,10 @@ fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
 
 /// The edges that carry a witness point, each with that point: from end to end, moved out by the radius, in
 /// the world.
-fn edges(context: &Context, run: &Run, answer: &Separation) -> Vec<(DVec2, [DVec2; 2])> {
+pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<(DVec2, [DVec2; 2])> {
     let edge = |(side, feature, point): (Side, Feature, DVec2)| {
         let (Feature::Edge(i), Some(body), Some(pose)) =
-            (feature, context.body(side), context.pose(side, run.time))
+            (feature, context.body(side), context.pose(side, time))
         else {
             return None;
         };
@@ -162,7 +162,7 @@ fn edges(context: &Context, run: &Run, answer: &Separation) -> Vec<(DVec2, [DVec
 
 /// Draws the line of an edge that carries a witness point, beyond both of its ends.
 fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
-    for (_, [p, q]) in edges(context, run, answer) {
+    for (_, [p, q]) in edges(context, run.time, answer) {
         let reach = (q - p).normalize_or_zero() * CARRIER;
         sketch.part("carrier").weight(Weight::Light);
         sketch.line(p - reach, p, Pen::construction()).line(q, q + reach, Pen::construction());
@@ -172,7 +172,7 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 /// Marks the right angle of the way between the closest points against the edges that carry one.
 fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
     let [a, b] = answer.points;
-    for (at, [p, q]) in edges(context, run, answer) {
+    for (at, [p, q]) in edges(context, run.time, answer) {
         let other = if at == a { b } else { a };
         let leg = if at.distance_squared(p) > at.distance_squared(q) { p } else { q };
         sketch.part("right-angle").right_angle(at, leg - at, other - at);

@@ -162,6 +162,86 @@ fn points_as_far_as_the_extreme_one_are_marked() {
     assert_eq!(labels(&figure)["others"].0, "as far as $p$");
 }
 
+#[test]
+fn a_nearer_vertex_has_a_shorter_arc_of_the_same_turn() {
+    // (3, 4) is 5 from the origin, (−1, 0) is 1: at their places, and both in the direction of (3, 4).
+    for (sector, keys) in [(false, 0), (true, 2)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[-1, 0], [3, -3], [3, 4]],
+                angular_velocity_rad = 0.5 }}
+             query = {{ kind = 'motion-bound', of = ['A'] }}
+             panels = [{{ layers = [{{ layer = 'arc', sector = {sector}, nearer = 0 }}] }}]"
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        let radius = |part: &str| {
+            let segments =
+                paths(&figure.drawing.items, part).into_iter().flat_map(|path| match &path.contour {
+                    Contour::Segments(segments) => segments.clone(),
+                    Contour::Circle { .. } => Vec::new(),
+                });
+            let arc = |segment| if let Segment::Arc { radius, .. } = segment { Some(radius) } else { None };
+            segments.filter_map(arc).next().unwrap() / figure.panels[0].frame.scale
+        };
+        assert!((radius("arc") - 5.0).abs() < 1e-9 && (radius("nearer-arc") - 1.0).abs() < 1e-9);
+        let labels = labels(&figure);
+        assert!(labels.contains_key("q") && labels.contains_key("q'"));
+        assert_eq!(["r_q", "L_q"].iter().filter(|key| labels.contains_key(**key)).count(), keys);
+        if sector {
+            assert_eq!((labels["r_q"].1, labels["L_q"].1), (1.0, 0.5));
+        }
+    }
+}
+
+#[test]
+fn a_frame_says_the_angle_by_which_the_body_is_turned() {
+    for (turn, says) in
+        [(", rotation = [0.6, -0.8]", Some(-53.1)), (", angle_deg = 120", Some(120.0)), ("", None)]
+    {
+        let figure = figure(turn, "linear-sweep", "{ layer = 'frame', angle = true }");
+        assert_eq!(labels(&figure).get("angle").map(|(_, number)| *number), says, "{turn}");
+        // Of a body that is not turned it lies on the axis.
+        assert_eq!(paths(&figure.drawing.items, "level").len(), usize::from(says.is_some()), "{turn}");
+    }
+}
+
+#[test]
+fn a_normal_on_the_edge_stands_beside_the_contact() {
+    let text = "shapes.A = { kind = 'box', half_extents = [4, 1] }
+         shapes.B = { kind = 'polygon', vertices = [[0, 0], [2, 3], [-1, 3]], position = [1, 0.5] }
+         query = { kind = 'separation', of = ['A', 'B'] }
+         panels = [{ layers = ['shapes', { layer = 'normal', from = 'edge' }] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "marks");
+    // The contact is at (1, 1) on the edge from (4, 1) to (−4, 1), whose longer part ends at (−4, 1).
+    let begins = points(paths(&figure.drawing.items, "normal")[0])[0];
+    assert!((begins - figure.panels[0].frame.page(DVec2::new(-1.5, 1.0))).length() < 1e-6, "{begins:?}");
+    assert_eq!(paths(&figure.drawing.items, "right-angle").len(), 1);
+}
+
+#[test]
+fn half_extents_that_overlap_lie_side_by_side_and_share_what_is_negative() {
+    let text = "shapes.A = { kind = 'aabb', half_extents = [2, 1] }
+         shapes.B = { kind = 'aabb', half_extents = [1, 2], position = [2.5, 4] }
+         query = { kind = 'separation', of = ['A', 'B'], algorithm = 'extents' }
+         panels = [{ layers = ['shapes', 'axis-gaps'] }]";
+    let scene = open_text("marks.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "marks");
+    let labels = labels(&figure);
+    assert_eq!((labels["D.x"].1, labels["D.y"].1), (-0.5, 1.0));
+    let bars = |part| -> Vec<[Point; 2]> {
+        let whole = paths(&figure.drawing.items, part).into_iter().map(points);
+        whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
+    };
+    let level: Vec<f64> = bars("axis-x").iter().filter(|[p, q]| p.y == q.y).map(|[p, _]| p.y).collect();
+    assert!(level.len() == 4 && level[0] != level[2] && (level[0] - level[2]).abs() < 12.0, "{level:?}");
+    let upright: Vec<f64> = bars("axis-y").iter().filter(|[p, q]| p.x == q.x).map(|[p, _]| p.x).collect();
+    assert!(upright.len() == 4 && upright[0] == upright[1] && upright[1] == upright[2], "{upright:?}");
+}
+
 /// The figure of a box below a disc as the layers of a panel show it.
 fn grown(options: &str) -> Figure {
     let text = format!(

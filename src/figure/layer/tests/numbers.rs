@@ -92,7 +92,8 @@ fn every_layer(space: &Space, panel: usize) -> Vec<LayerSpec> {
         let option = |key: &str, value| (spanned(key.to_owned(), place), spanned(value, place));
         let options = match name {
             "velocity" => vec![option("accent", Value::Text(When::HIT.to_owned()))],
-            "arc" => vec![option("sector", Value::Bool(true))],
+            "arc" => vec![option("sector", Value::Bool(true)), option("nearer", Value::Number(0.0))],
+            "frame" => vec![option("angle", Value::Bool(true))],
             _ => vec![],
         };
         LayerSpec { name: spanned(name.to_owned(), place), options }
@@ -169,6 +170,13 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
         ("arc", "theta") => a.unwrap().spin.degrees().abs(),
         ("arc", "r") => reach(a.unwrap()),
+        ("arc", "r_q") => first_vertex(a.unwrap()),
+        ("arc", "L_q") => a.unwrap().spin.radians().abs() * first_vertex(a.unwrap()),
+        ("frame", "angle") => {
+            let axis = a.unwrap().pose_at(time).vector(DVec2::X);
+            libm::atan2(axis.y, axis.x).to_degrees()
+        }
+        ("separating-cone", "gap") => separation(scene, time).separation,
         ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
         _ => return None,
     })
@@ -219,6 +227,11 @@ fn least(scene: &Scene, time: f64) -> f64 {
 /// The distance of a body's farthest point from its origin.
 fn reach(body: &Body) -> f64 {
     body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius
+}
+
+/// The distance of a body's first vertex from its origin.
+fn first_vertex(body: &Body) -> f64 {
+    body.shape.vertices[0].length() + body.shape.radius
 }
 
 /// The largest way from where A ends to where B begins, along the axes that were tested, by the vertices.
