@@ -133,7 +133,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             (context, options),
             extents,
             &Place { edge: bottom, step: -sketch.px(BELOW), axis: 'x' },
-            [c[0].y, c[1].y],
+            [0, 1].map(|k| [c[k].y, c[k].y - h[k].y]),
         );
     }
     if options.shows("axes", "y", true) {
@@ -144,25 +144,26 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             (context, options),
             extents,
             &Place { edge: right, step: sketch.px(BESIDE), axis: 'y' },
-            [c[0].x, c[1].x],
+            [0, 1].map(|k| [c[k].x, c[k].x + h[k].x]),
         );
     }
 }
 
-/// Draws the tracks of one axis; `across` are the centres' other coordinates.
+/// Draws the tracks of one axis; `across` are the other coordinates of each box's centre, and of its edge
+/// towards the tracks.
 fn axis(
     sketch: &mut Sketch,
     (context, options): (&Context, &Options),
     e: Extents,
     place: &Place,
-    across: [f64; 2],
+    across: [[f64; 2]; 2],
 ) {
     let bars = bars(context, options, e);
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    for (body, &start) in across.iter().enumerate() {
-        for along in [e.centers[body], facing[body]] {
+    for (body, starts) in across.iter().enumerate() {
+        for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts) {
             let reach = |b: &&Bar| b.ends.contains(&along);
             let last = bars.iter().filter(reach).map(|b| b.track).fold(1.0, f64::max);
             let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
