@@ -2,36 +2,25 @@
 
 use std::borrow::Cow;
 
-use crate::drawing::{
-    Color, Contour, Dark, Drawing, Group, Halo, Item, Paint, Path, Point, Rect, Role, Shown, Stroke,
-};
+use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Point, Role, Stroke};
 
 use crate::scene::Background;
 
-use super::cue::Cue;
 use super::describe;
+use super::drawn_panel::{DrawnPanel, draw_panel};
 use super::fault::{Fault, Problem};
 use super::handle::Handle;
-use super::inset::Inset;
-use super::layer::is_key;
 use super::lettering::{Lettering, lettered};
 use super::page::Page;
-use super::panel::PanelPlan;
-use super::placement::{Ground, LabelFault, Labelled, Leader, Placed, Sought, faults, place, things};
+use super::placement::{LabelFault, Labelled, faults};
 use super::plan::Plan;
-use super::playhead::given;
 use super::runs::Run;
-use super::sketch::{Anchor, Request, Size, Sketched};
 use super::steps::{Scope, numbered};
-use super::text::{Across, Wording, plain};
+use super::text::Across;
 use super::theme::{Side, Theme};
 
-/// How far a label's halo reaches, page pixels.
-const HALO: f64 = 2.5;
-/// Width of leader lines and of the lines between panels, page pixels.
-const THIN: f64 = 0.75;
-/// Radius of the dot at the end of a leader line in an area, page pixels: twice the line, and no marker.
-const LEADER_DOT: f64 = 1.6;
+/// Width of the lines between panels, page pixels.
+const RULE: f64 = 1.5;
 
 /// A figure, drawn in a theme.
 #[derive(Clone, Debug, PartialEq)]
@@ -116,14 +105,43 @@ pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 /// ```
 #[must_use]
 pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
+    draw_after(plan, theme, id, None)
+}
+
+/// Draws a plan as the next frame of a figure that moves: labels rest where they stood in the frame before.
+///
+/// A label keeps its place, as seen from what it names, until it stands badly there. Nothing else is taken
+/// from the frame before; without one this is [`draw_in_steps`], so [`Drawing::at_step`] gives the picture.
+///
+/// ```
+/// use tracefig::{figure::{Figure, draw_after, plan}, geometry::DVec2, scene::{Source, read}};
+/// let frame = |x: f64, before: Option<&Figure>| {
+///     let text = format!(
+///         "shapes.A = {{ kind = 'circle', radius = 1, position = [{x}, 0] }}\n\
+///          query = {{ kind = 'bounds', of = ['A'] }}\n\
+///          panels = [{{ view = [-4, -2, 4, 2], layers = ['shapes'] }}]"
+///     );
+///     let scene = read(&Source::new("frame.toml", &text)).unwrap();
+///     let plan = plan(&scene).unwrap();
+///     draw_after(&plan, plan.theme, "frame", before)
+/// };
+/// let first = frame(0.0, None);
+/// let next = frame(0.25, Some(&first));
+/// let [a, b] = [&first, &next].map(|figure| figure.panels[0].placed[0].bounds.x0);
+/// let [from, to] = [0.0, 0.25].map(|x| first.panels[0].frame.page(DVec2::new(x, 0.0)).x);
+/// assert!((b - a - (to - from)).abs() < 1e-9);
+/// ```
+#[must_use]
+pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let mut items = vec![rules(plan, theme)];
     let (mut panels, mut insets): (Vec<Labelled>, Vec<Labelled>) = (Vec::new(), Vec::new());
     let mut handles = Vec::new();
     let mut scopes = Vec::new();
-    for panel in &plan.panels {
-        let drawn = draw_panel(plan, theme, &panels, &mut handles);
+    for (i, panel) in plan.panels.iter().enumerate() {
+        let last = before.map(|before| [before.panels.get(i), before.insets.get(insets.len())]);
+        let drawn = draw_panel(plan, theme, (&panels, last.unwrap_or_default()), &mut handles);
         let DrawnPanel { group, labelled, inset, cues, base } = drawn;
         let begin = items.len();
         insets.extend(inset);
@@ -186,132 +204,6 @@ fn page_paint(plan: &Plan, theme: &Theme) -> Paint {
     }
 }
 
-/// The panels before one that show the same space in the same size: where their labels stand, the same stand
-/// again.
-pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> {
-    let this = &plan.panels[index];
-    let same = move |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
-    (0..index).filter(move |&i| same(&plan.panels[i]))
-}
-
-/// An enlarged detail of a panel, drawn.
-pub(super) struct Enlarged {
-    /// Where it stands, and what it shows.
-    inset: Inset,
-    /// What the panel's layers draw there.
-    sketched: Sketched,
-    /// The labels that found a place there.
-    labelled: Labelled,
-}
-
-/// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
-/// one, in which labels stand already.
-pub(super) fn sought(
-    plan: &Plan,
-    theme: &Theme,
-    index: usize,
-) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
-    let panel = &plan.panels[index];
-    let context = panel.context(plan.scene, &plan.runs);
-    let mut sketched = panel.sketch(&context, theme);
-    let enlarged = panel.inset(&sketched).map(|inset| {
-        let enlarged = panel.sketch_inset(&inset, &context, theme);
-        let sought = seeking(plan, (theme, index), &enlarged);
-        let mut labelled = labelled(plan, &enlarged, &sought, &[]);
-        inset.without_the_cut_off(&mut labelled);
-        inset.claim(&mut sketched, &named(&sought, &labelled));
-        Enlarged { inset, sketched: enlarged, labelled }
-    });
-    let sought = seeking(plan, (theme, index), &sketched);
-    ((sketched, sought), enlarged)
-}
-
-/// What labels that found a place belong to, with their keys.
-fn named<'s>(sought: &'s [Sought], labelled: &Labelled) -> Vec<(&'static str, &'s Anchor)> {
-    let is_placed = |s: &&Sought| labelled.placed.iter().any(|p| p.key == s.key && p.part == s.part);
-    sought.iter().filter(is_placed).map(|s| (s.key, &s.anchor)).collect()
-}
-
-/// The labels that seek their places among what was drawn of a panel.
-fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) -> Vec<Sought> {
-    let panel = &plan.panels[index];
-    let context = &panel.context(plan.scene, &plan.runs);
-    let size = |size: Size| plan.layout.measures.size(size.kind());
-    let marked = !theme.counts_on_color();
-    let wording = Wording { context, type_size: &size, is_key, marked };
-    // A text that can't be set was said by the plan.
-    let set =
-        |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();
-    sketched.requests.iter().filter_map(set).collect()
-}
-
-/// A panel, drawn.
-struct DrawnPanel {
-    /// What is drawn of it.
-    group: Group,
-    /// Its labels.
-    labelled: Labelled,
-    /// The labels of its inset.
-    inset: Option<Labelled>,
-    /// The cues of what is drawn, in the order of their numbers.
-    cues: Vec<Cue>,
-    /// With what the panel as a whole comes.
-    base: Option<Cue>,
-}
-
-/// Draws a panel beside those before it. Where the answer gives its moment, what is dragged would move that
-/// too, and nothing has a handle.
-fn draw_panel(plan: &Plan, theme: &Theme, before: &[Labelled], handles: &mut Vec<Handle>) -> DrawnPanel {
-    let index = before.len();
-    let panel = &plan.panels[index];
-    let ((sketched, sought), enlarged) = sought(plan, theme, index);
-    if given(&panel.source, plan.scene).is_some() {
-        handles.extend(sketched.holds.iter().filter_map(|hold| hold.on_page(&sketched.frame, index)));
-    }
-    let series = earlier(plan, index).map(|i| &before[i]);
-    let series: Vec<(Rect, Placed)> =
-        series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
-    let labelled = labelled(plan, &sketched, &sought, &series);
-    let mut group = Group::new(format!("panel-{}", index + 1));
-    group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
-    let names = labels(&labelled, &sketched.requests, theme);
-    let mut cues = sketched.cues.clone();
-    group.items = vec![layers(sketched)];
-    group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
-    group.items.push(names);
-    let inset = enlarged.map(|Enlarged { inset, sketched, labelled }| {
-        let [ground, frame] = inset.ground(theme);
-        let mut detail = Group::new("inset");
-        detail.label = Some(inset.in_words());
-        let names = labels(&labelled, &sketched.requests, theme);
-        let (first, own) = (cues.len(), sketched.cues.clone());
-        detail.items = vec![ground, layers(sketched), frame, names];
-        let mut detail = Item::Group(detail);
-        detail.for_each_shown(&|shown| *shown = shown.after(first));
-        cues.extend(own);
-        group.items.push(detail);
-        labelled
-    });
-    let base = panel.known(&panel.context(plan.scene, &plan.runs));
-    DrawnPanel { group, labelled, inset, cues, base }
-}
-
-/// What was drawn of a panel with its labels at their places; `series` are those of earlier panels.
-fn labelled(plan: &Plan, sketched: &Sketched, sought: &[Sought], series: &[(Rect, Placed)]) -> Labelled {
-    let Sketched { frame, obstacles, requests, unnamed, .. } = sketched;
-    let things = &things(requests, unnamed, obstacles, frame);
-    let ground = Ground { frame, obstacles, things, earlier: series, panels: plan.panels.len() };
-    place(sought, &ground)
-}
-
-/// What layers drew, cut off at the edges of their panel.
-fn layers(sketched: Sketched) -> Item {
-    let mut layers = Group::new("layers");
-    layers.clip = Some(sketched.frame.panel);
-    layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
-    Item::Group(layers)
-}
-
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
@@ -325,39 +217,6 @@ fn description(plan: &Plan, run: &Run) -> String {
 fn sentence(text: &str) -> String {
     let is_ended = text.trim_end().ends_with(['.', '!', '?', '…', ':', ';']);
     if is_ended { text.to_owned() } else { format!("{text}.") }
-}
-
-/// A layer without the parts that it began and drew nothing in.
-fn without_empty_parts(mut layer: Group) -> Group {
-    layer.items.retain(|item| !matches!(item, Item::Group(part) if part.items.is_empty()));
-    layer
-}
-
-/// The labels of a panel, each with its halo and its leader line.
-fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
-    let mut group = Group::new("labels");
-    for label in &panel.placed {
-        let mut one = Group::new(format!("label-{}", label.key));
-        one.role = Some(label.role);
-        if let Some(Leader { from, to, dot, .. }) = label.leader {
-            let stroke = Stroke::solid(theme.paint(Role::Muted), THIN);
-            one.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
-            if dot {
-                let disc = Contour::Circle { center: from, radius: LEADER_DOT };
-                one.items.push(Item::Path(Path::filled(disc, theme.paint(Role::Muted))));
-            }
-        }
-        let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
-        one.items.extend(
-            label.lines.iter().flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo))),
-        );
-        let asked = requests.iter().find(|r| (r.part, r.label.key) == (label.part, label.key));
-        let now = asked.map_or(Shown::ALWAYS, |request| request.shown);
-        let mut one = Item::Group(one);
-        one.for_each_shown(&|shown| *shown = now);
-        group.items.push(one);
-    }
-    Item::Group(group)
 }
 
 /// The title over a panel.
@@ -392,7 +251,7 @@ fn across(name: &str, text: &Across, (at, step, aside): (Point, f64, f64), theme
 fn rules(plan: &Plan, theme: &Theme) -> Item {
     let mut group = Group::new("rules");
     for &(from, to) in &plan.page.rules {
-        let stroke = Stroke::solid(theme.paint(Role::Grid), 2.0 * THIN);
+        let stroke = Stroke::solid(theme.paint(Role::Grid), RULE);
         group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
     }
     Item::Group(group)

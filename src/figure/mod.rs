@@ -13,6 +13,7 @@ pub mod default_picture;
 mod describe;
 mod difference;
 mod draw;
+mod drawn_panel;
 mod fault;
 mod frame;
 mod handle;
@@ -47,7 +48,7 @@ use crate::scene::Scene;
 #[cfg(test)]
 use layer::{LAYERS, Shows};
 
-pub use draw::{Figure, draw, draw_in_steps};
+pub use draw::{Figure, draw, draw_after, draw_in_steps};
 pub use fault::{Fault, off_page};
 pub use frame::Frame;
 pub use handle::{Handle, Pull, Setting, handles_json};

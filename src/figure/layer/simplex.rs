@@ -147,7 +147,8 @@ fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, val
     let Some(u) = v.try_normalize() else { return };
     let w = next.unwrap_or(v);
     let (foot, across) = (u * w.dot(u), perp(u));
-    let side = if w.dot(across) < 0.0 { -across } else { across };
+    // Where the search ends, w is v, on neither side: rounding must not choose.
+    let side = if w.dot(across) < -ON_LINE * v.length() { -across } else { across };
     let beside = side * sketch.px(BESIDE);
     let reach = sketch.px(SEARCH).min(0.5 * v.length());
     let (from, tip) = (v + beside, v + beside - u * reach);

@@ -69,7 +69,7 @@ mod tests {
     fn the_field_is_all_that_a_leader_line_reaches_within_the_panel() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 100.0 };
         let own = Thing::new(Kind::Point, vec![Point::new(20.0, 50.0)], 4.5).unwrap();
-        let things = Things::among(&[], Some(own.clone()), &panel, &TUNED.places);
+        let things = Things::among(&[], Some(own.clone()), &panel);
         let all = field(&things, (30.0, 12.0), &panel, &TUNED);
         assert!(all.len() > 50, "{}", all.len());
         for place in &all {

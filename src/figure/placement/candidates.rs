@@ -359,7 +359,7 @@ mod tests {
     fn a_label_in_trouble_is_offered_a_square_of_places_about_its_own() {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
         let place = Candidate::new(about(Point::default(), (30.0, 12.0)), 1.0);
-        let all = nudged(&place, &Things::among(&[], None, &panel, W), &TUNED);
+        let all = nudged(&place, &Things::among(&[], None, &panel), &TUNED);
         assert_eq!(all.len(), 13 * 13);
         assert!(all.contains(&place), "its own place is among them, at no further reluctance");
     }

@@ -24,11 +24,11 @@ pub(super) fn places(things: &Things, size: (f64, f64), w: &Places) -> Vec<Candi
     let Some(area) = things.own.as_ref().map(Thing::line) else { return Vec::new() };
     let bounds = area.bounds();
     let avoid = things.avoid();
-    let best = things.remote.first().map_or(1.0, |p| p.1.max(1.0));
+    let best = things.remote(w).first().map_or(1.0, |p| p.1.max(1.0));
     let reach = 0.5 * libm::hypot(bounds.width(), bounds.height()).max(1.0);
     let ample = ample(size, w);
     let mut inside: Vec<Candidate> = Vec::new();
-    for &(center, room) in &things.remote {
+    for &(center, room) in things.remote(w) {
         let rect = about(center, size);
         if room > ample || fits(&rect, area, w) {
             let off_pole = w.off_pole * (1.0 - room / best).clamp(0.0, MOST_OFF_POLE);
@@ -150,7 +150,7 @@ mod tests {
         let panel = Rect { x0: 0.0, y0: 0.0, x1: 300.0, y1: 300.0 };
         let thing = |points: &[Point]| Thing::new(Kind::Area, points.to_vec(), 0.0).unwrap();
         let all: Vec<Thing> = others.iter().map(|other| thing(other)).collect();
-        places(&Things::among(&all, Some(thing(area)), &panel, W), (12.0, 12.0), W)
+        places(&Things::among(&all, Some(thing(area)), &panel), (12.0, 12.0), W)
     }
 
     #[test]

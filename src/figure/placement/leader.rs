@@ -4,7 +4,7 @@
 //! it could name. It ends beside a marker, on a line, or in an area with a dot, in the part that is that
 //! area's alone.
 
-use crate::drawing::{Point, Rect};
+use crate::drawing::{Offset, Point, Rect};
 
 use super::Candidate;
 use super::rect::nearest_in;
@@ -33,6 +33,12 @@ pub(crate) struct Leader {
 }
 
 impl Leader {
+    /// The line moved as a whole.
+    pub(super) fn shifted(self, by: Offset) -> Self {
+        let Self { from, to, dot, border } = self;
+        Self { from: from + by, to: to + by, dot, border: border + by }
+    }
+
     /// How long it is, page pixels.
     pub(super) fn length(&self) -> f64 {
         (self.to - self.from).length()
@@ -59,10 +65,10 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
 /// The leader line into an area, to the nearest spot that is well inside of it and in no other one.
 fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     let own = things.own.as_ref()?;
-    let best = things.remote.first().map(|&(_, room)| room).filter(|&room| room > 0.0)?;
+    let best = things.remote(w).first().map(|&(_, room)| room).filter(|&room| room > 0.0)?;
     let depth = w.leader_depth.min(0.5 * best);
     // The remotest come first.
-    let spots = things.remote.iter().take_while(|&&(_, room)| room >= depth).map(|&(p, _)| p);
+    let spots = things.remote(w).iter().take_while(|&&(_, room)| room >= depth).map(|&(p, _)| p);
     let far = spots.map(|p| ((nearest_in(rect, p) - p).square(), p));
     let (_, aim) = far.min_by(|(p, _), (q, _)| p.total_cmp(q))?;
     let near = nearest_in(rect, aim);
@@ -109,7 +115,6 @@ mod tests {
     use super::super::rect::about;
     use super::super::things::{Kind, Thing};
     use super::*;
-    use crate::drawing::Offset;
 
     const W: &Places = &Places::TUNED;
 
@@ -117,7 +122,7 @@ mod tests {
     fn a_far_place_has_a_leader_of_at_most_forty_pixels() {
         let at = Point::new(0.0, 0.0);
         let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
-        let things = Things::among(&[], Thing::new(Kind::Point, vec![at], 4.5), &panel, W);
+        let things = Things::among(&[], Thing::new(Kind::Point, vec![at], 4.5), &panel);
         let beside = |gap: f64| Candidate::new(about(at + Offset::new(19.5 + gap, 0.0), (30.0, 12.0)), 0.0);
         let places = led([5.0, 27.0, 38.0, 60.0].map(beside), &things, W);
         let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
@@ -134,7 +139,7 @@ mod tests {
         };
         let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
         let all = [square(0.0), square(40.0)];
-        let things = Things::among(&all, Some(square(40.0)), &panel, W);
+        let things = Things::among(&all, Some(square(40.0)), &panel);
         // Above the middle of both.
         let rect = about(Point::new(60.0, -12.0), (60.0, 12.0));
         let [plain, clear] = &led(vec![Candidate::new(rect, 0.0)], &things, W)[..] else {

@@ -12,12 +12,17 @@
 //! Every label stands nearer to its own thing than to any other that it could name, or a [`leader`] line
 //! joins them.
 //!
+//! In a figure that moves, a label [rests](rest) where it stood in the frame before, while that is
+//! comfortable.
+//!
 //! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
-//! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them, [`solve`]
-//! chooses among them, [`faults`] says what is still wrong. All their numbers are [`weights`].
+//! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them,
+//! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong. All their
+//! numbers are [`weights`].
 
 mod anywhere;
 mod candidates;
+mod choices;
 mod cost;
 mod faults;
 mod inside;
@@ -25,6 +30,8 @@ mod leader;
 mod pole;
 mod polyline;
 mod rect;
+mod rest;
+mod seeker;
 mod solve;
 mod things;
 mod weights;
@@ -125,6 +132,17 @@ impl Candidate {
     }
 }
 
+/// How a label came by its place: by that it is judged in the next frame of a figure that moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Standing {
+    /// Which of the ways to break the label into lines it takes: 0 for its own.
+    folds: usize,
+    /// How far its place is from the best kind of place.
+    reluctance: f64,
+    /// What the place cost by itself when it was chosen.
+    cost: f64,
+}
+
 /// A label at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
@@ -144,6 +162,8 @@ pub struct Placed {
     pub(crate) part: usize,
     /// Where what it belongs to lies, page pixels from the upper left corner of its panel.
     pub(crate) home: Offset,
+    /// What the picture after this one has to know of its place.
+    standing: Standing,
     /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
 }

@@ -1,28 +1,23 @@
-//! Greedy by regret, then 1-opt, then pairs, until nothing moves.
+//! The search of a panel's labels for their places: what each is offered when, and what is left out in the
+//! end.
 
 use std::cell::Cell;
-use std::sync::Arc;
 
-use crate::drawing::{Point, Rect};
+use crate::drawing::Rect;
 use crate::figure::frame::Frame;
-use crate::figure::sketch::{Anchor, Corner, Obstacle};
+use crate::figure::sketch::Obstacle;
 
 use super::anywhere::anywhere;
-use super::candidates::{candidates, home, nudged};
-use super::cost::{Surroundings, near_by, own_cost, pair_cost};
+use super::candidates::{candidates, nudged};
+use super::choices::Choices;
+use super::cost::Surroundings;
 use super::faults::hides;
-use super::things::{Thing, Things};
+use super::rest::stays;
+use super::seeker::Seeker;
+use super::things::Thing;
 use super::weights::{TUNED, Weights};
 use super::worth::worth_naming;
-use super::{Candidate, LEADING, Labelled, Placed, Sought};
-
-/// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
-const PASSES: usize = 64;
-/// A move has to gain this much, so that rounding never decides between equal places.
-const GAIN: f64 = 1e-6;
-/// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay
-/// so whatever the last bits of an answer are, and the first of them is taken.
-const PARTS: f64 = 1e6;
+use super::{Candidate, Labelled, Placed, Sought};
 
 /// Pairs of places that the search for better ones may price in a figure, shared evenly by its panels; labels
 /// then stay where they are. A pair takes 5 ns. The committed figures take 60,000 in a panel at most, 2,000
@@ -41,22 +36,10 @@ pub(crate) struct Ground<'p> {
     pub(crate) things: &'p [Thing],
     /// Labels of earlier panels of the series, each with its panel.
     pub(crate) earlier: &'p [(Rect, Placed)],
+    /// The panel in the frame before of a figure that moves.
+    pub(crate) before: Option<&'p Labelled>,
     /// How many panels the figure has, which share the work of the search.
     pub(crate) panels: usize,
-}
-
-/// The candidates of every label, and which one each has at the moment.
-struct Choices<'w> {
-    /// For each label its candidates, each with what it costs whatever the other labels do.
-    places: Vec<Vec<(Candidate, f64)>>,
-    /// For each label the index of its candidate.
-    chosen: Vec<usize>,
-    /// The numbers that decide.
-    weights: &'w Weights,
-    /// How many pairs of places were priced so far.
-    priced: Cell<usize>,
-    /// How many may be.
-    most: usize,
 }
 
 /// Places the labels of a panel.
@@ -66,174 +49,88 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 
 /// Places the labels of a panel by other numbers than the tuned ones.
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
-    let Ground { frame, obstacles, things, earlier, panels } = *ground;
+    let Ground { frame, obstacles, things, earlier, before, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
     let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
-    let seekers: Vec<Seeker> = sought
-        .iter()
-        .map(|sought| {
-            let things = Things::of(&sought.anchor, things, frame, &weights.places);
-            Seeker { sought, home: home(&sought.anchor, frame, &weights.places), things }
-        })
-        .collect();
-    let places = seekers
-        .iter()
-        .map(|s| s.priced(candidates(s.sought, &s.things, frame, &weights.places), &surroundings));
-    let (places, chosen, most) = (places.collect(), vec![0; sought.len()], MAX_PRICED / panels.max(1));
-    let mut choices = Choices { places, chosen, weights, priced: Cell::new(0), most };
+    let seekers: Vec<Seeker> = sought.iter().map(|s| Seeker::new(s, things, frame, weights)).collect();
+    let none = || seekers.iter().map(|_| None).collect();
+    let stays = before.map_or_else(none, |before| stays(&seekers, before, &surroundings, weights));
+    let mut choices = Choices {
+        places: vec![Vec::new(); seekers.len()],
+        chosen: vec![0; seekers.len()],
+        stays,
+        urged: vec![false; seekers.len()],
+        weights,
+        priced: Cell::new(0),
+        most: MAX_PRICED / panels.max(1),
+    };
+    choices.offer(&seekers, &surroundings);
     choices.greedy();
     choices.improve();
-    choices.widen(&seekers, &surroundings);
+    let awake: Vec<usize> = (0..seekers.len()).filter(|&label| !choices.rests(label)).collect();
+    choices.widen(&awake, &seekers, &surroundings);
     choices.improve();
+    let woken = choices.wake(&seekers, &surroundings);
+    if !woken.is_empty() {
+        choices.improve();
+        choices.widen(&woken, &seekers, &surroundings);
+        choices.improve();
+    }
     if choices.search_all(&seekers, &surroundings) {
         choices.improve();
     }
-    choices.finish(&seekers, ground)
-}
-
-/// A label that seeks its place.
-struct Seeker<'s> {
-    /// What it says, and of what.
-    sought: &'s Sought,
-    /// Where what it belongs to lies, page pixels.
-    home: Point,
-    /// What it names, and what it must not seem to name.
-    things: Things<'s>,
-}
-
-impl Seeker<'_> {
-    /// Places, each with what it costs whatever the other labels do.
-    fn priced(&self, all: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
-        let near_by = near_by(self.sought, &all, scene);
-        let own = |c: &Candidate| own_cost((self.sought, &self.things), self.home, c, &near_by, scene);
-        let cost = |c: &Candidate| steady(own(c));
-        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect()
-    }
-}
-
-/// A cost rounded to whole [`PARTS`].
-fn steady(cost: f64) -> f64 {
-    (PARTS * cost).round() / PARTS
+    choices.finish(&seekers, ground, &surroundings)
 }
 
 impl Choices<'_> {
-    /// Where a label stands at the moment.
-    fn candidate(&self, label: usize) -> &Candidate {
-        &self.places[label][self.chosen[label]].0
-    }
-
-    /// Whether all the work is done that may be.
-    fn is_spent(&self) -> bool {
-        self.priced.get() > self.most
-    }
-
-    /// The cost of a place beside the labels in `set`, or what of it is already as much as `most`.
-    fn cost_within(&self, label: usize, slot: usize, set: &[usize], most: f64) -> f64 {
-        let (candidate, own) = &self.places[label][slot];
-        let mut pairs = 0.0;
-        for &other in set.iter().filter(|&&other| other != label) {
-            if own + pairs >= most {
-                break;
-            }
-            self.priced.set(self.priced.get() + 1);
-            pairs += self.pair(candidate, self.candidate(other));
-        }
-        own + pairs
-    }
-
-    /// The cost of a place beside the labels in `set`.
-    fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
-        self.cost_within(label, slot, set, f64::INFINITY)
-    }
-
-    /// The best place beside the labels in `set`, and how much worse the second best is.
-    fn regret(&self, label: usize, set: &[usize]) -> (usize, f64) {
-        let (mut best, mut first, mut second) = (0, f64::INFINITY, f64::INFINITY);
-        for slot in 0..self.places[label].len() {
-            let cost = self.cost_within(label, slot, set, second);
-            if cost < first {
-                (best, second, first) = (slot, first, cost);
-            } else if cost < second {
-                second = cost;
-            }
-        }
-        (best, second - first)
-    }
-
-    /// The best of the places beside the labels in `set` that cost less than `most`, and its cost.
-    fn best(&self, label: usize, set: &[usize], most: f64) -> Option<(usize, f64)> {
-        let mut best = None;
-        for slot in 0..self.places[label].len() {
-            let least = best.map_or(most, |(_, cost)| cost);
-            let cost = self.cost_within(label, slot, set, least);
-            if cost < least {
-                best = Some((slot, cost));
-            }
-        }
-        best
-    }
-
-    /// The places of a label that cost least by themselves.
-    fn cheapest(&self, label: usize, count: usize) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.places[label].len()).collect();
-        order.sort_by(|&a, &b| self.places[label][a].1.total_cmp(&self.places[label][b].1));
-        order.truncate(count);
-        order
-    }
-
-    /// What two places cost each other.
-    fn pair(&self, a: &Candidate, b: &Candidate) -> f64 {
-        pair_cost(a, b, &self.weights.costs)
-    }
-
-    /// Sets the label that would lose most by waiting, then the next.
-    fn greedy(&mut self) {
-        let mut waiting: Vec<usize> =
-            (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
-        let mut set = Vec::new();
-        while !waiting.is_empty() {
-            let mut next = (0, 0, f64::NEG_INFINITY);
-            for (i, &label) in waiting.iter().enumerate() {
-                let (slot, regret) = self.regret(label, &set);
-                if regret > next.2 {
-                    next = (i, slot, regret);
-                }
-            }
-            let label = waiting.remove(next.0);
-            self.chosen[label] = next.1;
-            set.push(label);
-        }
-    }
-
-    /// Moves one label after the other to its best place, until none wants to.
-    fn improve(&mut self) {
-        let all: Vec<usize> = (0..self.places.len()).collect();
-        for _ in 0..PASSES {
-            let mut moved = false;
-            for &label in &all {
-                if self.is_spent() {
-                    return;
-                }
-                let now = self.cost(label, self.chosen[label], &all);
-                if let Some((slot, _)) = self.best(label, &all, now).filter(|(_, cost)| cost + GAIN < now) {
-                    self.chosen[label] = slot;
-                    moved = true;
-                }
-            }
-            if !moved && !all.iter().any(|&label| self.eject(label, &all)) {
-                return;
+    /// Gives every label its places: all of them, or the one where it rests.
+    fn offer(&mut self, seekers: &[Seeker], scene: &Surroundings) {
+        for (label, seeker) in seekers.iter().enumerate() {
+            if let Some(stay) = self.stays[label].as_ref().filter(|stay| stay.rests) {
+                self.places[label] = vec![(stay.place.clone(), stay.cost)];
+            } else {
+                self.offer_all(label, seeker, scene);
             }
         }
     }
 
-    /// Offers the labels in trouble places about their places.
-    fn widen(&mut self, seekers: &[Seeker], scene: &Surroundings) {
+    /// Gives a label all its places, and first of all the one that it had, cheaper than it is.
+    fn offer_all(&mut self, label: usize, seeker: &Seeker, scene: &Surroundings) {
+        let stay = self.stays[label].as_ref();
+        let old = stay.map(|stay| (stay.place.clone(), stay.cost - self.weights.search.inertia));
+        self.urged[label] = old.is_some();
+        let places = candidates(seeker.sought, &seeker.things, scene.frame, &self.weights.places);
+        self.places[label] = old.into_iter().chain(seeker.priced(places, scene)).collect();
+        self.chosen[label] = 0;
+    }
+
+    /// Wakes the labels that rest where one that found no better place stands in their way.
+    fn wake(&mut self, seekers: &[Seeker], scene: &Surroundings) -> Vec<usize> {
+        let all = 0..seekers.len();
+        let in_the_way = |label: usize, other: usize| {
+            !self.rests(other)
+                && self.pair(self.candidate(label), self.candidate(other)) >= self.weights.search.unrest
+        };
+        let disturbed = |&label: &usize| self.rests(label) && all.clone().any(|o| in_the_way(label, o));
+        let woken: Vec<usize> = all.clone().filter(disturbed).collect();
+        for &label in &woken {
+            if let Some(stay) = &mut self.stays[label] {
+                stay.rests = false;
+            }
+            self.offer_all(label, &seekers[label], scene);
+        }
+        woken
+    }
+
+    /// Offers those of some labels that are in trouble places about their places.
+    fn widen(&mut self, labels: &[usize], seekers: &[Seeker], scene: &Surroundings) {
         let all: Vec<usize> = (0..seekers.len()).collect();
         let search = &self.weights.search;
-        for (label, seeker) in seekers.iter().enumerate() {
+        for &label in labels {
             if self.is_spent() {
                 break;
             }
+            let seeker = &seekers[label];
             if seeker.sought.pin.is_some() || self.cost(label, self.chosen[label], &all) < search.trouble {
                 continue;
             }
@@ -251,12 +148,17 @@ impl Choices<'_> {
         let mut any = false;
         for (label, seeker) in seekers.iter().enumerate() {
             let (sought, rect) = (seeker.sought, self.candidate(label).rect);
-            if self.is_spent() || sought.pin.is_some() || !hides(scene.obstacles, sought.part, &rect) {
+            if self.is_spent()
+                || self.rests(label)
+                || sought.pin.is_some()
+                || !hides(scene.obstacles, sought.part, &rect)
+            {
                 continue;
             }
             let mut places: Vec<Candidate> = self.places[label].drain(..).map(|(place, _)| place).collect();
             places.extend(anywhere(sought, &seeker.things, scene.frame, self.weights));
             self.places[label] = self.price(seeker, places, &strict);
+            self.urged[label] = true;
             any = true;
         }
         any
@@ -268,41 +170,8 @@ impl Choices<'_> {
         seeker.priced(places, scene)
     }
 
-    /// Gives a label that stands badly each of its good places in turn, lets those whom it disturbs there
-    /// move, and keeps the first that lowers the sum of all costs.
-    fn eject(&mut self, label: usize, all: &[usize]) -> bool {
-        let now = self.cost(label, self.chosen[label], all);
-        if now < self.weights.search.uneasy {
-            return false;
-        }
-        let (before, kept) = (self.total(all), self.chosen.clone());
-        for slot in self.cheapest(label, self.weights.search.cheapest) {
-            if self.places[label][slot].1 >= now || self.is_spent() {
-                break;
-            }
-            self.chosen[label] = slot;
-            let disturbed =
-                |&&o: &&usize| o != label && self.pair(self.candidate(label), self.candidate(o)) > 0.0;
-            let disturbed: Vec<usize> = all.iter().filter(disturbed).copied().collect();
-            for other in disturbed {
-                let best = self.best(other, all, f64::INFINITY);
-                self.chosen[other] = best.map_or(self.chosen[other], |(slot, _)| slot);
-            }
-            if self.total(all) + GAIN < before {
-                return true;
-            }
-            self.chosen.clone_from(&kept);
-        }
-        false
-    }
-
-    /// The sum of all costs.
-    fn total(&self, all: &[usize]) -> f64 {
-        all.iter().map(|&label| self.cost(label, self.chosen[label], &all[..label])).sum()
-    }
-
     /// The labels at their places, without those that clash beyond help.
-    fn finish(&self, seekers: &[Seeker], ground: &Ground) -> Labelled {
+    fn finish(&self, seekers: &[Seeker], ground: &Ground, scene: &Surroundings) -> Labelled {
         let Ground { frame, obstacles, things, .. } = *ground;
         let clash = self.weights.search.clash;
         let mut order: Vec<usize> = (0..seekers.len()).collect();
@@ -322,32 +191,20 @@ impl Choices<'_> {
             }
         }
         kept.sort_unstable();
-        let placed = kept.iter().map(|&i| placed(&seekers[i], self.candidate(i), frame)).collect();
+        let placed = kept.iter().map(|&i| self.placed(i, &seekers[i], scene)).collect();
         let (obstacles, things) = (obstacles.to_vec(), things.to_vec());
         Labelled { frame: *frame, obstacles, things, placed, dropped }
     }
-}
 
-/// A label at its place: its lines below each other, centred but for notes.
-fn placed(seeker: &Seeker, candidate: &Candidate, frame: &Frame) -> Placed {
-    let sought = seeker.sought;
-    let bounds = candidate.rect;
-    // The lines of a note are read as a paragraph or a column of equations.
-    let align = match sought.anchor {
-        Anchor::Corner(corner) if !matches!(corner, Corner::Top | Corner::Bottom) => 0.0,
-        _ => 0.5,
-    };
-    let mut y = bounds.y0;
-    let mut lines = Vec::with_capacity(sought.lines.len());
-    for line in sought.folded(candidate.folds) {
-        let x = bounds.x0 + align * (bounds.width() - line.width);
-        lines.push((Point::new(x, y + line.ascent), Arc::clone(line)));
-        y += line.height() + LEADING;
+    /// A label at its place; what that costs by itself is what it cost where the label rests.
+    fn placed(&self, label: usize, seeker: &Seeker, scene: &Surroundings) -> Placed {
+        let (place, cost) = &self.places[label][self.chosen[label]];
+        let resting = self.stays[label].as_ref().filter(|stay| stay.rests);
+        let plain = || seeker.priced(vec![place.clone()], scene).first().map(|(_, cost)| *cost);
+        let again = if self.urged[label] { plain() } else { None };
+        let cost = resting.map(|stay| stay.standing.cost).or(again).unwrap_or(*cost);
+        seeker.placed(place, cost, scene.frame)
     }
-    let Sought { key, role, part, .. } = *sought;
-    let home = seeker.home - Point::new(frame.panel.x0, frame.panel.y0);
-    let (leader, thing, span) = (candidate.leader, seeker.things.own.clone(), sought.span.clone());
-    Placed { key, role, lines, bounds, leader, thing, part, home, span }
 }
 
 #[cfg(test)]

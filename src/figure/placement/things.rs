@@ -13,6 +13,8 @@
 //! decide: a wide label over a short bar stands at the bar that it is centred on. A thing that lies within
 //! another one is named by what stands at both: a name in a ball that lies in a box is the ball's.
 
+use std::cell::OnceCell;
+
 use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Cover, MARKER, Obstacle, Request, SPECK};
@@ -75,9 +77,10 @@ pub(super) struct Things<'t> {
     pub(super) own: Option<Thing>,
     /// What else a label like it could name.
     pub(super) rivals: Vec<Rival<'t>>,
-    /// Points of the area that is only its own, the remotest from any line first, each with that distance,
-    /// page pixels; none for what is no area.
-    pub(super) remote: Vec<(Point, f64)>,
+    /// The panel on the page.
+    panel: Rect,
+    /// What [`Things::remote`] says, once it was asked for.
+    remote: OnceCell<Vec<(Point, f64)>>,
 }
 
 /// Everything in a panel that a label could name: what has a label, what a layer said has none, and markers.
@@ -98,18 +101,22 @@ pub(crate) fn things(
 
 impl<'t> Things<'t> {
     /// What a label belongs to, and what it must not seem to belong to.
-    pub(super) fn of(anchor: &Anchor, all: &'t [Thing], frame: &Frame, w: &Places) -> Self {
-        Self::among(all, Thing::of(anchor, frame), &frame.panel, w)
+    pub(super) fn of(anchor: &Anchor, all: &'t [Thing], frame: &Frame) -> Self {
+        Self::among(all, Thing::of(anchor, frame), &frame.panel)
     }
 
     /// What a label names, and what it must not seem to name among all things of a panel.
-    pub(super) fn among(all: &'t [Thing], own: Option<Thing>, panel: &Rect, w: &Places) -> Self {
+    pub(super) fn among(all: &'t [Thing], own: Option<Thing>, panel: &Rect) -> Self {
         let rivals = own.as_ref().map_or_else(Vec::new, |own| own.rivals(all));
-        let mut things = Self { own, rivals, remote: Vec::new() };
-        if let Some(own) = things.own.as_ref().filter(|own| own.is_area()) {
-            things.remote = grid(&own.line, &things.avoid(), panel, w);
-        }
-        things
+        Self { own, rivals, panel: *panel, remote: OnceCell::new() }
+    }
+
+    /// Points of the area that is only its own, the remotest from any line first, each with that distance,
+    /// page pixels; none for what is no area.
+    pub(super) fn remote(&self, w: &Places) -> &[(Point, f64)] {
+        let area = || self.own.as_ref().filter(|own| own.is_area());
+        let found = || area().map(|own| grid(&own.line, &self.avoid(), &self.panel, w));
+        self.remote.get_or_init(|| found().unwrap_or_default())
     }
 
     /// The contours of the areas that a name should keep out of.

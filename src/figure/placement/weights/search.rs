@@ -35,6 +35,14 @@ super::numbers! {
         /// A label that costs more than this where it stands may displace others to stand better.
         /// Twice: 2 + 0 labels; half: nothing.
         uneasy: f64 = 3.0;
+        /// In a figure that moves, a label rests where it costs less than this beside its reluctance.
+        comfort: f64 = 6.0;
+        /// It rests too where its place costs no more than this more than when it was chosen.
+        worse: f64 = 4.0;
+        /// Two labels that rest may cost each other less than this; else the weaker one seeks another place.
+        unrest: f64 = 8.0;
+        /// How much cheaper its old place is to a label that seeks another one.
+        inertia: f64 = 6.0;
         /// Labels that still overlap by this many page pixels in both directions: the weaker one is left
         /// out.
         /// Twice and half: nothing.

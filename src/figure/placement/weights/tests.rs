@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use crate::drawing::Rect;
-use crate::figure::draw::{earlier, sought};
+use crate::figure::drawn_panel::{earlier, sought};
 use crate::figure::placement::solve::{Ground, place_by};
 use crate::figure::placement::{Labelled, Sought, faults, things};
 use crate::figure::plan::{Plan, plan};
@@ -55,7 +55,7 @@ struct Case {
 
 impl Case {
     fn of(plan: &Plan) -> Self {
-        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i).0).collect();
+        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i, None).0).collect();
         let series = (0..panels.len()).map(|i| earlier(plan, i).collect()).collect();
         Self { panels, series }
     }
@@ -69,7 +69,8 @@ impl Case {
                 before.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
             let Sketched { frame, obstacles, requests, unnamed, .. } = sketched;
             let things = &things(requests, unnamed, obstacles, frame);
-            let ground = Ground { frame, obstacles, things, earlier: &before, panels: self.panels.len() };
+            let panels = self.panels.len();
+            let ground = Ground { frame, obstacles, things, earlier: &before, before: None, panels };
             all.push(place_by(weights, sought, &ground));
         }
         all

@@ -1,0 +1,194 @@
+//! A panel to groups of a display list: what its layers draw, its inset, its labels at their places.
+
+use crate::drawing::{Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke};
+
+use super::cue::Cue;
+use super::handle::Handle;
+use super::inset::Inset;
+use super::layer::is_key;
+use super::lettering::lettered;
+use super::panel::PanelPlan;
+use super::placement::{Ground, Labelled, Leader, Placed, Sought, place, things};
+use super::plan::Plan;
+use super::playhead::given;
+use super::sketch::{Anchor, Request, Size, Sketched};
+use super::text::{Wording, plain};
+use super::theme::Theme;
+
+/// How far a label's halo reaches, page pixels.
+const HALO: f64 = 2.5;
+/// Width of leader lines, page pixels.
+const THIN: f64 = 0.75;
+/// Radius of the dot at the end of a leader line in an area, page pixels: twice the line, and no marker.
+const LEADER_DOT: f64 = 1.6;
+
+/// The panels before one that show the same space in the same size: where their labels stand, the same stand
+/// again.
+pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> {
+    let this = &plan.panels[index];
+    let same = move |p: &PanelPlan| p.source.space == this.source.space && p.frame.scale == this.frame.scale;
+    (0..index).filter(move |&i| same(&plan.panels[i]))
+}
+
+/// An enlarged detail of a panel, drawn.
+pub(super) struct Enlarged {
+    /// Where it stands, and what it shows.
+    inset: Inset,
+    /// What the panel's layers draw there.
+    sketched: Sketched,
+    /// The labels that found a place there.
+    labelled: Labelled,
+}
+
+/// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
+/// one, in which labels stand already, `before` as in the frame before.
+pub(super) fn sought(
+    plan: &Plan,
+    theme: &Theme,
+    index: usize,
+    before: Option<&Labelled>,
+) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
+    let panel = &plan.panels[index];
+    let context = panel.context(plan.scene, &plan.runs);
+    let mut sketched = panel.sketch(&context, theme);
+    let enlarged = panel.inset(&sketched).map(|inset| {
+        let enlarged = panel.sketch_inset(&inset, &context, theme);
+        let sought = seeking(plan, (theme, index), &enlarged);
+        let mut labelled = labelled(plan, &enlarged, &sought, (&[], before));
+        inset.without_the_cut_off(&mut labelled);
+        inset.claim(&mut sketched, &named(&sought, &labelled));
+        Enlarged { inset, sketched: enlarged, labelled }
+    });
+    let sought = seeking(plan, (theme, index), &sketched);
+    ((sketched, sought), enlarged)
+}
+
+/// What labels that found a place belong to, with their keys.
+fn named<'s>(sought: &'s [Sought], labelled: &Labelled) -> Vec<(&'static str, &'s Anchor)> {
+    let is_placed = |s: &&Sought| labelled.placed.iter().any(|p| p.key == s.key && p.part == s.part);
+    sought.iter().filter(is_placed).map(|s| (s.key, &s.anchor)).collect()
+}
+
+/// The labels that seek their places among what was drawn of a panel.
+fn seeking(plan: &Plan, (theme, index): (&Theme, usize), sketched: &Sketched) -> Vec<Sought> {
+    let panel = &plan.panels[index];
+    let context = &panel.context(plan.scene, &plan.runs);
+    let size = |size: Size| plan.layout.measures.size(size.kind());
+    let marked = !theme.counts_on_color();
+    let wording = Wording { context, type_size: &size, is_key, marked };
+    // A text that can't be set was said by the plan.
+    let set =
+        |request: &Request| wording.set(request, panel.span_of(request), &mut Vec::new()).ok().flatten();
+    sketched.requests.iter().filter_map(set).collect()
+}
+
+/// A panel, drawn.
+pub(super) struct DrawnPanel {
+    /// What is drawn of it.
+    pub(super) group: Group,
+    /// Its labels.
+    pub(super) labelled: Labelled,
+    /// The labels of its inset.
+    pub(super) inset: Option<Labelled>,
+    /// The cues of what is drawn, in the order of their numbers.
+    pub(super) cues: Vec<Cue>,
+    /// With what the panel as a whole comes.
+    pub(super) base: Option<Cue>,
+}
+
+/// Draws a panel beside the earlier ones; `before` are the panel and its inset in the frame before. Where the
+/// answer gives its moment, what is dragged would move that too, and nothing has a handle.
+pub(super) fn draw_panel(
+    plan: &Plan,
+    theme: &Theme,
+    (panels, [before, inset]): (&[Labelled], [Option<&Labelled>; 2]),
+    handles: &mut Vec<Handle>,
+) -> DrawnPanel {
+    let index = panels.len();
+    let panel = &plan.panels[index];
+    let ((sketched, sought), enlarged) = sought(plan, theme, index, inset);
+    if given(&panel.source, plan.scene).is_some() {
+        handles.extend(sketched.holds.iter().filter_map(|hold| hold.on_page(&sketched.frame, index)));
+    }
+    let series = earlier(plan, index).map(|i| &panels[i]);
+    let series: Vec<(Rect, Placed)> =
+        series.flat_map(|l| l.placed.iter().map(|p| (l.frame.panel, p.clone()))).collect();
+    let labelled = labelled(plan, &sketched, &sought, (&series, before));
+    let mut group = Group::new(format!("panel-{}", index + 1));
+    group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
+    let names = labels(&labelled, &sketched.requests, theme);
+    let mut cues = sketched.cues.clone();
+    group.items = vec![layers(sketched)];
+    group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
+    group.items.push(names);
+    let inset = enlarged.map(|Enlarged { inset, sketched, labelled }| {
+        let [ground, frame] = inset.ground(theme);
+        let mut detail = Group::new("inset");
+        detail.label = Some(inset.in_words());
+        let names = labels(&labelled, &sketched.requests, theme);
+        let (first, own) = (cues.len(), sketched.cues.clone());
+        detail.items = vec![ground, layers(sketched), frame, names];
+        let mut detail = Item::Group(detail);
+        detail.for_each_shown(&|shown| *shown = shown.after(first));
+        cues.extend(own);
+        group.items.push(detail);
+        labelled
+    });
+    let base = panel.known(&panel.context(plan.scene, &plan.runs));
+    DrawnPanel { group, labelled, inset, cues, base }
+}
+
+/// What was drawn of a panel with its labels at their places; `earlier` are those of earlier panels, `before`
+/// the panel in the frame before.
+fn labelled(
+    plan: &Plan,
+    sketched: &Sketched,
+    sought: &[Sought],
+    (earlier, before): (&[(Rect, Placed)], Option<&Labelled>),
+) -> Labelled {
+    let Sketched { frame, obstacles, requests, unnamed, .. } = sketched;
+    let things = &things(requests, unnamed, obstacles, frame);
+    let ground = Ground { frame, obstacles, things, earlier, before, panels: plan.panels.len() };
+    place(sought, &ground)
+}
+
+/// What layers drew, cut off at the edges of their panel.
+fn layers(sketched: Sketched) -> Item {
+    let mut layers = Group::new("layers");
+    layers.clip = Some(sketched.frame.panel);
+    layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
+    Item::Group(layers)
+}
+
+/// A layer without the parts that it began and drew nothing in.
+fn without_empty_parts(mut layer: Group) -> Group {
+    layer.items.retain(|item| !matches!(item, Item::Group(part) if part.items.is_empty()));
+    layer
+}
+
+/// The labels of a panel, each with its halo and its leader line.
+fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
+    let mut group = Group::new("labels");
+    for label in &panel.placed {
+        let mut one = Group::new(format!("label-{}", label.key));
+        one.role = Some(label.role);
+        if let Some(Leader { from, to, dot, .. }) = label.leader {
+            let stroke = Stroke::solid(theme.paint(Role::Muted), THIN);
+            one.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
+            if dot {
+                let disc = Contour::Circle { center: from, radius: LEADER_DOT };
+                one.items.push(Item::Path(Path::filled(disc, theme.paint(Role::Muted))));
+            }
+        }
+        let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
+        one.items.extend(
+            label.lines.iter().flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo))),
+        );
+        let asked = requests.iter().find(|r| (r.part, r.label.key) == (label.part, label.key));
+        let now = asked.map_or(Shown::ALWAYS, |request| request.shown);
+        let mut one = Item::Group(one);
+        one.for_each_shown(&|shown| *shown = now);
+        group.items.push(one);
+    }
+    Item::Group(group)
+}

@@ -1,0 +1,71 @@
+//! A label that seeks its place: what it says, where what it names lies, what its places cost by themselves.
+
+use std::sync::Arc;
+
+use crate::drawing::Point;
+use crate::figure::frame::Frame;
+use crate::figure::sketch::{Anchor, Corner};
+
+use super::candidates::home;
+use super::cost::{Surroundings, near_by, own_cost};
+use super::things::{Thing, Things};
+use super::weights::Weights;
+use super::{Candidate, LEADING, Placed, Sought, Standing};
+
+/// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay
+/// so whatever the last bits of an answer are, and the first of them is taken.
+const PARTS: f64 = 1e6;
+
+/// A label that seeks its place.
+pub(super) struct Seeker<'s> {
+    /// What it says, and of what.
+    pub(super) sought: &'s Sought,
+    /// Where what it belongs to lies, page pixels.
+    pub(super) home: Point,
+    /// What it names, and what it must not seem to name.
+    pub(super) things: Things<'s>,
+}
+
+impl<'s> Seeker<'s> {
+    /// A label among all things of its panel.
+    pub(super) fn new(sought: &'s Sought, all: &'s [Thing], frame: &Frame, weights: &Weights) -> Self {
+        let things = Things::of(&sought.anchor, all, frame);
+        Self { sought, home: home(&sought.anchor, frame, &weights.places), things }
+    }
+
+    /// Places, each with what it costs whatever the other labels do.
+    pub(super) fn priced(&self, all: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
+        let near_by = near_by(self.sought, &all, scene);
+        let own = |c: &Candidate| own_cost((self.sought, &self.things), self.home, c, &near_by, scene);
+        let cost = |c: &Candidate| steady(own(c));
+        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect()
+    }
+
+    /// The label at its place: its lines below each other, centred but for notes.
+    pub(super) fn placed(&self, candidate: &Candidate, cost: f64, frame: &Frame) -> Placed {
+        let sought = self.sought;
+        let bounds = candidate.rect;
+        // The lines of a note are read as a paragraph or a column of equations.
+        let align = match sought.anchor {
+            Anchor::Corner(corner) if !matches!(corner, Corner::Top | Corner::Bottom) => 0.0,
+            _ => 0.5,
+        };
+        let mut y = bounds.y0;
+        let mut lines = Vec::with_capacity(sought.lines.len());
+        for line in sought.folded(candidate.folds) {
+            let x = bounds.x0 + align * (bounds.width() - line.width);
+            lines.push((Point::new(x, y + line.ascent), Arc::clone(line)));
+            y += line.height() + LEADING;
+        }
+        let Sought { key, role, part, .. } = *sought;
+        let home = self.home - Point::new(frame.panel.x0, frame.panel.y0);
+        let (leader, thing, span) = (candidate.leader, self.things.own.clone(), sought.span.clone());
+        let standing = Standing { folds: candidate.folds, reluctance: candidate.reluctance, cost };
+        Placed { key, role, lines, bounds, leader, thing, part, home, standing, span }
+    }
+}
+
+/// A cost rounded to whole [`PARTS`].
+fn steady(cost: f64) -> f64 {
+    (PARTS * cost).round() / PARTS
+}
