@@ -10,14 +10,15 @@ use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 use tracefig::figure::theme;
-use tracefig::figure::{Fault, Figure, draw, off_page, plan, plan_in};
-use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, OutputError, PngEffort, Writer, short_id};
+use tracefig::figure::{Fault, Figure, draw, plan, plan_in};
+use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::limits::MAX_SCALE;
-use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
+use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
 
 use super::Status;
 use super::atomic_file::Wait;
-use super::inputs::{Input, find, shown};
+use super::encoding::{cant_encode, encode, figure_id, warn};
+use super::inputs::{find, shown};
 use super::jobs::{Job, Planned, Target, jobs};
 use super::parallel::threads;
 use super::regular::read_regular;
@@ -25,6 +26,7 @@ use super::settings::{Flags, Projects, Settings, usual_formats};
 use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
 use super::timings::Timings;
 use super::unplanned::Unplanned;
+use super::variants::{Unvaried, scene_of, variant};
 
 /// The help of `--format`.
 fn format_help() -> String {
@@ -50,6 +52,10 @@ pub(crate) struct Files {
     /// Dots of an image for each page pixel; default: what the project file says, else 2
     #[arg(long, value_parser = scale)]
     scale: Option<f64>,
+    /// The question of an exercise, without any trace of the answer, or the key with the answer and the way
+    /// to it, or both, as STEM.question.EXT and STEM.key.EXT; default: the figure
+    #[arg(long, value_delimiter = ',', value_name = "VARIANT", value_parser = variant)]
+    variant: Vec<Variant>,
     /// How a PNG is packed: fast, or small (slower, the same pixels)
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
@@ -115,6 +121,20 @@ impl From<String> for Failure {
     }
 }
 
+/// What is drawn: a scene of a job, or a variant of it.
+struct Subject<'f> {
+    /// The job.
+    job: &'f Job,
+    /// The file of the scene.
+    file: &'f SceneFile,
+    /// What is drawn of it.
+    scene: &'f Scene,
+    /// The theme of the file that the scene names.
+    own: Option<&'f ChosenTheme>,
+    /// How messages look.
+    ink: Ink,
+}
+
 /// What a run is to draw.
 pub(crate) struct Plan {
     /// The scenes with their files.
@@ -143,7 +163,8 @@ impl Files {
 
     /// What the command line says of all scenes.
     fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
-        Flags { output, formats: &self.format, themes: &self.theme, scale: self.scale }
+        let (formats, themes, variants) = (&self.format, &self.theme, &self.variant);
+        Flags { output, formats, themes, scale: self.scale, variants }
     }
 
     /// Whether a scene is to come from standard input.
@@ -210,7 +231,7 @@ impl Files {
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
             let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            let hash = self.hash(job, &file, planned.format, theme);
+            let hash = self.hash((job, planned), &file, theme);
             let stamp =
                 read_regular(path, MOST_BYTES).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
             stamp.is_some_and(|stamp| stamp.is_of(&hash))
@@ -239,8 +260,13 @@ impl Files {
     }
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
-    fn hash(&self, job: &Job, file: &SceneFile, format: &Format, theme: &str) -> String {
-        fingerprint(&file.meaning, &format.key(theme, &self.options(job)))
+    fn hash(&self, (job, planned): (&Job, &Planned), file: &SceneFile, theme: &str) -> String {
+        let mut key = planned.format.key(theme, &self.options(job));
+        if planned.variant != Variant::Figure {
+            key.push_str(" variant=");
+            key.push_str(planned.variant.word());
+        }
+        fingerprint(&file.meaning, &key)
     }
 
     /// The files of a scene, or what is wrong.
@@ -256,24 +282,45 @@ impl Files {
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
-        let plan = match &own {
-            Some(own) => plan_in(&file.scene, &own.theme),
-            None => match job.settings.themes.first() {
-                Some(first) => plan_in(&file.scene, &first.theme),
-                None => plan(&file.scene),
-            },
+        let mut files: Vec<Encoded> = Vec::new();
+        for same_variant in job.files.chunk_by(|a, b| a.variant == b.variant) {
+            let scene = scene_of(&file, same_variant.first().map_or(Variant::Figure, |first| first.variant));
+            let scene = scene.map_err(|unvaried| match unvaried {
+                Unvaried::NoExercise => {
+                    format!("error: {} is no exercise: it lacks `[exercise]`\n", visible(&file.source.name))
+                }
+                Unvaried::Wrong(problems) => refuse(problems),
+            })?;
+            let subject = Subject { job, file: &file, scene: &scene, own: own.as_deref(), ink };
+            files.extend(self.encoded_variant(&subject, same_variant, messages, timings)?);
+        }
+        Ok(files)
+    }
+
+    /// The files of a variant of a scene, or what is wrong.
+    fn encoded_variant(
+        &self,
+        &Subject { job, file, scene, own, ink }: &Subject<'_>,
+        all: &[Planned],
+        messages: &mut String,
+        timings: &mut Timings,
+    ) -> Result<Vec<Encoded>, Failure> {
+        let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
+        let plan = match own.or(job.settings.themes.first()) {
+            Some(theme) => plan_in(scene, &theme.theme),
+            None => plan(scene),
         };
         let plan = plan.map_err(refuse)?;
         timings.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
-        for same_theme in job.files.chunk_by(|a, b| a.theme == b.theme) {
+        for same_theme in all.chunk_by(|a, b| a.theme == b.theme) {
             let Some(first) = same_theme.first() else { continue };
-            let chosen = job.settings.theme(first.theme.as_deref()).or(own.as_deref());
+            let chosen = job.settings.theme(first.theme.as_deref()).or(own);
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             // Texts are set and views fitted for the sizes of one theme; those of the house have the same.
             let other = (theme.text, theme.strokes) != (plan.theme.text, plan.theme.strokes);
-            let planned_anew = if other { Some(plan_in(&file.scene, theme).map_err(refuse)?) } else { None };
+            let planned_anew = if other { Some(plan_in(scene, theme).map_err(refuse)?) } else { None };
             let plan = planned_anew.as_ref().unwrap_or(&plan);
             let Figure { mut drawing, warnings, .. } = draw(plan, theme, &figure_id(job, first));
             timings.lap("draw");
@@ -282,7 +329,7 @@ impl Files {
             }
             if files.is_empty() {
                 // Labels stand at the same places in every theme.
-                warn(&file, &warnings, ink, messages);
+                warn(file, &warnings, ink, messages);
             }
             if let Some(chosen) = chosen {
                 let told = unfit(&file.source.name, chosen, &drawing, self.allow_similar);
@@ -295,12 +342,12 @@ impl Files {
             let facts = facts(plan);
             let mut all_bytes = Vec::new();
             for planned in same_theme {
-                let hash =
-                    self.hash(job, &file, planned.format, chosen.map_or(theme.name, |chosen| &chosen.key));
+                let key = chosen.map_or(theme.name, |chosen| &chosen.key);
+                let hash = self.hash((job, planned), file, key);
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
                 let encoded = encode(&drawing, planned.format, &self.options(job));
-                all_bytes.push(encoded.map_err(|error| cant_encode(&file, planned, &error, ink))?);
+                all_bytes.push(encoded.map_err(|error| cant_encode(file, planned, &error, ink))?);
                 timings.lap(planned.format.name);
             }
             let drawing = Arc::new(drawing);
@@ -322,41 +369,6 @@ impl Files {
     fn effort(&self) -> PngEffort {
         PngEffort::ALL.into_iter().find(|effort| effort.word() == self.png).unwrap_or_default()
     }
-}
-
-/// A drawing as a file.
-fn encode(drawing: &Drawing, format: &Format, options: &Options) -> Result<Vec<u8>, OutputError> {
-    match format.write {
-        Writer::One(write) => write(drawing, options),
-        Writer::Sequence(write) => write(&[drawing], options),
-    }
-}
-
-/// Adds the messages of warnings.
-fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut String) {
-    for warning in warnings {
-        messages.push_str(&message(&file.source, warning, warning.fault.severity(), ink));
-    }
-}
-
-/// What the ids and classes of a figure begin with, so that several can stand in one page: made of the
-/// file's name.
-fn figure_id(job: &Job, planned: &Planned) -> String {
-    let stem = match (&planned.target, &job.input) {
-        (Target::File(path), _) | (Target::Stdout, Input::File(path)) => path.file_stem(),
-        (Target::Stdout, Input::Stdin | Input::Line { .. }) => None,
-    };
-    let name = stem.map_or("stdin".into(), |s| s.to_string_lossy());
-    short_id(u128::from_str_radix(&fingerprint(&name, "id"), 16).unwrap_or(0))
-}
-
-/// The message of a file that a format can't make.
-fn cant_encode(file: &SceneFile, planned: &Planned, error: &OutputError, ink: Ink) -> String {
-    if let OutputError::NotFinite { outer, group } = error {
-        let problems = vec![off_page(&file.scene, outer, group)];
-        return Refused { source: file.source.clone(), problems }.render(ink);
-    }
-    format!("error: can't write {} as {}: {error}\n", visible(&file.source.name), planned.format.name)
 }
 
 /// The scene of a job, on the page that its project gives it.

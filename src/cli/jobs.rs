@@ -1,4 +1,4 @@
-//! Which files a scene becomes: `STEM[.THEME].EXT`, beside it or in a folder.
+//! Which files a scene becomes: `STEM[.VARIANT][.THEME].EXT`, beside it or in a folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use tracefig::output::Format;
+use tracefig::scene::Variant;
 
 use super::inputs::{Input, Located, shown};
 use super::outputs::{Kept, one_name};
@@ -24,6 +25,8 @@ pub(crate) enum Target {
 /// One file of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Planned {
+    /// What is drawn of the scene.
+    pub(crate) variant: Variant,
     /// Name of the theme; `None` is the scene's own.
     pub(crate) theme: Option<String>,
     /// What it is written as.
@@ -59,12 +62,13 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
     };
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
     if to_stdout > 1 {
-        let message =
-            "standard output takes one file: give one scene, one `--format` and at most one `--theme`";
+        let message = "standard output takes one file: give one scene, one `--format` and at most one \
+                       `--theme` and `--variant`";
         return Err(Unplanned::Usage(message.to_owned()));
     }
     if count(|destination| matches!(destination, Destination::File(_))) > 1 {
-        let message = "`-o` names one file: give one scene and at most one `--theme`, or a folder";
+        let message =
+            "`-o` names one file: give one scene and at most one `--theme` and `--variant`, or a folder";
         return Err(Unplanned::Usage(message.to_owned()));
     }
     twins(&jobs)?;
@@ -85,13 +89,15 @@ fn files(scene: &Located, settings: &Settings) -> Vec<Planned> {
     } else {
         settings.themes.iter().map(|theme| Some(theme.name.as_str())).collect()
     };
+    let of_a_variant = |&variant| themes.iter().map(move |&theme| (variant, theme));
     let mut files = Vec::new();
-    for theme in themes {
+    for (variant, theme) in settings.variants.iter().flat_map(of_a_variant) {
         for &format in &settings.formats {
+            let word = Some(variant.word()).filter(|_| variant != Variant::Figure);
             let named = theme.filter(|_| settings.themes.len() > 1);
-            let target = target(scene, settings, named, format.name);
+            let target = target(scene, settings, [word, named], format.name);
             let to_stdout = target == Target::Stdout;
-            files.push(Planned { theme: theme.map(str::to_owned), format, target });
+            files.push(Planned { variant, theme: theme.map(str::to_owned), format, target });
             // Of the formats that nobody asked for it takes the first.
             if to_stdout && !settings.formats_asked {
                 break;
@@ -101,8 +107,8 @@ fn files(scene: &Located, settings: &Settings) -> Vec<Planned> {
     files
 }
 
-/// Where a file of a scene goes.
-fn target(scene: &Located, settings: &Settings, theme: Option<&str>, extension: &str) -> Target {
+/// Where a file of a scene goes; `parts` of its name stand between stem and extension.
+fn target(scene: &Located, settings: &Settings, parts: [Option<&str>; 2], extension: &str) -> Target {
     let Located { input, below } = scene;
     let (beside, stem): (&Path, OsString) = match input {
         Input::Stdin => (Path::new(""), "stdin".into()),
@@ -122,7 +128,7 @@ fn target(scene: &Located, settings: &Settings, theme: Option<&str>, extension: 
         }
     };
     let mut name = stem;
-    for part in theme.into_iter().chain([extension]) {
+    for part in parts.into_iter().flatten().chain([extension]) {
         name.push(".");
         name.push(part);
     }
@@ -217,7 +223,13 @@ mod tests {
         let located = |s: &&str| Located { input: single(s.as_ref()), below: PathBuf::new() };
         let themes: Vec<_> = themes.iter().map(|t| chosen_theme(t).unwrap()).collect();
         let formats = ["svg", "png"].map(str::to_owned);
-        let flags = Flags { output: folder.map(Path::new), formats: &formats, themes: &themes, scale: None };
+        let flags = Flags {
+            output: folder.map(Path::new),
+            formats: &formats,
+            themes: &themes,
+            scale: None,
+            variants: &[],
+        };
         let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())
     }

@@ -9,6 +9,7 @@ use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
 use tracefig::drawing::Role;
 use tracefig::figure;
 use tracefig::figure::default_picture::{PICTURES, Picture};
+use tracefig::figure::exercise::askables;
 use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
 use tracefig::figure::theme::{THEMES, ThemeKey, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
@@ -65,6 +66,7 @@ static TOPICS: &[Topic] = &[
         rows: roles,
     },
     Topic { name: "values", group: "", title: "Values of an answer in texts, as `{=time:.3}`", rows: values },
+    Topic { name: "exercise", group: "", title: "Values that an exercise may ask for", rows: askable },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic {
         name: "theme-keys",
@@ -186,6 +188,10 @@ fn fields() -> Vec<(String, String)> {
         }
     }
     rows
+}
+
+fn askable() -> Vec<(String, String)> {
+    askables().map(|(name, what)| (name.to_owned(), what)).collect()
 }
 
 /// What an option takes, in words.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use tracefig::figure::theme;
 use tracefig::output::{FORMATS, Format, format};
 use tracefig::scene::limits::MAX_SCALE;
-use tracefig::scene::{CanvasDefaults, Fault, Spanned};
+use tracefig::scene::{CanvasDefaults, Fault, Spanned, Variant};
 
 use super::inputs::{Input, shown};
 use super::project::{OpenProject, nearest_file, real};
@@ -28,6 +28,8 @@ pub(crate) struct Flags<'c> {
     pub(crate) themes: &'c [ChosenTheme],
     /// Dots of an image for each page pixel.
     pub(crate) scale: Option<f64>,
+    /// Variants of exercises; none are the figures.
+    pub(crate) variants: &'c [Variant],
 }
 
 /// Where files go.
@@ -58,6 +60,8 @@ pub(crate) struct Settings {
     pub(crate) themes: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel.
     pub(crate) scale: f64,
+    /// What is drawn of each scene: variants of an exercise, or its figure.
+    pub(crate) variants: Vec<Variant>,
     /// The page of scenes that do not say otherwise.
     pub(crate) canvas: CanvasDefaults,
     /// The theme of that page, where it is a file.
@@ -102,6 +106,7 @@ impl Settings {
             formats_asked,
             themes: each_once(themes).map_err(Unplanned::Usage)?,
             scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
+            variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
             page_theme: known.page_theme,
             canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
             project: project.map(|project| project.file.clone()),
@@ -128,6 +133,17 @@ impl Settings {
         }
         below.to_owned()
     }
+}
+
+/// Each variant once, in the order in which they were asked for.
+fn once(variants: &[Variant]) -> Vec<Variant> {
+    let mut all = Vec::new();
+    for &variant in variants {
+        if !all.contains(&variant) {
+            all.push(variant);
+        }
+    }
+    all
 }
 
 /// Where files go, by the option of the command line, else by the project's.

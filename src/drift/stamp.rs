@@ -11,7 +11,7 @@ use super::shown::tables;
 use crate::drawing::Drawing;
 use crate::figure::Plan;
 use crate::output::{Format, Stamped};
-use crate::scene::answer_json;
+use crate::scene::{Variant, answer_json};
 use crate::trace::Event;
 
 /// The tracefig that drew a figure.
@@ -75,7 +75,7 @@ pub fn text_chunk(hash: &str) -> String {
 
 /// The part of the metadata that all files of a drawn scene share: the question, the answer, how many events
 /// the trace has, how many of them the figure shows, and those. Which are shown is known once the plan was
-/// drawn.
+/// drawn. A question says that it is one, and no more.
 ///
 /// ```
 /// use tracefig::{drift::facts, figure::{draw, plan}, scene::open_text};
@@ -89,6 +89,9 @@ pub fn text_chunk(hash: &str) -> String {
 /// ```
 #[must_use]
 pub fn facts(plan: &Plan<'_>) -> String {
+    if plan.scene.variant == Variant::Question {
+        return format!("\"variant\":{}", json!(plan.scene.variant.word()));
+    }
     let (query, own) = (&plan.scene.query, plan.own_run());
     let runs = plan.all_runs();
     let shown: Vec<&Event> = runs.iter().flat_map(|run| run.shown()).collect();

@@ -4,10 +4,11 @@ use std::borrow::Cow;
 
 use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Point, Role, Stroke};
 
-use crate::scene::Background;
+use crate::scene::{Background, Variant};
 
 use super::describe;
 use super::drawn_panel::{DrawnPanel, draw_panel};
+use super::exercise;
 use super::fault::{Fault, Problem};
 use super::handle::Handle;
 use super::lettering::{Lettering, lettered};
@@ -170,7 +171,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         width: plan.page.width,
         height: plan.page.height,
         id: id.to_owned(),
-        title: plan.alt.clone().unwrap_or_else(|| describe::short(plan.scene, plan.title.as_deref(), &run)),
+        title: short(plan, &run),
         is_titled: plan.alt.is_some(),
         lang: plan.scene.lang.as_ref().map(|lang| lang.value.clone()),
         desc: description(plan, &run),
@@ -204,10 +205,25 @@ fn page_paint(plan: &Plan, theme: &Theme) -> Paint {
     }
 }
 
+/// The short alternative text: the scene's own, or title and answer; of a question, its title.
+fn short(plan: &Plan, run: &Run) -> String {
+    let title = plan.title.as_deref();
+    match (&plan.alt, plan.scene.variant) {
+        (Some(alt), _) => alt.clone(),
+        (None, Variant::Question) => title.map_or_else(|| "A question.".to_owned(), sentence),
+        (None, Variant::Figure | Variant::Key) => describe::short(plan.scene, title, run),
+    }
+}
+
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
-    let long = describe::long(plan.scene, run, &panels);
+    let long = match exercise::spoken(plan.scene) {
+        Some(question) => {
+            format!("{question} {}", describe::shown(plan.scene, &panels)).trim_end().to_owned()
+        }
+        None => describe::long(plan.scene, run, &panels),
+    };
     let headline = plan.headline.words.as_deref().map(sentence);
     let caption = plan.caption.words.clone().filter(|_| plan.caption.lines() == 0);
     headline.into_iter().chain([long]).chain(caption).collect::<Vec<_>>().join(" ")

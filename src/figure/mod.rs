@@ -4,6 +4,7 @@
 //! scene's places what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
+mod asked_theme;
 #[cfg(test)]
 mod bands;
 mod budget;
@@ -14,6 +15,7 @@ mod describe;
 mod difference;
 mod draw;
 mod drawn_panel;
+pub mod exercise;
 mod fault;
 mod frame;
 mod handle;

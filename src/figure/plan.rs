@@ -5,11 +5,13 @@
 
 use std::sync::Arc;
 
-use crate::scene::{self, Scene};
+use crate::scene::{self, Scene, Variant};
 
+use super::asked_theme::theme_of;
 use super::budget::Budget;
 use super::default_picture;
 use super::describe::sentence;
+use super::exercise;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
 use super::lettering::Lettering;
@@ -20,7 +22,7 @@ use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
 use super::text::{Across, Block, across, caption_of_words, check_texts, label_key, spoken};
-use super::theme::{self, THEMES, Theme};
+use super::theme::{self, Theme};
 use super::view;
 
 /// How many problems are told at most: a scene with more is none.
@@ -129,7 +131,7 @@ fn resolve<'s>(
     theme: &'s Theme,
     mut problems: Vec<Problem>,
 ) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
-    let runs = Runs::default();
+    let runs = Runs::of(scene);
     let measures = Measures::of(&scene.canvas, theme.text);
     let mut warnings = Vec::new();
     let (all, mut panels) = panels_of(scene, &runs, &measures, (&mut problems, &mut warnings));
@@ -142,7 +144,9 @@ fn resolve<'s>(
         first.as_ref().and_then(|first| spoken(text.as_ref(), first, (&mut problems, &mut warnings)))
     };
     let (alt, title) = (said(&scene.alt), said(&scene.title));
-    if scene.panels.is_empty() && scene.caption.is_none() {
+    if let Some(ours) = exercise::caption(scene, &runs, &measures, &mut problems) {
+        caption = ours;
+    } else if scene.panels.is_empty() && scene.caption.is_none() {
         caption = caption_of_words(&measures, sentence(scene, &runs.own(scene, scene.query.time)));
     }
     let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
@@ -200,7 +204,10 @@ fn panels_of<'s>(
     let mut resolver = Resolver { scene, runs, measures, title_width, problems: before, notes: Vec::new() };
     let panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     (*problems, *warnings) = (resolver.problems, resolver.notes);
-    label_keys(scene, &panels, problems);
+    // The labels of a question are those of the figure, some of which it has no layer for.
+    if scene.variant != Variant::Question {
+        label_keys(scene, &panels, problems);
+    }
     (panels.len() == count, panels)
 }
 
@@ -232,23 +239,6 @@ fn say(
         check_texts(&panel.context(scene, runs), requests, (&mut budget, is_key), (problems, notes))?;
     }
     Ok(())
-}
-
-/// The theme that the scene asks for; the default where it does not say, or names one that there is not.
-fn theme_of(scene: &Scene, problems: &mut Vec<Problem>) -> &'static Theme {
-    let Some(asked) = &scene.canvas.theme else { return &THEMES[0] };
-    if theme::is_file(&asked.value) {
-        let reason = "it is a file, which this command does not read".to_owned();
-        let fault = Fault::BadTheme { name: asked.value.clone(), reason };
-        problems.push(Problem::new(fault, asked.span.clone()));
-        return &THEMES[0];
-    }
-    theme::find(&asked.value).unwrap_or_else(|| {
-        let known = THEMES.iter().map(|t| t.name.to_owned()).collect();
-        let fault = scene::Fault::UnknownWord { what: "theme", got: asked.value.clone(), known };
-        problems.push(Problem::new(fault.into(), asked.span.clone()));
-        &THEMES[0]
-    })
 }
 
 /// Tells of keys of `[labels]` that no layer of the scene writes.

@@ -158,9 +158,11 @@ impl<'s> Resolver<'_, 's> {
             self.problems.push(Problem::new(fault, span.clone()));
             return None;
         }
+        // Nor does a question know what a layer would need of the answer.
+        let is_question = context.scene.variant == scene::Variant::Question;
         let why = match (layer.fed)(context, &options) {
             // A default picture shows what there is.
-            Fed::NotByThisAnswer | Fed::NotHere(_) | Fed::Never if ours => {
+            Fed::NotByThisAnswer | Fed::NotHere(_) | Fed::Never if ours || is_question => {
                 return Some(Resolved::Unfed(layer));
             }
             Fed::Yes => return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() })),

@@ -2,12 +2,17 @@
 //!
 //! The same query is asked at another moment by running it there; a layer that draws a distance in a scene
 //! about motion asks for the separation at that moment.
+//!
+//! Behind an exercise's question stand no runs but those that build B ⊖ A: what nobody computes can't show.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use crate::collision::{ALGORITHMS, Algorithm, Answer, Impact, Outcome, Query, QueryKind, Separation};
-use crate::scene::{Problem, Scene};
+use crate::collision::{
+    ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation,
+};
+use crate::geometry::Enclosure;
+use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
 use super::cue::{Cue, Teller};
@@ -36,6 +41,22 @@ pub(crate) struct Run {
 }
 
 impl Run {
+    /// A question of a kind at a moment, with an answer that says nothing and without a trace.
+    fn unanswered(kind: QueryKind, time: f64) -> Self {
+        let answer = match kind {
+            QueryKind::LinearSweep | QueryKind::TimeOfImpact => {
+                let outcome = Outcome::Unresolved { reason: Reason::IterationLimit, free_until: 0.0 };
+                Answer::Impact(Impact { outcome, tolerance: 0.0, iterations: 0 })
+            }
+            _ => {
+                let separation_bounds = Enclosure { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
+                Answer::Overlap(Overlap { overlap: None, separation_bounds })
+            }
+        };
+        let (moments, algorithm, shown) = (Vec::new(), "", Mutex::default());
+        Self { kind, time, answer, trace: Trace::default(), moments, algorithm, teller: Teller::Own, shown }
+    }
+
     /// The separation that it answers with: that of the question, or the contact of a hit.
     #[must_use]
     pub(crate) fn separation(&self) -> Option<&Separation> {
@@ -166,18 +187,31 @@ type Key = (QueryKind, &'static str, u64, usize);
 pub(crate) struct Runs {
     /// Each run with what identifies it, in the order in which they were asked for.
     done: Mutex<Vec<(Key, Arc<Run>)>>,
+    /// Whether the figure is a question, whose answer it does not know.
+    is_blind: bool,
 }
 
 impl Runs {
+    /// No runs yet, of a figure of this scene.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        Self { done: Mutex::default(), is_blind: scene.variant == Variant::Question }
+    }
+
     /// The scene's own question at a moment (which matters only to bounds, overlap and separation).
     pub(crate) fn own(&self, scene: &Scene, time: f64) -> Arc<Run> {
         let time = if is_of_a_moment(scene.query.kind) { time } else { 0.0 };
+        if self.is_blind {
+            return Arc::new(Run::unanswered(scene.query.kind, time));
+        }
         self.run(scene, scene.query.algorithm, &scene.query_at(time))
     }
 
     /// The separation at a moment: by the scene's algorithm where it answers that, else by the pair's
     /// default.
     pub(crate) fn separation(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
+        if self.is_blind {
+            return None;
+        }
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
         let algorithm = std::iter::once(scene.query.algorithm).chain(ALGORITHMS).find(|a| a.takes(&query))?;
         Some(self.run(scene, algorithm, &query))
@@ -198,6 +232,9 @@ impl Runs {
     /// The scene's own question by an algorithm that advances: the scene's own, else the first one that does,
     /// which takes one step and no more.
     pub(crate) fn first_step(&self, scene: &Scene) -> Option<Arc<Run>> {
+        if self.is_blind {
+            return None;
+        }
         let advances = |run: &Arc<Run>| run.events().any(|e| matches!(e, Event::Advanced { .. }));
         let own = Some(self.own(scene, 0.0)).filter(advances);
         let query = Query { max_iterations: 1, ..scene.query_at(0.0) };
@@ -276,6 +313,10 @@ fn moments(asked: f64, trace: &Trace, answer: &Answer) -> Vec<f64> {
 
 /// Whose story the run of a query by an algorithm is.
 fn teller(scene: &Scene, algorithm: &Algorithm, query: &Query) -> Teller {
+    // A question tells no story.
+    if scene.variant == Variant::Question {
+        return Teller::OtherQuestion;
+    }
     if query.kind != scene.query.kind {
         Teller::OtherQuestion
     } else if algorithm.name != scene.query.algorithm.name {

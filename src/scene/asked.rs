@@ -9,7 +9,7 @@ use super::checked::check;
 use super::fields::{BODY, Field, MADE_SHAPE};
 use super::node::{Node, NodeValue};
 use super::problem::{Problem, Problems};
-use super::{Canvas, LayerSpec, Live, Panel, Scene, Space, Spanned, Value, question};
+use super::{Canvas, LayerSpec, Live, Panel, Scene, Space, Spanned, Value, Variant, question};
 
 /// A value that stands in no text.
 impl<T> From<T> for Spanned<T> {
@@ -70,6 +70,8 @@ impl Scene {
                 labels: Vec::new(),
                 canvas: Canvas::default(),
                 live: Live::default(),
+                exercise: None,
+                variant: Variant::default(),
             }),
             _ => Err(problems.into_sorted()),
         }

@@ -90,6 +90,11 @@ impl<'n> Checked<'n> {
         as_text(node).map(|text| Spanned { value: text.to_owned(), span: node.span.clone() })
     }
 
+    /// The values of a key that is one text or a list of texts; none where it is left out.
+    pub(crate) fn texts(&self, key: &str) -> Vec<Spanned<String>> {
+        self.get(key).and_then(texts).unwrap_or_default()
+    }
+
     /// The value of a key as `[x, y]`.
     pub(crate) fn pair(&self, key: &str) -> Option<DVec2> {
         as_pair(self.get(key)?)
@@ -148,6 +153,13 @@ pub(crate) fn as_list(node: &Node) -> Option<&[Node]> {
     }
 }
 
+/// The texts of a value that is one text or a list of texts, each with its place.
+fn texts(node: &Node) -> Option<Vec<Spanned<String>>> {
+    let items = as_list(node).unwrap_or(std::slice::from_ref(node));
+    let text = |item: &Node| Some(Spanned { value: as_text(item)?.to_owned(), span: item.span.clone() });
+    items.iter().map(text).collect()
+}
+
 /// The point that a list of two numbers is.
 fn as_pair(node: &Node) -> Option<DVec2> {
     match as_list(node)? {
@@ -194,6 +206,7 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
             Some(items) if items.iter().all(|i| as_text(i).is_some()) => true,
             _ => wrong(node, row, p),
         },
+        Holds::Texts(_) => texts(node).is_some() || wrong(node, row, p),
         Holds::Moment => match &node.value {
             NodeValue::Number(_) => in_range(node, row, 0.0, 1.0, p),
             NodeValue::Text(word) if When::of_word(word).is_some() => true,

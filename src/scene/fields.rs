@@ -71,6 +71,7 @@ pub(super) static ROOT: TableRows = TableRows {
         may("labels", Holds::Tables("labels"), "texts and places of labels, by label key"),
         may("canvas", Holds::Table, "the page"),
         may("live", Holds::Table, "what a reader may move in a live figure"),
+        may("exercise", Holds::Table, "makes it an exercise: what is asked, and what the question hides"),
         may("id", Holds::Anything, "copied to the answer of `solve --jsonl`"),
         may("expected", Holds::Anything, "not read; a place for the known answer in suites of tests"),
     ],
@@ -251,6 +252,23 @@ pub(super) static LIVE: TableRows = TableRows {
     ],
 };
 
+/// What makes a scene an exercise.
+pub(super) static EXERCISE: TableRows = TableRows {
+    header: "[exercise]",
+    place: "the exercise",
+    fields: &[
+        must("ask", Holds::Texts("what is asked"), "names of values, as `depth`; `list values` has them"),
+        may(
+            "hide",
+            Holds::Texts("what is hidden"),
+            "layers and labels that the question leaves out besides those that show the answer",
+        ),
+        may("task", Holds::Text, "what is to be done, in the place of our sentence"),
+        may("length_unit", Holds::Text, "unit of lengths; default \"units\""),
+        may("time_unit", Holds::Text, "unit of times; default none: t runs from 0 to 1"),
+    ],
+};
+
 /// The top of a project file.
 pub(super) static PROJECT: TableRows = TableRows {
     header: "tracefig.toml",
@@ -286,8 +304,8 @@ pub(super) static RENDER: TableRows = TableRows {
 pub static PROJECT_TABLES: [&TableRows; 2] = [&PROJECT, &RENDER];
 
 /// Every table of a scene but the fields of the kinds of shape.
-pub static TABLES: [&TableRows; 9] =
-    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS, &LIVE];
+pub static TABLES: [&TableRows; 10] =
+    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS, &LIVE, &EXERCISE];
 
 /// All the rows of a kind of shape: first those of every shape, then its own.
 ///

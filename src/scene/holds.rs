@@ -54,6 +54,8 @@ pub enum Holds {
     Names,
     /// Names of shapes, each alone or with a word for something of it.
     Drags,
+    /// A text or a list of texts; the words say of what.
+    Texts(&'static str),
     /// A number in [0, 1], or "start", "hit", "closest", "end".
     Moment,
     /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
@@ -96,6 +98,7 @@ impl Holds {
             Self::Points => "a list of points [[x, y], …]".to_owned(),
             Self::Names => "a list of names of shapes".to_owned(),
             Self::Drags => "a list of shapes, or of what they have, as [\"A\", \"B.velocity\"]".to_owned(),
+            Self::Texts(what) => format!("{what}: a text or a list of texts"),
             Self::Moment => "a number in [0, 1], \"start\", \"hit\", \"closest\" or \"end\"".to_owned(),
             Self::LabelPlace => {
                 "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()

@@ -6,6 +6,7 @@ mod body;
 mod canvas;
 mod checked;
 pub(crate) mod codes;
+mod exercise;
 mod expected;
 mod fields;
 mod holds;
@@ -37,6 +38,7 @@ use std::ops::Range;
 pub use answer::{answer_json, answer_text};
 pub use canvas::{Background, Canvas, Height};
 pub use codes::{ERRORS, ErrorCode};
+pub use exercise::{Exercise, Variant};
 pub use fields::{Field, PROJECT_TABLES, TABLES, TableRows, shape_rows};
 pub use holds::Holds;
 pub(crate) use labels::COMPASS;
@@ -95,6 +97,10 @@ pub struct Scene {
     pub canvas: Canvas,
     /// What a reader may move where the figure is live.
     pub live: Live,
+    /// What makes it an exercise; `None` for other scenes.
+    pub exercise: Option<Exercise>,
+    /// Which variant of an exercise is drawn.
+    pub variant: Variant,
 }
 
 impl Scene {

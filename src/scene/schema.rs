@@ -5,7 +5,8 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, TableRows, shape_rows,
+    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, TableRows,
+    shape_rows,
 };
 use super::holds::Holds;
 use super::{COMPASS, When};
@@ -76,6 +77,10 @@ fn holds(field: &Field) -> Value {
             json!({ "type": "array", "items": { "type": "string" }, "minItems": 1, "maxItems": 2 })
         }
         Holds::Drags => json!({ "type": "array", "items": { "type": "string" } }),
+        Holds::Texts(_) => json!({ "anyOf": [
+            { "type": "string" },
+            { "type": "array", "items": { "type": "string" } },
+        ] }),
         Holds::Moment => json!({ "anyOf": [
             { "type": "number", "minimum": 0, "maximum": 1 },
             { "enum": When::WORDS.map(|(word, _)| word) },
@@ -95,6 +100,7 @@ fn holds(field: &Field) -> Value {
         Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::Table => of(match field.name {
             "query" => &QUERY,
+            "exercise" => &EXERCISE,
             "expected" => &EXPECTED,
             "points" => &EXPECTED_POINTS,
             "live" => &LIVE,

@@ -161,7 +161,10 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
-    ("figure/runs", &["trace", "collision", "scene", "figure/cue", "figure/limits", "figure/question"]),
+    (
+        "figure/runs",
+        &["geometry", "trace", "collision", "scene", "figure/cue", "figure/limits", "figure/question"],
+    ),
     ("figure/moving_frame", &["geometry", "collision"]),
     (
         "figure/context",
@@ -223,6 +226,25 @@ pub(crate) const ROOMS: &[Row] = &[
         &["geometry", "trace", "collision", "scene", "figure/question", "figure/runs", "figure/text"],
     ),
     ("figure/default_picture", &["trace", "collision", "scene", "figure/fault", "figure/runs"]),
+    (
+        "figure/exercise",
+        &[
+            "geometry",
+            "trace",
+            "collision",
+            "scene",
+            "typeset",
+            "figure/context",
+            "figure/fault",
+            "figure/layer",
+            "figure/page",
+            "figure/plan",
+            "figure/question",
+            "figure/runs",
+            "figure/standing",
+            "figure/text",
+        ],
+    ),
     (
         "figure/panel",
         &[

@@ -5,6 +5,7 @@
 mod bad_input;
 mod breakage;
 mod check;
+mod exercises;
 mod habits;
 mod hooks;
 #[path = "../hostile_figures/mod.rs"]

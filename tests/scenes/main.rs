@@ -4,6 +4,7 @@
 mod broken_scenes;
 mod context;
 mod corpus;
+mod exercises;
 mod extreme_sizes;
 #[path = "../fuzz_bodies/mod.rs"]
 mod fuzz_bodies;

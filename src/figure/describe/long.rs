@@ -97,7 +97,7 @@ fn steps(scene: &Scene, run: &Run) -> String {
 }
 
 /// What each panel shows: its space, its moment, its layers by name.
-fn shown(scene: &Scene, panels: &[&Panel]) -> String {
+pub(crate) fn shown(scene: &Scene, panels: &[&Panel]) -> String {
     let mut text = String::new();
     let many = panels.len() > 1;
     for (i, panel) in panels.iter().enumerate() {

@@ -10,6 +10,6 @@ mod number;
 mod result;
 mod short;
 
-pub(crate) use long::long;
+pub(crate) use long::{long, shown};
 pub(crate) use result::sentence;
 pub(crate) use short::short;

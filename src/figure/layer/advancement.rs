@@ -10,7 +10,7 @@ use crate::trace::Event;
 use crate::trace::step::advanced;
 
 use super::normal::unit_vector;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far the tangent reaches behind the closest point and past the ray, page pixels.
 const TANGENT: [f64; 2] = [110.0, 40.0];
@@ -19,6 +19,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "advancement",
     about: "one step: estimate, closest point, normal, tangent, new estimate",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "words",
         takes: Takes::Words(&["estimate", "closest", "next", "tangent"]),

@@ -11,7 +11,7 @@ use crate::geometry::Side;
 use crate::scene::{Space, When};
 
 use super::ghosts::{at_moment, ghost};
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
 const ANOTHER_DIFFERENCE: &str = "the bodies turn, and B ⊖ A is another one at their closest";
@@ -20,6 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "approach",
     about: "how near a miss came: the bodies at their closest, and their distance then",
     shows: Shows::Anywhere,
+    tells: Tells::Found,
     options: &[],
     labels: &[
         LabelKey { key: "A'", about: "the first body then" },

@@ -15,7 +15,7 @@ use crate::trace::Event;
 use crate::trace::step::turned;
 
 use super::half_extents::ON_LINE;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Radius of the angle mark, as a part of r: inside the body, clear of its centre.
 const MARK: f64 = 0.32;
@@ -33,6 +33,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "arc",
     about: "the arc of the extreme point of a turning body",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "the first that turns", about: "which body" },
         OptionSpec {

@@ -8,7 +8,7 @@ use crate::geometry::DVec2;
 
 use super::grid::{Mark, STEP, marks};
 use super::ruler::Ruler;
-use super::{Fed, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Length of the tick at a number, page pixels.
 const TICK: f64 = 4.0;
@@ -21,6 +21,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "axes",
     about: "the coordinate axes of the panel's space, through its origin",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[
         OptionSpec {
             name: "ticks",

@@ -13,7 +13,7 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
@@ -33,6 +33,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
     about: "half-extents, centre distance and gap of two AABBs, axis by axis",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "axes",
         takes: Takes::Words(&["x", "y"]),

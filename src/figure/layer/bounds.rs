@@ -10,7 +10,7 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::step::bounds;
 use crate::trace::{Event, SupportVertex};
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Key, symbol and outward direction of the label at each side: left, bottom, right, top, as the event lists
 /// them.
@@ -25,6 +25,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "bounds",
     about: "the AABB with its corners and centre",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "corners",

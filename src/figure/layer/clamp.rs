@@ -11,7 +11,7 @@ use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
 use crate::trace::step::clamped as parts;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// The words of the parts that can be shown alone.
 const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
@@ -20,6 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "clamp",
     about: "a circle's centre clamped to a box",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec { name: "show", takes: Takes::Words(PARTS), default: "all", about: "which parts" },
         OptionSpec {

@@ -13,7 +13,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far a plane reaches past the reference edge and past the incident edge, page pixels.
 const PAST: f64 = 30.0;
@@ -31,6 +31,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "clipping",
     about: "points of contact: reference edge, side planes, what they cut off, depths",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "show",
         takes: Takes::Words(&PARTS),

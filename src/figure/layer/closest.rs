@@ -11,12 +11,13 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
     about: "distance of the origin, or a sweep's estimate, from B ⊖ A; inside, the minimum translation",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "rival",

@@ -4,12 +4,13 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
 
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "contact",
     about: "the point of first contact",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[],
     labels: &[LabelKey { key: "contact", about: "the point of first contact; without a text of its own" }],
     needs: "a hit",

@@ -18,7 +18,7 @@ use crate::scene::When;
 
 use super::edge_cues::EdgeCues;
 use super::half_extents::ON_LINE;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
 const THIN: (f64, f64) = (1.0, 0.75);
@@ -51,6 +51,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "difference",
     about: "the Minkowski difference B ⊖ A, edges by source",
     shows: Shows::Configuration,
+    tells: Tells::Built,
     options: &[
         OptionSpec {
             name: "at",

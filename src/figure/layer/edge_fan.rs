@@ -10,7 +10,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angl
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Opacity of an edge that is not taken yet.
 const LATER: f64 = 0.35;
@@ -26,6 +26,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "edge-fan",
     about: "edges of B and mirrored edges of A as vectors from O, in the order of their directions",
     shows: Shows::Configuration,
+    tells: Tells::Built,
     options: &[OptionSpec {
         name: "step",
         takes: Takes::Number,

@@ -9,7 +9,7 @@ use crate::geometry::Side;
 
 use super::difference::{culled, difference};
 use super::edge_cues::EdgeCues;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Width of the normals of edges that face away, page pixels.
 const AWAY: f64 = 1.0;
@@ -20,6 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "edge-normals",
     about: "outward unit normals of the edges of B ⊖ A; muted where the edge faces away from the ray",
     shows: Shows::Configuration,
+    tells: Tells::Built,
     options: &[OptionSpec {
         name: "length",
         takes: Takes::Positive,

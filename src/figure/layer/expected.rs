@@ -10,12 +10,13 @@ use crate::geometry::DVec2;
 
 use super::ghosts::{at_moment, ghost};
 use super::normal::unit_vector;
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "expected",
     about: "what someone else answered (`[query] expected`), and our normal and closest points beside it",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[],
     labels: &[
         LabelKey { key: "A'", about: "the first body at the time expected" },

@@ -13,12 +13,13 @@ use crate::scene::Space;
 use super::difference::{difference, origins};
 use super::half_extents::ON_LINE;
 use super::vertices::mean;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "feature",
     about: "an edge or a vertex, emphasised; by default those that carry the closest points",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[
         OptionSpec {
             name: "of",

@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
@@ -22,6 +22,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "frame",
     about: "the axes of a body's own frame",
     shows: Shows::World,
+    tells: Tells::Given,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "the first", about: "which bodies" },
         OptionSpec { name: "length", takes: Takes::Number, default: "1.6", about: "world units" },

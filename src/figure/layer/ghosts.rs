@@ -8,7 +8,7 @@ use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, fade, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, part};
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
@@ -26,6 +26,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "ghosts",
     about: "bodies at another moment or place, dotted",
     shows: Shows::World,
+    tells: Tells::Given,
     options: &[
         OptionSpec {
             name: "of",

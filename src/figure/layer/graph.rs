@@ -15,7 +15,7 @@ use crate::geometry::DVec2;
 use crate::scene::When;
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Room around the graph, page pixels: left, right, below, above.
 const ROOM: [f64; 4] = [46.0, 30.0, 44.0, 30.0];
@@ -39,6 +39,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "graph",
     about: "separation against time, with the steps of an advancement",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "lines",
         takes: Takes::Flag,

@@ -6,7 +6,7 @@ use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::DVec2;
 
 use super::ruler::Ruler;
-use super::{Fed, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// The step of marks, as grid and axes have it.
 pub(super) const STEP: OptionSpec = OptionSpec {
@@ -20,6 +20,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "grid",
     about: "a quiet grid at round steps of the panel's space",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[STEP],
     labels: &[],
     needs: "nothing",

@@ -15,7 +15,7 @@ use crate::geometry::{DVec2, Side};
 use super::closest::{Nearest, nearest};
 use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How many copies of B go around A at most; more hide it.
 const MOST: usize = 3;
@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "grown",
     about: "B as a point, A grown by B's shape",
     shows: Shows::World,
+    tells: Tells::Built,
     options: &[
         OptionSpec {
             name: "copies",

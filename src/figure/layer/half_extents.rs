@@ -9,7 +9,7 @@ use crate::geometry::DVec2;
 use crate::trace::Event;
 use crate::trace::step::bounds;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Distance of the lines from the box where the scene does not say, page pixels: a dimension's label fits
 /// beside it.
@@ -23,6 +23,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "half-extents",
     about: "half-extents of a box, from its centre to its edges, without a radius",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "of",

@@ -10,7 +10,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Opacity of the edge that is not taken.
 const REJECTED: f64 = 0.55;
@@ -25,6 +25,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "merging",
     about: "B ⊖ A being built: the edges taken so far, and the next edge of either body",
     shows: Shows::Configuration,
+    tells: Tells::Built,
     options: &[OptionSpec {
         name: "step",
         takes: Takes::Number,

@@ -72,6 +72,17 @@ pub enum Shows {
     Anywhere,
 }
 
+/// What a layer shows of a question and its answer: which of them an exercise's question may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tells {
+    /// What the scene itself says: bodies, motion, axes.
+    Given,
+    /// What anyone can build from that without an answer: B ⊖ A.
+    Built,
+    /// What an algorithm found.
+    Found,
+}
+
 /// A label that a layer writes.
 #[derive(Clone, Copy, Debug)]
 pub struct LabelKey {
@@ -89,6 +100,8 @@ pub struct Layer {
     pub about: &'static str,
     /// The panels it can stand in.
     pub shows: Shows,
+    /// What it shows of the answer.
+    pub tells: Tells,
     /// The options of its own; every layer has [`COMMON`](options::COMMON) besides.
     pub options: &'static [OptionSpec],
     /// The labels that it can write.

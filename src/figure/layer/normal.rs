@@ -10,7 +10,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
 use super::separation::edges;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
@@ -21,6 +21,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "normal",
     about: "the unit normal from A to B",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "at",

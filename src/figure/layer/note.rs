@@ -7,7 +7,7 @@ use crate::figure::sketch::{Anchor, Corner, Label, Rank, Size, Sketch};
 use crate::trace::Event;
 use crate::trace::step::advanced;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How a value in a line begins.
 const VALUE: &str = "{=";
@@ -16,6 +16,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "note",
     about: "lines of text at a corner",
     shows: Shows::Anywhere,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "at",

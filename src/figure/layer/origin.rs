@@ -6,12 +6,13 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
 use crate::geometry::DVec2;
 
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",
     about: "the origin of the panel's space: ring, dot, letter O",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[],
     labels: &[LabelKey { key: "O", about: "the origin" }],
     needs: "nothing",

@@ -8,12 +8,13 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
 use super::coordinates::coordinates;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "point",
     about: "a marked point of your choice, with a text and its coordinates",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[
         OptionSpec {
             name: "at",

@@ -15,7 +15,7 @@ use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
 use super::simplex::has_simplexes;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
@@ -27,6 +27,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "polytope",
     about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "step",
         takes: Takes::Number,

@@ -17,7 +17,7 @@ use crate::trace::Event;
 
 use super::half_extents::beside;
 use super::normal::unit_vector;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Distance of the axis from the bodies, page pixels.
 const OFFSET: f64 = 26.0;
@@ -38,6 +38,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "projection",
     about: "both bodies' intervals on one axis of the separating-axis test",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "axis",

@@ -12,7 +12,7 @@ use crate::trace::Event;
 use crate::scene::COMPASS;
 
 use super::half_extents::beside;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "radii",
     about: "radii, as lines in the circles or as lengths under the distance of the centres",
     shows: Shows::World,
+    tells: Tells::Given,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "all that are round", about: "which bodies" },
         OptionSpec {

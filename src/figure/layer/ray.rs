@@ -10,12 +10,13 @@ use crate::geometry::DVec2;
 use crate::scene::When;
 
 use super::velocity::{label_of_hit, text, underlay};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
     about: "the origin's way along the relative velocity, and where it hits",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "cut",

@@ -23,7 +23,7 @@ use crate::geometry::{DVec2, perp};
 
 use super::difference::difference;
 use super::half_extents::beside;
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 /// Radius of the cone, page pixels; less where B ⊖ A is near.
 const RADIUS: f64 = 84.0;
@@ -62,6 +62,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "separating-cone",
     about: "the directions that separate the bodies: tangents from O to B ⊖ A, the cone of normals",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[],
     labels: &[
         LabelKey { key: "cone", about: "the cone's angle" },

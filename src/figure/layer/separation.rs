@@ -19,7 +19,7 @@ use crate::scene::When;
 
 use super::closest::{WayOut, longer, longer_way};
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
@@ -28,6 +28,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "separation",
     about: "the distance or depth between the closest points",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "at",

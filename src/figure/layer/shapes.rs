@@ -9,7 +9,7 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, S
 use crate::geometry::{DVec2, Pose, Side};
 
 use super::held;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// Opacity of the fill of context.
 const FAINT: f64 = 0.08;
@@ -22,6 +22,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "shapes",
     about: "the bodies at the panel's moment, with their names",
     shows: Shows::World,
+    tells: Tells::Given,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "all of the query's", about: "which bodies" },
         OptionSpec {

@@ -11,7 +11,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, number_of};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
@@ -33,6 +33,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "simplex",
     about: "one step of GJK or EPA: the simplex, its closest point, the next vertex",
     shows: Shows::Configuration,
+    tells: Tells::Found,
     options: &[
         OptionSpec {
             name: "step",

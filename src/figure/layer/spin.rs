@@ -8,7 +8,7 @@ use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, an
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "spin",
     about: "an arc arrow for the angular velocity",
     shows: Shows::World,
+    tells: Tells::Given,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "those that turn", about: "which bodies" },
         OptionSpec {

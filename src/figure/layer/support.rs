@@ -11,7 +11,7 @@ use crate::trace::{Event, SupportVertex};
 
 use super::difference::{difference, draw_edge};
 use super::half_extents::ON_LINE;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// How much a direction that is the normal's may differ from it: both are unit vectors rounded a few times. A
 /// hundred million times more is still a thousandth of a degree.
@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "support",
     about: "all supporting vertices of the nearest edge; in configuration space, where its two parts join",
     shows: Shows::Anywhere,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "lengths",
         takes: Takes::Flag,

@@ -8,12 +8,13 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",
     about: "the edges of the band that a body sweeps up to the hit",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[OptionSpec {
         name: "of",
         takes: Takes::Bodies,

@@ -6,12 +6,13 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, LabelKey, Layer, Options, Shows, part};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",
     about: "paths of the two points that touch at the hit, from the start until then",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[],
     labels: &[
         LabelKey { key: "x1", about: "the point of A" },

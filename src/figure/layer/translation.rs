@@ -9,12 +9,13 @@ use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::Side;
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, Options, Shows};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "translation",
     about: "the minimum translation of B from its centre",
     shows: Shows::World,
+    tells: Tells::Found,
     options: &[],
     labels: &[LabelKey { key: "P", about: "the minimum translation" }],
     needs: "a separation",

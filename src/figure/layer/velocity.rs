@@ -14,7 +14,7 @@ use crate::scene::{Space, When};
 
 use super::held;
 use super::normal::scaled;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Width of the way to the hit under the vector that it is part of, page pixels, and its opacity: seen on
 /// either side of the shaft, which stays the vector's.
@@ -24,6 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     name: "velocity",
     about: "velocities; the relative one in configuration space",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[
         OptionSpec { name: "of", takes: Takes::Bodies, default: "those that move", about: "which bodies" },
         OptionSpec {

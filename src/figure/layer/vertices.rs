@@ -10,12 +10,13 @@ use crate::scene::Space;
 
 use super::coordinates::coordinates;
 use super::difference::{Origin, difference, origins};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "vertices",
     about: "the vertices with their numbers or coordinates; in configuration space those of B ⊖ A",
     shows: Shows::Anywhere,
+    tells: Tells::Given,
     options: &[
         OptionSpec {
             name: "of",

@@ -223,8 +223,42 @@ pub(crate) fn caption_of_words(measures: &Measures, words: String) -> Across {
     if set.columns.is_empty() || set.lines() > room.most { Across::default() } else { set }
 }
 
+/// A caption of paragraphs in markup of ours, each on lines of its own: `head`, and beside it, where the page
+/// has room for two columns, else below it, `list`. Where that has too many lines, `more` stands for those
+/// that are left out, with their number. `Err` where one can't be set.
+pub(crate) fn paragraphs(
+    measures: &Measures,
+    head: &[String],
+    list: &[String],
+    more: impl Fn(usize) -> String,
+) -> Result<Across, TypesetError> {
+    let room = Block::Caption.room(measures);
+    let width = room.column.filter(|_| !list.is_empty()).unwrap_or(room.widths[1]);
+    let set = |all: &[String]| {
+        Lettering::new(&all.join("\n"), |text| {
+            let lines = text.split('\n').map(|paragraph| wrap(paragraph, room.style, width));
+            Ok(lines.collect::<Result<Vec<_>, _>>()?.concat())
+        })
+    };
+    let mut kept = list.len();
+    loop {
+        let left_out = (kept < list.len()).then(|| more(list.len() - kept));
+        let rest: Vec<String> = list[..kept].iter().cloned().chain(left_out).collect();
+        let columns = match room.column {
+            Some(_) if !rest.is_empty() => vec![set(head)?, set(&rest)?],
+            _ => vec![set(&[head, &rest].concat())?],
+        };
+        let words = head.iter().chain(&rest).map(|text| plain(text)).collect::<Vec<_>>().join(" ");
+        let across = Across { columns, words: Some(words) };
+        if across.lines() <= room.most || kept == 0 {
+            return Ok(across);
+        }
+        kept -= 1;
+    }
+}
+
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.
-fn with_powers(words: &str) -> String {
+pub(crate) fn with_powers(words: &str) -> String {
     let mut pieces = words.split("10^");
     let mut text = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {

@@ -10,7 +10,7 @@ use crate::typeset::ends_in_formula;
 use super::decimal::Decimal;
 use super::digits::Digits;
 use super::number::{USUAL, in_math, in_words};
-use super::values::{VALUES, another_answer_has};
+use super::values::{VALUES, another_answer_has, value_of};
 
 /// What stands for a value that this answer lacks and another one has, in words and in formulas.
 const LACKING: [&str; 2] = ["–", r"\text{–}"];
@@ -38,7 +38,7 @@ pub(crate) fn fill(
             None => (written, Some(USUAL)),
             Some((name, asked)) => (name, Digits::asked(asked)),
         };
-        let quantity = VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(context));
+        let quantity = value_of(name, context);
         rest = from.get(end + 1..).unwrap_or("");
         let [in_text, in_formula] = LACKING;
         let Some(quantity) = quantity else {

@@ -19,12 +19,13 @@ mod symbols;
 mod values;
 mod wording;
 
-pub(crate) use caption::{Across, Block, across, caption_of_words, set, spoken};
+pub(crate) use caption::{Across, Block, across, caption_of_words, paragraphs, set, spoken, with_powers};
 pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use symbols::{Symbol, symbols};
+pub(crate) use values::value_of;
 pub use values::values;
 pub(crate) use wording::{Wording, check_texts};

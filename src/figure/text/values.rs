@@ -142,6 +142,11 @@ pub fn values() -> impl Iterator<Item = (&'static str, &'static str)> {
     VALUES.iter().map(|value| (value.name, value.about))
 }
 
+/// The value of a name; `None` where the query does not have it.
+pub(crate) fn value_of(name: &str, context: &Context) -> Option<Quantity> {
+    VALUES.iter().find(|value| value.name == name).and_then(|value| (value.of)(context))
+}
+
 /// Whether another answer to the question of a context has a value.
 type Asks = fn(&Context) -> bool;
 

@@ -1,0 +1,234 @@
+//! What an exercise asks, the numbers that answer it, and the way to them.
+
+use crate::figure::context::Context;
+use crate::figure::runs::Runs;
+use crate::figure::text::{filled, in_math, rounded, value_of, with_powers};
+use crate::geometry::Side;
+use crate::scene::{Exercise, Scene, Space, Spanned};
+use crate::trace::{Event, sentence};
+use crate::typeset::as_markup;
+
+use super::givens::{givens, number};
+use super::quantities::{Askable, Measure, askable, in_words};
+
+/// Where the class writes a number.
+const BLANK: &str = "____________";
+/// A share of a unit of the third digit: what is rounded to three digits is right.
+const HALF_A_UNIT: f64 = 0.5;
+/// Digits after the first one of an answer that is given to three.
+const MORE_DIGITS: f64 = 2.0;
+/// What an answer of 0 may be off: half a unit of the second decimal.
+const OFF_ZERO: f64 = 0.005;
+
+/// A number that an exercise asks for, with its answer. Its texts are markup.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Asked {
+    /// The name of the value, as `depth`.
+    pub name: &'static str,
+    /// How it is written before the blank, as `$d$`.
+    pub symbol: String,
+    /// What it is, as "the depth by which A and B overlap".
+    pub what: String,
+    /// Its unit; empty where it has none.
+    pub unit: String,
+    /// Not above the answer.
+    pub lo: f64,
+    /// Not below the answer.
+    pub hi: f64,
+    /// Whether the exact answer is proved to lie between the two; else they are one number, rounded.
+    pub is_proved: bool,
+}
+
+impl Asked {
+    /// The answer: the number of three digits that lies within its bounds, else the middle of these.
+    ///
+    /// ```
+    /// use tracefig::figure::exercise::Asked;
+    /// let asked = Asked {
+    ///     name: "d", symbol: "$d$".into(), what: "the distance".into(), unit: "m".into(),
+    ///     lo: 0.49999999999999994, hi: 0.5,
+    ///     is_proved: true,
+    /// };
+    /// assert_eq!((asked.value(), asked.tolerance() > 0.0005), (0.5, true));
+    /// ```
+    #[must_use]
+    pub fn value(&self) -> f64 {
+        let short: f64 = rounded(self.lo, self.hi).parse().unwrap_or(f64::NAN);
+        if self.lo <= short && short <= self.hi { short } else { 0.5 * (self.lo + self.hi) }
+    }
+
+    /// How far from [`Asked::value`] an answer may lie that counts as right, in the same unit: its bounds,
+    /// and half a unit of the third digit.
+    ///
+    /// ```
+    /// use tracefig::figure::exercise::Asked;
+    /// let asked = Asked {
+    ///     name: "d", symbol: "$d$".into(), what: "the distance".into(), unit: "m".into(),
+    ///     lo: 2.25, hi: 2.25, is_proved: true,
+    /// };
+    /// assert_eq!(asked.tolerance(), 0.005);
+    /// ```
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        let value = self.value();
+        let unit = if value == 0.0 {
+            OFF_ZERO
+        } else {
+            HALF_A_UNIT * libm::pow(10.0, libm::floor(libm::log10(value.abs())) - MORE_DIGITS)
+        };
+        unit + (self.hi - value).max(value - self.lo)
+    }
+
+    /// The answer as the key has it, as markup: three digits at most, the unit, and the bounds.
+    fn line(&self) -> String {
+        let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
+        let text = rounded(self.lo, self.hi);
+        let sign = if text.parse() == Ok(value) { "=" } else { r"\approx" };
+        let answer = format!("Answer: ${symbol} {sign} {}$ {}", in_math(&text), self.unit);
+        let answer = answer.trim_end();
+        if !self.is_proved {
+            return format!("{answer}.");
+        }
+        if self.lo == self.hi {
+            return format!("{answer}, proved to be exact.");
+        }
+        format!("{answer}, proved to lie between {} and {}.", number(self.lo), number(self.hi))
+    }
+}
+
+/// What a scene asks for by name: the rows of the table, in the order of the exercise.
+pub(super) fn rows(scene: &Scene, exercise: &Exercise) -> Vec<&'static Askable> {
+    exercise.ask.iter().filter_map(|name| askable(&name.value, scene.query.kind)).collect()
+}
+
+/// What a row asks of a scene, as markup.
+fn what(row: &Askable, scene: &Scene) -> String {
+    let names = scene.names();
+    let [a, b] = [Side::A, Side::B].map(|side| as_markup(&names.quoted(side)));
+    in_words(row.what, [&as_markup(&names.all()), &a, &b])
+}
+
+/// The unit of a row, as markup.
+fn unit(row: &Askable, exercise: &Exercise) -> String {
+    let given = |unit: &Option<Spanned<String>>| unit.as_ref().map(|unit| unit.value.clone());
+    match row.measure {
+        Measure::Length => given(&exercise.length_unit).unwrap_or_else(|| "units".to_owned()),
+        Measure::Time => given(&exercise.time_unit).unwrap_or_default(),
+        Measure::Degrees => "°".to_owned(),
+        Measure::Pure => String::new(),
+    }
+}
+
+/// The numbers that answer an exercise, of the query's own moment; those that this answer lacks are left out.
+pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<Asked> {
+    let context = of_the_query(scene, runs);
+    let answer = |row: &'static Askable| {
+        let quantity = value_of(row.name, &context)?;
+        let symbol = format!("${}$", row.symbol);
+        let (what, unit) = (what(row, scene), unit(row, exercise));
+        Some(Asked {
+            name: row.name,
+            symbol,
+            what,
+            unit,
+            lo: quantity.lo,
+            hi: quantity.hi,
+            is_proved: row.is_proved,
+        })
+    };
+    rows(scene, exercise).into_iter().filter_map(answer).collect()
+}
+
+/// What is to be done, as markup: the exercise's own words, or ours.
+pub(super) fn to_do(scene: &Scene, exercise: &Exercise) -> String {
+    if let Some(task) = &exercise.task {
+        return task.value.clone();
+    }
+    let all: Vec<String> = rows(scene, exercise).iter().map(|row| what(row, scene)).collect();
+    match &all[..] {
+        [before @ .., last] if !before.is_empty() => format!("Find {} and {last}.", before.join(", ")),
+        _ => format!("Find {}.", all.concat()),
+    }
+}
+
+/// What is given and what is to be done, as paragraphs of markup.
+pub(super) fn task(scene: &Scene, exercise: &Exercise) -> Vec<String> {
+    vec![as_markup(&givens(scene)), to_do(scene, exercise)]
+}
+
+/// The paragraphs of a question, as markup: what is given, what is to be done, a blank for each number.
+pub(super) fn question(scene: &Scene, exercise: &Exercise) -> Vec<String> {
+    let blank = |row: &'static Askable| {
+        format!("${}$ = {BLANK} {}", row.symbol, unit(row, exercise)).trim_end().to_owned()
+    };
+    let blanks = rows(scene, exercise).into_iter().map(blank);
+    task(scene, exercise).into_iter().chain(blanks).collect()
+}
+
+/// What stands over the way in a key, as paragraphs of markup: what was to be done, each answer with its
+/// bounds, and what the scene's own caption says of the figure.
+pub(super) fn solved(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<String> {
+    let context = of_the_query(scene, runs);
+    let said = |text: &Spanned<String>| filled(text, &context).unwrap_or_else(|| text.value.clone());
+    std::iter::once(to_do(scene, exercise))
+        .chain(answers(scene, runs, exercise).iter().map(Asked::line))
+        .chain(scene.caption.as_ref().map(said))
+        .collect()
+}
+
+/// What is known of a scene at the moment of its query.
+fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
+    Context { scene, space: &Space::World, time: scene.query.time, step: None, runs }
+}
+
+/// The sentences of the trace that a reader works through, as markup.
+pub(super) fn steps(scene: &Scene, runs: &Runs) -> Vec<String> {
+    let (run, names) = (runs.own(scene, scene.query.time), scene.names());
+    let told = run.events().filter(|event| is_worked(event));
+    told.map(|event| with_powers(&as_markup(&with_minus(&sentence(event, &names))))).collect()
+}
+
+/// Whether an event is a step of working an answer out: not that it begins, ends, or looks something up for
+/// the step that follows.
+fn is_worked(event: &Event) -> bool {
+    match event {
+        Event::Started { .. }
+        | Event::Finished { .. }
+        | Event::SupportFound { .. }
+        | Event::OriginProjected { .. }
+        | Event::ExpectationCompared { .. } => false,
+        Event::CirclesCompared { .. }
+        | Event::PenetrationMeasured { .. }
+        | Event::BoundsFound { .. }
+        | Event::ExtentsCompared { .. }
+        | Event::Clamped { .. }
+        | Event::DifferenceEdgeFound { .. }
+        | Event::EdgesMerged { .. }
+        | Event::DifferenceRounded { .. }
+        | Event::CandidateImproved { .. }
+        | Event::AxisTested { .. }
+        | Event::SeparatingAxisFound { .. }
+        | Event::SimplexUpdated { .. }
+        | Event::PolytopeExpanded { .. }
+        | Event::RayClipped { .. }
+        | Event::Advanced { .. }
+        | Event::AxisSwept { .. }
+        | Event::ClosestApproachFound { .. }
+        | Event::MotionBounded { .. }
+        | Event::EdgesFaced { .. }
+        | Event::EdgeCut { .. }
+        | Event::ContactFound { .. } => true,
+    }
+}
+
+/// Words of the trace with real minus signs: before a number, and between two words.
+fn with_minus(words: &str) -> String {
+    let letters: Vec<char> = words.chars().collect();
+    let is_minus = |i: usize| {
+        let before = i.checked_sub(1).map(|i| letters[i]);
+        let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | '['));
+        opens && letters.get(i + 1).is_some_and(|&c| c == ' ' || c.is_ascii_digit())
+    };
+    let sign = |(i, &c): (usize, &char)| if c == '-' && is_minus(i) { '−' } else { c };
+    letters.iter().enumerate().map(sign).collect()
+}

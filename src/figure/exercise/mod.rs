@@ -1,0 +1,25 @@
+//! A scene as an exercise: a question without any trace of the answer, and the key to it.
+//!
+//! Three locks keep the answer out of a question. The [`variant`](variant::variant) leaves out what the
+//! tables say: layers that tell of what an algorithm found ([`Tells`](super::layer::Tells)), panels at a
+//! moment that only the answer knows, texts that name a value, headline and caption. Its runs are blind: no
+//! algorithm answers behind it, so that nothing it draws, and not the length of its file, can depend on an
+//! answer. And its file says nothing of itself but that it is a question.
+//!
+//! The key is the figure itself with the numbers, each with its bounds, and the sentences of the trace as the
+//! way to them.
+
+mod answers;
+mod caption;
+mod givens;
+mod plan;
+mod quantities;
+#[cfg(test)]
+mod tests;
+mod variant;
+
+pub use answers::Asked;
+pub(crate) use caption::{caption, spoken};
+pub use plan::{asked, task, way};
+pub use quantities::askables;
+pub use variant::variant;

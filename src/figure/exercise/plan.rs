@@ -1,0 +1,53 @@
+//! What a program may ask of an exercise whose key is planned: its numbers, and the way to them.
+
+use crate::figure::plan::Plan;
+use crate::figure::text::plain;
+
+use super::answers::{Asked, answers, steps, task as paragraphs};
+
+/// The numbers that an exercise asks for, in its order; none where the scene is no exercise.
+///
+/// ```
+/// use tracefig::{figure::{exercise::asked, plan}, scene::open_text};
+/// let text = "exercise.ask = 'd'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///     shapes.B = { kind = 'circle', radius = 1, position = [3, 0] }\n\
+///     query = { kind = 'separation', of = ['A', 'B'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// let asked = asked(&plan(&scene).unwrap());
+/// assert_eq!((asked[0].name, asked[0].value(), asked[0].unit.as_str()), ("d", 1.0, "units"));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn asked(plan: &Plan<'_>) -> Vec<Asked> {
+    plan.scene.exercise.as_ref().map(|exercise| answers(plan.scene, &plan.runs, exercise)).unwrap_or_default()
+}
+
+/// What is given and what is to be done, in plain words; empty where the scene is no exercise.
+///
+/// ```
+/// use tracefig::{figure::{exercise::task, plan}, scene::open_text};
+/// let text = "exercise.ask = 'h.x'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///     query = { kind = 'bounds', of = ['A'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// assert!(task(&plan(&scene).unwrap()).ends_with("Find half the width of the bounding box of A."));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn task(plan: &Plan<'_>) -> String {
+    let Some(exercise) = &plan.scene.exercise else { return String::new() };
+    paragraphs(plan.scene, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
+}
+
+/// The sentences of the trace, in plain words: the way to the answer.
+///
+/// ```
+/// use tracefig::{figure::{exercise::way, plan}, scene::open_text};
+/// let text = "shapes.A = { kind = 'circle', radius = 1 }\nquery = { kind = 'bounds', of = ['A'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// assert!(way(&plan(&scene).unwrap()).last().unwrap().starts_with("Done: "));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn way(plan: &Plan<'_>) -> Vec<String> {
+    steps(plan.scene, &plan.runs).iter().map(|text| plain(text)).collect()
+}
