@@ -176,13 +176,13 @@ fn a_nearer_vertex_has_a_shorter_arc_of_the_same_turn() {
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "marks");
         let radius = |part: &str| {
-            let segments =
+            let mut segments =
                 paths(&figure.drawing.items, part).into_iter().flat_map(|path| match &path.contour {
                     Contour::Segments(segments) => segments.clone(),
                     Contour::Circle { .. } => Vec::new(),
                 });
             let arc = |segment| if let Segment::Arc { radius, .. } = segment { Some(radius) } else { None };
-            segments.filter_map(arc).next().unwrap() / figure.panels[0].frame.scale
+            segments.find_map(arc).unwrap() / figure.panels[0].frame.scale
         };
         assert!((radius("arc") - 5.0).abs() < 1e-9 && (radius("nearer-arc") - 1.0).abs() < 1e-9);
         let labels = labels(&figure);

@@ -136,7 +136,9 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
     Some(match (layer, key) {
         ("separation" | "closest", "d") => separation(scene, time).separation.abs(),
         ("separation", "distance") if line.starts_with("depth") => -separation(scene, time).separation,
-        ("separation", "p" | "distance") | ("advancement", "d") => separation(scene, time).separation,
+        ("separation", "p" | "distance") | ("advancement", "d") | ("separating-cone", "gap") => {
+            separation(scene, time).separation
+        }
         ("ghosts", "A'" | "B'") if line.contains("$t =") => until_hit(scene, 0.0),
         ("approach", "A'" | "B'") if line.contains("$t =") => context.closest().unwrap().time,
         ("approach", "d") if line.starts_with("$t") => context.closest().unwrap().time,
@@ -176,7 +178,6 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
             let axis = a.unwrap().pose_at(time).vector(DVec2::X);
             libm::atan2(axis.y, axis.x).to_degrees()
         }
-        ("separating-cone", "gap") => separation(scene, time).separation,
         ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
         _ => return None,
     })
