@@ -174,10 +174,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("arc", "r") => reach(a.unwrap()),
         ("arc", "r_q") => first_vertex(a.unwrap()),
         ("arc", "L_q") => a.unwrap().spin.radians().abs() * first_vertex(a.unwrap()),
-        ("frame", "angle") => {
-            let axis = a.unwrap().pose_at(time).vector(DVec2::X);
-            libm::atan2(axis.y, axis.x).to_degrees()
-        }
+        ("frame", "angle") => turned(a.unwrap(), time),
         ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
         _ => return None,
     })
@@ -228,6 +225,12 @@ fn least(scene: &Scene, time: f64) -> f64 {
 /// The distance of a body's farthest point from its origin.
 fn reach(body: &Body) -> f64 {
     body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius
+}
+
+/// The angle from the world's x axis to a body's own at a time, degrees.
+fn turned(body: &Body, time: f64) -> f64 {
+    let axis = body.pose_at(time).vector(DVec2::X);
+    libm::atan2(axis.y, axis.x).to_degrees()
 }
 
 /// The distance of a body's first vertex from its origin.
