@@ -1,6 +1,6 @@
 //! `tracefig mdbook`: the scenes of a book's pages, drawn as mdBook builds it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -12,6 +12,7 @@ use tracefig::scene::visible;
 
 use super::book::colors::{Colors, of_the_house};
 use super::book::figures::{Desk, Order, Served, Takes};
+use super::book::kept::Kept;
 use super::book::mail::Mail;
 use super::book::markdown::{Place, What, places};
 use super::book::places::line_in_file;
@@ -54,7 +55,13 @@ impl Runs for Mdbook {
             ("tracefig mdbook supports html", "Say whether a renderer is served: exit status 0"),
             ("tracefig mdbook", "Read [context, book] as JSON, and write the book with its figures drawn"),
         ],
-        files: &[("book.toml", "`[preprocessor.tracefig]` makes mdBook run this command")],
+        files: &[
+            ("book.toml", "`[preprocessor.tracefig]` makes mdBook run this command"),
+            (
+                "~/.cache/tracefig/books/",
+                "figures of the last build of each book; may be deleted at any time",
+            ),
+        ],
         wrong: Some("a scene of the book is wrong, or what is asked of it"),
     };
 
@@ -94,15 +101,18 @@ fn colors(mail: &Mail) -> Result<Colors, String> {
 /// Draws what the pages ask for and puts it in its place.
 fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status {
     let takes = if mail.renderer == PAGES { Takes::Element } else { Takes::Image };
-    let (root, src) = (mail.root.clone(), mail.src.clone());
+    let (root, src, renderer) = (mail.root.clone(), mail.src.clone(), mail.renderer.clone());
     let mut pages = mail.pages();
     let read: Vec<Found> = pages.iter().map(|page| read(&root, &src, &page.path, page.content)).collect();
     let orders = orders(&read);
-    let desk = Desk { takes, colors, own_themes: OwnThemes::default(), ink: console.ink() };
+    let kept = Kept::open(&root, &renderer);
+    let desk = Desk { takes, colors, kept, own_themes: OwnThemes::default(), ink: console.ink() };
     let (mut status, mut served) = (Status::Done, Vec::with_capacity(orders.len()));
+    let mut pictures = BTreeMap::new();
     let work = |(_, order): &(usize, Order)| desk.serve(order);
     let done: Result<(), ()> = in_order(&orders, threads(None), work, |(page, order), done| {
-        let Served { text, messages } = done.unwrap_or_default();
+        let Served { text, messages, kept } = done.unwrap_or_default();
+        pictures.extend(kept);
         if text.is_some() {
             console.note(&messages);
         } else {
@@ -113,6 +123,7 @@ fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status
         Ok(())
     });
     debug_assert!(done.is_ok(), "nothing above fails");
+    desk.kept.keep(&pictures);
     // From the end, so that what stands before keeps its place.
     for (page, range, text) in served.into_iter().rev() {
         pages[page].content.replace_range(range, &text);

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use serde_json::{Value, json};
 use tempfile::TempDir;
@@ -15,6 +16,16 @@ const SENT: [(&str, &str); 2] =
 
 fn data() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/book")
+}
+
+/// The command, in a folder; nothing is kept for a next build.
+fn mdbook(folder: &Path) -> Command {
+    let mut command = tracefig(folder);
+    command.arg("mdbook");
+    for name in ["XDG_CACHE_HOME", "HOME", "LOCALAPPDATA"] {
+        command.env_remove(name);
+    }
+    command
 }
 
 /// The book that comes back.
@@ -53,7 +64,7 @@ fn page(content: &str, renderer: &str) -> (Ran, TempDir) {
     let chapter = json!({"name": "P", "content": content, "sub_items": [], "path": "page.md"});
     let context = json!({"root": folder.path(), "renderer": renderer, "config": {"book": {"src": ""}}});
     let mail = json!([context, {"items": [{"Chapter": chapter}]}]).to_string();
-    (run_on(tracefig(folder.path()).arg("mdbook"), mail), folder)
+    (run_on(&mut mdbook(folder.path()), mail), folder)
 }
 
 /// The text of a page that has become one.
@@ -80,7 +91,7 @@ fn books_of_both_versions_come_back_with_their_figures() {
     for (list, sent) in SENT {
         let sent = sent.replace("ROOT", data().to_str().unwrap());
         let before: Value = serde_json::from_str(&sent).unwrap();
-        let after = came_back(&run_on(tracefig(&data()).arg("mdbook"), &sent));
+        let after = came_back(&run_on(&mut mdbook(&data()), &sent));
         assert_eq!(emptied(after[list].clone()), emptied(before[1][list].clone()));
         pages.push(contents(&after[list]));
         let figures: Vec<usize> = pages[0].iter().map(|page| page.matches("<figure ").count()).collect();
@@ -175,7 +186,7 @@ fn the_page_of_a_project_is_that_of_its_figures_in_a_book() {
     let chapter = json!({"content": "{{#tracefig circles.toml}}\n", "sub_items": [], "path": "page.md"});
     let context = json!({"root": folder.path(), "renderer": "html", "config": {"book": {"src": ""}}});
     let mail = json!([context, {"sections": [{"Chapter": chapter}]}]).to_string();
-    let book = came_back(&run_on(tracefig(folder.path()).arg("mdbook"), mail));
+    let book = came_back(&run_on(&mut mdbook(folder.path()), mail));
     assert!(contents(&book["sections"])[0].contains(" width=\"500\""));
 }
 
@@ -189,4 +200,33 @@ fn every_renderer_is_served_and_what_is_no_book_is_refused() {
     let ran = run_on(tracefig(here).arg("mdbook"), "{}");
     assert_eq!(ran.code, Some(1));
     assert!(ran.err.contains("expected `[context, book]` from mdBook"), "{}", ran.err);
+}
+
+#[test]
+fn a_book_that_is_built_again_has_the_same_figures_from_what_was_kept() {
+    let folder = folder_with("circles.toml", CIRCLES);
+    let cache = tempfile::tempdir().unwrap();
+    let chapter = json!({"content": "{{#tracefig circles.toml}}\n", "sub_items": [], "path": "page.md"});
+    let context = json!({"root": folder.path(), "renderer": "html", "config": {"book": {"src": ""}}});
+    let mail = json!([context, {"items": [{"Chapter": chapter}]}]).to_string();
+    let built = || run_on(mdbook(folder.path()).env("XDG_CACHE_HOME", cache.path()), &mail);
+    let books = cache.path().join("tracefig/books");
+    let kept = || {
+        let files: Vec<PathBuf> = books.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+        assert_eq!(files.len(), 1, "{files:?}");
+        files[0].clone()
+    };
+    let first = built();
+    came_back(&first);
+    let text = fs::read_to_string(kept()).unwrap();
+    assert_eq!(built().out, first.out);
+    assert_eq!(fs::read_to_string(kept()).unwrap(), text);
+    fs::write(kept(), text.replace("#a3161f", "#a3161e").replace("#A3161F", "#A3161E")).unwrap();
+    assert_ne!(built().out, first.out, "what was kept is taken");
+    fs::write(folder.path().join("circles.toml"), CIRCLES.replace("radius = 2", "radius = 1.5")).unwrap();
+    assert!(!built().out.contains("3161e") && !built().out.contains("3161E"), "another scene is drawn anew");
+    fs::write(kept(), "broken").unwrap();
+    let last = built();
+    assert!(came_back(&last).to_string().contains("<svg "));
+    assert_ne!(last.out, first.out);
 }

@@ -18,7 +18,11 @@ fn src() -> PathBuf {
 /// The built binary, with no settings of whoever runs the tests.
 fn tracefig() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_tracefig"));
-    command.current_dir(env!("CARGO_MANIFEST_DIR")).env_remove("NO_COLOR").env_remove("COLUMNS");
+    command.current_dir(env!("CARGO_MANIFEST_DIR"));
+    // Without these nothing is kept from build to build.
+    for name in ["NO_COLOR", "COLUMNS", "XDG_CACHE_HOME", "HOME", "LOCALAPPDATA"] {
+        command.env_remove(name);
+    }
     command
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Component, Path, PathBuf};
 
+use tracefig::drift::fingerprint;
 use tracefig::figure::theme::Theme;
 use tracefig::figure::{draw, plan, plan_in};
 use tracefig::output::{data_uri, inline};
@@ -17,6 +18,7 @@ use super::super::themes::{OwnThemes, theme_in};
 use super::super::unplanned::Unplanned;
 use super::attributes::Attributes;
 use super::colors::Colors;
+use super::kept::Kept;
 use super::markdown::{Place, What};
 
 /// Width of the page of figures that say none, page pixels: that of mdBook's text, so that letters have the
@@ -38,6 +40,8 @@ pub(crate) struct Desk<'d> {
     pub(crate) takes: Takes,
     /// How figures look that follow the book.
     pub(crate) colors: &'d Colors,
+    /// Figures of the last build.
+    pub(crate) kept: Kept,
     /// The theme files that scenes name.
     pub(crate) own_themes: OwnThemes,
     /// How messages are written.
@@ -68,25 +72,28 @@ pub(crate) struct Served {
     pub(crate) text: Option<String>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
+    /// The picture, by what it depends on, where the next build need not draw it again.
+    pub(crate) kept: Option<(String, String)>,
+}
+
+impl Served {
+    /// Words for the page.
+    fn words(text: String) -> Self {
+        Self { text: Some(text), ..Self::default() }
+    }
 }
 
 impl Desk<'_> {
     /// Does what a place asks for.
     pub(crate) fn serve(&self, order: &Order) -> Served {
-        let mut messages = String::new();
-        let text = match &order.place.what {
-            What::Backslash => Ok(String::new()),
+        let served = match &order.place.what {
+            What::Backslash => Ok(Served::words(String::new())),
             What::Wrong(told) => Err(order.told(told)),
-            What::Value { path, name } => self.value(order, path, name),
-            What::Scene { attributes, text } => self.figure(order, None, (attributes, text), &mut messages),
-            What::File { path, attributes } => {
-                self.figure(order, Some(path), (attributes, ""), &mut messages)
-            }
+            What::Value { path, name } => self.value(order, path, name).map(Served::words),
+            What::Scene { attributes, text } => self.figure(order, None, (attributes, text)),
+            What::File { path, attributes } => self.figure(order, Some(path), (attributes, "")),
         };
-        match text {
-            Ok(text) => Served { text: Some(text), messages },
-            Err(told) => Served { text: None, messages: messages + &told },
-        }
+        served.unwrap_or_else(|messages| Served { messages, ..Served::default() })
     }
 
     /// The text of a value of a file's answer.
@@ -110,26 +117,19 @@ impl Desk<'_> {
         order: &Order,
         path: Option<&String>,
         (attributes, text): (&str, &str),
-        messages: &mut String,
-    ) -> Result<String, String> {
+    ) -> Result<Served, String> {
         let attributes = Attributes::read(attributes).map_err(|told| order.told(&told))?;
         let (mut file, input) = self.opened(order, path, text)?;
         if let Some(alt) = &attributes.alt {
             file.scene.alt = Some(Spanned { value: alt.clone(), span: 0..0 });
         }
-        let refuse = |problems| order.refused(&Refused { source: file.source.clone(), problems }, self.ink);
         let own = self.own_theme(order, &attributes, &file, &input)?;
-        let theme = own.as_ref().unwrap_or(&self.colors.base);
-        let plan = plan_in(&file.scene, theme).map_err(refuse)?;
-        let mut figure = draw(&plan, theme, &order.id);
-        if own.is_none() {
-            self.colors.open_words(&mut figure.drawing);
-        }
-        for warning in &figure.warnings {
-            messages.push_str(&message(&file.source, warning, warning.fault.severity(), self.ink));
-        }
-        let drawing = &figure.drawing;
-        let cant = |error| order.told(&format!("the figure can't be written: {error}"));
+        let key = self.key(order, &file, own.as_ref());
+        let mut messages = String::new();
+        let picture = match self.kept.get(&key) {
+            Some(picture) => picture.to_owned(),
+            None => self.picture(order, &file, own.as_ref(), &mut messages)?,
+        };
         let mut out = String::new();
         if attributes.source {
             let shown = if path.is_some() { &file.source.text } else { text };
@@ -142,18 +142,51 @@ impl Desk<'_> {
                 if order.with_sheet {
                     let _ = write!(out, "<style>{}</style>", self.colors.sheet);
                 }
-                out.push_str(&inline(drawing).map_err(cant)?);
-                out.push_str("</figure>");
+                let _ = write!(out, "{picture}</figure>");
             }
-            Takes::Image => {
-                out.push_str("![");
-                push_escaped(&mut out, &drawing.title);
-                let _ = write!(out, "]({})", data_uri(drawing).map_err(cant)?);
-            }
+            Takes::Image => out.push_str(&picture),
         }
         // A blank line ends the element for Markdown.
         let _ = write!(out, "\n{}", order.place.margin.trim_end());
-        Ok(out)
+        // What is told is told by every build.
+        let kept = messages.is_empty().then_some((key, picture));
+        Ok(Served { text: Some(out), messages, kept })
+    }
+
+    /// What a picture depends on, in a hash.
+    fn key(&self, order: &Order, file: &SceneFile, own: Option<&Theme>) -> String {
+        let theme = own.map_or_else(|| self.colors.sheet.clone(), |own| format!("{own:?}"));
+        let alt = file.scene.alt.as_ref().map(|alt| &alt.value);
+        fingerprint(&file.meaning, &format!("{:?} {} {alt:?} {theme}", self.takes, order.id))
+    }
+
+    /// Draws a scene, as an element or an image in Markdown; warnings go to `messages`.
+    fn picture(
+        &self,
+        order: &Order,
+        file: &SceneFile,
+        own: Option<&Theme>,
+        messages: &mut String,
+    ) -> Result<String, String> {
+        let theme = own.unwrap_or(&self.colors.base);
+        let plan = plan_in(&file.scene, theme).map_err(|problems| {
+            order.refused(&Refused { source: file.source.clone(), problems }, self.ink)
+        })?;
+        let mut figure = draw(&plan, theme, &order.id);
+        for warning in &figure.warnings {
+            messages.push_str(&message(&file.source, warning, warning.fault.severity(), self.ink));
+        }
+        if own.is_none() {
+            self.colors.open_words(&mut figure.drawing);
+        }
+        let drawing = &figure.drawing;
+        let cant = |error| order.told(&format!("the figure can't be written: {error}"));
+        match self.takes {
+            Takes::Element => inline(drawing).map_err(cant),
+            Takes::Image => {
+                Ok(format!("![{}]({})", escaped(&drawing.title), data_uri(drawing).map_err(cant)?))
+            }
+        }
     }
 
     /// The scene of an order, on the page of its project or of a book, and where it is from.
@@ -253,12 +286,14 @@ fn push_fenced(out: &mut String, text: &str, margin: &str) {
     let _ = write!(out, "{margin}{fence}\n{}\n{margin}", margin.trim_end());
 }
 
-/// Appends words so that Markdown reads them as they are.
-fn push_escaped(out: &mut String, words: &str) {
+/// Words so that Markdown reads them as they are.
+fn escaped(words: &str) -> String {
+    let mut out = String::with_capacity(words.len());
     for c in words.chars() {
         if c.is_ascii_punctuation() {
             out.push('\\');
         }
         out.push(if c.is_control() { ' ' } else { c });
     }
+    out
 }
