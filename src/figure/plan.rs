@@ -10,7 +10,7 @@ use crate::scene::{self, Scene, Variant};
 use super::asked_theme::theme_of;
 use super::budget::Budget;
 use super::default_picture;
-use super::describe::sentence;
+use super::describe::{sentence, sentence_markup};
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
@@ -147,7 +147,8 @@ fn resolve<'s>(
     if let Some(ours) = exercise::caption(scene, &runs, &measures, &mut problems) {
         caption = ours;
     } else if scene.panels.is_empty() && scene.caption.is_none() {
-        caption = caption_of_words(&measures, sentence(scene, &runs.own(scene, scene.query.time)));
+        let run = runs.own(scene, scene.query.time);
+        caption = caption_of_words(&measures, sentence(scene, &run), &sentence_markup(scene, &run));
     }
     let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let layout = Layout {

@@ -169,8 +169,8 @@ fn faults(figure: &Figure) -> Vec<String> {
     groups.zip(origins).flat_map(|(items, origins)| broken(items, &origins)).collect()
 }
 
-#[test]
-fn every_figure_keeps_the_grammar_in_every_theme() {
+/// The names of the committed scenes.
+fn stems() -> Vec<String> {
     let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("figures");
     let mut stems: Vec<String> = std::fs::read_dir(folder)
         .unwrap_or_else(|e| panic!("{e}"))
@@ -178,14 +178,40 @@ fn every_figure_keeps_the_grammar_in_every_theme() {
         .collect();
     stems.sort();
     assert!(stems.len() >= 19, "{stems:?}");
+    stems
+}
+
+#[test]
+fn every_figure_keeps_the_grammar_in_every_theme() {
     let mut wrong = Vec::new();
-    for stem in &stems {
+    for stem in &stems() {
         for theme in THEMES {
             let found = faults(&drawn(stem, theme));
             wrong.extend(found.into_iter().map(|fault| format!("{stem}, {theme}: {fault}")));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_letters_of_bodies_and_of_the_origin_are_in_italics_wherever_they_stand() {
+    let mut upright = Vec::new();
+    for stem in stems() {
+        let mut all = Vec::new();
+        texts(&drawn(&stem, "light").drawing.items, &mut all);
+        upright
+            .extend(all.iter().filter(|text| has_upright_letter(text)).map(|text| format!("{stem}: {text}")));
+    }
+    assert!(upright.is_empty(), "{}", upright.join("\n"));
+    // An article, too, would be read as a body.
+    assert!(has_upright_letter("A ray enters") && has_upright_letter("{b|B}’s $n$"));
+    assert!(!has_upright_letter("{b|$B$}’s edge of $A$, AABB"));
+}
+
+/// Whether a markup has A, B or O as a word outside its formulas.
+fn has_upright_letter(markup: &str) -> bool {
+    let words = |text: &str| text.split(|c: char| !c.is_alphanumeric()).any(|w| ["A", "B", "O"].contains(&w));
+    markup.split('$').step_by(2).any(words)
 }
 
 #[test]

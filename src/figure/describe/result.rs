@@ -1,17 +1,23 @@
 //! What came out, as a sentence.
 
 use crate::collision::{Answer, Impact, Outcome, Reason, Separation};
+use crate::figure::name::Name;
 use crate::figure::runs::Run;
 use crate::geometry::Side;
 use crate::scene::Scene;
 use crate::trace::Event;
+use crate::typeset::as_markup;
 
 use super::number::{number, point, value};
 
 /// The result of `run` as a sentence that begins with a small letter.
 pub(super) fn result(scene: &Scene, run: &Run) -> String {
     let names = scene.names();
-    let (a, b) = (names.of(Side::A), names.of(Side::B));
+    result_of([names.of(Side::A), names.of(Side::B)], run)
+}
+
+/// The result of `run` for bodies named `a` and `b`, the second one empty where there is none.
+fn result_of([a, b]: [&str; 2], run: &Run) -> String {
     match &run.answer {
         Answer::Bounds(bounds) => format!(
             "the bounding box of {a}{} reaches from {} to {}.",
@@ -95,10 +101,57 @@ fn closest_in_words(run: &Run) -> String {
 
 /// The result of `run` as a sentence of its own: with a capital, but a name stays as the scene writes it.
 pub(crate) fn sentence(scene: &Scene, run: &Run) -> String {
-    let text = result(scene, run);
-    if text.starts_with(&format!("{} ", scene.names().of(Side::A))) {
+    let names = scene.names();
+    sentence_of([names.of(Side::A), names.of(Side::B)], run)
+}
+
+/// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
+pub(crate) fn sentence_markup(scene: &Scene, run: &Run) -> String {
+    let names = scene.names();
+    // Characters that no text has stand for the names, which are words of the sentence elsewhere too.
+    let stand_ins =
+        Side::BOTH.map(|side| (Name(names.of(side)), if side == Side::A { FIRST } else { SECOND }));
+    let marked = stand_ins.map(|(name, mark)| if name.0.is_empty() { "" } else { mark });
+    let text = as_markup(&sentence_of(marked, run));
+    stand_ins.iter().fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
+}
+
+/// Characters for private use, in the place of names.
+const FIRST: &str = "\u{E000}";
+const SECOND: &str = "\u{E001}";
+
+/// The result of `run` for bodies named `a` and `b` as a sentence of its own.
+fn sentence_of(names: [&str; 2], run: &Run) -> String {
+    let text = result_of(names, run);
+    if text.starts_with(&format!("{} ", names[0])) {
         return text;
     }
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::runs::Runs;
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_letter_is_in_italics_and_a_word_or_a_number_with_the_same_letters_is_not() {
+        let said = |a: &str, b: &str| {
+            let text = format!(
+                "shapes.{a} = {{ kind = 'circle', radius = 1 }}
+                shapes.{b} = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+                query = {{ kind = 'separation', of = ['{a}', '{b}'] }}"
+            );
+            let scene = open_text("sentence.toml", &text).unwrap().scene;
+            let runs = Runs::default();
+            let run = runs.own(&scene, 0.0);
+            (sentence(&scene, &run), sentence_markup(&scene, &run))
+        };
+        let (words, markup) = said("A", "a");
+        assert_eq!(words, "A and a are 2 apart along the normal (1, 0).");
+        assert_eq!(markup, "$A$ and $a$ are 2 apart along the normal (1, 0).");
+        assert_eq!(said("apart", "B").1, "apart and $B$ are 2 apart along the normal (1, 0).");
+    }
 }

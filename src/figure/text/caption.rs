@@ -7,7 +7,7 @@ use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::Lettering;
 use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
-use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
+use crate::typeset::{Line, Style, TypesetError, wrap};
 
 use super::columns::columns;
 use super::fill::fill;
@@ -214,10 +214,11 @@ pub(crate) fn spoken(
     }
 }
 
-/// A caption in `words` of ours; empty where the page has no room for it, or the font lacks a letter.
-pub(crate) fn caption_of_words(measures: &Measures, words: String) -> Across {
+/// A caption in `words` of ours, which are set as `markup`; empty where the page has no room for it, or the
+/// font lacks a letter.
+pub(crate) fn caption_of_words(measures: &Measures, words: String, markup: &str) -> Across {
     let room = Block::Caption.room(measures);
-    let markup = with_powers(&as_markup(&words));
+    let markup = with_powers(markup);
     let columns = room.columns(&markup, |part, room| Lettering::new(part, |text| room.set(text)));
     let set = Across { columns: columns.unwrap_or_default(), words: Some(words) };
     if set.columns.is_empty() || set.lines() > room.most { Across::default() } else { set }
