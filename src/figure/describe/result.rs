@@ -1,12 +1,11 @@
 //! What came out, as a sentence.
 
 use crate::collision::{Answer, Impact, Outcome, Reason, Separation};
-use crate::figure::name::Name;
 use crate::figure::runs::Run;
+use crate::figure::text::named;
 use crate::geometry::Side;
 use crate::scene::Scene;
 use crate::trace::Event;
-use crate::typeset::as_markup;
 
 use super::number::{number, point, value};
 
@@ -108,17 +107,8 @@ pub(crate) fn sentence(scene: &Scene, run: &Run) -> String {
 /// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
 pub(crate) fn sentence_markup(scene: &Scene, run: &Run) -> String {
     let names = scene.names();
-    // Characters that no text has stand for the names, which are words of the sentence elsewhere too.
-    let stand_ins =
-        Side::BOTH.map(|side| (Name(names.of(side)), if side == Side::A { FIRST } else { SECOND }));
-    let marked = stand_ins.map(|(name, mark)| if name.0.is_empty() { "" } else { mark });
-    let text = as_markup(&sentence_of(marked, run));
-    stand_ins.iter().fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
+    named([names.of(Side::A), names.of(Side::B)], |names| sentence_of(names, run))
 }
-
-/// Characters for private use, in the place of names.
-const FIRST: &str = "\u{E000}";
-const SECOND: &str = "\u{E001}";
 
 /// The result of `run` for bodies named `a` and `b` as a sentence of its own.
 fn sentence_of(names: [&str; 2], run: &Run) -> String {

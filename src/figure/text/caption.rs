@@ -5,9 +5,10 @@
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::Lettering;
+use crate::figure::name::Name;
 use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
-use crate::typeset::{Line, Style, TypesetError, wrap};
+use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
 
 use super::columns::columns;
 use super::fill::fill;
@@ -256,6 +257,18 @@ pub(crate) fn paragraphs(
         }
         kept -= 1;
     }
+}
+
+/// Characters for private use, which no text has: they stand for names, whose letters words have, too.
+const STAND_INS: [&str; 2] = ["\u{E000}", "\u{E001}"];
+
+/// What `say` says of bodies of these names, as markup: the names as labels have them, a letter in italics. An
+/// empty name is that of no body.
+pub(crate) fn named(names: [&str; 2], say: impl FnOnce([&str; 2]) -> String) -> String {
+    let [a, b] = names;
+    let marks = [if a.is_empty() { "" } else { STAND_INS[0] }, if b.is_empty() { "" } else { STAND_INS[1] }];
+    let text = as_markup(&say(marks));
+    names.iter().zip(STAND_INS).fold(text, |text, (name, mark)| text.replace(mark, &Name(name).primed(0)))
 }
 
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.

@@ -19,7 +19,9 @@ mod symbols;
 mod values;
 mod wording;
 
-pub(crate) use caption::{Across, Block, across, caption_of_words, paragraphs, set, spoken, with_powers};
+pub(crate) use caption::{
+    Across, Block, across, caption_of_words, named, paragraphs, set, spoken, with_powers,
+};
 pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
