@@ -262,8 +262,8 @@ pub(crate) fn paragraphs(
 /// Characters for private use, which no text has: they stand for names, whose letters words have, too.
 const STAND_INS: [&str; 2] = ["\u{E000}", "\u{E001}"];
 
-/// What `say` says of bodies of these names, as markup: the names as labels have them, a letter in italics. An
-/// empty name is that of no body.
+/// What `say` says of bodies of these names, as markup: the names as labels have them, a letter in italics.
+/// An empty name is that of no body.
 pub(crate) fn named(names: [&str; 2], say: impl FnOnce([&str; 2]) -> String) -> String {
     let [a, b] = names;
     let marks = [if a.is_empty() { "" } else { STAND_INS[0] }, if b.is_empty() { "" } else { STAND_INS[1] }];
