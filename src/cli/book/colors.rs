@@ -8,12 +8,17 @@ use std::fmt::Write as _;
 
 use tracefig::drawing::{Color, Drawing, Role};
 use tracefig::figure::theme::contrast::contrast;
-use tracefig::figure::theme::{THEMES, Theme};
+use tracefig::figure::theme::{Side, THEMES, Theme};
 
 /// The class of figures that follow the book.
 const FOLLOWS: &str = "tracefig-book";
 /// The class of all figures.
 const FIGURE: &str = "tracefig";
+
+/// The widest window of a phone: there a figure may be wider than the page, and is scrolled sideways.
+const PHONE: &str = "600px";
+/// How far it is shrunk there at most: the letters of a usual figure have 10 pixels then.
+const READABLE: &str = "540px";
 
 /// The other themes of mdBook, by their class, and the page of each, from its `variables.css`.
 const PAGES: [(&str, Color); 4] = [
@@ -49,7 +54,9 @@ impl Colors {
         let shaded: Vec<Role> = Role::ALL.into_iter().filter(is_shaded).collect();
         let mut sheet = format!(
             ".{FIGURE}{{margin:1.5em auto;max-width:100%;text-align:center;break-inside:avoid}}\
-             .{FIGURE} svg{{max-width:100%;height:auto}}@media screen{{\
+             .{FIGURE} svg{{max-width:100%;height:auto}}\
+             @media screen and (max-width:{PHONE}){{.{FIGURE}{{width:auto!important;overflow-x:auto}}\
+             .{FIGURE} svg{{max-width:max(100%,{READABLE})}}}}@media screen{{\
              .{FOLLOWS}{{--tracefig-background:var(--bg,{})}}",
             base.color(Role::Background)
         );
@@ -81,17 +88,13 @@ impl Colors {
 /// A theme on a page: its dark side on a dark one, if it has one.
 fn on_page(theme: &Theme, page: Color) -> Theme {
     let [black, white] = [0, 0xFF_FFFF].map(Color::hex);
-    let on = theme.on(page);
-    match on.dark {
-        Some(dark) if contrast(white, page) > contrast(black, page) => Theme {
-            colors: dark.colors,
-            words: dark.words,
-            fill_opacity: dark.fill_opacity,
-            dark: None,
-            ..on
-        },
-        _ => Theme { dark: None, ..on },
-    }
+    let is_dark = contrast(white, page) > contrast(black, page);
+    // The side first: to fit the other one to the page too would take longer than all else.
+    let side = match theme.dark.filter(|_| is_dark) {
+        Some(Side { colors, words, fill_opacity }) => Theme { colors, words, fill_opacity, ..theme.clone() },
+        None => theme.clone(),
+    };
+    Theme { dark: None, ..side }.on(page)
 }
 
 #[cfg(test)]
