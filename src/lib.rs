@@ -10,6 +10,7 @@ pub mod drawing;
 pub mod drift;
 pub mod figure;
 pub mod geometry;
+pub mod live;
 pub mod output;
 pub mod report;
 pub mod scene;

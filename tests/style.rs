@@ -256,20 +256,34 @@ fn modules_of_tests(path: &Path, source: &str) -> Vec<PathBuf> {
     declared.flat_map(|name| [folder.join(format!("{name}.rs")), folder.join(name)]).collect()
 }
 
+/// What a page gets beside the crate: the module and its scripts.
+fn of_the_page() -> Vec<PathBuf> {
+    let live = src().with_file_name("live");
+    let entries = fs::read_dir(&live).unwrap().map(|entry| entry.unwrap().path());
+    let is_script = |path: &PathBuf| path.extension().is_some_and(|end| end == "js" || end == "mjs");
+    let mut files: Vec<_> = entries.filter(is_script).collect();
+    files.sort();
+    files.extend(rust_files(&live.join("module").join("src")));
+    assert!(files.len() > 2, "{files:?}");
+    files
+}
+
 /// Which files a rule is for.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 enum Files {
-    /// All of them.
+    /// All of them, those of the page too.
     All,
     /// Those that are in the library or the binary, not those of tests only.
     Built,
 }
 
-/// Holds a rule over the files of `src/`.
+/// Holds a rule over the files of `src/` and of a live page.
 #[track_caller]
 fn hold(rule: fn(&str) -> Vec<Found>, over: Files) {
+    let page = if over == Files::All { of_the_page() } else { Vec::new() };
     let files: Vec<(PathBuf, String)> = rust_files(&src())
         .into_iter()
+        .chain(page)
         .map(|path| (path.clone(), fs::read_to_string(path).unwrap()))
         .collect();
     let of_tests: Vec<PathBuf> = match over {

@@ -27,6 +27,7 @@ pub(crate) use raster::Pixel;
 pub use raster::{Pixels, rasterize};
 pub use svg::inline::{data_uri, inline, short_id};
 pub(crate) use svg::read::sheets_apart;
+pub(crate) use svg::{key as svg_key, text as svg_text};
 
 /// A row in the table of formats.
 #[derive(Clone, Copy, Debug)]
@@ -135,13 +136,18 @@ impl Format {
     #[must_use]
     pub fn key(&self, theme: &str, options: &Options) -> String {
         let Options { scale, png } = options;
-        let page = format!("{} theme={theme}", self.name);
+        let page = page_key(self.name, theme);
         match self.depends {
             Depends::Page => page,
             Depends::Pixels => format!("{page} scale={scale}"),
             Depends::Packing => format!("{page} scale={scale} png={}", png.word()),
         }
     }
+}
+
+/// What the bytes of a page of outlines depend on besides its scene, as [`Format::key`] says it.
+fn page_key(format: &str, theme: &str) -> String {
+    format!("{format} theme={theme}")
 }
 
 /// What may be asked of a format; those that it does not concern it ignores.

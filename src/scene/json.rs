@@ -27,6 +27,20 @@ pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
     if problems.is_empty() { Ok(node) } else { Err(problems) }
 }
 
+/// A tree as JSON.
+pub(super) fn value(node: &Node) -> serde_json::Value {
+    match &node.value {
+        NodeValue::Bool(flag) => (*flag).into(),
+        NodeValue::Number(number) => (*number).into(),
+        NodeValue::Text(text) => text.as_str().into(),
+        NodeValue::List(items) => items.iter().map(value).collect(),
+        NodeValue::Table(entries) => {
+            entries.iter().map(|(key, node)| (key.value.clone(), value(node))).collect()
+        }
+        NodeValue::Other(_) => serde_json::Value::Null,
+    }
+}
+
 /// The JSON pointer (RFC 6901) of the innermost value or key at a byte.
 pub(super) fn pointer(root: &Node, at: usize) -> String {
     let mut path = String::new();

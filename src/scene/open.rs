@@ -24,6 +24,28 @@ pub struct SceneFile {
     /// What it says as one text, the same however the file is written: comments, blanks, the order of keys
     /// and the language are not in it, nor is what is not read, as the `id`.
     pub meaning: String,
+    /// The values as they were read.
+    pub(super) tree: Node,
+}
+
+impl SceneFile {
+    /// What the file says, as JSON, keys in its order; with the page of its project, where it was given one.
+    ///
+    /// ```
+    /// let text = "query = { kind = 'bounds', of = ['A'] }\nshapes.A = { kind = 'circle', radius = 2 }";
+    /// let json = tracefig::scene::open_text("s.toml", text)?.json();
+    /// assert!(json.starts_with(r#"{"query":{"kind":"bounds","of":["A"]},"shapes":{"A":{"kind":"circle","#));
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn json(&self) -> String {
+        self.json_value().to_string()
+    }
+
+    /// What the file says, as a JSON value.
+    pub(crate) fn json_value(&self) -> serde_json::Value {
+        json::value(&self.tree)
+    }
 }
 
 /// A scene that can't be answered or drawn, with all the reasons.
@@ -148,8 +170,8 @@ pub(super) fn checked(
     source: Source,
     tree: impl FnOnce(&Source) -> Result<Node, Vec<Problem>>,
 ) -> Result<SceneFile, Box<Refused>> {
-    match tree(&source).and_then(|root| Ok((from_tree(&root)?, meaning(&root)))) {
-        Ok((scene, meaning)) => Ok(SceneFile { source, scene, meaning }),
+    match tree(&source).and_then(|root| Ok((from_tree(&root)?, meaning(&root), root))) {
+        Ok((scene, meaning, tree)) => Ok(SceneFile { source, scene, meaning, tree }),
         Err(problems) => Err(Box::new(Refused { source, problems })),
     }
 }

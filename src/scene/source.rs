@@ -83,7 +83,7 @@ impl Source {
     }
 
     /// The JSON pointer (RFC 6901) to the value at a place; `None` in TOML or where the text is no JSON.
-    pub(super) fn pointer(&self, span: &Range<usize>) -> Option<String> {
+    pub(crate) fn pointer(&self, span: &Range<usize>) -> Option<String> {
         match self.syntax {
             Syntax::Toml => None,
             Syntax::Json => json::parse(&self.text).ok().map(|root| json::pointer(&root, span.start)),

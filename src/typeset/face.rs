@@ -13,6 +13,7 @@ use super::line::{Face, Glyph};
 
 static REGULAR: &[u8] = include_bytes!("fonts/tracefig-sans-regular.ttf");
 static SEMIBOLD: &[u8] = include_bytes!("fonts/tracefig-sans-semibold.ttf");
+static MATH: &[u8] = include_bytes!("fonts/tracefig-math.otf");
 
 /// Units of an [`Outline`] in an em.
 pub const UNITS_PER_EM: f64 = 1000.0;
@@ -82,18 +83,20 @@ impl Loaded {
     pub(super) fn of(face: Face) -> Option<&'static Self> {
         static FACES: [OnceLock<Option<Loaded>>; 3] = [OnceLock::new(), OnceLock::new(), OnceLock::new()];
         let (slot, bytes) = match face {
-            Face::Regular => (&FACES[0], Some(REGULAR)),
-            Face::Semibold => (&FACES[1], Some(SEMIBOLD)),
-            Face::Math => (&FACES[2], None),
+            Face::Regular => (&FACES[0], REGULAR),
+            Face::Semibold => (&FACES[1], SEMIBOLD),
+            Face::Math => (&FACES[2], MATH),
         };
-        slot.get_or_init(|| Self::load(bytes)).as_ref()
+        slot.get_or_init(|| Self::load(face, bytes)).as_ref()
     }
 
-    /// Words from `bytes`, or the formulas' face.
-    fn load(bytes: Option<&'static [u8]>) -> Option<Self> {
-        let source = match bytes {
-            Some(bytes) => Source::Words(Box::new(ttf_parser::Face::parse(bytes, 0).ok()?)),
-            None => Source::Formulas(Box::new(MathFont::stix_two_math().ok()?)),
+    /// A face of words, or that of formulas, from the bytes of its file.
+    fn load(face: Face, bytes: &'static [u8]) -> Option<Self> {
+        let source = match face {
+            Face::Regular | Face::Semibold => {
+                Source::Words(Box::new(ttf_parser::Face::parse(bytes, 0).ok()?))
+            }
+            Face::Math => Source::Formulas(Box::new(MathFont::from_bytes(bytes).ok()?)),
         };
         let mut loaded = Self { source, outlines: Vec::new() };
         let count = loaded.face().number_of_glyphs();

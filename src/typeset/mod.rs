@@ -12,6 +12,8 @@ mod accents;
 mod face;
 mod formula;
 mod inner_words;
+#[cfg(test)]
+mod language;
 mod line;
 mod markup;
 mod paragraph;

@@ -278,6 +278,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("output", &["drawing", "typeset"]),
     ("drift", &["scene", "trace", "figure", "drawing", "output"]),
+    ("live", &["geometry", "scene", "drawing", "figure", "drift", "output"]),
     ("report", &["geometry", "trace", "collision", "scene", "typeset", "drawing", "figure", "output"]),
     // Speaks to the library from outside, as `tracefig::…`, so it sees the public API and no more.
     ("cli", &[]),

@@ -22,6 +22,7 @@ pub use fitness::{Measure, Shortcoming, remedies, shortcomings};
 pub use keys::{ThemeKey, keys};
 pub use strokes::{LineKind, Strokes};
 pub use type_sizes::{TextKind, TypeSizes};
+pub(crate) use user::of_json;
 pub use user::{ThemeError, is_file, parse};
 
 use crate::drawing::{Color, Paint, PatternKind, Role};

@@ -148,7 +148,16 @@ pub fn is_file(name: &str) -> bool {
 /// assert!(theme::parse("[colors]\nink = \"black\"").is_err());
 /// ```
 pub fn parse(text: &str) -> Result<Theme, ThemeError> {
-    let file: File = toml::from_str(text).map_err(|e| ThemeError::Malformed(e.to_string()))?;
+    theme(toml::from_str(text).map_err(|e| ThemeError::Malformed(e.to_string()))?)
+}
+
+/// A theme file whose tables stand in JSON.
+pub(crate) fn of_json(file: &serde_json::Value) -> Result<Theme, ThemeError> {
+    theme(File::deserialize(file).map_err(|e| ThemeError::Malformed(e.to_string()))?)
+}
+
+/// The theme that a file says.
+fn theme(file: File) -> Result<Theme, ThemeError> {
     let given = colors("colors", file.colors)?;
     let base = match file.based_on {
         Some(name) => find(&name).ok_or(ThemeError::UnknownBase(name))?,

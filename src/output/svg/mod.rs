@@ -35,8 +35,19 @@ const TYPICAL_SIZE: usize = 32 * 1024;
 
 /// Writes the drawing as a document.
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
+    text(drawing).map(String::into_bytes)
+}
+
+/// What the bytes of a file depend on besides its scene; for a program that writes nothing else, which need
+/// not hold the whole row and what reads the files again.
+pub(crate) fn key(theme: &str) -> String {
+    super::page_key(FORMAT.name, theme)
+}
+
+/// The file of a drawing as text.
+pub(crate) fn text(drawing: &Drawing) -> Result<String, OutputError> {
     super::validity::page(drawing)?;
-    Ok(document(drawing, Sheet::Inside).into_bytes())
+    Ok(document(drawing, Sheet::Inside))
 }
 
 /// Whether a document has its style sheet.

@@ -1,0 +1,105 @@
+//! Why a live figure can't be so, in a sentence for who drags it.
+
+use std::fmt;
+
+use serde_json::json;
+
+use crate::figure;
+use crate::output::OutputError;
+use crate::scene::{Explain, Problem, Refused, Source};
+
+/// The code of a polygon whose vertex was dragged across the line of its neighbours.
+const NOT_CONVEX: &str = "not-convex";
+
+/// Why something can't be done with a live figure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// No figure has been opened.
+    Closed,
+    /// The input is no JSON, or not the JSON that it should be.
+    Malformed {
+        /// What it should be.
+        expected: &'static str,
+        /// What is wrong with it.
+        got: String,
+    },
+    /// A path of an edit leads to nothing that could be changed.
+    NoPlace {
+        /// The path as JSON.
+        path: String,
+    },
+    /// The theme is none.
+    Theme {
+        /// Why not.
+        reason: String,
+    },
+    /// What is asked for is no scene or no figure.
+    Wrong {
+        /// What would be wrong: a body by its name, or the scene.
+        what: String,
+        /// Why.
+        why: String,
+    },
+    /// The picture can't be written.
+    Output(OutputError),
+}
+
+impl Refusal {
+    /// What a page is told of a call that was refused, as JSON.
+    ///
+    /// ```
+    /// assert_eq!(tracefig::live::Refusal::panel("no \"B\""), r#"{"error":"no \"B\""}"#);
+    /// ```
+    #[must_use]
+    pub fn panel(why: &str) -> String {
+        json!({ "error": why }).to_string()
+    }
+
+    /// What is wrong with a scene.
+    pub(super) fn of_scene(Refused { source, problems }: Refused) -> Self {
+        Self::first(&source, &problems, "the scene")
+    }
+
+    /// What is wrong with a figure.
+    pub(super) fn of_figure(source: &Source, problems: Vec<Problem<figure::Fault>>) -> Self {
+        Self::first(source, &problems, "the figure")
+    }
+
+    /// The first problem: a sentence says one thing.
+    fn first<F: Explain>(source: &Source, problems: &[Problem<F>], what: &str) -> Self {
+        let body = problems.first().and_then(|problem| body(source, problem));
+        let why = problems.first().map(|problem| why(&problem.fault)).unwrap_or_default();
+        Self::Wrong { what: body.unwrap_or_else(|| what.to_owned()), why }
+    }
+}
+
+/// Why something can't be so, for who sees the picture and not the file.
+fn why(fault: &impl Explain) -> String {
+    if fault.code() == NOT_CONVEX {
+        return "it would not be convex".to_owned();
+    }
+    // What would help stands behind a semicolon, and is for who writes the file.
+    fault.to_string().split("; ").next().unwrap_or_default().to_owned()
+}
+
+/// The name of the body that a problem is about.
+fn body<F>(source: &Source, problem: &Problem<F>) -> Option<String> {
+    let pointer = source.pointer(&problem.span)?;
+    let name = pointer.strip_prefix("/shapes/")?.split('/').next()?;
+    Some(name.replace("~1", "/").replace("~0", "~"))
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Closed => f.write_str("no figure is open"),
+            Self::Malformed { expected, got } => write!(f, "expected {expected}: {got}"),
+            Self::NoPlace { path } => write!(f, "{path} leads nowhere in the scene"),
+            Self::Theme { reason } => write!(f, "the theme can't be used: {reason}"),
+            Self::Wrong { what, why } => write!(f, "{what} can't be so: {why}"),
+            Self::Output(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,155 @@
+//! Drags and random edits of every committed figure.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+use tracefig_reference::random::Random;
+
+use super::Live;
+use crate::drawing::Point;
+use crate::figure::{draw, plan};
+use crate::geometry::DVec2;
+use crate::scene::open;
+
+/// The scenes of all committed figures.
+fn figures() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
+    let mut paths: Vec<_> = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|end| end == "toml"));
+    paths.sort();
+    assert!(paths.len() >= 19);
+    paths
+}
+
+/// A figure, opened.
+fn opened(path: &Path) -> Live {
+    let request = json!({ "scene": open(path).unwrap().json_value() });
+    Live::open(&request.to_string()).unwrap()
+}
+
+/// A count that a run may be asked for.
+fn asked(variable: &str, usual: usize) -> usize {
+    std::env::var(variable).map_or(usual, |text| text.parse().unwrap())
+}
+
+#[test]
+fn a_figure_at_rest_has_the_bytes_of_its_file() {
+    for path in figures().iter().step_by(6) {
+        let written = std::fs::read_to_string(path.with_extension("svg")).unwrap();
+        let id = written.split("<title id=\"").nth(1).unwrap().split("-title").next().unwrap();
+        // As the text of its file, or as JSON.
+        let file = open(path).unwrap();
+        let json = file.json_value();
+        for scene in [Value::String(file.source.text), json] {
+            let mut live = Live::open(&json!({ "scene": scene, "id": id }).to_string()).unwrap();
+            assert!(live.draw().unwrap().svg == written, "{}", path.display());
+        }
+    }
+}
+
+/// The last body put on a grid over the first panel: of so many places of a row and of a column.
+fn drags(path: &Path, places: u32) -> (usize, Vec<String>) {
+    let file = open(path).unwrap();
+    let figure = plan(&file.scene).map(|plan| draw(&plan, plan.theme, "f")).unwrap();
+    let frame = figure.panels[0].frame;
+    let (origin, x, y) = (frame.page(DVec2::ZERO), frame.page(DVec2::X), frame.page(DVec2::Y));
+    let world = |p: Point| {
+        let [a, b] = [x, y].map(|end| DVec2::new(end.x - origin.x, end.y - origin.y));
+        let p = DVec2::new(p.x - origin.x, p.y - origin.y);
+        DVec2::new(p.perp_dot(b), a.perp_dot(p)) / a.perp_dot(b)
+    };
+    let at = |i: u32, from: f64, to: f64| from + (to - from) * f64::from(i) / f64::from(places - 1);
+    let panel = frame.panel;
+    let (mut live, mut count, mut refused) = (opened(path), 0, Vec::new());
+    live.plan().unwrap();
+    for (i, j) in (0..places).flat_map(|i| (0..places).map(move |j| (i, j))) {
+        let to = world(Point::new(at(i, panel.x0, panel.x1), at(j, panel.y0, panel.y1)));
+        let edit = json!([[["shapes", file.scene.shapes.len() - 1, "position"], [to.x, to.y]]]);
+        count += 1;
+        let drawn = live.set(&edit.to_string()).and_then(|()| live.plan().map(drop));
+        refused.extend(drawn.err().map(|why| format!("{}: {why}", path.display())));
+    }
+    (count, refused)
+}
+
+#[test]
+fn bodies_may_be_dragged_anywhere_over_their_panel() {
+    // TRACEFIG_PLACES=13 asks all that the README tells of.
+    let places = u32::try_from(asked("TRACEFIG_PLACES", 4)).unwrap();
+    let (mut count, mut refused) = (0, Vec::new());
+    for path in figures() {
+        let (of_figure, refused_of_figure) = drags(&path, places);
+        count += of_figure;
+        refused.extend(refused_of_figure);
+    }
+    println!("{} of {count} places refused", refused.len());
+    assert!(refused.len() * 200 < count, "{} of {count}: {refused:#?}", refused.len());
+}
+
+#[test]
+fn an_edit_that_makes_no_scene_says_why_and_changes_nothing() {
+    let mut live = opened(&figures()[0]);
+    let before = live.scene();
+    let mut refused = |edit: Value| live.set(&edit.to_string()).unwrap_err().to_string();
+    let polygon = json!({"kind": "polygon", "vertices": [[0, 0], [2, 0], [1, 0.5], [1, 2]]});
+    let said = refused(json!([[["shapes", "A"], polygon]]));
+    assert_eq!(said, "A can't be so: it would not be convex");
+    // The first edit is fine and is not made either.
+    let said = refused(json!([[["shapes", 1, "position"], [5, 5]], [["query", "time"], 7]]));
+    assert!(said.starts_with("the scene can't be so: "), "{said}");
+    assert_eq!(live.scene(), before);
+}
+
+/// All paths that lead to a number of a scene.
+fn numbers(value: &Value, path: &[Value], found: &mut Vec<Vec<Value>>) {
+    let mut inside = |step: Value, value: &Value| numbers(value, &[path, &[step]].concat(), found);
+    match value {
+        Value::Number(_) => found.push(path.to_vec()),
+        Value::Array(items) => items.iter().enumerate().for_each(|(i, item)| inside(i.into(), item)),
+        Value::Object(entries) => {
+            entries.iter().for_each(|(key, value)| inside(key.as_str().into(), value));
+        }
+        _ => {}
+    }
+}
+
+/// A value that is far from what a scene has, or near.
+fn value(r: &mut Random) -> Value {
+    let x = r.between(-1.0, 1.0);
+    match r.below(12) {
+        0 => json!(0),
+        1 => json!(x * 1e-300),
+        2 => json!(x * 1e300),
+        3 => json!(x * 1e9),
+        4 => Value::Null,
+        5 => json!([x, x]),
+        _ => json!(x * 5.0),
+    }
+}
+
+#[test]
+fn random_edits_never_end_in_a_panic() {
+    // TRACEFIG_EDITS=1000000 is the long run.
+    let count = asked("TRACEFIG_EDITS", 400);
+    let figures = figures();
+    let mut r = Random::new(18);
+    let (mut made, mut drawn) = (0, 0);
+    for path in &figures {
+        let mut live = opened(path);
+        let mut paths = Vec::new();
+        numbers(&serde_json::from_str(&live.scene()).unwrap(), &[], &mut paths);
+        for i in 0..count.div_ceil(figures.len()) {
+            let edits: Vec<Value> =
+                (0..=r.below(2)).map(|_| json!([paths[r.below(paths.len())], value(&mut r)])).collect();
+            made += usize::from(live.set(&Value::Array(edits).to_string()).is_ok());
+            if i % 8 == 0 {
+                drawn += usize::from(live.draw().is_ok());
+            }
+            if i % 64 == 63 {
+                live = opened(path);
+            }
+        }
+    }
+    println!("{made} of {count} edits made a scene, of which {drawn} were drawn");
+    assert!(made * 4 > count && drawn * 40 > count, "{made} made and {drawn} drawn of {count}");
+}
