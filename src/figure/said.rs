@@ -21,7 +21,7 @@ impl Plan<'_> {
     /// let scene = read(&Source::new("circles.toml", &text)).unwrap();
     /// let plan = plan(&scene).unwrap();
     /// assert_eq!(plan.say("{=separation:.2} apart").unwrap(), "0.50 apart");
-    /// assert!(plan.say("{=time}").is_err());
+    /// assert!(plan.say("{=depth}").is_err(), "they are apart");
     /// ```
     pub fn say(&self, markup: &str) -> Result<String, Vec<Problem>> {
         let (mut problems, mut lacking) = (Vec::new(), Vec::new());

@@ -51,7 +51,7 @@ pub fn data_uri(drawing: &Drawing) -> Result<String, OutputError> {
 /// ```
 /// use tracefig::output::short_id;
 /// assert_eq!(short_id(0), "aaaa");
-/// assert_eq!(short_id(26 * 36 + 25), "zbaa");
+/// assert_eq!(short_id(26 + 25), "zbaa");
 /// ```
 #[must_use]
 pub fn short_id(hash: u128) -> String {
