@@ -7,7 +7,7 @@ use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Po
 use crate::scene::{Background, Variant};
 
 use super::describe;
-use super::drawn_panel::{DrawnPanel, draw_panel};
+use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::handle::Handle;
@@ -23,6 +23,14 @@ use super::theme::{Side, Theme};
 /// Width of the lines between panels, page pixels.
 const RULE: f64 = 1.5;
 
+/// The shares of their scale at which panels without a `view` are tried in turn, where labels stand badly: of
+/// a panel of 400 px the second leaves 40 more on each side, room for a leader line and a name.
+const SHARES: [f64; 3] = [0.9, 0.8, 0.7];
+
+/// Points of all lines of a figure beyond which it is drawn once, whatever its labels do: far more than a
+/// committed figure has, drawn in 40 ms.
+const MOST_POINTS: usize = 20_000;
+
 /// A figure, drawn in a theme.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
@@ -36,6 +44,9 @@ pub struct Figure {
     pub handles: Vec<Handle>,
     /// What should be better, with its place in the scene.
     pub warnings: Vec<Problem>,
+    /// The share of their scale at which panels without a `view` are drawn: less than 1 where labels found
+    /// no room beside the drawing.
+    pub(crate) share: f64,
 }
 
 impl Figure {
@@ -136,21 +147,14 @@ pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
-    let mut items = vec![rules(plan, theme)];
-    let (mut panels, mut insets): (Vec<Labelled>, Vec<Labelled>) = (Vec::new(), Vec::new());
-    let mut handles = Vec::new();
-    let mut scopes = Vec::new();
-    for (i, panel) in plan.panels.iter().enumerate() {
-        let last = before.map(|before| [before.panels.get(i), before.insets.get(insets.len())]);
-        let drawn = draw_panel(plan, theme, (&panels, last.unwrap_or_default()), &mut handles);
-        let DrawnPanel { group, labelled, inset, cues, base } = drawn;
-        let begin = items.len();
-        insets.extend(inset);
-        items.push(Item::Group(group));
-        items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
-        scopes.push(Scope { items: begin..items.len(), cues, base });
-        panels.push(labelled);
-    }
+    let sheet = |share| Sheet { plan, theme, share };
+    let drawn = match before {
+        Some(before) => Panels::drawn(sheet(before.share), Some(before)),
+        None => {
+            SHARES.into_iter().fold(Panels::drawn(sheet(1.0), None), |best, share| best.looser(sheet(share)))
+        }
+    };
+    let Panels { mut items, scopes, panels, insets, handles, share, .. } = drawn;
     let Page { headline, headline_step, caption, step, caption_column, .. } = plan.page;
     items.push(across("headline", &plan.headline, (headline, headline_step, 0.0), theme));
     items.push(across("caption", &plan.caption, (caption, step, caption_column), theme));
@@ -185,7 +189,63 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         items,
         steps,
     };
-    Figure { drawing, panels, insets, handles, warnings }
+    Figure { drawing, panels, insets, handles, warnings, share }
+}
+
+/// All panels of a figure, drawn.
+struct Panels {
+    /// The lines between the panels, then each panel and its title.
+    items: Vec<Item>,
+    /// Which items come with which events.
+    scopes: Vec<Scope>,
+    /// The labels of each panel.
+    panels: Vec<Labelled>,
+    /// The labels of each inset.
+    insets: Vec<Labelled>,
+    /// What a reader may drag.
+    handles: Vec<Handle>,
+    /// Points of all lines.
+    points: usize,
+    /// The share of their scale at which panels without a `view` are drawn.
+    share: f64,
+}
+
+impl Panels {
+    /// The panels of a sheet; `before` is the frame before of a figure that moves.
+    fn drawn(sheet: Sheet, before: Option<&Figure>) -> Self {
+        let Sheet { plan, theme, share } = sheet;
+        let (mut items, mut scopes, mut points) = (vec![rules(plan, theme)], Vec::new(), 0);
+        let (mut panels, mut insets, mut handles) = (Vec::new(), Vec::new(), Vec::new());
+        for (i, panel) in plan.panels.iter().enumerate() {
+            let last = before.map(|before| [before.panels.get(i), before.insets.get(insets.len())]);
+            let drawn = draw_panel(sheet, (&panels, last.unwrap_or_default()), &mut handles);
+            let DrawnPanel { group, labelled, inset, cues, base, points: more } = drawn;
+            points += more;
+            let begin = items.len();
+            insets.extend(inset);
+            items.push(Item::Group(group));
+            items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
+            scopes.push(Scope { items: begin..items.len(), cues, base });
+            panels.push(labelled);
+        }
+        Self { items, scopes, panels, insets, handles, points, share }
+    }
+
+    /// What is wrong with the labels of the panels whose scale is ours to choose.
+    fn faults(&self, plan: &Plan) -> usize {
+        let free = self.panels.iter().zip(&plan.panels).filter(|(_, panel)| panel.source.view.is_none());
+        free.map(|(labelled, _)| faults(labelled).len()).sum()
+    }
+
+    /// The panels of a sheet whose drawings leave more room for labels, if fewer of them stand badly there.
+    fn looser(self, sheet: Sheet) -> Self {
+        let now = self.faults(sheet.plan);
+        if now == 0 || self.points > MOST_POINTS {
+            return self;
+        }
+        let looser = Self::drawn(sheet, None);
+        if looser.faults(sheet.plan) < now { looser } else { self }
+    }
 }
 
 /// The theme with the background that the scene gives: halos have its colour too.
@@ -271,4 +331,45 @@ fn rules(plan: &Plan, theme: &Theme) -> Item {
         group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
     }
     Item::Group(group)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::plan;
+    use crate::scene::open_text;
+
+    /// A name longer than its body, about which the other one is turned.
+    const CROWDED: &str = r#"
+        shapes."longer than its body" = { kind = "aabb", half_extents = [3, 1], position = [-3.75, 1.5] }
+        shapes.A = { kind = "aabb", half_extents = [1.5, 1.75], position = [3.75, 0.75] }
+        query = { kind = "separation", of = ["longer than its body", "A"] }
+        [[panels]]
+        layers = ["shapes", "feature", "frame", "grown"]
+        [[panels]]
+        layers = ["shapes", "feature", "frame", "grown"]
+    "#;
+
+    #[test]
+    fn a_drawing_is_smaller_where_its_labels_find_no_room_and_stays_so_from_frame_to_frame() {
+        let scene = open_text("crowded", CROWDED).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let sheet = Sheet { plan: &plan, theme: plan.theme, share: 1.0 };
+        let full = Panels::drawn(sheet, None);
+        assert!(full.faults(&plan) > 0, "the scene is not crowded");
+        let figure = draw(&plan, plan.theme, "crowded");
+        assert!(figure.share < 1.0 && figure.faults().is_empty(), "{} {:?}", figure.share, figure.faults());
+        assert_eq!(figure.panels[0].frame.scale, figure.share * plan.panels[0].frame.scale);
+        assert_eq!(draw_after(&plan, plan.theme, "crowded", Some(&figure)).share, figure.share);
+    }
+
+    #[test]
+    fn a_view_is_shown_as_large_as_it_was_asked_for() {
+        let seen = CROWDED.replace("[[panels]]", "[[panels]]\nview = [-9, -3, 7, 5.5]");
+        let scene = open_text("crowded", &seen).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "crowded");
+        assert!(!figure.faults().is_empty(), "the scene is not crowded");
+        assert_eq!(figure.share, 1.0);
+    }
 }

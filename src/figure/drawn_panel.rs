@@ -22,6 +22,17 @@ const THIN: f64 = 0.75;
 /// Radius of the dot at the end of a leader line in an area, page pixels: twice the line, and no marker.
 const LEADER_DOT: f64 = 1.6;
 
+/// A plan in a theme and a size.
+#[derive(Clone, Copy)]
+pub(super) struct Sheet<'p> {
+    /// What is drawn.
+    pub(super) plan: &'p Plan<'p>,
+    /// In which colours.
+    pub(super) theme: &'p Theme,
+    /// The share of their scale at which panels without a `view` are drawn.
+    pub(super) share: f64,
+}
+
 /// The panels before one that show the same space in the same size: where their labels stand, the same stand
 /// again.
 pub(super) fn earlier(plan: &Plan, index: usize) -> impl Iterator<Item = usize> {
@@ -43,14 +54,13 @@ pub(super) struct Enlarged {
 /// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
 /// one, in which labels stand already, `before` as in the frame before.
 pub(super) fn sought(
-    plan: &Plan,
-    theme: &Theme,
+    Sheet { plan, theme, share }: Sheet,
     index: usize,
     before: Option<&Labelled>,
 ) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
-    let mut sketched = panel.sketch(&context, theme);
+    let mut sketched = panel.sketch_at(share, &context, theme);
     let enlarged = panel.inset(&sketched).map(|inset| {
         let enlarged = panel.sketch_inset(&inset, &context, theme);
         let sought = seeking(plan, (theme, index), &enlarged);
@@ -94,19 +104,21 @@ pub(super) struct DrawnPanel {
     pub(super) cues: Vec<Cue>,
     /// With what the panel as a whole comes.
     pub(super) base: Option<Cue>,
+    /// Points of all its lines.
+    pub(super) points: usize,
 }
 
 /// Draws a panel beside the earlier ones; `before` are the panel and its inset in the frame before. Where the
 /// answer gives its moment, what is dragged would move that too, and nothing has a handle.
 pub(super) fn draw_panel(
-    plan: &Plan,
-    theme: &Theme,
+    sheet: Sheet,
     (panels, [before, inset]): (&[Labelled], [Option<&Labelled>; 2]),
     handles: &mut Vec<Handle>,
 ) -> DrawnPanel {
+    let Sheet { plan, theme, .. } = sheet;
     let index = panels.len();
     let panel = &plan.panels[index];
-    let ((sketched, sought), enlarged) = sought(plan, theme, index, inset);
+    let ((sketched, sought), enlarged) = sought(sheet, index, inset);
     if given(&panel.source, plan.scene).is_some() {
         handles.extend(sketched.holds.iter().filter_map(|hold| hold.on_page(&sketched.frame, index)));
     }
@@ -118,6 +130,7 @@ pub(super) fn draw_panel(
     group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
     let names = labels(&labelled, &sketched.requests, theme);
     let mut cues = sketched.cues.clone();
+    let points = sketched.points + enlarged.as_ref().map_or(0, |enlarged| enlarged.sketched.points);
     group.items = vec![layers(sketched)];
     group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
     group.items.push(names);
@@ -135,7 +148,7 @@ pub(super) fn draw_panel(
         labelled
     });
     let base = panel.known(&panel.context(plan.scene, &plan.runs));
-    DrawnPanel { group, labelled, inset, cues, base }
+    DrawnPanel { group, labelled, inset, cues, base, points }
 }
 
 /// What was drawn of a panel with its labels at their places; `earlier` are those of earlier panels, `before`

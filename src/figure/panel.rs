@@ -74,7 +74,15 @@ impl PanelPlan<'_> {
 
     /// Lets every layer draw, in the panel's frame and the theme's colours.
     pub(crate) fn sketch(&self, context: &Context, theme: &Theme) -> Sketched {
-        self.drawn(begun(self.frame, context, theme), context).finish()
+        self.sketch_at(1.0, context, theme)
+    }
+
+    /// Lets every layer draw at a share of the panel's scale, which leaves room about the drawing; a panel
+    /// with a `view` has the scale that the scene asks for.
+    pub(crate) fn sketch_at(&self, share: f64, context: &Context, theme: &Theme) -> Sketched {
+        let share = if self.source.view.is_some() { 1.0 } else { share };
+        let frame = Frame { scale: share * self.frame.scale, ..self.frame };
+        self.drawn(begun(frame, context, theme), context).finish()
     }
 
     /// Lets every layer draw in the frame of an inset.
@@ -88,7 +96,7 @@ impl PanelPlan<'_> {
 
     /// The inset that the panel asks for, if it asks for one that enlarges, beside what its layers drew.
     pub(crate) fn inset(&self, sketched: &Sketched) -> Option<Inset> {
-        Inset::of(&self.source, &self.frame, &sketched.obstacles)
+        Inset::of(&self.source, &sketched.frame, &sketched.obstacles)
     }
 
     /// What every layer draws in a panel.

@@ -10,8 +10,9 @@
 //! rests ⇔ cost − reluctance < comfort  or  cost − cost when it was chosen < worse
 //! ```
 //!
-//! Two that rest and stand in each other's way wake the weaker one. Who does not rest has the choice of all
-//! places, its old one cheaper than it is by `inertia`. Neither clock nor chance: a frame is a function of
+//! Else it slides by some pixels to where it is comfortable. Of two that rest and stand in each other's way
+//! the weaker one slides. Who has nowhere to slide wakes, and has the choice of all places, its old one
+//! cheaper than it is by `inertia`. Neither clock nor chance: a frame is a function of
 //! the scene and the frame before.
 
 use crate::drawing::{Offset, Point, Rect};
@@ -20,12 +21,16 @@ use crate::figure::sketch::Anchor;
 
 use super::cost::{Surroundings, pair_cost};
 use super::leader::{LONGEST, Leader, is_far, leader};
+use super::rect::DIRECTIONS;
 use super::seeker::Seeker;
 use super::weights::Weights;
 use super::{Candidate, Labelled, Placed, Standing};
 
 /// What a label names has turned round, rather than moved, if it is this far from where it was, page pixels.
 const TURNED: f64 = 8.0;
+
+/// How far a label slides in a frame to stand well again, page pixels: less than what is seen as a jump.
+const SLIDE: f64 = 7.0;
 
 /// What a label may do with the place that it had in the frame before.
 pub(super) struct Stay {
@@ -47,7 +52,6 @@ pub(super) fn stays(
     scene: &Surroundings,
     weights: &Weights,
 ) -> Vec<Option<Stay>> {
-    let search = &weights.search;
     let mut free: Vec<&Placed> = before.placed.iter().collect();
     let mut all: Vec<Option<Stay>> = Vec::with_capacity(seekers.len());
     for seeker in seekers {
@@ -55,29 +59,84 @@ pub(super) fn stays(
         let places = label.map(|label| places_now(seeker, label, (&before.frame, scene.frame), weights));
         let priced = seeker.priced(places.unwrap_or_default(), scene).into_iter();
         let best = priced.min_by(|(_, p), (_, q)| p.total_cmp(q));
-        all.push(best.zip(label).map(|((place, cost), label)| {
-            let standing = label.standing;
-            let rests = cost - place.reluctance < search.comfort || cost - standing.cost < search.worse;
-            Stay { place, cost, standing, rests }
-        }));
+        all.push(best.zip(label).map(|(best, label)| stay(seeker, best, label, (scene, weights))));
     }
-    wake(&mut all, seekers, weights);
+    settle(&mut all, seekers, (scene, weights));
     all
 }
 
-/// Wakes the weaker of two that rest and cost each other much: of the same rank, the later one.
-fn wake(all: &mut [Option<Stay>], seekers: &[Seeker], weights: &Weights) {
-    for i in 0..all.len() {
-        for j in 0..i {
-            let (Some(a), Some(b)) = (&all[i], &all[j]) else { continue };
-            let apart = pair_cost(&a.place, &b.place, &weights.costs) < weights.search.unrest;
-            if apart || !(a.rests && b.rests) {
-                continue;
-            }
-            let weaker = if seekers[j].sought.rank < seekers[i].sought.rank { j } else { i };
-            if let Some(stay) = &mut all[weaker] {
-                stay.rests = false;
-            }
+/// What a label may do with its place; where it stands badly there, it slides to one that it is comfortable
+/// at, if one is near.
+fn stay(
+    seeker: &Seeker,
+    (place, cost): (Candidate, f64),
+    label: &Placed,
+    (scene, weights): (&Surroundings, &Weights),
+) -> Stay {
+    let standing = label.standing;
+    let is_fit = |(place, cost): &(Candidate, f64)| rests(place, *cost, &standing, weights);
+    let (place, cost) = match (place, cost) {
+        fit if is_fit(&fit) => return Stay { place: fit.0, cost: fit.1, standing, rests: true },
+        unfit => unfit,
+    };
+    let near = slides(seeker, &place, (scene, weights)).into_iter();
+    let slid = near.filter(is_fit).min_by(|(_, p), (_, q)| p.total_cmp(q));
+    let rests = slid.is_some();
+    let (place, cost) = slid.unwrap_or((place, cost));
+    let standing = if rests { standing.slid(&place) } else { standing };
+    Stay { place, cost, standing, rests }
+}
+
+impl Standing {
+    /// The standing of a label that slid to a place near its own.
+    fn slid(self, place: &Candidate) -> Self {
+        Self { reluctance: place.reluctance, ..self }
+    }
+}
+
+/// Whether a label that came by its place so rests at one of some cost.
+fn rests(place: &Candidate, cost: f64, standing: &Standing, weights: &Weights) -> bool {
+    let search = &weights.search;
+    cost - place.reluctance < search.comfort || cost - standing.cost < search.worse
+}
+
+/// Places so near to one that a label which goes there slides rather than jumps, each with what it costs.
+fn slides(
+    seeker: &Seeker,
+    place: &Candidate,
+    (scene, weights): (&Surroundings, &Weights),
+) -> Vec<(Candidate, f64)> {
+    let ways = DIRECTIONS.iter().filter_map(|&(dx, dy)| Offset::new(dx, dy).unit());
+    let ways = ways.flat_map(|u| [u * (0.5 * SLIDE), u * SLIDE]);
+    let slid = |by: Offset| {
+        let reluctance = place.reluctance + weights.search.nudged * by.length();
+        shifted(seeker, place, by, weights).map(|place| Candidate { reluctance, ..place })
+    };
+    seeker.priced(ways.filter_map(slid).collect(), scene)
+}
+
+/// Lets the weaker of two that rest and cost each other much slide out of the way, or else wakes it: of the
+/// same rank, the later one.
+fn settle(all: &mut [Option<Stay>], seekers: &[Seeker], (scene, weights): (&Surroundings, &Weights)) {
+    let clash = |a: &Candidate, b: &Candidate| pair_cost(a, b, &weights.costs) >= weights.search.unrest;
+    for (i, j) in (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
+        let rest = |k: usize| all[k].as_ref().filter(|stay| stay.rests);
+        if !rest(i).zip(rest(j)).is_some_and(|(a, b)| clash(&a.place, &b.place)) {
+            continue;
+        }
+        let weaker = if seekers[j].sought.rank < seekers[i].sought.rank { j } else { i };
+        let others = (0..all.len()).filter(|&k| k != weaker).filter_map(|k| all[k].as_ref());
+        let is_free = |place: &Candidate| !others.clone().any(|other| clash(place, &other.place));
+        let slid = all[weaker].as_ref().and_then(|stay| {
+            let near = slides(&seekers[weaker], &stay.place, (scene, weights)).into_iter();
+            let fit = near.filter(|(c, cost)| rests(c, *cost, &stay.standing, weights) && is_free(c));
+            fit.min_by(|(_, p), (_, q)| p.total_cmp(q))
+        });
+        let Some(stay) = &mut all[weaker] else { continue };
+        stay.rests = slid.is_some();
+        if let Some((place, cost)) = slid {
+            stay.standing = stay.standing.slid(&place);
+            (stay.place, stay.cost) = (place, cost);
         }
     }
 }
@@ -113,31 +172,28 @@ fn places_now(
     let (was, is) = (home(then, corner(then) + label.home), home(now, seeker.home));
     let (along, still) = (is - was, corner(now) - corner(then));
     let turned = (along - still).length() > TURNED;
-    let ways = std::iter::once(along).chain(turned.then_some(still));
-    ways.filter_map(|by| moved(seeker, label, (was, by), weights)).collect()
-}
-
-/// A label's place in the frame before, moved by an offset; `home` is where its thing was. None where the
-/// text breaks in other ways now, or a leader line would not reach.
-fn moved(
-    seeker: &Seeker,
-    label: &Placed,
-    (home, by): (Point, Offset),
-    weights: &Weights,
-) -> Option<Candidate> {
     let Standing { folds, reluctance, .. } = label.standing;
     if folds > seeker.sought.folds.len() {
-        return None;
+        return Vec::new();
     }
-    let rect = resized(&label.bounds, home, seeker.sought.size(folds));
-    let rect = Rect::new(Point::new(rect.x0, rect.y0) + by, Point::new(rect.x1, rect.y1) + by);
+    let rect = resized(&label.bounds, was, seeker.sought.size(folds));
+    let place = Candidate { rect, reluctance, leader: label.leader, folds };
+    let ways = std::iter::once(along).chain(turned.then_some(still));
+    ways.filter_map(|by| shifted(seeker, &place, by, weights)).collect()
+}
+
+/// A label's place moved by an offset, with the leader line that it needs there; none where that would not
+/// reach.
+fn shifted(seeker: &Seeker, place: &Candidate, by: Offset, weights: &Weights) -> Option<Candidate> {
+    let Rect { x0, y0, x1, y1 } = place.rect;
+    let rect = Rect::new(Point::new(x0, y0) + by, Point::new(x1, y1) + by);
     let is_far = is_far(&seeker.things, &rect, &weights.places);
-    let leader = match label.leader.map(|line| line.shifted(by)) {
+    let leader = match place.leader.map(|line| line.shifted(by)) {
         Some(line) if line.dot => still_in(seeker, line).or_else(|| line_to(seeker, &rect, weights)),
         None if !is_far => None,
         _ => line_to(seeker, &rect, weights),
     };
-    (leader.is_some() || !is_far).then_some(Candidate { rect, reluctance, leader, folds })
+    (leader.is_some() || !is_far).then_some(Candidate { rect, leader, ..place.clone() })
 }
 
 /// The leader line of a label, if it is no longer than one may be.

@@ -4,11 +4,12 @@
 //! resort. Lengths are page pixels of the page as it is, and do not shrink with it.
 //!
 //! They were tuned by eye and by count on the committed figures, which must have no fault at all, and on the
-//! random scenes of `tests/scenes/label_faults.rs`, whose names have 1 to 24 letters and which may have two
-//! faults in a hundred figures. Each doc says what a number alone does at twice and at half: how many labels
-//! of the figures + of 60 random scenes move, and how many faults there are more or fewer than the three that
-//! those scenes have as tuned. The figures have 185 labels, the scenes 300. The survey in `tests.rs` counted
-//! them and can be run again, in some minutes:
+//! random scenes of `tests/scenes/label_faults.rs`, whose names have 1 to 24 letters and which have one fault
+//! in a hundred figures, as those are drawn that leave room for labels. Each doc says what a number alone
+//! does at twice and at half: how many labels of the figures + of 60 random scenes move, and how many faults
+//! there are more or fewer than the three that those scenes have as tuned, without more room. The figures
+//! have 185 labels, the scenes 300. The survey in `tests.rs` counted them and can be run again, in some
+//! minutes:
 //!
 //! ```text
 //! TRACEFIG_SCENES=60 cargo test --release --lib placement::weights -- --nocapture

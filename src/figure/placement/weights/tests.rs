@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use crate::drawing::Rect;
-use crate::figure::drawn_panel::{earlier, sought};
+use crate::figure::drawn_panel::{Sheet, earlier, sought};
 use crate::figure::placement::solve::{Ground, place_by};
 use crate::figure::placement::{Labelled, Sought, faults, things};
 use crate::figure::plan::{Plan, plan};
@@ -55,7 +55,9 @@ struct Case {
 
 impl Case {
     fn of(plan: &Plan) -> Self {
-        let panels: Vec<_> = (0..plan.panels.len()).map(|i| sought(plan, plan.theme, i, None).0).collect();
+        let panels: Vec<_> = (0..plan.panels.len())
+            .map(|i| sought(Sheet { plan, theme: plan.theme, share: 1.0 }, i, None).0)
+            .collect();
         let series = (0..panels.len()).map(|i| earlier(plan, i).collect()).collect();
         Self { panels, series }
     }
