@@ -11,7 +11,7 @@ use tracefig::drawing::Drawing;
 use tracefig::drift::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 use tracefig::figure::theme;
 use tracefig::figure::{Fault, Figure, draw, plan, plan_in};
-use tracefig::output::{FORMATS, Format, MOST_BYTES, Options, PngEffort};
+use tracefig::output::{FORMATS, Format, INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
 
@@ -20,6 +20,7 @@ use super::atomic_file::Wait;
 use super::encoding::{cant_encode, encode, figure_id, warn};
 use super::inputs::{find, shown};
 use super::jobs::{Job, Planned, Target, jobs};
+use super::live::{Live, live_of};
 use super::parallel::threads;
 use super::regular::read_regular;
 use super::settings::{Flags, Projects, Settings, usual_formats};
@@ -44,7 +45,7 @@ pub(crate) struct Files {
     /// Formats, separated by commas; the help says which are usual, from the table.
     #[arg(long, value_delimiter = ',', value_name = "FORMAT", help = format_help(),
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
-    format: Vec<String>,
+    pub(crate) format: Vec<String>,
     /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files
     /// are named STEM.THEME.EXT; default: those of the project file, else each scene's own
     #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
@@ -73,6 +74,9 @@ pub(crate) struct Files {
     /// Wait until the disk has the files, so that they survive a loss of power
     #[arg(long)]
     sync: bool,
+    /// Whether pages are live, and how.
+    #[arg(skip)]
+    pub(crate) live: Option<Live>,
     /// The theme files that scenes name, as far as they were read.
     #[arg(skip)]
     own_themes: OwnThemes,
@@ -261,7 +265,8 @@ impl Files {
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
     fn hash(&self, (job, planned): (&Job, &Planned), file: &SceneFile, theme: &str) -> String {
-        let mut key = planned.format.key(theme, &self.options(job));
+        let format = live_of(self.live, planned).map_or(planned.format, |_| &INLINE);
+        let mut key = format.key(theme, &self.options(job));
         if planned.variant != Variant::Figure {
             key.push_str(" variant=");
             key.push_str(planned.variant.word());
@@ -346,7 +351,10 @@ impl Files {
                 let hash = self.hash((job, planned), file, key);
                 drawing.hash = text_chunk(&hash);
                 drawing.metadata = metadata(&hash, &facts);
-                let encoded = encode(&drawing, planned.format, &self.options(job));
+                let encoded = match live_of(self.live, planned) {
+                    Some(live) => live.page(&drawing, (job, file), &planned.target, chosen),
+                    None => encode(&drawing, planned.format, &self.options(job)),
+                };
                 all_bytes.push(encoded.map_err(|error| cant_encode(file, planned, &error, ink))?);
                 timings.lap(planned.format.name);
             }

@@ -1,5 +1,6 @@
 //! `tracefig render`: scenes to files.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,7 +10,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::atomic_file::clear_leftovers;
 use super::console::Console;
 use super::files::{Files, Plan};
+use super::gallery::finish;
 use super::jobs::{Job, folders_of};
+use super::live::Live;
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
 use super::partition::Partition;
@@ -40,6 +43,13 @@ pub(crate) struct Render {
     /// Draw only the Kth of N equal shares of the scenes, so that N machines share the work
     #[arg(long, value_name = "K/N")]
     partition: Option<Partition>,
+    /// Pages whose figures a reader drags, steps through and asks by numbers; each has all that it needs, or
+    /// with `shared` takes it from one file beside them. Needs a format that has such pages; in a folder, a
+    /// page lists them
+    #[arg(long, value_name = "shared", num_args = 0..=1, require_equals = true,
+        default_missing_value = "alone", value_parser = Live::of_word,
+        conflicts_with_all = ["jsonl", "skip_unchanged"])]
+    live: Option<Live>,
     /// Tell on standard error where the time went, added over all scenes
     #[arg(long)]
     timings: bool,
@@ -62,15 +72,23 @@ impl Runs for Render {
         wrong: Some("a scene or a theme file is wrong"),
     };
 
-    fn run(self, console: &mut Console) -> io::Result<Status> {
+    fn run(mut self, console: &mut Console) -> io::Result<Status> {
         if self.jsonl {
             return self.stream(console);
+        }
+        if let Some(live) = self.live {
+            self.files.live = Some(live);
+            Live::add_pictures(self.output.as_deref(), &mut self.files.format);
         }
         let Plan { jobs, left_alone, .. } = match self.files.plan(self.output.as_deref()) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         console.note(&left_alone);
+        if self.live.is_some() && !jobs.iter().flat_map(|job| &job.files).any(|f| f.format.live.is_some()) {
+            console.error(&format!("`--live` needs `--format {}`", Live::formats()));
+            return Ok(Status::Usage);
+        }
         if !makes_folders(folders_of(&jobs), console) {
             return Ok(Status::Io);
         }
@@ -84,6 +102,7 @@ impl Runs for Render {
         let alone = bar.is_hidden();
         let ink = console.ink();
         let (mut status, mut timings) = (Status::Done, Timings::start());
+        let mut names = BTreeSet::new();
         let work = |job: &Job| {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
@@ -95,6 +114,7 @@ impl Runs for Render {
             let written = written.unwrap_or_else(|| Written::bug(&job.input.shown()));
             status = status.max(written.status);
             timings.add(&written.timings);
+            names.extend(written.names.iter().cloned());
             bar.suspend(|| -> io::Result<()> {
                 written.tell(console)?;
                 // While the bar is away, lest the two write over each other.
@@ -104,6 +124,9 @@ impl Runs for Render {
             Ok(())
         })?;
         bar.finish_and_clear();
+        if let Some(live) = self.live {
+            status = status.max(finish(live, &jobs, &names, console)?);
+        }
         if self.timings {
             Console::message(&timings.to_string());
         }

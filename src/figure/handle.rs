@@ -21,6 +21,7 @@ use crate::geometry::{Angle, Body, DVec2};
 use crate::scene::{Grip, Scene};
 
 use super::frame::Frame;
+use super::playhead::playhead;
 
 /// Something on the page that can be dragged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -168,9 +169,49 @@ impl Handle {
     /// ```
     #[must_use]
     pub fn name(&self, scene: &Scene) -> String {
+        self.named().name(scene)
+    }
+
+    fn named(&self) -> Named {
+        Named { body: self.body, grip: self.grip, vertex: self.vertex }
+    }
+
+    fn json(&self, scene: &Scene) -> Value {
+        let pull = match self.pull {
+            Pull::Plane(m) => json!({ "plane": m.map(|v| [v.x, v.y]) }),
+            Pull::Turn { about, unit } => json!({ "turn": [about.x, about.y], "unit": unit }),
+            Pull::Reach { about, unit } => json!({ "reach": [about.x, about.y], "unit": unit }),
+        };
+        json!({
+            "grip": self.grip.word(),
+            "name": self.named().name(scene),
+            "paths": [self.named().path(scene)],
+            "value": self.value.json(),
+            "range": self.range.map(Setting::json),
+            "panel": self.panel,
+            "at": [self.at.x, self.at.y],
+            "pull": pull,
+        })
+    }
+}
+
+/// What is changed, wherever it stands.
+#[derive(Clone, Copy)]
+struct Named {
+    /// The body, by its index.
+    body: usize,
+    /// What of it.
+    grip: Grip,
+    /// The number of the vertex; 0 for any other grip.
+    vertex: usize,
+}
+
+impl Named {
+    fn name(self, scene: &Scene) -> String {
         let name = scene.shapes.get(self.body).map_or("", |(name, _)| name.value.as_str());
         match self.grip {
             Grip::Position => format!("position of {name}"),
+            Grip::Vertices if self.is_half(scene) => format!("half-extents of {name}"),
             Grip::Vertices => format!("vertex {} of {name}", self.vertex),
             Grip::Velocity => format!("velocity of {name}"),
             Grip::Angle => format!("angle of {name}"),
@@ -178,8 +219,14 @@ impl Handle {
         }
     }
 
+    /// Whether it sets how far a box reaches, which is one value for all its vertices.
+    fn is_half(self, scene: &Scene) -> bool {
+        let body = scene.shapes.get(self.body);
+        body.is_some_and(|(_, body)| matches!(vertex_key(body), VertexKey::Half(_)))
+    }
+
     /// The keys that lead from the top of the scene to the value, as `["shapes", "B", "position"]`.
-    fn path(&self, scene: &Scene) -> Value {
+    fn path(self, scene: &Scene) -> Value {
         let Some((name, body)) = scene.shapes.get(self.body) else { return Value::Null };
         let mut path = vec![json!("shapes"), json!(name.value)];
         match self.grip {
@@ -192,24 +239,6 @@ impl Handle {
             },
         }
         Value::Array(path)
-    }
-
-    fn json(&self, scene: &Scene) -> Value {
-        let pull = match self.pull {
-            Pull::Plane(m) => json!({ "plane": m.map(|v| [v.x, v.y]) }),
-            Pull::Turn { about, unit } => json!({ "turn": [about.x, about.y], "unit": unit }),
-            Pull::Reach { about, unit } => json!({ "reach": [about.x, about.y], "unit": unit }),
-        };
-        json!({
-            "grip": self.grip.word(),
-            "name": self.name(scene),
-            "paths": [self.path(scene)],
-            "value": self.value.json(),
-            "range": self.range.map(Setting::json),
-            "panel": self.panel,
-            "at": [self.at.x, self.at.y],
-            "pull": pull,
-        })
     }
 }
 
@@ -251,6 +280,43 @@ pub(crate) fn angle(body: &Body) -> (&'static str, f64, f64) {
 /// ```
 #[must_use]
 pub fn handles_json(handles: &[Handle], scene: &Scene) -> Value {
-    let playhead = super::playhead::playhead(scene);
-    handles.iter().map(|handle| handle.json(scene)).chain(playhead).collect()
+    let undrawn = (0..scene.shapes.len()).flat_map(|body| NUMBERS.map(|grip| (body, grip)));
+    let undrawn = undrawn.filter(|&(body, grip)| {
+        is_wanted(scene, body, grip) && !handles.iter().any(|h| (h.body, h.grip) == (body, grip))
+    });
+    let undrawn = undrawn.filter_map(|(body, grip)| number(scene, body, grip));
+    let drawn = handles.iter().map(|handle| handle.json(scene));
+    drawn.chain(undrawn).chain(playhead(scene)).collect()
+}
+
+/// What can be changed by its numbers where no layer draws it.
+const NUMBERS: [Grip; 4] = [Grip::Position, Grip::Velocity, Grip::Angle, Grip::Radius];
+
+/// Whether a reader may change something of a body: by what the scene says, else bodies and velocities of the
+/// query.
+pub(crate) fn is_wanted(scene: &Scene, body: usize, grip: Grip) -> bool {
+    match &scene.live.drag {
+        Some(drag) => drag.iter().any(|drag| (drag.value.body, drag.value.grip) == (body, grip)),
+        None => match grip {
+            Grip::Position => scene.query.of.contains(&body),
+            Grip::Velocity => scene.query.of.contains(&body) && scene.shapes[body].1.velocity != DVec2::ZERO,
+            Grip::Vertices | Grip::Angle | Grip::Radius => false,
+        },
+    }
+}
+
+/// What is changed by its numbers alone.
+fn number(scene: &Scene, body: usize, grip: Grip) -> Option<Value> {
+    let (_, of) = scene.shapes.get(body)?;
+    let value = match grip {
+        Grip::Position => Setting::Pair(of.position),
+        Grip::Velocity => Setting::Pair(of.velocity),
+        Grip::Angle => Setting::Number(angle(of).1),
+        Grip::Radius => Setting::Number(of.shape.radius),
+        Grip::Vertices => return None,
+    };
+    let named = Named { body, grip, vertex: 0 };
+    Some(json!({
+        "grip": grip.word(), "name": named.name(scene), "paths": [named.path(scene)], "value": value.json(),
+    }))
 }

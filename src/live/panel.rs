@@ -4,7 +4,7 @@ use serde_json::json;
 
 use crate::figure::{Figure, Frame, Plan, handles_json, sentence};
 use crate::geometry::DVec2;
-use crate::scene::{Severity, answer_json};
+use crate::scene::{Severity, Solution};
 
 /// The result in words and in numbers, what this answer lacks, what can be dragged, and where
 /// the panels' spaces lie on the page.
@@ -31,7 +31,7 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
         draws.drawing.steps.iter().map(|step| json!({ "title": step.title, "sentences": step.sentences }));
     json!({
         "sentence": sentence(plan.scene, &run),
-        "answer": answer_json(plan.scene.query.kind, &run.answer),
+        "answer": Solution::of(plan.scene).json(),
         "notes": notes,
         "handles": handles_json(&draws.handles, plan.scene),
         "steps": steps.collect::<Vec<_>>(),

@@ -20,6 +20,7 @@ pub(super) const FORMAT: Format = Format {
     write: Writer::Sequence(write),
     bracket: BRACKET,
     read: Some(READER),
+    live: None,
 };
 
 /// How long a frame is shown, in milliseconds.

@@ -7,10 +7,12 @@
 
 use std::fmt::Write as _;
 
+use super::live_page;
+use super::page_colors::{colored, push_schemes};
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
 use super::{Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
-use crate::drawing::{Color, Dark, Drawing, Role};
+use crate::drawing::Drawing;
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
@@ -22,6 +24,7 @@ pub(super) const FORMAT: Format = Format {
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</html>".as_slice(), b"-->"] },
     // The words around the picture count too, so pages are compared as texts.
     read: Some(Reader { stamp, picture: None }),
+    live: Some(live_page::write),
 };
 
 /// Style sheet of the page around the picture: that may shrink to a narrow window but not grow.
@@ -33,37 +36,9 @@ fn stamp(bytes: &[u8]) -> Option<Stamped> {
     read::stamp(read::inside(bytes)?)
 }
 
-/// Whether words are lighter than the page, by the weights that ITU-R BT.601 gives to the bytes of a colour.
-fn is_dark(page: Color, ink: Color) -> bool {
-    let luma = |Color { r, g, b }: Color| 299 * u32::from(r) + 587 * u32::from(g) + 114 * u32::from(b);
-    luma(ink) > luma(page)
-}
-
-/// The colour schemes of the page, as CSS and `<meta>` name them.
-fn schemes(drawing: &Drawing) -> &'static str {
-    match &drawing.dark {
-        Some(_) => "light dark",
-        None if is_dark(drawing.background.color, drawing.ink) => "dark",
-        None => "light",
-    }
-}
-
-/// Appends a rule with the page's colours, which a host page may set as those of the figure.
-fn push_colors(out: &mut String, page: Color, ink: Color) {
-    let _ = write!(out, "background:var(--tracefig-background,{page});color:var(--tracefig-ink,{ink})");
-}
-
 /// Appends the style sheet of the page around the picture.
 fn push_style(out: &mut String, drawing: &Drawing) {
-    let _ = write!(out, "{STYLE}:root{{color-scheme:{};", schemes(drawing));
-    push_colors(out, drawing.background.color, drawing.ink);
-    out.push('}');
-    if let Some(Dark { colors, ink, .. }) = &drawing.dark {
-        let page = colors.iter().find(|(role, _)| *role == Role::Background);
-        out.push_str("@media (prefers-color-scheme:dark){:root{");
-        push_colors(out, page.map_or(drawing.background.color, |&(_, page)| page), *ink);
-        out.push_str("}}");
-    }
+    let _ = write!(out, "{STYLE}{}", colored(drawing));
 }
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
@@ -72,7 +47,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     escape(&mut out, drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG));
     out.push_str("\">\n<head>\n<meta charset=\"utf-8\">\n");
     out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
-    let _ = writeln!(out, "<meta name=\"color-scheme\" content=\"{}\">", schemes(drawing));
+    push_schemes(&mut out, drawing);
     // A page that asks for nothing says so: even a text that became markup could load and run nothing.
     out.push_str("<meta http-equiv=\"Content-Security-Policy\" ");
     out.push_str("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
@@ -102,7 +77,7 @@ fn open(out: &mut String, name: &str, lang: Option<&str>) {
 mod tests {
     use super::super::samples::everything;
     use super::*;
-    use crate::drawing::Paint;
+    use crate::drawing::{Color, Dark, Paint, Role};
 
     fn page(drawing: &Drawing) -> String {
         String::from_utf8(write(drawing, &Options::default()).unwrap()).unwrap()

@@ -5,13 +5,18 @@
 //! format by its name or by its first bytes. The same drawing gives the same bytes on every machine.
 
 mod apng;
+mod base64;
 mod curves;
+mod gallery;
 mod html;
+mod live_page;
 mod number;
+mod page_colors;
 mod pdf;
 mod picture;
 mod png;
 mod raster;
+mod sha256;
 mod svg;
 mod validity;
 mod xml;
@@ -20,6 +25,9 @@ use std::fmt;
 
 use crate::drawing::Drawing;
 
+pub(crate) use base64::base64;
+pub use gallery::{Gallery, gallery};
+pub use live_page::{LivePage, Module, live_runtime};
 pub use picture::TooMuch;
 pub(crate) use picture::{Picture, Rows, Unread};
 pub(crate) use png::ImageWriter;
@@ -44,6 +52,8 @@ pub struct Format {
     pub write: Writer,
     /// How its files begin and end.
     pub(crate) bracket: Bracket,
+    /// How a page is written whose figure a reader can drag; `None` where the format has no such pages.
+    pub live: Option<WriteLive>,
     /// How its files are read again; `None` where they say nothing of themselves and are compared byte by
     /// byte.
     pub(crate) read: Option<Reader>,
@@ -57,6 +67,9 @@ pub enum Writer {
     /// Drawings of one size, one after the other.
     Sequence(fn(&[&Drawing], &Options) -> Result<Vec<u8>, OutputError>),
 }
+
+/// Writes a page whose figure a reader can drag.
+pub type WriteLive = fn(&Drawing, &LivePage<'_>) -> Result<Vec<u8>, OutputError>;
 
 /// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another
 /// option.
@@ -105,6 +118,9 @@ pub(crate) enum Stamped {
 
 /// Every format.
 pub const FORMATS: [Format; 5] = [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT];
+
+/// The format of the picture inside a live page.
+pub const INLINE: Format = svg::FORMAT;
 
 /// The format of an image that is no drawing, as [`crate::drift::triptych`] gives.
 pub(crate) const IMAGE: Format = png::FORMAT;

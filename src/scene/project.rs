@@ -115,6 +115,9 @@ impl CanvasDefaults {
     /// The tree of a scene with these keys in its `[canvas]`, where it does not have them.
     fn merged(&self, mut root: Node) -> Node {
         let NodeValue::Table(tables) = &mut root.value else { return root };
+        if self.entries.is_empty() {
+            return root;
+        }
         // A value of the project file stands nowhere in the scene: what is wrong with it is told at the top.
         let own = self.entries.iter().map(|(key, node)| {
             let key = Spanned { value: key.value.clone(), span: 0..0 };

@@ -82,6 +82,17 @@ impl Source {
         (start, line.strip_suffix('\r').unwrap_or(line))
     }
 
+    /// The values of the text as JSON, keys in its order; `None` where it can't be parsed.
+    ///
+    /// ```
+    /// let source = tracefig::scene::Source::new("brand.toml", "[colors]\na = '#0072B2'");
+    /// assert_eq!(source.json().as_deref(), Some(r##"{"colors":{"a":"#0072B2"}}"##));
+    /// ```
+    #[must_use]
+    pub fn json(&self) -> Option<String> {
+        self.tree().ok().map(|root| json::value(&root).to_string())
+    }
+
     /// The JSON pointer (RFC 6901) to the value at a place; `None` in TOML or where the text is no JSON.
     pub(crate) fn pointer(&self, span: &Range<usize>) -> Option<String> {
         match self.syntax {

@@ -14,6 +14,7 @@ mod inert;
 #[cfg(unix)]
 mod inputs_stay;
 mod jsonl;
+mod live;
 mod mdbook;
 mod project;
 mod readme;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::{Finding, escape, tally};
 use crate::drift::TRIPTYCH_FORMAT;
+use crate::output::base64;
 use crate::scene::visible;
 
 /// How the page looks; it follows the reader's light or dark system.
@@ -79,33 +80,5 @@ fn meaning(state: &str) -> &'static str {
         "missing" => "there is a scene, but no file yet",
         "orphan" => "there is a file of ours, but no scene that gives it",
         _ => "the scene can't be drawn, or a file can't be read or written",
-    }
-}
-
-/// Bytes in base 64 (RFC 4648), with padding.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut out = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let three = [chunk[0], chunk.get(1).copied().unwrap_or(0), chunk.get(2).copied().unwrap_or(0)];
-        let bits = u32::from_be_bytes([0, three[0], three[1], three[2]]);
-        for i in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * i)) as usize & 63];
-            out.push(if i <= chunk.len() { char::from(digit) } else { '=' });
-        }
-    }
-    out
-}
-
-#[cfg(test)]
-mod tests {
-    use super::base64;
-
-    #[test]
-    fn base_64_is_as_in_the_rfc() {
-        let pairs = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foobar", "Zm9vYmFy")];
-        for (text, expected) in pairs {
-            assert_eq!(base64(text.as_bytes()), expected);
-        }
     }
 }

@@ -2,7 +2,7 @@
 //! radius, the tip of its velocity.
 
 use crate::figure::context::Context;
-use crate::figure::handle::{Follows, Hold, LEAST, Setting, angle, vertex_key};
+use crate::figure::handle::{Follows, Hold, LEAST, Setting, angle, is_wanted, vertex_key};
 use crate::figure::sketch::Sketch;
 use crate::geometry::shape::VertexKey;
 use crate::geometry::{DVec2, Pose, Side};
@@ -12,15 +12,6 @@ use super::number_of;
 
 /// How far beyond a body its angle is held, page pixels: far enough not to lie on its outline.
 const OUT: f64 = 20.0;
-
-/// Whether a reader may drag something of a body; by what the scene says, else bodies and velocities of the
-/// query.
-fn wanted(context: &Context, body: usize, grip: Grip) -> bool {
-    match &context.scene.live.drag {
-        Some(drag) => drag.iter().any(|drag| (drag.value.body, drag.value.grip) == (body, grip)),
-        None => matches!(grip, Grip::Position | Grip::Velocity) && context.scene.query.of.contains(&body),
-    }
-}
 
 /// The index of a body of the query.
 fn index(context: &Context, side: Side) -> Option<usize> {
@@ -48,7 +39,7 @@ pub(super) fn bystander(sketch: &mut Sketch, context: &Context, index: usize) {
 /// Lets a body in its pose be held by what the scene lets be dragged.
 fn hold(sketch: &mut Sketch, context: &Context, index: usize, pose: &Pose) {
     let Some((_, body)) = context.scene.shapes.get(index) else { return };
-    let wanted = |grip| wanted(context, index, grip);
+    let wanted = |grip| is_wanted(context.scene, index, grip);
     let least = f64::NEG_INFINITY;
     let held = |grip, at, value, follows| Hold { body: index, grip, vertex: 0, at, value, least, follows };
     // In its own frame a body rests, wherever it is.
@@ -101,7 +92,7 @@ pub(super) fn velocity(sketch: &mut Sketch, context: &Context, side: Side, (tip,
     let Some((index, body)) = index(context, side).zip(context.body(side)) else { return };
     // By the panel's moment the arrow's start has come along.
     let length = scale + context.time;
-    if !wanted(context, index, Grip::Velocity) || context.moving_frame().is_some() || length == 0.0 {
+    if !is_wanted(context.scene, index, Grip::Velocity) || context.moving_frame().is_some() || length == 0.0 {
         return;
     }
     let follows = Follows::Plane([DVec2::X / length, DVec2::Y / length]);

@@ -33,6 +33,7 @@ pub(super) const FORMAT: Format = Format {
     },
     // Its objects are compressed, so pages are compared byte by byte.
     read: Some(Reader { stamp, picture: None }),
+    live: None,
 };
 
 /// Key of the document's information under which the scene's hash stands.

@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     write: Writer::One(write),
     bracket: BRACKET,
     read: Some(READER),
+    live: None,
 };
 
 /// The signature and the empty last chunk with its checksum (*PNG*, third edition, sections 5.2 and 11.2.4).

@@ -1,7 +1,6 @@
 //! A picture inside another text: as an element of the page, or as the address of an image.
 
-use std::fmt::Write as _;
-
+use super::super::base64::base64;
 use super::{Drawing, OutputError, Sheet, document, identifier};
 
 /// The picture as an element for the middle of an HTML page, in one line, so that Markdown takes it as it is.
@@ -39,9 +38,7 @@ pub fn inline(drawing: &Drawing) -> Result<String, OutputError> {
 /// ```
 pub fn data_uri(drawing: &Drawing) -> Result<String, OutputError> {
     let text = inline(drawing)?;
-    let mut out = String::from("data:image/svg+xml;base64,");
-    push_base64(&mut out, text.as_bytes());
-    Ok(out)
+    Ok(format!("data:image/svg+xml;base64,{}", base64(text.as_bytes())))
 }
 
 /// An id for a drawing that stands in a page with others: a letter, and three letters or digits, one of 1.2
@@ -63,37 +60,4 @@ pub fn short_id(hash: u128) -> String {
         char::from(if digit < 26 { b'a' + digit } else { b'0' + digit - 26 })
     };
     identifier(&bases.map(digit).iter().collect::<String>())
-}
-
-/// Appends bytes by RFC 4648, section 4, with padding.
-fn push_base64(out: &mut String, bytes: &[u8]) {
-    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for chunk in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for place in 0..4 {
-            let letter = usize::try_from(bits >> (18 - 6 * place) & 63).unwrap_or(0);
-            let _ = if place <= chunk.len() {
-                out.write_char(char::from(LETTERS[letter]))
-            } else {
-                out.write_char('=')
-            };
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bytes_are_written_as_the_rfc_has_them() {
-        // Its own test vectors, section 10.
-        let pairs = [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("fooba", "Zm9vYmE=")];
-        for (bytes, want) in pairs {
-            let mut out = String::new();
-            push_base64(&mut out, bytes.as_bytes());
-            assert_eq!(out, want);
-        }
-    }
 }

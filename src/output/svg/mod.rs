@@ -28,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     // Editors write a declaration or a comment before it, and comments after it.
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</svg>".as_slice(), b"/>", b"-->"] },
     read: Some(Reader { stamp: read::stamp, picture: Some(read::picture) }),
+    live: None,
 };
 
 /// Bytes that a figure takes at least; saves growing the buffer step by step.

@@ -163,7 +163,7 @@ fn each_handle_names_its_key_in_the_scene() {
         found.unwrap_or_else(|| panic!("{name} in {json}"))["paths"][0].to_string()
     };
     assert_eq!(path("vertex 2 of A"), r#"["shapes","A","vertices",2]"#);
-    assert_eq!(path("vertex 1 of B"), r#"["shapes","B","half_extents"]"#);
+    assert_eq!(path("half-extents of B"), r#"["shapes","B","half_extents"]"#);
     assert_eq!(path("angle of A"), r#"["shapes","A","angle_deg"]"#);
     assert_eq!(path("angle of B"), r#"["shapes","B","angle_rad"]"#);
     assert_eq!(path("radius of wall"), r#"["shapes","wall","radius"]"#);
@@ -171,10 +171,24 @@ fn each_handle_names_its_key_in_the_scene() {
 }
 
 #[test]
+fn what_no_layer_draws_can_still_be_changed_by_its_numbers() {
+    let scene = scene("", "separation", "space = 'configuration'\nlayers = ['difference']");
+    assert_eq!(kinds(&scene), []);
+    let json = handles_json(&[], &scene);
+    let names: Vec<_> = json.as_array().unwrap().iter().map(|h| h["name"].as_str().unwrap()).collect();
+    assert_eq!(names, ["position of A", "velocity of A", "position of B", "time"]);
+    assert_eq!(
+        (&json[0]["at"], &json[1]["value"]),
+        (&serde_json::Value::Null, &serde_json::json!([1.0, 0.5]))
+    );
+}
+
+#[test]
 fn the_playhead_moves_panels_that_no_one_pinned() {
     let paths = |top: &str, query: &str, panel: &str| {
         let json = handles_json(&[], &scene(top, query, &format!("{panel}{SHOWN}")));
-        json.get(0).map(|playhead| format!("{} {}", playhead["paths"], playhead["value"]))
+        let last = json.as_array().unwrap().last().filter(|h| h["grip"] == "time").cloned();
+        last.map(|playhead| format!("{} {}", playhead["paths"], playhead["value"]))
     };
     assert_eq!(paths("", "separation", "").unwrap(), r#"[["query","time"]] 0.0"#);
     assert_eq!(paths("", "time-of-impact", "").unwrap(), r#"[["panels",0,"time"]] 0.0"#);

@@ -1,0 +1,189 @@
+// Every live figure in Chromium, dragged; `.ci/browser` installs what this imports, and runs it.
+//
+// The pages are drawn into a folder and opened as files. Each shows the committed SVG byte for byte and draws the same;
+// asks for nothing and breaks no policy; says while dragged, by a pointer and by keys, what `tracefig solve` says of the
+// scene that it copies; is again what it was after a reset; and axe finds nothing. Frame times are printed.
+// `TRACEFIG=path` is the binary; names of figures may follow.
+
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { createRequire } from "node:module";
+import { basename, dirname, join } from "node:path";
+import { fileURLToPath, pathToFileURL } from "node:url";
+
+const root = dirname(dirname(fileURLToPath(import.meta.url)));
+const figures = join(root, "figures");
+const work = join(root, "target/browser");
+const site = join(work, "site");
+const require = createRequire(join(work, "here.js"));
+const { chromium } = require("playwright-core");
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+const tracefig = process.env.TRACEFIG ?? join(root, "target/debug/tracefig");
+
+const FRAMES = 40; // Frames of a drag.
+const SAID = 600; // Milliseconds until a page has said the result: it waits for 400 of rest.
+
+const failures = [];
+const fail = (about, message) => failures.push(`${about}: ${message}`);
+const run = (args, input) => execFileSync(tracefig, args, { input, stdio: ["pipe", "pipe", "inherit"] }).toString();
+
+rmSync(site, { recursive: true, force: true });
+mkdirSync(site, { recursive: true });
+run(["render", figures, "--format", "html", "--live=shared", "-o", site]);
+const alone = join(work, "alone.html");
+const asked = process.argv.slice(2);
+const pages = readdirSync(site).filter((file) => file.endsWith(".html") && file !== "index.html");
+const stems = pages.map((file) => basename(file, ".html")).filter((stem) => asked.length === 0 || asked.includes(stem));
+run(["render", join(figures, `${stems[0]}.toml`), "--live", "-o", alone]);
+
+const browser = await chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: [
+        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+        "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    ],
+});
+
+// A page that tells of everything that it must not do.
+async function opened(file, about, options = {}) {
+    const page = await browser.newPage({ viewport: { width: 1100, height: 900 }, ...options });
+    const own = pathToFileURL(dirname(file)).href;
+    page.on("request", (request) => request.url().startsWith(`${own}/`) || fail(about, `asks for ${request.url()}`));
+    page.on("console", (message) => fail(about, message.text()));
+    page.on("pageerror", (error) => fail(about, error.stack));
+    const start = performance.now();
+    await page.goto(pathToFileURL(file).href);
+    if (options.javaScriptEnabled === false) return { page };
+    await page.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live);
+    const ready = performance.now() - start;
+    const live = await page.evaluate(() => document.querySelector(".tracefig-live").dataset.live);
+    if (live !== "yes") fail(about, `is not live: ${live}`);
+    await page.evaluate(() => {
+        const drawn = (globalThis.drawn = { ms: [] });
+        document.addEventListener("tracefig", ({ detail }) => {
+            drawn.ms.push(detail.ms.all);
+            Object.assign(drawn, { answer: detail.answer, sentence: detail.sentence });
+        });
+    });
+    return { page, ready };
+}
+
+// Keeps the picture, or says whether it is as it was kept.
+const picture = (page) => page.evaluate(() => {
+    const now = document.querySelector("figure > svg").cloneNode(true);
+    for (const body of now.querySelectorAll("[data-held]")) delete body.dataset.held;
+    globalThis.kept ??= now;
+    return now.isEqualNode(globalThis.kept);
+});
+const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
+
+// Compares what the page says with what we say of the scene that it copies.
+async function judge(page, about) {
+    await page.waitForTimeout(SAID);
+    await page.evaluate(() => { navigator.clipboard.writeText = () => Promise.reject(new Error("none")); });
+    const said = await page.textContent(".say");
+    await page.click(".acts button:last-child");
+    const copied = await page.inputValue("textarea.text");
+    const { answer, sentence } = await page.evaluate(() => globalThis.drawn);
+    if (!said.includes(sentence)) fail(about, `says "${said}", expected "${sentence}"`);
+    const { result } = JSON.parse(run(["solve", "-", "--json"], copied));
+    if (JSON.stringify(answer) !== JSON.stringify(result)) {
+        fail(about, `answers ${JSON.stringify(answer)}, expected ${JSON.stringify(result)} of\n${copied}`);
+    }
+}
+
+// Drags a handle along a curve, a pixel or so a frame.
+async function drag(page, knob) {
+    const box = await (await knob.$(".ring")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= FRAMES; i++) {
+        await page.mouse.move(x + 30 * Math.sin(i / 20), y - 20 * Math.sin(i / 12));
+        await frame(page);
+    }
+    await page.mouse.up();
+}
+
+const quantile = (values, share) => {
+    const sorted = [...values].sort((a, b) => a - b);
+    return sorted.length > 0 ? sorted[Math.floor(share * (sorted.length - 1))] : Number.NaN;
+};
+
+async function figure(stem) {
+    const file = join(site, `${stem}.html`);
+    const html = readFileSync(file, "utf8");
+    const committed = readFileSync(join(figures, `${stem}.svg`), "utf8").trimEnd();
+    if (!html.includes(`<figure>${committed}</figure>`)) fail(stem, "does not hold the committed picture");
+    const { page, ready } = await opened(file, stem);
+    await picture(page);
+    const knobs = await page.$$(".knob:not(.gone)");
+    for (const knob of knobs.slice(0, 2)) await drag(page, knob);
+    const { ms } = await page.evaluate(() => globalThis.drawn);
+    if (knobs.length > 0) {
+        await judge(page, `${stem}, dragged`);
+        const value = () => page.evaluate(() => document.activeElement.getAttribute("aria-valuetext"));
+        await page.focus(".knob[role=slider]");
+        const from = await value();
+        await page.keyboard.press("ArrowRight");
+        await frame(page);
+        await frame(page);
+        if ((await value()) === from) fail(stem, `the arrow key leaves the value at ${from}`);
+        await judge(page, `${stem}, by keys`);
+    }
+    await page.click(".numbers-of summary");
+    const field = page.locator(".numbers input").first();
+    if ((await field.count()) > 0) {
+        await field.fill(String(Number(await field.inputValue()) + 0.25));
+        await field.press("Enter");
+        await judge(page, `${stem}, by numbers`);
+    }
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => globalThis.axe.run());
+    for (const { id, help, nodes } of violations) fail(stem, `axe: ${id}, ${help}: ${nodes[0].html.slice(0, 200)}`);
+    if (await page.isVisible(".reset")) await page.click(".reset");
+    await page.waitForTimeout(200);
+    if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
+    await page.close();
+    const numbers = [ready, quantile(ms, 0.5), quantile(ms, 0.95)].map((x) => x.toFixed(1).padStart(7));
+    const sizes = [html.length, gzipSync(html).length].map((x) => String(x).padStart(8));
+    console.log(`${stem.padEnd(26)}${sizes.join("")}${numbers.join(" ")}  ${String(knobs.length).padStart(2)} handles`);
+    return ms;
+}
+
+console.log(`${"figure".padEnd(26)}   bytes      gz  ready  median     p95 ms`);
+const all = [];
+for (const stem of stems) all.push(...(await figure(stem)));
+console.log(`all: median ${quantile(all, 0.5).toFixed(1)}, p95 ${quantile(all, 0.95).toFixed(1)} ms of ${all.length} frames`);
+
+// One page with all it needs, and what is left of it without scripts and without a module.
+const bytes = readFileSync(alone);
+const { page, ready } = await opened(alone, "alone");
+console.log(`alone: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip, ready in ${ready.toFixed(0)} ms`);
+await page.close();
+const { page: bare } = await opened(alone, "without scripts", { javaScriptEnabled: false });
+const controls = await bare.locator("button, input, .knob").count();
+if (controls > 0) fail("without scripts", `has ${controls} controls that do nothing`);
+await bare.close();
+const broken = join(work, "broken.html");
+writeFileSync(broken, bytes.toString().replace(" 'wasm-unsafe-eval'", ""));
+const torn = await browser.newPage();
+await torn.goto(pathToFileURL(broken).href);
+await torn.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live);
+if ((await torn.locator("button, input, .knob").count()) > 0) fail("without the module", "has controls that do nothing");
+await torn.close();
+
+// The list, and a page, on a phone.
+for (const [file, about] of [[join(site, "index.html"), "index"], [join(site, `${stems[0]}.html`), "phone"]]) {
+    const phone = await browser.newPage({ viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true });
+    await phone.goto(pathToFileURL(file).href);
+    await phone.waitForTimeout(500);
+    const wide = await phone.evaluate(() => document.documentElement.scrollWidth);
+    if (wide > 360) fail(about, `is ${wide} pixels wide on a screen of 360`);
+    await phone.close();
+}
+
+await browser.close();
+for (const failure of failures) console.error(`FAILED ${failure}`);
+process.exitCode = failures.length > 0 ? 1 : 0;

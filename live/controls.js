@@ -1,0 +1,149 @@
+// What a reader takes hold of: a knob on the picture, and the same as numbers beside it.
+
+function make(name, attributes = {}, ...inner) {
+    const space = ["svg", "g", "circle"].includes(name) ? "2000/svg" : "1999/xhtml";
+    const element = document.createElementNS(`http://www.w3.org/${space}`, name);
+    for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+    element.append(...inner);
+    return element;
+}
+
+// What a reader drags, in the words of a hint: a body alone is its place.
+function thing({ name, grip, paths: [path] }) {
+    const [, body] = path;
+    return { position: body, vertices: `the vertices of ${body}` }[grip] ?? `the ${name}`;
+}
+
+function button(words, act, attributes = {}) {
+    const made = make("button", { type: "button", ...attributes }, words);
+    made.addEventListener("click", act);
+    return made;
+}
+
+const sign = (shape) => make("span", { "aria-hidden": "true" }, shape);
+
+const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+
+class Knob {
+    constructor(figure, handle) {
+        Object.assign(this, { figure, handle });
+        const hit = make("circle", { class: "hit", r: REACH });
+        const ring = make("circle", { class: "ring", r: handle.grip === "position" ? 11 : 7 });
+        this.element = make("g", { class: `knob ${handle.grip}` }, hit, ring);
+        this.element.addEventListener("keydown", (event) => this.key(event));
+        for (const end of ["keyup", "blur"]) this.element.addEventListener(end, () => this.keyUp());
+        this.element.addEventListener("pointermove", (event) => this.drag(event));
+        for (const end of ["pointerup", "pointercancel"]) {
+            this.element.addEventListener(end, () => this.release());
+        }
+        figure.overlay.append(this.element);
+    }
+
+    get isGone() {
+        return this.element.classList.contains("gone");
+    }
+
+    // Shows where it is; only the first of those that set the same can be reached by keys and heard.
+    place(handle, isStop) {
+        this.handle = handle;
+        const [x, y] = handle.at.map((v) => v * this.figure.scale);
+        this.element.setAttribute("transform", `translate(${x} ${y})`);
+        const { name, value, range: [lo, hi] } = handle;
+        const first = (numbers) => [numbers].flat()[0];
+        const heard = {
+            role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": inWords(value),
+            "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
+        };
+        const said = Object.entries(isStop ? heard : { "aria-hidden": "true" });
+        for (const [key, words] of said) this.element.setAttribute(key, words);
+    }
+
+    grab(event) {
+        const [x, y] = this.figure.pointer(event);
+        this.off = [this.handle.at[0] - x, this.handle.at[1] - y];
+        this.before = this.handle.value;
+        this.element.setPointerCapture(event.pointerId);
+        this.element.focus({ preventScroll: true });
+        this.figure.root.toggleAttribute("data-dragging", true);
+        this.element.classList.add("dragged");
+    }
+
+    drag(event) {
+        if (!this.off) return;
+        const [x, y] = this.figure.pointer(event);
+        const value = followed(this.handle, [x + this.off[0], y + this.off[1]]);
+        const step = event.altKey ? 0 : this.figure.snap(this.handle);
+        const clean = step ? snapped(value, step) : tidy(value, this.handle);
+        this.figure.want(this.handle, within(clean, this.handle.range));
+    }
+
+    release() {
+        if (!this.off) return;
+        this.off = undefined;
+        this.element.classList.remove("dragged");
+        this.figure.root.toggleAttribute("data-dragging", false);
+        this.figure.settle();
+    }
+
+    key(event) {
+        const way = WAYS[event.key];
+        const { figure, handle } = this;
+        if (event.key === "Home") figure.want(handle, figure.first.get(keyOf(handle)));
+        else if (event.key === "Escape" && this.off) figure.want(handle, this.before);
+        else if (way) figure.want(handle, within(this.stepped(way, event.shiftKey ? 0.2 : 1), handle.range));
+        else return;
+        event.preventDefault();
+        if (event.key === "Escape") this.release();
+        else this.pressed = true;
+    }
+
+    // A key that is held moves on and on, and comes to rest when it is let go.
+    keyUp() {
+        if (this.pressed) this.figure.settle();
+        this.pressed = false;
+    }
+
+    // The value a step away: along the page for what lies in a plane, else more or less.
+    stepped([x, y], share) {
+        const { value, pull: { plane } } = this.handle;
+        const step = (this.figure.snap(this.handle) || stepOf(this.handle)) * share;
+        const round = (v) => Number(v.toPrecision(12));
+        if (!plane) return round(value + (x - y) * step);
+        const way = value.map((_, i) => plane[0][i] * x + plane[1][i] * y);
+        const length = Math.hypot(...way);
+        return value.map((v, i) => round(v + (way[i] / length) * step));
+    }
+}
+
+// The numbers of a handle as fields: for readers who type, hear or switch.
+class Row {
+    constructor(figure, handle) {
+        this.figure = figure;
+        const words = Array.isArray(handle.value) ? ["x", "y"] : [""];
+        const field = (word) => make("input", {
+            type: "number", step: figure.snap(handle) || "any", inputmode: "decimal",
+            "aria-label": word ? `${handle.name}, ${word}` : handle.name,
+        });
+        this.fields = words.map(field);
+        const change = () => {
+            const numbers = this.fields.map((field) => field.valueAsNumber);
+            if (!numbers.every(Number.isFinite)) return;
+            figure.alive(() => figure.attempt(handle, words.length > 1 ? numbers : numbers[0]));
+            figure.settle();
+        };
+        for (const field of this.fields) field.addEventListener("change", change);
+        const name = make("span", { "aria-hidden": "true" }, handle.name);
+        figure.numbers.append(name, make("span", {}, ...this.fields));
+    }
+
+    show(value) {
+        [value].flat().forEach((v, i) => {
+            if (document.activeElement !== this.fields[i]) this.fields[i].value = v;
+        });
+    }
+}
+
+const figures = [...document.querySelectorAll(".tracefig-live")];
+for (const root of figures) {
+    Figure.start(root, figures.length === 1).catch((error) => (root.dataset.live = `no: ${error.message}`));
+}

@@ -1,0 +1,180 @@
+// The module that draws, and the picture on the page: of each new text of it only what differs is changed.
+
+let compiled; // The module, of all figures of a page.
+function compile() {
+    const inline = () => document.getElementById("tracefig-module").textContent.trim();
+    const packed = atob(globalThis.tracefigModule ?? inline());
+    const bytes = new Uint8Array(packed.length);
+    for (let i = 0; i < bytes.length; i++) bytes[i] = packed.charCodeAt(i);
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(stream).arrayBuffer().then((wasm) => WebAssembly.compile(wasm));
+}
+
+// One figure in the module. Its calls take and leave texts in the module's memory.
+class Engine {
+    static async start(request) {
+        const engine = new Engine();
+        engine.request = request;
+        await engine.open();
+        return engine;
+    }
+
+    async open() {
+        this.x = (await WebAssembly.instantiate(await (compiled ??= compile()), {})).exports;
+        if (!this.tell("tf_open", this.request)) throw new Error(this.info.error);
+    }
+
+    // What the last call had to say.
+    get info() {
+        return JSON.parse(this.read(this.x.tf_info(), this.x.tf_info_len()));
+    }
+
+    // The picture as last drawn.
+    get svg() {
+        return this.read(this.x.tf_out(), this.x.tf_out_len());
+    }
+
+    read(start, length) {
+        return new TextDecoder().decode(new Uint8Array(this.x.memory.buffer, start, length));
+    }
+
+    // Hands a text to a call; whether it was taken.
+    tell(call, said) {
+        const bytes = new TextEncoder().encode(said);
+        const room = this.x.tf_input(bytes.length);
+        new Uint8Array(this.x.memory.buffer, room, bytes.length).set(bytes);
+        return this.x[call]() === 1;
+    }
+
+    // Edits the scene, all of them or none; whether it still is one.
+    set(edits) {
+        return this.tell("tf_set", JSON.stringify(edits));
+    }
+
+    // Draws it; whether it could be drawn.
+    draw() {
+        return this.x.tf_draw() === 1;
+    }
+}
+
+const TAG = /<[^>]*>|[^<]+/g;
+const XLINK = "http://www.w3.org/1999/xlink";
+const ENTITY = { lt: "<", gt: ">", quot: '"', apos: "'", "#39": "'", amp: "&" };
+const unescaped = (s) => s.replace(/&(lt|gt|quot|apos|#39|amp);/g, (_, name) => ENTITY[name]);
+const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g;
+const attributesOf = (tag) => new Map(Array.from(tag.matchAll(ATTRIBUTE), (m) => [m[1], unescaped(m[2])]));
+
+// The tree of a text that tracefig wrote: nodes with tag, name, id and kids, and their places in `tags`.
+function treeOf(tags) {
+    const top = { kids: [] };
+    const open = [top];
+    for (let i = 0; i < tags.length; i++) {
+        const tag = tags[i];
+        const inner = open[open.length - 1];
+        if (tag[0] !== "<") inner.kids.push({ tag, name: "#text", kids: null, from: i, to: i });
+        else if (tag[1] === "/") open.pop().to = i;
+        else {
+            const [, name] = /^<([\w:-]+)/.exec(tag);
+            const id = /\sid="([^"]*)"/.exec(tag)?.[1];
+            const node = { tag, name, id, kids: [], from: i, to: i };
+            inner.kids.push(node);
+            if (!tag.endsWith("/>")) open.push(node);
+        }
+    }
+    return top.kids.find((node) => node.name === "svg");
+}
+
+class Picture {
+    constructor(svg) {
+        this.svg = svg;
+    }
+
+    // Width and height in page pixels.
+    get size() {
+        return this.svg.getAttribute("viewBox").split(" ").slice(2).map(Number);
+    }
+
+    // Takes what the page shows for the picture of this text; whether it is.
+    begin(text) {
+        this.shown = treeOf(text.match(TAG));
+        return this.bind(this.shown, this.svg);
+    }
+
+    // Ties a tree to the elements of the page; whether they are the same.
+    bind(node, element) {
+        node.element = element;
+        if (element?.nodeName !== node.name) return false;
+        if (!node.kids) return element.data === unescaped(node.tag);
+        const own = attributesOf(node.tag);
+        let fits = element.attributes.length === own.size && element.childNodes.length === node.kids.length;
+        for (const [name, value] of own) fits &&= element.getAttribute(name) === value;
+        for (const [i, kid] of node.kids.entries()) fits = this.bind(kid, element.childNodes[i]) && fits;
+        return fits;
+    }
+
+    patch(text) {
+        const tags = text.match(TAG);
+        const next = treeOf(tags);
+        this.morph(this.shown, next, tags);
+        this.shown = next;
+    }
+
+    // Makes the element of an old node that of the next one.
+    morph(old, next, tags) {
+        next.element = old.element;
+        if (old.tag !== next.tag) this.dress(old, next);
+        if (!next.kids) return;
+        const alike = old.kids.length === next.kids.length
+            && old.kids.every((kid, i) => kid.name === next.kids[i].name && kid.id === next.kids[i].id);
+        if (alike) next.kids.forEach((kid, i) => this.morph(old.kids[i], kid, tags));
+        else if (next.kids.every((kid) => kid.id)) this.arrange(old, next, tags);
+        else this.refill(next, tags);
+    }
+
+    dress({ element, tag }, next) {
+        if (!next.kids) {
+            element.data = unescaped(next.tag);
+            return;
+        }
+        const [before, now] = [attributesOf(tag), attributesOf(next.tag)];
+        for (const [name, value] of now) {
+            if (before.get(name) === value) continue;
+            if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
+            else element.setAttribute(name, value);
+        }
+        for (const name of before.keys()) if (!now.has(name)) element.removeAttribute(name);
+    }
+
+    // Children with ids keep their elements, wherever they stand now.
+    arrange(old, next, tags) {
+        const known = new Map();
+        const wanted = new Map(next.kids.map((kid) => [kid.id, kid.name]));
+        for (const kid of old.kids) {
+            if (kid.id && wanted.get(kid.id) === kid.name) known.set(kid.id, kid);
+            else kid.element.remove();
+        }
+        let place = next.element.firstChild;
+        for (const kid of next.kids) {
+            const before = known.get(kid.id);
+            if (before?.element === place) place = place?.nextSibling ?? null;
+            else {
+                const element = before?.element ?? this.parsed(tags, kid.from, kid.to + 1).firstChild;
+                next.element.insertBefore(element, place);
+            }
+            if (before) this.morph(before, kid, tags);
+            else this.bind(kid, place ? place.previousSibling : next.element.lastChild);
+        }
+    }
+
+    // What has neither the old number of children nor ids is written anew.
+    refill(next, tags) {
+        next.element.replaceChildren(...this.parsed(tags, next.from + 1, next.to).childNodes);
+        next.kids.forEach((kid, i) => this.bind(kid, next.element.childNodes[i]));
+    }
+
+    parsed(tags, from, to) {
+        const group = document.createElementNS("http://www.w3.org/2000/svg", "g");
+        group.innerHTML = tags.slice(from, to).join("");
+        return group;
+    }
+}

@@ -1,0 +1,80 @@
+// Values: how they follow a pointer, snap, are said, and are written as TOML. No page and no module here.
+
+// The value of a handle where the pointer is at a point of the page, both in page pixels.
+function followed({ value, at: [px, py], pull: { plane, turn, reach, unit } }, [x, y]) {
+    if (plane) return value.map((v, i) => v + plane[0][i] * (x - px) + plane[1][i] * (y - py));
+    const [cx, cy] = turn ?? reach;
+    if (reach) return value + unit * (Math.hypot(x - cx, y - cy) - Math.hypot(px - cx, py - cy));
+    const by = Math.atan2(y - cy, x - cx) - Math.atan2(py - cy, px - cx);
+    return value + unit * Math.atan2(Math.sin(by), Math.cos(by));
+}
+
+// By how much a page pixel changes a value.
+function grainOf({ pull }) {
+    if (pull.plane) return Math.hypot(...pull.plane[0]);
+    return Math.abs(pull.unit) / (pull.turn ? 60 : 1);
+}
+
+// The step that a handle snaps to: what the scene says, for angles 5° or a tenth of a radian. A quarter of a
+// unit, which nobody asked for, is not taken in a world where it is nothing or everything.
+function stepOf(handle, snap) {
+    if (handle.pull?.turn) return Math.abs(handle.pull.unit) > 2 ? 5 : 0.1;
+    if (snap) return snap;
+    if (!handle.pull) return 0.25;
+    const pixels = 0.25 / grainOf(handle);
+    return pixels > 2 && pixels < 80 ? 0.25 : 10 ** Math.round(Math.log10(16 * grainOf(handle)));
+}
+
+const each = (value, change) => (Array.isArray(value) ? value.map(change) : change(value));
+const snapped = (value, step) => each(value, (v) => Number((Math.round(v / step) * step).toPrecision(12)));
+
+// A value without digits that no one can see: to a quarter of a pixel.
+const tidy = (value, handle) => snapped(value, 10 ** Math.floor(Math.log10(grainOf(handle) / 4)));
+
+const within = (value, [lo, hi]) =>
+    Array.isArray(value)
+        ? value.map((v, i) => Math.min(Math.max(v, lo[i]), hi[i]))
+        : Math.min(Math.max(value, lo), hi);
+
+const between = (a, b, t) => (Array.isArray(a) ? a.map((x, i) => x + (b[i] - x) * t) : a + (b - a) * t);
+
+const digits = (x) => String(Number(x.toPrecision(4))).replace("-", "−");
+const inWords = (value) => (Array.isArray(value) ? `(${value.map(digits).join(", ")})` : digits(value));
+
+// A path as a part of a page's address.
+const addressOf = (path) => path.map(encodeURIComponent).join("/");
+
+const keyOf = (handle) => JSON.stringify(handle.paths);
+const valueAt = (scene, path) => path.reduce((node, step) => node?.[step], scene);
+
+// The scene with values at their paths; the scene itself stays as it is.
+function edited(scene, edits) {
+    const copy = structuredClone(scene);
+    for (const { paths, value } of edits) {
+        for (const path of paths) valueAt(copy, path.slice(0, -1))[path.at(-1)] = value;
+    }
+    return copy;
+}
+
+// A scene as TOML, tables in the order of the scene.
+function toml(scene) {
+    const name = (word) => (/^[\w-]+$/.test(word) ? word : JSON.stringify(word));
+    const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+    const inline = (value) => {
+        if (Array.isArray(value)) return `[${value.map(inline).join(", ")}]`;
+        if (isTable(value)) return `{ ${lines(value).join(", ")} }`;
+        return JSON.stringify(value).replaceAll("\x7f", "\\u007f");
+    };
+    const lines = (table) => Object.entries(table).map(([word, value]) => `${name(word)} = ${inline(value)}`);
+    const [simple, tables] = [[], []];
+    for (const [word, value] of Object.entries(scene)) {
+        const listed = Array.isArray(value) && value.length > 0 && value.every(isTable);
+        const nested = isTable(value) && Object.values(value).every(isTable);
+        const table = (header, item) => tables.push(header, ...lines(item), "");
+        if (listed) for (const item of value) table(`[[${name(word)}]]`, item);
+        else if (nested) for (const key in value) table(`[${name(word)}.${name(key)}]`, value[key]);
+        else if (isTable(value)) table(`[${name(word)}]`, value);
+        else simple.push(`${name(word)} = ${inline(value)}`);
+    }
+    return [...simple, "", ...tables].join("\n");
+}

@@ -1,0 +1,85 @@
+//! What live pages share: the file with the module, and the page that lists them.
+
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tracefig::figure::plain;
+use tracefig::output::{Gallery, INLINE, gallery, live_runtime};
+
+use super::Status;
+use super::atomic_file::{Wait, write_whole};
+use super::console::Console;
+use super::inputs::shown;
+use super::jobs::{Job, Target};
+use super::live::{Live, MODULE, RUNTIME, below, heading, index_of, live_of, root};
+use super::written::cant_write;
+
+/// Writes what the pages of a run share: the runtime, and the page that lists them. Pages that `written` does
+/// not name were not written.
+///
+/// # Errors
+/// When standard output fails.
+pub(crate) fn finish(
+    live: Live,
+    jobs: &[Job],
+    written: &BTreeSet<String>,
+    console: &mut Console,
+) -> io::Result<Status> {
+    let mut status = Status::Done;
+    let pages: Vec<(&Job, &Target)> = jobs
+        .iter()
+        .flat_map(|job| {
+            job.files.iter().filter(|f| live_of(Some(live), f).is_some()).map(move |f| (job, &f.target))
+        })
+        .filter(|(_, target)| matches!(target, Target::File(path) if written.contains(&shown(path))))
+        .collect();
+    let mut files: Vec<(PathBuf, String)> = Vec::new();
+    if live == Live::Shared {
+        let folder = |&(job, target): &(&Job, &Target)| match (root(job), target) {
+            (Some(root), _) => root.to_owned(),
+            (None, Target::File(path)) => path.parent().unwrap_or(Path::new("")).to_owned(),
+            (None, Target::Stdout) => PathBuf::new(),
+        };
+        let folders: BTreeSet<PathBuf> = pages.iter().map(folder).collect();
+        files.extend(folders.into_iter().map(|folder| (folder.join(RUNTIME), live_runtime(MODULE))));
+    }
+    files.extend(index(&pages));
+    for (path, text) in files {
+        match write_whole(&path, text.as_bytes(), Wait::No) {
+            Ok(()) if console.is_quiet() => {}
+            Ok(()) => writeln!(console.out, "{}", shown(&path))?,
+            Err(error) => {
+                console.error(cant_write(&path, &error).trim_start_matches("error: ").trim_end());
+                status = Status::Io;
+            }
+        }
+    }
+    Ok(status)
+}
+
+/// The page that lists the others, where a folder gathers several; first those whose scenes say what moves.
+fn index(pages: &[(&Job, &Target)]) -> Option<(PathBuf, String)> {
+    let &(first, target) = pages.first()?;
+    let path = root(first)?.join(index_of(first, target)?);
+    let taken = pages.iter().any(|(_, target)| **target == Target::File(path.clone()));
+    if pages.len() < 2 || taken {
+        return None;
+    }
+    let entries = pages.iter().filter_map(|&(job, target)| entry(job, target));
+    let (told, others): (Vec<_>, Vec<_>) = entries.partition(|(is_told, _)| *is_told);
+    let ordered: Vec<Gallery> = told.into_iter().chain(others).map(|(_, entry)| entry).collect();
+    Some((path, gallery(&ordered)))
+}
+
+/// A page's entry in the list, and whether its scene says what can be moved.
+fn entry(job: &Job, target: &Target) -> Option<(bool, Gallery)> {
+    let Target::File(path) = target else { return None };
+    let file = job.input.open().ok()?;
+    let name = below(job, target)?.join(path.file_name()?);
+    let address = |path: &Path| path.to_string_lossy().replace('\\', "/");
+    let picture = address(&name.with_extension(INLINE.name));
+    let words = file.scene.headline.as_ref().map(|text| plain(&text.value)).unwrap_or_default();
+    let entry = Gallery { page: address(&name), picture, title: heading(&file, job), words };
+    Some((file.scene.live.drag.is_some(), entry))
+}

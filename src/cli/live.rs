@@ -1,0 +1,145 @@
+//! `render --live`: pages whose figures a reader drags, and how they find each other.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+use tracefig::drawing::Drawing;
+use tracefig::figure::plain;
+use tracefig::output::{FORMATS, INLINE, LivePage, Module, OutputError, WriteLive};
+use tracefig::scene::{SceneFile, Source, Variant};
+
+use super::inputs::Input;
+use super::jobs::{Job, Planned, Target};
+use super::settings::Destination;
+use super::themes::ChosenTheme;
+
+/// What draws a figure in a browser: the library as a module of WebAssembly, packed by gzip.
+pub(crate) const MODULE: &[u8] = include_bytes!("../../live/tracefig-live.wasm.gz");
+/// The file that pages share.
+pub(crate) const RUNTIME: &str = "tracefig-live.js";
+/// The stem of the page that lists the others.
+const INDEX: &str = "index";
+
+/// How pages are live.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Live {
+    /// Each page holds all that it needs.
+    Alone,
+    /// One file beside the pages holds what they share.
+    Shared,
+}
+
+impl Live {
+    /// Every word with what it asks for.
+    const WORDS: [(&'static str, Self); 2] = [("alone", Self::Alone), ("shared", Self::Shared)];
+
+    /// What a word of the command line asks for.
+    ///
+    /// # Errors
+    /// Where it is none of those known.
+    pub(crate) fn of_word(word: &str) -> Result<Self, String> {
+        let found = Self::WORDS.iter().find(|(known, _)| *known == word);
+        found
+            .map(|&(_, live)| live)
+            .ok_or_else(|| format!("expected {}", Self::WORDS.map(|w| w.0).join(" or ")))
+    }
+
+    /// The words of the formats that have live pages.
+    pub(crate) fn formats() -> String {
+        let live = FORMATS.iter().filter(|format| format.live.is_some());
+        live.map(|format| format.name).collect::<Vec<_>>().join(" or ")
+    }
+
+    /// Adds the pictures of pages to the formats asked for: in a folder the page that lists them shows those.
+    pub(crate) fn add_pictures(output: Option<&Path>, formats: &mut Vec<String>) {
+        if output.is_some_and(|path| path.is_dir() || path.extension().is_none()) && !formats.is_empty() {
+            formats.push(INLINE.name.to_owned());
+        }
+    }
+}
+
+/// A file that is a live page.
+#[derive(Clone, Copy)]
+pub(crate) struct LiveFile {
+    /// How pages are live.
+    live: Live,
+    /// How it is written.
+    write: WriteLive,
+}
+
+/// The live page that a file is; none for any other, as for a variant, which is not what the scene says.
+pub(crate) fn live_of(live: Option<Live>, planned: &Planned) -> Option<LiveFile> {
+    let write = planned.format.live.filter(|_| planned.variant == Variant::Figure)?;
+    live.map(|live| LiveFile { live, write })
+}
+
+impl LiveFile {
+    /// The page. Its picture has the stamp of an SVG file.
+    pub(crate) fn page(
+        self,
+        drawing: &Drawing,
+        (job, file): (&Job, &SceneFile),
+        target: &Target,
+        theme: Option<&ChosenTheme>,
+    ) -> Result<Vec<u8>, OutputError> {
+        let up = up(job, target);
+        let (beside, index) = (format!("{up}{RUNTIME}"), index_of(job, target));
+        let module = if self.live == Live::Shared { Module::Beside(&beside) } else { Module::Inside(MODULE) };
+        let request = request(file, drawing, theme);
+        let (heading, index) = (heading(file, job), index.map(|name| format!("{up}{name}")));
+        (self.write)(
+            drawing,
+            &LivePage { request: &request, heading: &heading, module, index: index.as_deref() },
+        )
+    }
+}
+
+/// What the module is opened with.
+fn request(file: &SceneFile, drawing: &Drawing, theme: Option<&ChosenTheme>) -> String {
+    let mut rest = json!({ "id": drawing.id });
+    if let Some(theme) = theme {
+        let own = |key: &String| {
+            let file = Source::new("", key).json().and_then(|text| serde_json::from_str(&text).ok());
+            json!({ "key": key, "file": file.unwrap_or(Value::Null) })
+        };
+        rest["theme"] = if theme.file.is_some() { own(&theme.key) } else { json!(theme.key) };
+    }
+    // The order of a scene's keys stays: the scene is written as it is.
+    let rest = rest.to_string();
+    format!("{{\"scene\":{},{}", file.json(), rest.trim_start_matches('{'))
+}
+
+/// What a page is called.
+pub(crate) fn heading(file: &SceneFile, job: &Job) -> String {
+    let stem = || match &job.input {
+        Input::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        other => other.shown(),
+    };
+    file.scene.title.as_ref().map_or_else(stem, |title| plain(&title.value))
+}
+
+/// The folder that all files of a run go to, where there is one.
+pub(crate) fn root(job: &Job) -> Option<&Path> {
+    match &job.settings.destination {
+        Destination::Folder(folder) | Destination::Project(folder) => Some(folder),
+        Destination::Beside | Destination::Stdout | Destination::File(_) => None,
+    }
+}
+
+/// The folder of a file below that folder; none where there is no such folder.
+pub(crate) fn below<'t>(job: &Job, target: &'t Target) -> Option<&'t Path> {
+    let Target::File(path) = target else { return None };
+    path.parent()?.strip_prefix(root(job)?).ok()
+}
+
+/// The way from a page to the folder of what is shared, as an address.
+fn up(job: &Job, target: &Target) -> String {
+    below(job, target).map(|below| "../".repeat(below.components().count())).unwrap_or_default()
+}
+
+/// The name of the page that lists this one; none where no folder gathers the pages.
+pub(crate) fn index_of(job: &Job, target: &Target) -> Option<String> {
+    below(job, target)?;
+    let Target::File(path) = target else { return None };
+    Some(format!("{INDEX}.{}", path.extension()?.to_string_lossy()))
+}
