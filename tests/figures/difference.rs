@@ -178,38 +178,38 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-1.6, -1.2, 11.2, 8.0];
+    let view = [-2.0, -1.2, 10.4, 8.0];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     for panel in &panels {
-        // (3, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
-        let all = [(0.0, 7.0), (1.0, 3.0), (5.0, 0.0), (10.0, 2.0), (9.0, 5.0), (3.0, 7.0)];
+        // (2, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
+        let all = [(-1.0, 7.0), (1.0, 3.0), (5.0, 0.0), (9.0, 2.0), (8.0, 5.0), (2.0, 7.0)];
         let faint = |p: &Path| p.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0 && s.width < 1.5);
-        shows![panel.polygon(Difference, &all).is_some_and(faint), !panel.marker(Difference, (9.0, 5.0))];
+        shows![panel.polygon(Difference, &all).is_some_and(faint), !panel.marker(Difference, (8.0, 5.0))];
     }
     shows![
-        // b₁ − a₀ = (10, 2) is farthest to the right; then b₀ − a₁ = (0, 7), b₁ − a₂ = (5, 0) and
+        // b₁ − a₀ = (9, 2) is farthest to the right; then b₀ − a₁ = (−1, 7), b₁ − a₂ = (5, 0) and
         // b₀ − a₂ = (1, 3), which with (5, 0) is on the line 3x + 4y = 15, 3 from the origin.
-        panels[0].marker(Now, (10.0, 2.0)),
-        panels[0].arrow_toward(Translation, (0.0, 0.0), (10.0, 2.0)),
-        panels[0].text_near("$w$", (0.0, 7.0), 40.0),
-        panels[1].line(Now, (10.0, 2.0), (0.0, 7.0)).is_some(),
-        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.8, 5.6)),
+        panels[0].marker(Now, (9.0, 2.0)),
+        panels[0].arrow_toward(Translation, (0.0, 0.0), (9.0, 2.0)),
+        panels[0].text_near("$w$", (-1.0, 7.0), 40.0),
+        panels[1].line(Now, (9.0, 2.0), (-1.0, 7.0)).is_some(),
+        panels[1].arrow_toward(Translation, (0.0, 0.0), (2.6, 5.2)),
         panels[1].text_near("$w$", (5.0, 0.0), 40.0),
-        panels[2].line(Now, (0.0, 7.0), (5.0, 0.0)).is_some(),
-        panels[2].arrow_toward(Translation, (0.0, 0.0), (245.0 / 74.0, 175.0 / 74.0)),
+        panels[2].line(Now, (-1.0, 7.0), (5.0, 0.0)).is_some(),
+        panels[2].arrow_toward(Translation, (0.0, 0.0), (245.0 / 85.0, 210.0 / 85.0)),
         panels[2].text_near("$w$", (1.0, 3.0), 40.0),
-        panels[2].text_near("dropped", (10.0, 2.0), 60.0),
+        panels[2].text_near("dropped", (9.0, 2.0), 60.0),
         panels[3].line(Now, (5.0, 0.0), (1.0, 3.0)).is_some(),
         panels[3].arrow_toward(Translation, (0.0, 0.0), (1.8, 2.4)),
-        panels[3].text_near("dropped", (0.0, 7.0), 60.0),
+        panels[3].text_near("dropped", (-1.0, 7.0), 60.0),
         // The supporting line through w, square to v: x + 2y = 5 in the second.
         panels[1].through((5.0, 0.0), (1.0, 2.0)),
     ];
-    // ‖v‖ is √104, √39.2, 35/√74 and 3, and w · v/‖v‖ is 14/√104, 14/√39.2 and 22/√74: ever larger.
-    for number in ["10.2", "6.26", "4.07", "3"] {
+    // ‖v‖ is √85, 13/√5, 35/√85 and 3, and w · v/‖v‖ is 5/√85, 5/√5 and 25/√85: ever larger.
+    for number in ["9.22", "5.81", "3.8", "3"] {
         assert!(f.says(&format!(r"$\|v\| = {number}$")), "{number}");
     }
-    for number in ["1.37", "2.24", "2.56"] {
+    for number in ["0.542", "2.24", "2.71"] {
         assert!(f.says(&format!("at least ${number}$")), "{number}");
     }
 }

@@ -206,11 +206,11 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let view = [-6.8, -3.3, 6.8, 2.6];
-    let b = [(-2.5, -2.5), (-1.0, -3.0), (2.75, 2.0), (0.5, 1.5)];
+    let view = [-6.8, -3.6, 6.8, 2.4];
+    let b = [(-2.5, -2.5), (-0.6, -3.3), (3.15, 1.7), (0.5, 1.5)];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
-    // B's long edges lie on 4x - 3y = -2.5 and 5. Along (4, -3)/5, A's rim comes to 3.5 before the one, then 1.5
-    // beyond it, and leaves the other 3 behind.
+    // B's long edges lie on 4x - 3y = -2.5 and 7.5. Along (4, -3)/5, A's rim comes to 3.5 before the one, then
+    // 1.5 beyond it, and leaves the other 2.5 behind.
     let centers = [(-5.5, 1.0), (0.0, 0.0), (5.5, -1.0), (-1.65, 0.3)];
     for (panel, center) in panels.iter().zip(centers) {
         shows![
@@ -224,8 +224,8 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         f.says("apart by 3.5"),
         two.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
         f.says("overlap 1.5"),
-        three.line(Translation, (4.7, -0.4), (2.3, 1.4)).is_some(),
-        f.says("apart by 3"),
+        three.line(Translation, (4.7, -0.4), (2.7, 1.1)).is_some(),
+        f.says("apart by 2.5"),
         between.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_none()),
         between.circle(A, (5.5, -1.0), 1.0).is_some_and(|p| p.fill.is_none()),
         between.marker(Ink, (-0.85, -0.3)),

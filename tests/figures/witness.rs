@@ -108,8 +108,8 @@ fn every_figure_is_small() {
         let stem = path.file_stem().unwrap().to_string_lossy().into_owned();
         // As committed, metadata and all.
         let svg = path.with_extension("svg").metadata().unwrap().len();
-        // A third of it are outlines of letters; headline and coloured caption place some 400 of them.
-        assert!(svg <= 64_000, "{stem}: {svg} bytes");
+        // A third of it are outlines of letters; headline and coloured caption place some 500 of them.
+        assert!(svg <= 70_000, "{stem}: {svg} bytes");
         // Demos have more edges than the article's figures.
         if !stem.starts_with('0') {
             continue;

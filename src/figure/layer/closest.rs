@@ -7,10 +7,10 @@ use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::{distance_or_depth, number};
-use crate::geometry::{DVec2, Side};
+use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::difference::difference;
+use super::difference::{called, difference};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
@@ -101,7 +101,7 @@ fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
     let Some(found) = difference(context, context.difference_time()) else { return };
     let (outline, role) = (found.outline().moved(by), Role::Difference);
     sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
-    let text = format!("{} pushed out", context.named(Side::B).primed(0));
+    let text = format!("{} pushed out", called(context));
     let label = Label::new("pushed", text, Anchor::inside(&outline), role);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }

@@ -249,14 +249,18 @@ fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Opti
     }
 }
 
+/// What B ⊖ A is called, as markup.
+pub(super) fn called(context: &Context) -> String {
+    if context.has_letters() {
+        let [a, b] = Side::BOTH.map(|side| context.named(side).term());
+        return format!(r"${b} \ominus {a}$");
+    }
+    format!(r"{} $\ominus$ {}", context.name(Side::B), context.name(Side::A))
+}
+
 /// Names the difference inside it.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
-    let text = if context.has_letters() {
-        let [a, b] = Side::BOTH.map(|side| context.named(side).term());
-        format!(r"${b} \ominus {a}$")
-    } else {
-        format!(r"{} $\ominus$ {}", context.name(Side::B), context.name(Side::A))
-    };
+    let text = called(context);
     let anchor = Anchor::inside(&found.outline());
     let role = options.role(Role::Difference);
     // A part of its own, as the name must not lie on the vertices.
