@@ -27,7 +27,7 @@ use super::settings::{Flags, Projects, Settings, usual_formats};
 use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
 use super::timings::Timings;
 use super::unplanned::Unplanned;
-use super::variants::{Unvaried, scene_of, variant};
+use super::variants::{Seeds, Unvaried, scene_of, variant, varied};
 
 /// The help of `--format`.
 fn format_help() -> String {
@@ -57,6 +57,10 @@ pub(crate) struct Files {
     /// to it, or both, as STEM.question.EXT and STEM.key.EXT; default: the figure
     #[arg(long, value_delimiter = ',', value_name = "VARIANT", value_parser = variant)]
     variant: Vec<Variant>,
+    /// Variants of an exercise by number, as 7 or 1..30: other bodies near the scene's own, whose answer has
+    /// three digits at most, as STEM.07.EXT
+    #[arg(long, value_delimiter = ',', value_name = "N|FROM..TO")]
+    seed: Vec<Seeds>,
     /// How a PNG is packed: fast, or small (slower, the same pixels)
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
@@ -167,8 +171,8 @@ impl Files {
 
     /// What the command line says of all scenes.
     fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
-        let (formats, themes, variants) = (&self.format, &self.theme, &self.variant);
-        Flags { output, formats, themes, scale: self.scale, variants }
+        let (formats, themes, variants, seeds) = (&self.format, &self.theme, &self.variant, &self.seed);
+        Flags { output, formats, themes, scale: self.scale, variants, seeds }
     }
 
     /// Whether a scene is to come from standard input.
@@ -271,6 +275,9 @@ impl Files {
             key.push_str(" variant=");
             key.push_str(planned.variant.word());
         }
+        if let Some(seed) = planned.seed {
+            key.push_str(&format!(" seed={seed}"));
+        }
         fingerprint(&file.meaning, &key)
     }
 
@@ -287,15 +294,17 @@ impl Files {
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
+        let told = |unvaried: Unvaried| match unvaried {
+            Unvaried::Wrong(problems) => refuse(problems),
+            unvaried => unvaried.message(&visible(&file.source.name)),
+        };
+        let most = job.files.iter().filter_map(|planned| planned.seed).max();
+        let varied = varied(&file, most).map_err(told)?;
         let mut files: Vec<Encoded> = Vec::new();
-        for same_variant in job.files.chunk_by(|a, b| a.variant == b.variant) {
-            let scene = scene_of(&file, same_variant.first().map_or(Variant::Figure, |first| first.variant));
-            let scene = scene.map_err(|unvaried| match unvaried {
-                Unvaried::NoExercise => {
-                    format!("error: {} is no exercise: it lacks `[exercise]`\n", visible(&file.source.name))
-                }
-                Unvaried::Wrong(problems) => refuse(problems),
-            })?;
+        for same_variant in job.files.chunk_by(|a, b| (a.seed, a.variant) == (b.seed, b.variant)) {
+            let Some(first) = same_variant.first() else { continue };
+            let other = first.seed.and_then(|seed| varied.get(seed.checked_sub(1)?));
+            let scene = scene_of(other.map_or(&file, |found| &found.file), first.variant).map_err(told)?;
             let subject = Subject { job, file: &file, scene: &scene, own: own.as_deref(), ink };
             files.extend(self.encoded_variant(&subject, same_variant, messages, timings)?);
         }

@@ -1,4 +1,4 @@
-//! Which files a scene becomes: `STEM[.VARIANT][.THEME].EXT`, beside it or in a folder.
+//! Which files a scene becomes: `STEM[.SEED][.VARIANT][.THEME].EXT`, beside it or in a folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsString;
@@ -25,6 +25,8 @@ pub(crate) enum Target {
 /// One file of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Planned {
+    /// The number of the variant with other bodies; `None` is the scene itself.
+    pub(crate) seed: Option<usize>,
     /// What is drawn of the scene.
     pub(crate) variant: Variant,
     /// Name of the theme; `None` is the scene's own.
@@ -63,12 +65,12 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
     if to_stdout > 1 {
         let message = "standard output takes one file: give one scene, one `--format` and at most one \
-                       `--theme` and `--variant`";
+                       `--theme`, `--variant` and `--seed`";
         return Err(Unplanned::Usage(message.to_owned()));
     }
     if count(|destination| matches!(destination, Destination::File(_))) > 1 {
-        let message =
-            "`-o` names one file: give one scene and at most one `--theme` and `--variant`, or a folder";
+        let message = "`-o` names one file: give one scene and at most one `--theme`, `--variant` and \
+                       `--seed`, or a folder";
         return Err(Unplanned::Usage(message.to_owned()));
     }
     twins(&jobs)?;
@@ -89,15 +91,18 @@ fn files(scene: &Located, settings: &Settings) -> Vec<Planned> {
     } else {
         settings.themes.iter().map(|theme| Some(theme.name.as_str())).collect()
     };
-    let of_a_variant = |&variant| themes.iter().map(move |&theme| (variant, theme));
+    let themes = &themes;
+    let themed = |(seed, variant)| themes.iter().map(move |&theme| (seed, variant, theme));
+    let variants = |&seed: &Option<usize>| settings.variants.iter().map(move |&variant| (seed, variant));
     let mut files = Vec::new();
-    for (variant, theme) in settings.variants.iter().flat_map(of_a_variant) {
+    for (seed, variant, theme) in settings.seeds.iter().flat_map(variants).flat_map(themed) {
         for &format in &settings.formats {
             let word = Some(variant.word()).filter(|_| variant != Variant::Figure);
             let named = theme.filter(|_| settings.themes.len() > 1);
-            let target = target(scene, settings, [word, named], format.name);
+            let number = seed.map(|seed| format!("{seed:02}"));
+            let target = target(scene, settings, [number.as_deref(), word, named], format.name);
             let to_stdout = target == Target::Stdout;
-            files.push(Planned { variant, theme: theme.map(str::to_owned), format, target });
+            files.push(Planned { seed, variant, theme: theme.map(str::to_owned), format, target });
             // Of the formats that nobody asked for it takes the first.
             if to_stdout && !settings.formats_asked {
                 break;
@@ -108,7 +113,7 @@ fn files(scene: &Located, settings: &Settings) -> Vec<Planned> {
 }
 
 /// Where a file of a scene goes; `parts` of its name stand between stem and extension.
-fn target(scene: &Located, settings: &Settings, parts: [Option<&str>; 2], extension: &str) -> Target {
+fn target(scene: &Located, settings: &Settings, parts: [Option<&str>; 3], extension: &str) -> Target {
     let Located { input, below } = scene;
     let (beside, stem): (&Path, OsString) = match input {
         Input::Stdin => (Path::new(""), "stdin".into()),
@@ -229,6 +234,7 @@ mod tests {
             themes: &themes,
             scale: None,
             variants: &[],
+            seeds: &[],
         };
         let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())

@@ -13,6 +13,7 @@ use super::inputs::{Input, shown};
 use super::project::{OpenProject, nearest_file, real};
 use super::themes::{ChosenTheme, each_once, theme_in};
 use super::unplanned::Unplanned;
+use super::variants::Seeds;
 
 /// Dots of an image for each page pixel, where nobody says: sharp on today's screens.
 const USUAL_SCALE: f64 = 2.0;
@@ -30,6 +31,8 @@ pub(crate) struct Flags<'c> {
     pub(crate) scale: Option<f64>,
     /// Variants of exercises; none are the figures.
     pub(crate) variants: &'c [Variant],
+    /// Numbers of variants of exercises; none are the scenes themselves.
+    pub(crate) seeds: &'c [Seeds],
 }
 
 /// Where files go.
@@ -62,6 +65,8 @@ pub(crate) struct Settings {
     pub(crate) scale: f64,
     /// What is drawn of each scene: variants of an exercise, or its figure.
     pub(crate) variants: Vec<Variant>,
+    /// Which variants by number; `None` is the scene itself.
+    pub(crate) seeds: Vec<Option<usize>>,
     /// The page of scenes that do not say otherwise.
     pub(crate) canvas: CanvasDefaults,
     /// The theme of that page, where it is a file.
@@ -107,6 +112,7 @@ impl Settings {
             themes: each_once(themes).map_err(Unplanned::Usage)?,
             scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
             variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
+            seeds: Seeds::all(flags.seeds),
             page_theme: known.page_theme,
             canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
             project: project.map(|project| project.file.clone()),

@@ -31,6 +31,7 @@ mod source;
 mod stream;
 mod suggest;
 mod toml;
+mod varied;
 mod visible;
 
 use std::ops::Range;
@@ -58,6 +59,7 @@ pub use stream::{
     Reply, jsonl_name, open_jsonl_line, refuse_jsonl_line, refuse_long_jsonl_line, refused_bytes,
     refused_length, solve, solve_jsonl_line,
 };
+pub use varied::{Numbers, Template};
 pub use visible::visible;
 
 use crate::collision::{Algorithm, Expected, Query, QueryKind};

@@ -36,6 +36,31 @@ fn a_question_and_its_key_have_names_of_their_own() {
 }
 
 #[test]
+fn variants_by_number_are_files_of_their_own_and_the_same_however_many_are_asked_for() {
+    let folder = folder_with("s.toml", &exercise());
+    let render = |arguments: &[&str]| {
+        run(tracefig(folder.path()).args(["render", "s.toml", "--format", "svg"]).args(arguments))
+    };
+    let ran = render(&["--variant", "question,key", "--seed", "2,1..2"]);
+    let all = ["s.01.question.svg", "s.01.key.svg", "s.02.question.svg", "s.02.key.svg"];
+    assert_eq!((ran.code, ran.out.lines().collect::<Vec<_>>()), (Some(0), all.to_vec()), "{}", ran.err);
+    let read = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    let second = read("s.02.key.svg");
+    assert!(read("s.01.key.svg") != second);
+    assert_eq!(render(&["--variant", "key", "--seed", "2"]).out, "s.02.key.svg\n");
+    assert!(read("s.02.key.svg") == second);
+    assert_eq!(render(&["--variant", "key", "--seed", "1..2", "--skip-unchanged"]).out, "");
+    for wrong in ["0", "3..2", "1001", "x"] {
+        assert_eq!(render(&["--seed", wrong]).code, Some(2), "{wrong}");
+    }
+    let box_of = "kind = \"box\"\nhalf_extents = [1, 0.3]\nangle_deg = 17";
+    let turned = exercise().replacen("kind = \"circle\"\nradius = 2", box_of, 1);
+    std::fs::write(folder.path().join("s.toml"), turned).unwrap();
+    let few = render(&["--seed", "1..1000"]);
+    assert!(few.code == Some(1) && few.err.contains(" of 1000 variants have"), "{}", few.err);
+}
+
+#[test]
 fn what_is_no_exercise_or_has_no_answer_is_refused() {
     let folder = folder_with("plain.toml", CIRCLES);
     std::fs::write(folder.path().join("deep.toml"), exercise().replace("\"d\"", "\"depth\"")).unwrap();

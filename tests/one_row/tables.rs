@@ -147,6 +147,7 @@ fn layers() -> Vec<Table> {
             ("radii", "figure/exercise/quantities.rs", "a value"),
             ("radii", "figure/text/values.rs", "a value"),
             ("separation", "figure/exercise/quantities.rs", "a value"),
+            ("velocity", "figure/exercise/search.rs", "a key of a shape"),
             ("separation", "figure/text/values.rs", "a value"),
             ("closest", "scene", "a part of an answer, a word for a moment"),
             ("expected", "drift/measured.rs", "what is on disk, in a report"),

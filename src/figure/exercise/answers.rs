@@ -17,6 +17,9 @@ const BLANK: &str = "____________";
 const HALF_A_UNIT: f64 = 0.5;
 /// Digits after the first one of an answer that is given to three.
 const MORE_DIGITS: f64 = 2.0;
+/// How far a double that is told without bounds may be off its three digits, in parts of it or of 1: what the
+/// checker in `reference/` allows a normal.
+const TOLD: f64 = 1e-14;
 /// What an answer of 0 may be off: half a unit of the second decimal.
 const OFF_ZERO: f64 = 0.005;
 
@@ -53,8 +56,14 @@ impl Asked {
     /// ```
     #[must_use]
     pub fn value(&self) -> f64 {
-        let short: f64 = rounded(self.lo, self.hi).parse().unwrap_or(f64::NAN);
-        if self.lo <= short && short <= self.hi { short } else { 0.5 * (self.lo + self.hi) }
+        let off = if self.is_proved { 0.0 } else { TOLD * self.hi.abs().max(1.0) };
+        let within = self.short().filter(|&short| self.lo - off <= short && short <= self.hi + off);
+        within.unwrap_or(0.5 * (self.lo + self.hi))
+    }
+
+    /// The number of three digits at most that both bounds round to; `None` where they round apart.
+    pub(super) fn short(&self) -> Option<f64> {
+        rounded(self.lo, self.hi).parse().ok()
     }
 
     /// How far from [`Asked::value`] an answer may lie that counts as right, in the same unit: its bounds,

@@ -14,6 +14,7 @@ mod caption;
 mod givens;
 mod plan;
 mod quantities;
+mod search;
 #[cfg(test)]
 mod tests;
 mod variant;
@@ -22,4 +23,5 @@ pub use answers::Asked;
 pub(crate) use caption::{caption, spoken};
 pub use plan::{asked, task, way};
 pub use quantities::askables;
+pub use search::{Found, TooFew, search};
 pub use variant::variant;

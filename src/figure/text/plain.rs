@@ -3,7 +3,7 @@
 use crate::typeset::{Piece, characters, group, pieces, unescaped};
 
 /// LaTeX commands and what they are in plain text.
-const COMMANDS: [(&str, &str); 40] = [
+const COMMANDS: [(&str, &str); 42] = [
     ("ominus", "⊖"),
     ("oplus", "⊕"),
     ("cdot", "·"),
@@ -38,6 +38,8 @@ const COMMANDS: [(&str, &str); 40] = [
     ("infty", "∞"),
     ("ldots", "…"),
     ("circ", "°"),
+    ("cos", "cos "),
+    ("sin", "sin "),
     ("min", "min"),
     ("max", "max"),
     ("lVert", "‖"),

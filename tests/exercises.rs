@@ -1,0 +1,89 @@
+//! Keys of variants against exact arithmetic: each is the one number of three digits at most that the answer
+//! in 320 bits allows.
+//!
+//! `TRACEFIG_CASES_EXERCISES` raises the number: `TRACEFIG_CASES_EXERCISES=1000 cargo test --release --test
+//! exercises`.
+
+#![expect(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panics")]
+
+use std::path::Path;
+
+use tracefig::figure::exercise::{Asked, Found, asked, search};
+use tracefig::figure::plan;
+use tracefig::scene::open;
+use tracefig_reference::check::check;
+use tracefig_reference::json::Json;
+use tracefig_reference::scene::Scene;
+
+/// How far a told double may be off the result's, in parts of it or of 1.
+const TOLD: f64 = 1e-14;
+
+/// The part of a result that a value is, as `solve` prints it: its key, which of its numbers, its sign.
+fn part(name: &str) -> (&'static str, Option<usize>, f64) {
+    match name {
+        "separation" => ("separation", None, 1.0),
+        "depth" => ("separation", None, -1.0),
+        "time" => ("time", None, 1.0),
+        "n.x" | "hit.n.x" => ("normal", Some(0), 1.0),
+        "n.y" | "hit.n.y" => ("normal", Some(1), 1.0),
+        "h.x" => ("half_extents", Some(0), 1.0),
+        "h.y" => ("half_extents", Some(1), 1.0),
+        other => panic!("the test does not know the value {other}"),
+    }
+}
+
+/// Whether the key of a value is what the checked result says.
+fn agrees(asked: &Asked, result: &Json) -> bool {
+    let (key, index, sign) = part(asked.name);
+    let number = |key: &str, index: Option<usize>| {
+        let value = result.get(key).expect("a part of the result");
+        index.map_or(value, |i| &value.list()[i]).number().expect("a number")
+    };
+    let value = asked.value();
+    let digits = format!("{value}").bytes().filter(u8::is_ascii_digit).collect::<Vec<_>>();
+    let leading = digits.iter().take_while(|&&digit| digit == b'0').count();
+    if digits.len() - leading > 3 {
+        return false;
+    }
+    if asked.is_proved {
+        let bounds = format!("{key}_bounds");
+        let mut ends = [0, 1].map(|i| sign * number(&bounds, Some(i)));
+        ends.sort_by(f64::total_cmp);
+        return ends == [asked.lo, asked.hi] && ends[0] <= value && value <= ends[1];
+    }
+    (sign * number(key, index) - value).abs() <= TOLD * value.abs().max(1.0)
+}
+
+#[test]
+fn every_key_is_right_in_320_bits() {
+    let count =
+        std::env::var("TRACEFIG_CASES_EXERCISES").ok().and_then(|text| text.parse().ok()).unwrap_or(40);
+    let guide = Path::new(env!("CARGO_MANIFEST_DIR")).join("guide/exercises");
+    let mut scenes: Vec<_> = guide.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    scenes.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
+    scenes.sort();
+    assert!(scenes.len() >= 3, "{}", scenes.len());
+    let (mut checked, mut wrong) = (0, Vec::new());
+    for path in &scenes {
+        let file = open(path).unwrap();
+        let template = file.template();
+        let each = usize::div_ceil(count, scenes.len());
+        let found = search(&template, each).unwrap_or_else(|few| panic!("{}: {few:?}", path.display()));
+        for Found { file, .. } in found {
+            let line = file.json();
+            let answer = tracefig::solve_jsonl_line(&line, 1).line;
+            let (scene, answer) = (Scene::parse(&line).unwrap(), Json::parse(&answer).unwrap());
+            let report = check(&scene, &answer);
+            let result = answer.get("result").expect("an answer");
+            let plan = plan(&file.scene).unwrap();
+            let keys = asked(&plan);
+            let is_right = report.faults.is_empty() && keys.iter().all(|key| agrees(key, result));
+            checked += 1;
+            if !is_right || keys.is_empty() {
+                wrong.push(format!("{line}\n{keys:?}\n{:?}", report.faults));
+            }
+        }
+    }
+    println!("{checked} keys, {} wrong", wrong.len());
+    assert!(checked >= count && wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
+}
