@@ -54,8 +54,12 @@ class Knob {
             role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": inWords(value),
             "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
         };
-        const said = Object.entries(isStop ? heard : { "aria-hidden": "true" });
-        for (const [key, words] of said) this.element.setAttribute(key, words);
+        for (const [key, words] of Object.entries(heard)) {
+            if (isStop) this.element.setAttribute(key, words);
+            else this.element.removeAttribute(key);
+        }
+        if (isStop) this.element.removeAttribute("aria-hidden");
+        else this.element.setAttribute("aria-hidden", "true");
     }
 
     grab(event) {

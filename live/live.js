@@ -117,8 +117,10 @@ class Figure {
         }
     }
 
+    // What is to be set where; what the scene says already, as it says it.
     pairs(handle, value) {
-        return handle.paths.map((path) => [path, value]);
+        const own = String(value) === String(this.first.get(keyOf(handle)));
+        return handle.paths.map((path) => [path, own ? (valueAt(this.scene, path) ?? null) : value]);
     }
 
     // Every edit, with the width that the page has.
