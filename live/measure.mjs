@@ -2,6 +2,7 @@
 //
 // Bytes of the module; for each committed figure the time of a frame (edit, draw, read) as its last body is
 // dragged by a pixel a frame; how many places of a grid over its first panel are refused; memory in the end.
+// Times are processor time: what else the machine does is not in it, the threads that compile the module are.
 import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
 import { bytes, instance } from './module.mjs';
 import { figures, grid, ways } from './drags.mjs';
@@ -9,15 +10,17 @@ import { figures, grid, ways } from './drags.mjs';
 const FRAMES = 25;
 const PLACES = 13;
 
+/** Milliseconds of processor time so far. */
+const now = () => process.cpuUsage().user / 1000;
 const module = bytes(process.argv[2]);
 const brotli = brotliCompressSync(module, {
     params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24 },
 });
 const gzip = gzipSync(module, { level: 9 });
 console.log(`module: ${module.length} bytes, ${gzip.length} with gzip, ${brotli.length} with brotli`);
-let start = performance.now();
+let start = now();
 const tracefig = await instance(module);
-console.log(`compiled in ${(performance.now() - start).toFixed(0)} ms\n`);
+console.log(`compiled in ${(now() - start).toFixed(0)} ms\n`);
 
 /** The value below which a share of all lies. */
 const quantile = (values, share) => values[Math.min(values.length - 1, Math.floor(values.length * share))];
@@ -26,17 +29,17 @@ const reasons = new Map();
 const all = { times: [], places: 0, refused: 0 };
 console.log(`${'figure'.padEnd(24)}   first  median     p95   worst  refused of ${PLACES * PLACES}`);
 for (const { stem, request, path, place } of figures()) {
-    start = performance.now();
+    start = now();
     if (!tracefig.open(request) || !tracefig.draw()) throw new Error(`${stem}: ${tracefig.info().error}`);
-    const first = performance.now() - start;
+    const first = now() - start;
     const [panel] = tracefig.info().panels;
     const times = [];
     for (const to of ways(panel, place, FRAMES).flat()) {
-        start = performance.now();
+        start = now();
         if (tracefig.set([[path, to]]) && tracefig.draw()) {
             tracefig.svg();
             tracefig.info();
-            times.push(performance.now() - start);
+            times.push(now() - start);
         }
     }
     times.sort((a, b) => a - b);

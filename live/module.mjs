@@ -10,7 +10,7 @@ export function bytes(path = new URL('tracefig-live.wasm.gz', import.meta.url)) 
 
 /** An instance of a module, which asks for nothing. */
 export async function instance(module) {
-    const { exports } = await WebAssembly.instantiate(module, {});
+    const { exports } = (await WebAssembly.instantiate(module, {})).instance;
     const decoder = new TextDecoder();
     const put = (text) => {
         const from = Buffer.from(text);

@@ -225,7 +225,7 @@ impl Live {
             Look::Own => plan(scene),
             Look::Given { theme, .. } => plan_in(scene, theme),
         };
-        plan.map_err(|problems| Refusal::of_figure(&self.now.file.source, problems))
+        plan.map_err(|problems| Refusal::of_figure(&self.now.file.source, &problems))
     }
 
     /// What the scene looks like as it is now.
@@ -250,7 +250,7 @@ impl Live {
         let svg = svg_text(&drawing).map_err(|error| match error {
             OutputError::NotFinite { outer, group } => {
                 let problem = off_page(plan.scene, &outer, &group);
-                Refusal::of_figure(&self.now.file.source, vec![problem])
+                Refusal::of_figure(&self.now.file.source, &[problem])
             }
             other => Refusal::Output(other),
         })?;

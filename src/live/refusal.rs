@@ -61,8 +61,8 @@ impl Refusal {
     }
 
     /// What is wrong with a figure.
-    pub(super) fn of_figure(source: &Source, problems: Vec<Problem<figure::Fault>>) -> Self {
-        Self::first(source, &problems, "the figure")
+    pub(super) fn of_figure(source: &Source, problems: &[Problem<figure::Fault>]) -> Self {
+        Self::first(source, problems, "the figure")
     }
 
     /// The first problem: a sentence says one thing.

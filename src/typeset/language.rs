@@ -1,6 +1,6 @@
 //! The face of formulas has all that their language can say, in the measures of the face that it is cut from.
 
-use latex_rust::{MathBox, MathFont, MathStyle, layout, parse, symbols};
+use latex_rust::{Dim, MathBox, MathFont, MathStyle, layout, parse, symbols};
 
 use super::face::Loaded;
 use super::line::Face;
@@ -111,7 +111,7 @@ fn words_find_the_signs_that_their_own_face_lacks() {
 fn the_face_sets_all_that_the_language_can_say() {
     let whole = MathFont::stix_two_math().unwrap();
     let ours = Loaded::of(Face::Math).and_then(Loaded::math).unwrap();
-    let measures = |set: &MathBox| [&set.width, &set.height, &set.depth].map(|dim| dim.as_ratio());
+    let measures = |set: &MathBox| [&set.width, &set.height, &set.depth].map(Dim::as_ratio);
     let (mut count, mut wrong) = (0, Vec::new());
     for formula in formulas() {
         let Some(wanted) = set(&formula, &whole) else { continue };
