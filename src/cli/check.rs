@@ -15,9 +15,10 @@ use tracefig::scene::visible;
 
 use super::atomic_file::{Wait, clear_leftovers, write_whole};
 use super::console::Console;
-use super::files::{Drawn, Encoded, Files, Plan};
+use super::encoded::Encoded;
+use super::files::{Drawn, Files, Plan};
 use super::inputs::shown;
-use super::jobs::{Job, Planned, Target, folders_of, inputs_of};
+use super::jobs::{Job, Target, folders_of, inputs_of};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::orphans::orphans;
 use super::parallel::in_order;
@@ -231,11 +232,13 @@ impl Check {
         } else {
             checked.fail(&job.input.name(), &drawn.messages);
         }
-        for (file, encoded) in job.files.iter().zip(&drawn.files) {
-            match &file.target {
+        for encoded in &drawn.files {
+            match &encoded.target {
                 Target::File(path) => {
-                    let picture = pictures.get(path).map_or(Path::new(""), PathBuf::as_path);
-                    self.compare_one((path, picture), file, encoded, &mut checked);
+                    // How many steps there are is known when they are drawn.
+                    let of_a_step = || self.places.picture_of(path);
+                    let picture = pictures.get(path).cloned().unwrap_or_else(of_a_step);
+                    self.compare_one((path, &picture), encoded, &mut checked);
                 }
                 Target::Stdout => {
                     checked.fail("<stdin>", "error: a scene from standard input has no files to check\n");
@@ -247,13 +250,7 @@ impl Check {
 
     /// Compares a file with what lies in its place, and writes it where that is accepted; where they differ,
     /// there is then a picture of it.
-    fn compare_one(
-        &self,
-        (path, picture): (&Path, &Path),
-        file: &Planned,
-        encoded: &Encoded,
-        checked: &mut Checked,
-    ) {
+    fn compare_one(&self, (path, picture): (&Path, &Path), encoded: &Encoded, checked: &mut Checked) {
         let name = path.display().to_string();
         let on_disk = match read_regular(path, MOST_BYTES) {
             Ok(bytes) => Some(bytes),
@@ -262,10 +259,10 @@ impl Check {
                 return checked.fail(&name, &format!("error: can't read {}: {error}\n", shown(path)));
             }
         };
-        let scale = encoded.scale;
-        let rendered = Rendered { format: file.format, bytes: &encoded.bytes, scale };
+        let (format, scale) = (encoded.format, encoded.options.scale);
+        let rendered = Rendered { format, bytes: &encoded.bytes, scale };
         let (state, image) = match on_disk.as_deref() {
-            Some(old) if self.files.differs_in_stamp(file.format, old, encoded) => (State::Identical, None),
+            Some(old) if Files::differs_in_stamp(old, encoded) => (State::Identical, None),
             old => compare_and_show(old, rendered),
         };
         let mut finding = Finding::new(&name, state.word());
@@ -278,7 +275,7 @@ impl Check {
             State::Changed(change) | State::Stale(change) => {
                 let old = on_disk.unwrap_or_default();
                 let measured = measured(change, &old, encoded);
-                finding.details = details(change, (&old, file.format), encoded, &measured);
+                finding.details = details(change, (&old, format), encoded, &measured);
                 finding.measured = Some(measured);
                 if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
@@ -305,7 +302,7 @@ impl Check {
 fn measured(change: &Change, old: &[u8], encoded: &Encoded) -> Measured {
     let pixels = change.pixels().cloned();
     let elements = pixels.as_ref().and_then(|drift| drift.area).map_or_else(Vec::new, |area| {
-        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.scale);
+        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.options.scale);
         elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
     });
     Measured { bytes: [old.len(), encoded.bytes.len()], pixels, elements }

@@ -1,21 +1,12 @@
 //! From a drawing to the bytes of a file, and what is said of those that can't be.
 
-use tracefig::drawing::Drawing;
 use tracefig::drift::fingerprint;
 use tracefig::figure::{Fault, off_page};
-use tracefig::output::{Format, Options, OutputError, Writer, short_id};
+use tracefig::output::{OutputError, short_id};
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, message, visible};
 
 use super::inputs::Input;
 use super::jobs::{Job, Planned, Target};
-
-/// A drawing as a file.
-pub(crate) fn encode(drawing: &Drawing, format: &Format, options: &Options) -> Result<Vec<u8>, OutputError> {
-    match format.write {
-        Writer::One(write) => write(drawing, options),
-        Writer::Sequence(write) => write(&[drawing], options),
-    }
-}
 
 /// Adds the messages of warnings.
 pub(crate) fn warn(file: &SceneFile, warnings: &[Problem<Fault>], ink: Ink, messages: &mut String) {

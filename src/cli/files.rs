@@ -7,17 +7,18 @@ use std::sync::Arc;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::drawing::Drawing;
-use tracefig::drift::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
+use tracefig::drift::{Stamp, facts, fingerprint, restamped};
 use tracefig::figure::theme;
-use tracefig::figure::{Fault, Figure, draw, plan, plan_in};
-use tracefig::output::{FORMATS, Format, INLINE, MOST_BYTES, Options, PngEffort};
+use tracefig::figure::{Fault, Figure, draw, draw_in_steps, plan, plan_in};
+use tracefig::output::{FORMATS, INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
 
 use super::Status;
 use super::atomic_file::Wait;
-use super::encoding::{cant_encode, encode, figure_id, warn};
+use super::encoded::{Encoded, encode_all};
+use super::encoding::{cant_encode, figure_id, warn};
+use super::in_steps::StepOptions;
 use super::inputs::{find, shown};
 use super::jobs::{Job, Planned, Target, jobs};
 use super::live::{Live, live_of};
@@ -65,6 +66,9 @@ pub(crate) struct Files {
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
     png: String,
+    /// Whether figures are drawn in steps.
+    #[command(flatten)]
+    steps: StepOptions,
     /// Colours of a theme file that readers can't tell apart are warnings, not errors
     #[arg(long)]
     allow_similar: bool,
@@ -91,16 +95,6 @@ fn scale(text: &str) -> Result<f64, String> {
     let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
     let scale: f64 = text.parse().map_err(|_| expected())?;
     if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
-}
-
-/// One file, ready to be written.
-pub(crate) struct Encoded {
-    /// The file, byte for byte.
-    pub(crate) bytes: Vec<u8>,
-    /// What it shows; shared by the formats of a theme.
-    pub(crate) drawing: Arc<Drawing>,
-    /// Dots of an image for each page pixel.
-    pub(crate) scale: f64,
 }
 
 /// A scene's files, or what is wrong.
@@ -172,7 +166,8 @@ impl Files {
     /// What the command line says of all scenes.
     fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
         let (formats, themes, variants, seeds) = (&self.format, &self.theme, &self.variant, &self.seed);
-        Flags { output, formats, themes, scale: self.scale, variants, seeds }
+        let steps = self.steps.files();
+        Flags { output, formats, themes, scale: self.scale, steps, variants, seeds }
     }
 
     /// Whether a scene is to come from standard input.
@@ -239,7 +234,10 @@ impl Files {
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
             let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            let hash = self.hash((job, planned), &file, theme);
+            if job.settings.steps_apart(planned.format) {
+                return false;
+            }
+            let hash = self.hash(planned, &file, theme, &self.options(job, planned));
             let stamp =
                 read_regular(path, MOST_BYTES).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
             stamp.is_some_and(|stamp| stamp.is_of(&hash))
@@ -261,24 +259,10 @@ impl Files {
 
     /// Whether a file shows what it should and only says of itself that it was drawn from another text, or by
     /// another version.
-    pub(crate) fn differs_in_stamp(&self, format: &'static Format, old: &[u8], now: &Encoded) -> bool {
+    pub(crate) fn differs_in_stamp(old: &[u8], now: &Encoded) -> bool {
+        let format = now.format;
         let Some(stamp) = Stamp::read(format, old).filter(|_| old != now.bytes) else { return false };
-        let options = Options { scale: now.scale, png: self.effort() };
-        encode(&restamped(&now.drawing, &stamp), format, &options).is_ok_and(|bytes| bytes == old)
-    }
-
-    /// The hash of a file's scene and of all that its bytes depend on besides.
-    fn hash(&self, (job, planned): (&Job, &Planned), file: &SceneFile, theme: &str) -> String {
-        let format = live_of(self.live, planned).map_or(planned.format, |_| &INLINE);
-        let mut key = format.key(theme, &self.options(job));
-        if planned.variant != Variant::Figure {
-            key.push_str(" variant=");
-            key.push_str(planned.variant.word());
-        }
-        if let Some(seed) = planned.seed {
-            key.push_str(&format!(" seed={seed}"));
-        }
-        fingerprint(&file.meaning, &key)
+        format.encode(&restamped(&now.drawing, &stamp), &now.options).is_ok_and(|bytes| bytes == old)
     }
 
     /// The files of a scene, or what is wrong.
@@ -336,7 +320,8 @@ impl Files {
             let other = (theme.text, theme.strokes) != (plan.theme.text, plan.theme.strokes);
             let planned_anew = if other { Some(plan_in(scene, theme).map_err(refuse)?) } else { None };
             let plan = planned_anew.as_ref().unwrap_or(&plan);
-            let Figure { mut drawing, warnings, .. } = draw(plan, theme, &figure_id(job, first));
+            let make = if job.settings.steps.is_some() { draw_in_steps } else { draw };
+            let Figure { drawing, warnings, .. } = make(plan, theme, &figure_id(job, first));
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings).into());
@@ -354,32 +339,41 @@ impl Files {
             }
             // Drawing a plan says which events are shown.
             let facts = facts(plan);
-            let mut all_bytes = Vec::new();
-            for planned in same_theme {
-                let key = chosen.map_or(theme.name, |chosen| &chosen.key);
-                let hash = self.hash((job, planned), file, key);
-                drawing.hash = text_chunk(&hash);
-                drawing.metadata = metadata(&hash, &facts);
-                let encoded = match live_of(self.live, planned) {
-                    Some(live) => live.page(&drawing, (job, file), &planned.target, chosen),
-                    None => encode(&drawing, planned.format, &self.options(job)),
-                };
-                all_bytes.push(encoded.map_err(|error| cant_encode(file, planned, &error, ink))?);
-                timings.lap(planned.format.name);
-            }
-            let drawing = Arc::new(drawing);
-            files.extend(all_bytes.into_iter().map(|bytes| Encoded {
-                bytes,
-                drawing: Arc::clone(&drawing),
-                scale: job.settings.scale,
-            }));
+            let key = chosen.map_or(theme.name, |chosen| &chosen.key);
+            let asked = |planned: &Planned| {
+                let options = self.options(job, planned);
+                (options, self.hash(planned, file, key, &options))
+            };
+            let encode = |drawing: &_, planned: &Planned, options: &_| match live_of(self.live, planned) {
+                Some(live) => live.page(drawing, (job, file), &planned.target, chosen),
+                None => planned.format.encode(drawing, options),
+            };
+            let same_theme = (same_theme, job.settings.steps);
+            let made = encode_all(drawing, same_theme, &facts, (asked, encode), timings);
+            let made = made.map_err(|(planned, error)| cant_encode(file, planned, &error, ink))?;
+            files.extend(made);
         }
         Ok(files)
     }
 
-    /// What is asked of the formats.
-    fn options(&self, job: &Job) -> Options {
-        Options { scale: job.settings.scale, png: self.effort() }
+    /// The hash of a file's scene and of all that its bytes depend on besides.
+    fn hash(&self, planned: &Planned, file: &SceneFile, theme: &str, options: &Options) -> String {
+        let format = live_of(self.live, planned).map_or(planned.format, |_| &INLINE);
+        let mut key = format.key(theme, options);
+        if planned.variant != Variant::Figure {
+            key.push_str(" variant=");
+            key.push_str(planned.variant.word());
+        }
+        if let Some(seed) = planned.seed {
+            key.push_str(&format!(" seed={seed}"));
+        }
+        fingerprint(&file.meaning, &key)
+    }
+
+    /// What is asked of the format of a file.
+    fn options(&self, job: &Job, planned: &Planned) -> Options {
+        let steps = self.steps.in_one(job.settings.steps, planned.format);
+        Options { scale: job.settings.scale, png: self.effort(), steps }
     }
 
     /// How a PNG is packed.

@@ -11,6 +11,7 @@ use tracefig::scene::Variant;
 use super::inputs::{Input, Located, shown};
 use super::outputs::{Kept, one_name};
 use super::settings::{Destination, Projects, Settings};
+use super::step_files::PART;
 use super::unplanned::Unplanned;
 
 /// Where a file goes.
@@ -63,7 +64,11 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
         jobs.iter().filter(|job| is(&job.settings.destination)).map(|job| job.files.len()).sum::<usize>()
     };
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
-    if to_stdout > 1 {
+    let apart = jobs.iter().any(|job| {
+        let to_stdout = |file: &&Planned| file.target == Target::Stdout;
+        job.files.iter().filter(to_stdout).any(|file| job.settings.steps_apart(file.format))
+    });
+    if to_stdout > 1 || apart {
         let message = "standard output takes one file: give one scene, one `--format` and at most one \
                        `--theme`, `--variant` and `--seed`";
         return Err(Unplanned::Usage(message.to_owned()));
@@ -133,7 +138,8 @@ fn target(scene: &Located, settings: &Settings, parts: [Option<&str>; 3], extens
         }
     };
     let mut name = stem;
-    for part in parts.into_iter().flatten().chain([extension]) {
+    let steps = settings.steps.map(|_| PART);
+    for part in parts.into_iter().flatten().chain(steps).chain([extension]) {
         name.push(".");
         name.push(part);
     }
@@ -235,6 +241,7 @@ mod tests {
             scale: None,
             variants: &[],
             seeds: &[],
+            steps: None,
         };
         let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())

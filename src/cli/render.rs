@@ -107,7 +107,7 @@ impl Runs for Render {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
             } else {
-                write_files(job, self.files.draw(job, ink), self.files.wait())
+                write_files(self.files.draw(job, ink), self.files.wait())
             }
         };
         in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
@@ -168,7 +168,7 @@ impl Render {
                 }
             };
             let work = |line: &Drawable| match line {
-                Drawable::Job(job) => write_files(job, self.files.draw(job, ink), self.files.wait()),
+                Drawable::Job(job) => write_files(self.files.draw(job, ink), self.files.wait()),
                 Drawable::Refused(messages) => Written::refused(messages.clone()),
             };
             in_order(&batch, self.files.threads(), work, |line, written| -> io::Result<()> {

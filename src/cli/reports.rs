@@ -83,6 +83,14 @@ impl Places {
         }
     }
 
+    /// Where the picture of a figure goes that was not planned.
+    pub(crate) fn picture_of(&self, figure: &Path) -> PathBuf {
+        let mut name = figure.file_name().unwrap_or_default().to_owned();
+        name.push(".");
+        name.push(TRIPTYCH_FORMAT.name);
+        self.output.join(name)
+    }
+
     /// Where the picture of each figure goes; `kept` are the files that the run reads, and `json` is whether
     /// the findings go to standard output as JSON.
     ///

@@ -11,6 +11,7 @@ use tracefig::scene::{CanvasDefaults, Fault, Spanned, Variant};
 
 use super::inputs::{Input, shown};
 use super::project::{OpenProject, nearest_file, real};
+use super::step_files::StepFiles;
 use super::themes::{ChosenTheme, each_once, theme_in};
 use super::unplanned::Unplanned;
 use super::variants::Seeds;
@@ -33,6 +34,8 @@ pub(crate) struct Flags<'c> {
     pub(crate) variants: &'c [Variant],
     /// Numbers of variants of exercises; none are the scenes themselves.
     pub(crate) seeds: &'c [Seeds],
+    /// What steps become; none where it does not ask for them.
+    pub(crate) steps: Option<StepFiles>,
 }
 
 /// Where files go.
@@ -67,6 +70,8 @@ pub(crate) struct Settings {
     pub(crate) variants: Vec<Variant>,
     /// Which variants by number; `None` is the scene itself.
     pub(crate) seeds: Vec<Option<usize>>,
+    /// What the steps of a figure become; none draws the finished figure alone.
+    pub(crate) steps: Option<StepFiles>,
     /// The page of scenes that do not say otherwise.
     pub(crate) canvas: CanvasDefaults,
     /// The theme of that page, where it is a file.
@@ -113,6 +118,7 @@ impl Settings {
             scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
             variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
             seeds: Seeds::all(flags.seeds),
+            steps: flags.steps.or(known.steps),
             page_theme: known.page_theme,
             canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
             project: project.map(|project| project.file.clone()),
@@ -123,6 +129,11 @@ impl Settings {
     /// The theme of that name, where it was asked for.
     pub(crate) fn theme(&self, name: Option<&str>) -> Option<&ChosenTheme> {
         self.themes.iter().find(|chosen| Some(chosen.name.as_str()) == name)
+    }
+
+    /// Whether each step of a figure becomes a file of its own in a format.
+    pub(crate) fn steps_apart(&self, format: &Format) -> bool {
+        self.steps.is_some_and(|files| files.are_apart(format))
     }
 
     /// The folder of a scene's files within the output folder; `below` is where the scene was found below
@@ -223,6 +234,8 @@ struct FromProject {
     themes: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel.
     scale: Option<f64>,
+    /// What the steps of a figure become; none where it does not ask for them.
+    steps: Option<StepFiles>,
     /// The theme of its page, where it is a file.
     page_theme: Option<Arc<ChosenTheme>>,
 }
@@ -243,6 +256,7 @@ impl FromProject {
             formats: formats.collect::<Result<_, _>>()?,
             themes: themes.collect::<Result<_, _>>()?,
             scale: said.scale.as_ref().map(|scale| scale.value),
+            steps: said.steps.as_deref().and_then(StepFiles::of_word),
             page_theme: page_theme.filter(|theme| theme.file.is_some()).map(Arc::new),
         })
     }

@@ -130,7 +130,7 @@ impl Watch {
         let ink = console.ink();
         let work = |job: &Job| {
             let is_current = self.files.is_current(job);
-            (!is_current).then(|| write_files(job, self.files.draw(job, ink), self.files.wait()))
+            (!is_current).then(|| write_files(self.files.draw(job, ink), self.files.wait()))
         };
         in_order(&plan.jobs, self.files.threads(), work, |job, written| {
             let name = job.input.shown();

@@ -6,9 +6,10 @@ use std::path::Path;
 use super::Status;
 use super::atomic_file::{Wait, write_whole};
 use super::console::Console;
-use super::files::{Drawn, Encoded};
+use super::encoded::Encoded;
+use super::files::Drawn;
 use super::inputs::shown;
-use super::jobs::{Job, Target};
+use super::jobs::Target;
 use super::timings::Timings;
 
 /// What became of a job.
@@ -59,12 +60,12 @@ impl Written {
     }
 }
 
-/// Writes the files of a job.
-pub(crate) fn write_files(job: &Job, drawn: Drawn, wait: Wait) -> Written {
+/// Writes the files of a scene.
+pub(crate) fn write_files(drawn: Drawn, wait: Wait) -> Written {
     let Drawn { files, messages, status, timings } = drawn;
     let mut written = Written { messages, status, timings, ..Written::nothing() };
-    for (file, Encoded { bytes, .. }) in job.files.iter().zip(files) {
-        match &file.target {
+    for Encoded { bytes, target, .. } in files {
+        match &target {
             Target::Stdout => written.picture = bytes,
             Target::File(path) => match write_whole(path, &bytes, wait) {
                 Ok(()) => written.names.push(shown(path)),

@@ -33,6 +33,14 @@ impl Item {
     }
 }
 
+/// Whether a step takes away something of an item.
+fn takes_away(item: &Item) -> bool {
+    match item {
+        Item::Group(group) => group.items.iter().any(takes_away),
+        Item::Path(Path { shown, .. }) | Item::Text(Text { shown, .. }) => shown.until.is_some(),
+    }
+}
+
 /// Leaves only what `keep` keeps, at any depth, and no group that lost all it had.
 fn retain(items: &mut Vec<Item>, keep: &impl Fn(Shown) -> bool) {
     items.retain_mut(|item| match item {
@@ -69,6 +77,11 @@ impl Drawing {
         let mut drawing = self.clone();
         retain(&mut drawing.items, &|shown| shown.at(step));
         drawing
+    }
+
+    /// Whether a step takes something away.
+    pub(crate) fn takes_away(&self) -> bool {
+        self.items.iter().any(takes_away)
     }
 
     /// The finished figure: without what a step took away.

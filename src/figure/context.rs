@@ -9,6 +9,7 @@ use crate::collision::{Answer, Outcome, Separation};
 use crate::geometry::{Body, DVec2, Enclosure, Pose, Side};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
+use crate::trace::step::advanced;
 
 use super::cue::Cue;
 use super::moving_frame::MovingFrame;
@@ -319,16 +320,20 @@ impl Context<'_> {
     /// The cue with which a moment is known; `None` for one that needs no answer.
     #[must_use]
     pub(crate) fn known(&self, when: &When) -> Option<Cue> {
-        let advanced = |k: usize| {
+        let left = |k: usize| {
             let run = self.run();
-            run.last_cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k))
+            let cue = run.last_cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
+            cue.map(|cue| cue.part(advanced::NEXT))
         };
         match when {
             When::Time(_) | When::Start | When::End => None,
             When::Hit => Some(self.answered()),
             When::Closest => self.cue(|event| matches!(event, Event::ClosestApproachFound { .. })),
-            When::Bound => self.first_step()?.last_cue(|event| matches!(event, Event::Advanced { .. })),
-            When::Step(k) => advanced(k.checked_sub(1)?),
+            When::Bound => {
+                let cue = self.first_step()?.last_cue(|event| matches!(event, Event::Advanced { .. }));
+                cue.map(|cue| cue.part(advanced::NEXT))
+            }
+            When::Step(k) => left(k.checked_sub(1)?),
         }
     }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Point, Role, Stroke};
 
-use crate::scene::{Background, Variant};
+use crate::scene::{Background, Space, Variant};
 
 use super::describe;
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
@@ -225,7 +225,8 @@ impl Panels {
             insets.extend(inset);
             items.push(Item::Group(group));
             items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
-            scopes.push(Scope { items: begin..items.len(), cues, base });
+            let shows_bodies = panel.source.space != Space::Configuration;
+            scopes.push(Scope { items: begin..items.len(), cues, base, shows_bodies });
             panels.push(labelled);
         }
         Self { items, scopes, panels, insets, handles, points, share }

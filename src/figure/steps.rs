@@ -9,7 +9,7 @@ use crate::trace::{self, Event, step};
 
 use super::cue::{Cue, Teller};
 use super::describe;
-use super::runs::{Run, Runs};
+use super::runs::{Run, Runs, tells_difference};
 
 /// Items of a page that share their cues: a panel and its title.
 pub(super) struct Scope {
@@ -19,6 +19,8 @@ pub(super) struct Scope {
     pub(super) cues: Vec<Cue>,
     /// With what the panel as a whole comes; none for one that is there from the start.
     pub(super) base: Option<Cue>,
+    /// Whether it shows the bodies: else B ⊖ A is what there is to begin with.
+    pub(super) shows_bodies: bool,
 }
 
 impl Scope {
@@ -47,7 +49,13 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
     let mut steps = vec![first(scene, &runs)];
     let mut numbers = Vec::with_capacity(told.len());
     let mut is_open = false;
+    let has_bodies = scopes.iter().any(|scope| scope.shows_bodies);
     for (i, this) in told.iter().enumerate() {
+        if this.is_given && !has_bodies && steps.len() == 1 {
+            numbers.push(1);
+            steps[0].sentences.push(this.sentence.clone());
+            continue;
+        }
         if !is_open {
             steps.push(Step::default());
         }
@@ -107,6 +115,8 @@ struct Told {
     sentence: String,
     /// Whether a step ends with it.
     ends: bool,
+    /// Whether it is B ⊖ A as another algorithm knows it.
+    is_given: bool,
 }
 
 impl Told {
@@ -115,7 +125,9 @@ impl Told {
         let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
         let names = scene.names();
         let title = step::title(event, cue.part, &names);
-        let told = |title, sentence| Self { cue, title, sentence, ends: step::ends_step(event) };
+        let is_given = cue.teller != Teller::Own && tells_difference(event);
+        let ends = step::ends_step(event);
+        let told = |title, sentence| Self { cue, title, sentence, ends, is_given };
         Some(match event {
             Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
                 if is_whole(&cue) && run.events().any(tells_edge) =>
@@ -125,7 +137,11 @@ impl Told {
                 let sentence = format!("{title} has {edges} edges.");
                 told(title, sentence)
             }
-            Event::Finished { .. } => told(title, describe::sentence(scene, run)),
+            Event::Finished { .. } => {
+                let of_a_moment = cue.teller == Teller::OtherQuestion;
+                let title = if of_a_moment { step::title_at(cue.asked) } else { title };
+                told(title, describe::sentence(scene, run))
+            }
             _ => told(title, step::sentence_of_part(event, cue.part, &names)),
         })
     }
@@ -179,5 +195,27 @@ mod tests {
             of_the_article += usize::from(number);
         }
         assert_eq!(of_the_article, 8);
+    }
+
+    #[test]
+    fn what_a_figure_is_about_comes_event_by_event_and_what_it_is_given_as_a_whole() {
+        let titles = |algorithm: &str, layers: &str| -> Vec<String> {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 1]] }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [6, 1] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = '{algorithm}' }}
+                panels = [{layers}]"
+            );
+            let scene = open_text("s", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let steps = draw_in_steps(&plan, plan.theme, "f").drawing.steps;
+            steps.into_iter().map(|step| step.title).collect()
+        };
+        let both = "{ layers = ['shapes'] }, { space = 'configuration', layers = ['difference'] }";
+        let edges = ["The question", "Edge 0 of A", "Edge 1 of A", "Edge 2 of A", "B - A"];
+        assert_eq!(titles("minkowski", both), edges);
+        assert_eq!(titles("gjk", both), ["The question", "B - A"]);
+        // Without the bodies there would be nothing to begin with.
+        assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
     }
 }

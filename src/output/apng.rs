@@ -7,8 +7,9 @@
 //! opens that (image-rs/image-png, issue 411; mended since).
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
+use super::hold::holds;
 use super::png::{BRACKET, KEYWORD, READER, encoder};
-use super::{Depends, Format, Options, OutputError, PngEffort, Writer, raster};
+use super::{Depends, Format, InSteps, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
 /// The row of the table. Its files are read as any viewer of PNG shows them: by the first frame.
@@ -18,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
+    in_steps: Some(write_steps),
     bracket: BRACKET,
     read: Some(READER),
     live: None,
@@ -35,7 +37,29 @@ const MILLISECONDS: u16 = 1000;
 /// How many times the sequence is played: 0 stands for without end.
 const PLAYS: u32 = 0;
 
+/// How many times steps are played: the last one stays.
+const ONCE: u32 = 1;
+
 fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputError> {
+    let last = drawings.len().saturating_sub(1);
+    let times: Vec<u16> = (0..drawings.len()).map(|i| if i == last { LAST_FRAME } else { FRAME }).collect();
+    animation(drawings, &times, PLAYS, options)
+}
+
+/// Writes a frame for each step, played once: the figure stays.
+fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
+    let steps: Vec<Drawing> = (1..=drawing.steps.len()).map(|step| drawing.at_step(step)).collect();
+    let times = holds(drawing, in_steps).into_iter().map(|time| u16::try_from(time).unwrap_or(u16::MAX));
+    animation(&steps.iter().collect::<Vec<_>>(), &times.collect::<Vec<_>>(), ONCE, options)
+}
+
+/// An animation of drawings, each shown for some milliseconds.
+fn animation(
+    drawings: &[&Drawing],
+    times: &[u16],
+    plays: u32,
+    options: &Options,
+) -> Result<Vec<u8>, OutputError> {
     let [first, ..] = drawings else { return Err(OutputError::Sequence) };
     if drawings.iter().any(|drawing| (drawing.width, drawing.height) != (first.width, first.height)) {
         return Err(OutputError::Sequence);
@@ -48,14 +72,13 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
         encoder.set_color(png::ColorType::Rgba);
     }
     let refused = |error| OutputError::encoder(&error);
-    encoder.set_animated(count, PLAYS).map_err(refused)?;
+    encoder.set_animated(count, plays).map_err(refused)?;
     if !first.hash.is_empty() {
         encoder.add_text_chunk(KEYWORD.to_owned(), first.hash.clone()).map_err(refused)?;
     }
     let mut writer = encoder.write_header().map_err(refused)?;
-    for (i, drawing) in drawings.iter().enumerate() {
-        let time = if i + 1 == drawings.len() { LAST_FRAME } else { FRAME };
-        writer.set_frame_delay(time, MILLISECONDS).map_err(refused)?;
+    for (drawing, time) in drawings.iter().zip(times) {
+        writer.set_frame_delay(*time, MILLISECONDS).map_err(refused)?;
         writer.write_image_data(&frame(drawing, options.scale, is_clear)?).map_err(refused)?;
     }
     writer.finish().map_err(refused)?;

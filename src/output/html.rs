@@ -5,13 +5,12 @@
 //! SVG is inline, so that the reader's dark switch reaches it; the long text stands below for everyone,
 //! as what is drawn is for some only there. Nothing is loaded from elsewhere and nothing runs.
 
-use std::fmt::Write as _;
-
 use super::live_page;
-use super::page_colors::{colored, push_schemes};
 use super::svg::{Sheet, document, read};
 use super::xml::escape;
-use super::{Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
+use super::{
+    Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, page, stepper, validity,
+};
 use crate::drawing::Drawing;
 
 /// The row of the table.
@@ -21,56 +20,28 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
+    in_steps: Some(stepper::write),
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</html>".as_slice(), b"-->"] },
     // The words around the picture count too, so pages are compared as texts.
     read: Some(Reader { stamp, picture: None }),
     live: Some(live_page::write),
 };
 
-/// Style sheet of the page around the picture: that may shrink to a narrow window but not grow.
-const STYLE: &str = "body{margin:0 auto;padding:1rem;font:1rem/1.5 system-ui,sans-serif}\
-                     figure{margin:0}svg{max-width:100%;height:auto}figcaption{max-width:45rem}";
-
 /// What the picture inside a page says of itself.
 fn stamp(bytes: &[u8]) -> Option<Stamped> {
     read::stamp(read::inside(bytes)?)
 }
 
-/// Appends the style sheet of the page around the picture.
-fn push_style(out: &mut String, drawing: &Drawing) {
-    let _ = write!(out, "{STYLE}{}", colored(drawing));
-}
-
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    let mut out = String::from("<!DOCTYPE html>\n<html lang=\"");
-    escape(&mut out, drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG));
-    out.push_str("\">\n<head>\n<meta charset=\"utf-8\">\n");
-    out.push_str("<meta name=\"viewport\" content=\"width=device-width\">\n");
-    push_schemes(&mut out, drawing);
-    // A page that asks for nothing says so: even a text that became markup could load and run nothing.
-    out.push_str("<meta http-equiv=\"Content-Security-Policy\" ");
-    out.push_str("content=\"default-src 'none'; style-src 'unsafe-inline'\">\n");
-    let [of_title, of_desc] = drawing.languages_of_words();
-    open(&mut out, "title", of_title);
-    escape(&mut out, &drawing.title);
-    out.push_str("</title>\n<style>");
-    push_style(&mut out, drawing);
+    let [_, of_desc] = drawing.languages_of_words();
+    let mut out = page::head(drawing, page::NO_SCRIPT);
     out.push_str("</style>\n</head>\n<body>\n<figure>\n");
     out.push_str(&document(drawing, Sheet::Inside));
-    open(&mut out, "figcaption", of_desc);
+    page::open(&mut out, "figcaption", of_desc);
     escape(&mut out, &drawing.desc);
     out.push_str("</figcaption>\n</figure>\n</body>\n</html>\n");
     Ok(out.into_bytes())
-}
-
-/// The start of an element, with its language where that is not the page's.
-fn open(out: &mut String, name: &str, lang: Option<&str>) {
-    out.extend(["<", name]);
-    if let Some(lang) = lang {
-        out.extend([" lang=\"", lang, "\""]);
-    }
-    out.push('>');
 }
 
 #[cfg(test)]

@@ -8,15 +8,19 @@ mod apng;
 mod base64;
 mod curves;
 mod gallery;
+mod gif;
+mod hold;
 mod html;
 mod live_page;
 mod number;
+mod page;
 mod page_colors;
 mod pdf;
 mod picture;
 mod png;
 mod raster;
 mod sha256;
+mod stepper;
 mod svg;
 mod validity;
 mod xml;
@@ -50,6 +54,8 @@ pub struct Format {
     pub(crate) depends: Depends,
     /// How a drawing becomes its bytes.
     pub write: Writer,
+    /// How all steps of a drawing become one file; none where a file has room for one of them only.
+    pub(crate) in_steps: Option<InStepsWriter>,
     /// How its files begin and end.
     pub(crate) bracket: Bracket,
     /// How a page is written whose figure a reader can drag; `None` where the format has no such pages.
@@ -70,6 +76,8 @@ pub enum Writer {
 
 /// Writes a page whose figure a reader can drag.
 pub type WriteLive = fn(&Drawing, &LivePage<'_>) -> Result<Vec<u8>, OutputError>;
+/// Makes one file of all steps of a drawing.
+pub(crate) type InStepsWriter = fn(&Drawing, &Options, InSteps) -> Result<Vec<u8>, OutputError>;
 
 /// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another
 /// option.
@@ -117,7 +125,8 @@ pub(crate) enum Stamped {
 }
 
 /// Every format.
-pub const FORMATS: [Format; 5] = [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT];
+pub const FORMATS: [Format; 6] =
+    [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT, gif::FORMAT];
 
 /// The format of the picture inside a live page.
 pub const INLINE: Format = svg::FORMAT;
@@ -151,12 +160,54 @@ impl Format {
     /// ```
     #[must_use]
     pub fn key(&self, theme: &str, options: &Options) -> String {
-        let Options { scale, png } = options;
-        let page = page_key(self.name, theme);
+        let Options { scale, png, steps } = options;
+        let page = page_key(self.name, theme) + &steps.map_or_else(String::new, InSteps::key);
         match self.depends {
             Depends::Page => page,
             Depends::Pixels => format!("{page} scale={scale}"),
             Depends::Packing => format!("{page} scale={scale} png={}", png.word()),
+        }
+    }
+
+    /// Whether one file of this format can hold all steps of a drawing. Of the others each step is a file.
+    ///
+    /// ```
+    /// use tracefig::output::format;
+    /// assert!(format("svg").unwrap().holds_steps() && !format("png").unwrap().holds_steps());
+    /// ```
+    #[must_use]
+    pub fn holds_steps(&self) -> bool {
+        self.in_steps.is_some()
+    }
+
+    /// A drawing as a file of this format: the finished figure, or all its steps where the options say so and
+    /// [`Format::holds_steps`].
+    ///
+    /// # Errors
+    ///
+    /// As [`OutputError`] says.
+    ///
+    /// ```
+    /// use tracefig::{figure::{draw_in_steps, plan}, output::{InSteps, Options, format}, scene::open_text};
+    /// let text = "shapes.A = { kind = 'circle', radius = 2 }\nquery = { kind = 'bounds', of = ['A'] }";
+    /// let file = open_text("s.toml", text)?;
+    /// let plan = plan(&file.scene).unwrap();
+    /// let drawing = draw_in_steps(&plan, plan.theme, "f").drawing;
+    /// let options = Options { steps: Some(InSteps::default()), ..Options::default() };
+    /// let svg = format("svg").unwrap().encode(&drawing, &options)?;
+    /// assert!(String::from_utf8(svg)?.contains("<g data-step=\"2\">"));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn encode(&self, drawing: &Drawing, options: &Options) -> Result<Vec<u8>, OutputError> {
+        if let (Some(in_steps), Some(write)) = (options.steps, self.in_steps) {
+            return write(drawing, options, in_steps);
+        }
+        if drawing.takes_away() {
+            return self.encode(&drawing.clone().finished(), &Options { steps: None, ..*options });
+        }
+        match self.write {
+            Writer::One(write) => write(drawing, options),
+            Writer::Sequence(write) => write(&[drawing], options),
         }
     }
 }
@@ -173,12 +224,31 @@ pub struct Options {
     pub scale: f64,
     /// How a PNG is packed.
     pub png: PngEffort,
+    /// How all steps of a figure are written; none writes the finished figure.
+    pub steps: Option<InSteps>,
 }
 
 impl Default for Options {
     /// Twice the page's size, packed fast.
     fn default() -> Self {
-        Self { scale: 2.0, png: PngEffort::Fast }
+        Self { scale: 2.0, png: PngEffort::Fast, steps: None }
+    }
+}
+
+/// How the steps of a figure are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InSteps {
+    /// Whether the parts of an SVG are fragments of reveal.js.
+    pub fragments: bool,
+    /// Seconds that an animation shows each step; none goes by the length of what a step says.
+    pub hold: Option<f64>,
+}
+
+impl InSteps {
+    /// What tells it apart in the key of a file.
+    fn key(self) -> String {
+        let hold = self.hold.map_or_else(|| "read".to_owned(), |seconds| seconds.to_string());
+        format!(" steps fragments={} hold={hold}", self.fragments)
     }
 }
 

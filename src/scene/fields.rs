@@ -12,6 +12,9 @@ use super::limits::{
     MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_SCALE, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
 };
 
+/// The words for what the steps of a figure become: one file with all of them, or a file each.
+pub const STEP_FILES: [&str; 2] = ["one", "files"];
+
 /// A key of a table in a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
@@ -296,6 +299,11 @@ pub(super) static RENDER: TableRows = TableRows {
             "scale",
             Holds::Number { min: 0.0, max: MAX_SCALE },
             "dots of an image for each page pixel; default 2",
+        ),
+        may(
+            "steps",
+            Holds::Word { what: "kind of files", known: || STEP_FILES.map(str::to_owned).to_vec() },
+            "the steps of a figure, in one file or in files; default: the finished figure",
         ),
     ],
 };

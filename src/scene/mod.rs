@@ -40,7 +40,7 @@ pub use answer::{answer_json, answer_text};
 pub use canvas::{Background, Canvas, Height};
 pub use codes::{ERRORS, ErrorCode};
 pub use exercise::{Exercise, Variant};
-pub use fields::{Field, PROJECT_TABLES, TABLES, TableRows, shape_rows};
+pub use fields::{Field, PROJECT_TABLES, STEP_FILES, TABLES, TableRows, shape_rows};
 pub use holds::Holds;
 pub(crate) use labels::COMPASS;
 pub use live::{Drag, Grip, Live};

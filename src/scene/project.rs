@@ -27,6 +27,9 @@ pub struct Project {
     pub themes: Vec<Spanned<String>>,
     /// Dots of an image for each page pixel.
     pub scale: Option<Spanned<f64>>,
+    /// What the steps of a figure become, one of [`STEP_FILES`](super::STEP_FILES); the finished figure alone
+    /// where it is `None`.
+    pub steps: Option<String>,
     /// The page of scenes that do not say otherwise.
     pub canvas: CanvasDefaults,
 }
@@ -76,6 +79,7 @@ fn read(root: &Node, p: &mut Problems) -> Option<Project> {
         project.formats = words(&render, "formats", p);
         project.themes = words(&render, "themes", p);
         project.scale = render.number("scale");
+        project.steps = render.text("steps").map(|word| word.value);
     }
     Some(project)
 }

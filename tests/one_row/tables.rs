@@ -57,7 +57,9 @@ fn outer() -> Vec<Table> {
             names: names(&mut tracefig::output::FORMATS.iter().map(|f| f.name)),
             finds: has_word,
             other_meanings: &[
-                ("svg", "output/html.rs", "the element inside a page"),
+                ("svg", "output/page.rs", "the element inside a page"),
+                ("html", "output/page.rs", "the element around a page"),
+                ("html", "output/stepper", "the element around a page"),
                 ("png", "output/mod.rs", "the option `--png`"),
                 ("html", "cli/mdbook.rs", "the renderer of mdBook whose pages take elements"),
                 ("svg", "cli/book/colors.rs", "the element inside a page"),

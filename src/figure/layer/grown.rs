@@ -98,16 +98,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     } else {
         Vec::new()
     };
-    sketch.part("grown-edges");
-    for edge in &found.edges {
-        let (from, to) = found.drawn(edge);
-        draw_edge(
-            sketch.since(cues.of(edge)),
-            edge.source,
-            (turned(from), turned(to)),
-            Pen::outline(edge.source.into()),
-        );
-    }
+    edges(sketch, &found, &cues, turned);
     sketch.since(None).part("around");
     for place in around {
         sketch.marker(place, Marker::Square, Role::B, SMALL_MARKER);
@@ -120,6 +111,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
     sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));
+}
+
+/// Draws the edges of B ⊖ A where they are once it is turned.
+fn edges(sketch: &mut Sketch, found: &Difference, cues: &EdgeCues, turned: impl Fn(DVec2) -> DVec2) {
+    sketch.part("grown-edges");
+    for edge in &found.edges {
+        let (from, to) = found.drawn(edge);
+        draw_edge(
+            sketch.since(cues.of(edge)),
+            edge.source,
+            (turned(from), turned(to)),
+            Pen::outline(edge.source.into()),
+        );
+    }
 }
 
 /// Draws B where it touches A with a vertex on the middle of an edge, and gives the places of its point then,

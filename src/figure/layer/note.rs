@@ -39,7 +39,7 @@ pub(super) const LAYER: Layer = Layer {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(lines) = options.words("lines") else { return };
-    sketch.since(known(context, &lines));
+    sketch.since(known(context, lines));
     let corner = Corner::of_word(options.word("at", "top-left")).unwrap_or(Corner::TopLeft);
     let label = Label::new("note", "", Anchor::Corner(corner), options.role(Role::Ink)).given(lines);
     sketch.label(label.rank(Rank::Note).size(Size::Note));

@@ -1,4 +1,5 @@
-//! PDF: one page of vector graphics, for papers and slides.
+//! PDF: a page of vector graphics, for papers and slides; in steps a page for each, that LaTeX includes by
+//! its number.
 //!
 //! A page pixel is ¾ of a point, as in CSS. Text is outlines: each glyph that occurs is a form that its
 //! places refer to. Opacities are graphics states, groups with an opacity are forms ([`content`]). Objects,
@@ -9,24 +10,25 @@
 mod content;
 
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use flate2::{Compress, CompressError, Compression, FlushCompress, Status};
-use pdf_writer::writers::{ExtGraphicsState, Resources};
+use pdf_writer::writers::{ExtGraphicsState, PageLabel, Resources};
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, Str, TextStr};
 
 use super::number::hundredths;
-use super::{Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, validity};
-use crate::drawing::Drawing;
+use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Stamped, Writer, validity};
+use crate::drawing::{Drawing, Step};
 use content::{Content, Form, Opacity, State};
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "pdf",
-    about: "one vector page, text as outlines",
+    about: "vector page, text as outlines; a page for each step",
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
+    in_steps: Some(write_steps),
     bracket: Bracket {
         begins: &[b"%PDF-".as_slice()],
         ends: &[b"%%EOF".as_slice(), b"%%EOF\n", b"%%EOF\r\n"],
@@ -61,35 +63,72 @@ fn stamp(bytes: &[u8]) -> Option<Stamped> {
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    file(drawing).map_err(|error| OutputError::encoder(&error))
+    file(drawing, &[Content::of(drawing)]).map_err(|error| OutputError::encoder(&error))
 }
 
-/// The whole file: the document, its page, and what the page draws and refers to.
-fn file(drawing: &Drawing) -> Result<Vec<u8>, CompressError> {
-    let content = Content::of(drawing);
+/// Writes a page for each step, labelled with its title.
+fn write_steps(drawing: &Drawing, _options: &Options, _: InSteps) -> Result<Vec<u8>, OutputError> {
+    validity::page(drawing)?;
+    let pages = (1..=drawing.steps.len()).map(|step| Content::of(&drawing.at_step(step)));
+    file(drawing, &pages.collect::<Vec<_>>()).map_err(|error| OutputError::encoder(&error))
+}
+
+/// A page among the objects of a file.
+struct Sheet<'c> {
+    /// The page itself.
+    page: Ref,
+    /// What it draws.
+    drawn: Ref,
+    /// What that refers to by name.
+    resources: Ref,
+    /// What it draws, in operators.
+    content: &'c Content,
+    /// The forms that it refers to, each with its object; glyphs are those of all pages.
+    forms: Vec<(Ref, &'c Form)>,
+}
+
+/// The whole file: the document, its pages, and what they draw and refer to.
+fn file(drawing: &Drawing, contents: &[Content]) -> Result<Vec<u8>, CompressError> {
     let mut free = Ref::new(1);
-    let [catalog, pages, page, drawn, resources, info] = std::array::from_fn(|_| free.bump());
-    let forms: Vec<(Ref, &Form)> = content.forms.iter().map(|form| (free.bump(), form)).collect();
+    let [catalog, pages] = std::array::from_fn(|_| free.bump());
+    let mut objects: Vec<[Ref; 3]> = contents.iter().map(|_| std::array::from_fn(|_| free.bump())).collect();
+    let info = free.bump();
+    let mut glyphs: BTreeMap<&str, Ref> = BTreeMap::new();
+    let mut written: Vec<(Ref, &Form, Ref)> = Vec::new();
+    let mut sheets = Vec::new();
+    for (content, [page, drawn, resources]) in contents.iter().zip(objects.drain(..)) {
+        let mut forms = Vec::new();
+        for form in &content.forms {
+            let known = glyphs.get(form.name.as_str()).copied().filter(|_| !form.is_group);
+            let object = known.unwrap_or_else(|| free.bump());
+            if known.is_none() {
+                glyphs.insert(&form.name, object);
+                written.push((object, form, resources));
+            }
+            forms.push((object, form));
+        }
+        sheets.push(Sheet { page, drawn, resources, content, forms });
+    }
     let mut pdf = Pdf::with_settings(SETTINGS);
-    let lang = drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG);
-    pdf.catalog(catalog).pages(pages).lang(TextStr(lang));
-    pdf.pages(pages).kids([page]).count(1);
-    let [width, height] = [drawing.width, drawing.height].map(|length| hundredths(length * POINTS));
-    let mut sheet = pdf.page(page);
-    sheet.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(drawn);
-    sheet.pair(RESOURCES, resources);
-    sheet.finish();
+    write_catalog(&mut pdf, drawing, (catalog, pages), &sheets, &mut free);
     let mut packer = Packer::new();
-    let (bytes, filter) = packer.pack(&content.page)?;
-    pdf.stream(drawn, &bytes).pairs(filter);
-    write_resources(&mut pdf, resources, &forms, &content.states);
+    let [width, height] = [drawing.width, drawing.height].map(|length| hundredths(length * POINTS));
+    for Sheet { page, drawn, resources, content, forms } in &sheets {
+        let mut sheet = pdf.page(*page);
+        sheet.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(*drawn);
+        sheet.pair(RESOURCES, *resources);
+        sheet.finish();
+        let (bytes, filter) = packer.pack(&content.page)?;
+        pdf.stream(*drawn, &bytes).pairs(filter);
+        write_resources(&mut pdf, *resources, forms, &content.states);
+    }
     let mut information = pdf.document_info(info);
     information.title(TextStr(&drawing.title)).subject(TextStr(&drawing.desc)).creator(TextStr("tracefig"));
     if !drawing.hash.is_empty() {
         information.pair(Name(HASH.as_bytes()), Str(drawing.hash.as_bytes()));
     }
     information.finish();
-    for (object, form) in forms {
+    for (object, form, resources) in written {
         let (bytes, filter) = packer.pack(&form.content)?;
         let mut written = pdf.form_xobject(object, &bytes);
         let [x0, y0, x1, y1] = form.bounds;
@@ -100,6 +139,34 @@ fn file(drawing: &Drawing) -> Result<Vec<u8>, CompressError> {
         }
     }
     Ok(pdf.finish())
+}
+
+/// Writes what the document is, and its pages; of several each has the title of its step for a number.
+fn write_catalog(
+    pdf: &mut Pdf,
+    drawing: &Drawing,
+    (catalog, pages): (Ref, Ref),
+    sheets: &[Sheet<'_>],
+    free: &mut Ref,
+) {
+    let lang = drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG);
+    let titles: Vec<(Ref, &Step)> =
+        drawing.steps.iter().filter(|_| sheets.len() > 1).map(|step| (free.bump(), step)).collect();
+    let mut document = pdf.catalog(catalog);
+    document.pages(pages).lang(TextStr(lang));
+    if !titles.is_empty() {
+        let mut labels = document.page_labels();
+        let mut numbers = labels.nums();
+        for (page, (object, _)) in (0..).zip(&titles) {
+            numbers.insert(page, *object);
+        }
+    }
+    document.finish();
+    for (object, step) in &titles {
+        pdf.indirect(*object).start::<PageLabel>().prefix(TextStr(&step.title));
+    }
+    let count = i32::try_from(sheets.len()).unwrap_or(i32::MAX);
+    pdf.pages(pages).kids(sheets.iter().map(|sheet| sheet.page)).count(count);
 }
 
 /// Writes the names of the forms and of the graphics states.

@@ -27,6 +27,7 @@ pub(super) const FORMAT: Format = Format {
     usual: true,
     depends: Depends::Packing,
     write: Writer::One(write),
+    in_steps: None,
     bracket: BRACKET,
     read: Some(READER),
     live: None,

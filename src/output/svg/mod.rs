@@ -8,14 +8,15 @@
 mod contour;
 pub(super) mod inline;
 pub(super) mod read;
+pub(super) mod steps;
 mod style;
 mod text;
 
 use std::collections::BTreeSet;
 
 use super::xml::Xml;
-use super::{Bracket, Depends, Format, Options, OutputError, Reader, Writer, number};
-use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Stroke};
+use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Writer, number};
+use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Shown, Stroke};
 use style::Property;
 
 /// The row of the table.
@@ -25,6 +26,7 @@ pub(super) const FORMAT: Format = Format {
     usual: true,
     depends: Depends::Page,
     write: Writer::One(write),
+    in_steps: Some(steps::write),
     // Editors write a declaration or a comment before it, and comments after it.
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</svg>".as_slice(), b"/>", b"-->"] },
     read: Some(Reader { stamp: read::stamp, picture: Some(read::picture) }),
@@ -63,6 +65,11 @@ pub(super) enum Sheet {
 
 /// The whole document as text.
 pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
+    document_in_steps(drawing, sheet, None)
+}
+
+/// The whole document as text, with its steps marked where that is asked for.
+pub(super) fn document_in_steps(drawing: &Drawing, sheet: Sheet, in_steps: Option<InSteps>) -> String {
     let prefix = identifier(&drawing.id);
     let used = style::Used::by(drawing);
     let mut document = Document {
@@ -72,6 +79,8 @@ pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
         clips: Vec::new(),
         fill_opacity: drawing.fill_opacity,
         words: drawing.words.clone(),
+        in_steps,
+        shown: Shown::ALWAYS,
     };
     document.open(drawing);
     if sheet == Sheet::Inside {
@@ -113,6 +122,10 @@ struct Document {
     fill_opacity: f64,
     /// The roles whose words have a colour of their own, with that colour.
     words: Vec<(Role, Color)>,
+    /// How steps are marked; none where they are not.
+    in_steps: Option<InSteps>,
+    /// Which steps show what is written now.
+    shown: Shown,
 }
 
 impl Document {
@@ -171,6 +184,14 @@ impl Document {
     }
 
     fn items(&mut self, items: &[Item]) {
+        match self.in_steps {
+            Some(in_steps) => self.stepwise(items, in_steps),
+            None => self.all(items),
+        }
+    }
+
+    /// Writes items one after the other.
+    fn all(&mut self, items: &[Item]) {
         for item in items {
             match item {
                 Item::Group(group) => self.group(group),
@@ -202,7 +223,8 @@ impl Document {
         if let Some(clip) = clip {
             self.xml.attribute("clip-path", &format!("url(#{clip})"));
         }
-        if let Some(first) = painted_alike(&group.items) {
+        let first = painted_alike(&group.items);
+        if let Some(first) = first.filter(|_| self.in_steps.is_none() || steps::is_of_one(&group.items)) {
             self.paint(first.fill.as_ref(), first.stroke.as_ref());
             for item in &group.items {
                 if let Item::Path(path) = item {

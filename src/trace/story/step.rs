@@ -84,6 +84,12 @@ pub(crate) fn ends_step(event: &Event) -> bool {
     }
 }
 
+/// What a step is called that shows how the bodies stand at a moment.
+#[must_use]
+pub(crate) fn title_at(time: f64) -> String {
+    format!("At t = {}", number(time))
+}
+
 /// What a step is called that ends with a part of an event, of bodies that are called `names`.
 #[must_use]
 pub(crate) fn title(event: &Event, of: usize, names: &Names) -> String {

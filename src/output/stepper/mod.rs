@@ -1,0 +1,118 @@
+//! HTML in steps: a page with the figure, a list of its steps, and what each says.
+//!
+//! The list is of radio buttons, so it works without a script: the style sheet reads which one is on as the
+//! number `--step`, and what a step does not show has opacity 0 by arithmetic with it. A script of some lines
+//! adds buttons and keys; the page names its hash, and no other script runs there. On paper and in a reader
+//! without style sheets the whole figure stands.
+
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+
+use super::base64::base64;
+use super::sha256::sha256;
+use super::svg::steps::{SINCE, UNTIL};
+use super::svg::{Sheet, document_in_steps};
+use super::xml::escape;
+use super::{InSteps, Options, OutputError, page, validity};
+use crate::drawing::{Drawing, Item, Shown};
+
+/// Style sheet of the list.
+const STYLE: &str = include_str!("stepper.css");
+/// The buttons and keys.
+const SCRIPT: &str = include_str!("stepper.js");
+/// The buttons, which the script shows: by how many steps each goes on, and what it is called.
+const BUTTONS: [(i32, &str, &str); 2] = [(-1, "◀", "Step back"), (1, "▶", "Next step")];
+
+/// Writes the page.
+pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
+    validity::page(drawing)?;
+    // The one script that may run, by the hash of its text.
+    let hash = base64(&sha256(SCRIPT.as_bytes()));
+    let mut out = page::head(drawing, &format!("; script-src 'sha256-{hash}'"));
+    out.push_str(STYLE);
+    push_rules(&mut out, drawing);
+    out.push_str("</style>\n</head>\n<body>\n<main>\n<figure>\n");
+    out.push_str(&document_in_steps(drawing, Sheet::Inside, Some(in_steps)));
+    out.push_str("</figure>\n<nav hidden aria-label=\"Steps\">");
+    for (by, sign, name) in BUTTONS {
+        let _ = write!(out, "<button type=\"button\" value=\"{by}\" aria-label=\"{name}\">{sign}</button>");
+    }
+    out.push_str("<output></output></nav>\n<fieldset>\n<legend>Steps</legend>\n<ol>\n");
+    let last = drawing.steps.len();
+    for (number, step) in (1..).zip(&drawing.steps) {
+        let on = if number == last { " checked" } else { "" };
+        let _ = write!(out, "<li><label><input type=\"radio\" name=\"step\" value=\"{number}\"{on}> ");
+        escape(&mut out, &step.title);
+        out.push_str("<span>");
+        escape(&mut out, &step.sentences.join(" "));
+        out.push_str("</span></label></li>\n");
+    }
+    let [_, of_desc] = drawing.languages_of_words();
+    out.push_str("</ol>\n</fieldset>\n");
+    page::open(&mut out, "p", of_desc);
+    escape(&mut out, &drawing.desc);
+    let _ = write!(out, "</p>\n</main>\n<script>{SCRIPT}</script>\n</body>\n</html>\n");
+    Ok(out.into_bytes())
+}
+
+/// Appends the rules by which a step shows what it shows; before a choice is made, and on paper, the last
+/// one.
+fn push_rules(out: &mut String, drawing: &Drawing) {
+    let last = drawing.steps.len();
+    let _ = writeln!(out, "main{{--step:{last}}}");
+    for step in 1..last {
+        let _ = writeln!(out, "main:has([name=step][value=\"{step}\"]:checked){{--step:{step}}}");
+    }
+    let _ = writeln!(out, "@media print{{main{{--step:{last}!important}}}}");
+    let mut used = BTreeSet::new();
+    drawing.items.iter().for_each(|item| collect(item, &mut used));
+    for (since, until) in used {
+        let _ = write!(out, "[{SINCE}=\"{since}\"]");
+        let come = format!("var(--step) - {}", since - 1);
+        let _ = match until {
+            Some(until) => {
+                writeln!(out, "[{UNTIL}=\"{until}\"]{{opacity:min({come},{until} - var(--step))}}")
+            }
+            None => writeln!(out, ":not([{UNTIL}]){{opacity:calc({come})}}"),
+        };
+    }
+}
+
+/// When items come and go, where they do.
+fn collect(item: &Item, used: &mut BTreeSet<(usize, Option<usize>)>) {
+    match item {
+        Item::Group(group) => group.items.iter().for_each(|item| collect(item, used)),
+        Item::Path(_) | Item::Text(_) if item.shown() == Shown::ALWAYS => {}
+        Item::Path(_) | Item::Text(_) => {
+            let Shown { since, until } = item.shown();
+            used.insert((since, until));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples::everything;
+
+    #[test]
+    fn every_step_has_its_rule_and_its_sentence() {
+        let mut drawing = everything();
+        let step =
+            |title: &str| crate::drawing::Step { title: title.into(), sentences: vec!["a < b".into()] };
+        drawing.steps = ["first", "second", "third"].map(step).to_vec();
+        drawing.items[0].for_each_shown(&|shown| *shown = Shown { since: 2, until: None });
+        drawing.items[1].for_each_shown(&|shown| *shown = Shown { since: 2, until: Some(3) });
+        let page = write(&drawing, &Options::default(), InSteps::default()).unwrap();
+        let page = String::from_utf8(page).unwrap();
+        assert_eq!(page.matches("a &lt; b").count(), 3);
+        assert!(page.contains("value=\"3\" checked"));
+        assert!(page.contains("[data-step=\"2\"]:not([data-until]){opacity:calc(var(--step) - 1)}"));
+        assert!(
+            page.contains(
+                "[data-step=\"2\"][data-until=\"3\"]{opacity:min(var(--step) - 1,3 - var(--step))}"
+            )
+        );
+        assert!(page.contains("<g data-step=\"2\" data-until=\"3\" opacity=\"0\">"));
+    }
+}
