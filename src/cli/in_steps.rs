@@ -21,7 +21,7 @@ const DIGITS: usize = 2;
 pub(crate) struct StepOptions {
     /// Draw each figure in the steps of its algorithm: STEM.steps.EXT, one file with all of them, or with
     /// `--steps=files` and for formats of one picture a file a step, STEM.step-01.EXT
-    #[arg(long, value_name = "FILES", num_args = 0..=1, require_equals = true, conflicts_with = "live",
+    #[arg(long, value_name = "FILES", num_args = 0..=1, require_equals = true,
         default_missing_value = StepFiles::One.word(),
         value_parser = PossibleValuesParser::new(STEP_FILES))]
     steps: Option<String>,

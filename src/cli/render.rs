@@ -48,7 +48,7 @@ pub(crate) struct Render {
     /// page lists them
     #[arg(long, value_name = "shared", num_args = 0..=1, require_equals = true,
         default_missing_value = "alone", value_parser = Live::of_word,
-        conflicts_with_all = ["jsonl", "skip_unchanged"])]
+        conflicts_with_all = ["jsonl", "skip_unchanged", "steps"])]
     live: Option<Live>,
     /// Tell on standard error where the time went, added over all scenes
     #[arg(long)]
