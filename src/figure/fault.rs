@@ -51,6 +51,8 @@ pub enum Fault {
         /// How the answer turned out, or what the case is.
         why: &'static str,
     },
+    /// A warning: the list of a panel's layers is empty, and so is the panel.
+    NoLayers,
     /// A layer that shows another space than its panel.
     UnsuitedLayer {
         /// The name of the layer.
@@ -139,7 +141,7 @@ impl Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. } => Severity::Note,
-            Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
+            Self::NoLayers | Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
             _ => Severity::Error,
         }
     }
@@ -154,6 +156,7 @@ impl Explain for Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
+            Self::NoLayers => codes::NO_LAYERS.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
@@ -167,6 +170,7 @@ impl Explain for Fault {
     fn help(&self) -> Option<String> {
         match self {
             Self::Scene(fault) => fault.help(),
+            Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
             Self::TextDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
@@ -215,6 +219,7 @@ impl fmt::Display for Fault {
             }
             Self::NoValue { value, why } => write!(f, "a dash stands for `{{={value}}}`: {why}"),
             Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
+            Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::UnsuitedLayer { layer, shows } => {
                 write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
             }
@@ -301,6 +306,11 @@ mod tests {
                 Fault::NoHit,
                 "the panel shows the moment of a hit or a miss, but the question is not for one",
                 "",
+            ),
+            (
+                Fault::NoLayers,
+                "the panel stays empty: its list of layers has none",
+                "without the key `layers` it shows what suits the answer",
             ),
             (
                 Fault::UnsuitedLayer { layer: "one", shows: "the world" },

@@ -54,6 +54,9 @@ impl<'s> Resolver<'_, 's> {
     /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
     pub(super) fn panel(&mut self, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
         let Sheet { panel: mut source, ours } = sheet;
+        if source.layers.as_ref().is_some_and(Vec::is_empty) {
+            self.notes.push(Problem::new(Fault::NoLayers, source.span.clone()));
+        }
         let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
         let space = source.space.clone();
@@ -196,5 +199,22 @@ fn other_space(layer: &Layer, space: &Space) -> Option<&'static str> {
         (Shows::World, true) => Some("the world"),
         (Shows::Configuration, false) => Some("configuration space"),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::plan;
+    use crate::scene::{Explain, Severity, open_text};
+
+    #[test]
+    fn a_panel_whose_list_of_layers_is_empty_is_drawn_with_a_warning_at_its_place() {
+        let text = "shapes.A = { kind = 'circle', radius = 1 }\nquery = { kind = 'bounds', of = ['A'] }\n\
+                    [[panels]]\nlayers = ['shapes']\n[[panels]]\nlayers = []\n";
+        let scene = open_text("s.toml", text).unwrap().scene;
+        let warnings = plan(&scene).unwrap().warnings;
+        let told: Vec<_> =
+            warnings.iter().map(|p| (p.fault.code(), p.fault.severity(), p.span.start)).collect();
+        assert_eq!(told, [("no-layers", Severity::Warning, text.rfind("[[panels]]").unwrap())]);
     }
 }

@@ -6,8 +6,8 @@ use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "gjk-penetration",
-    about: "GJK and EPA on bodies that overlap",
-    fits: |case| case.overlaps() && case.count(|e| matches!(e, Event::SimplexUpdated { .. })) > 0,
+    about: "GJK and EPA on bodies whose cores overlap",
+    fits: |case| case.overlaps() && case.count(|e| matches!(e, Event::PolytopeExpanded { .. })) > 0,
     panels: r#"
 [[panels]]
 title = "World"

@@ -18,6 +18,7 @@ mod contact_points;
 mod early_hit;
 mod gjk_distance;
 mod gjk_penetration;
+mod gjk_rounded;
 mod overlap_at_start;
 mod pair_apart;
 mod pair_overlapping;
@@ -82,6 +83,7 @@ pub static PICTURES: &[Picture] = &[
     contact_points::PICTURE,
     axis_test::PICTURE,
     gjk_penetration::PICTURE,
+    gjk_rounded::PICTURE,
     gjk_distance::PICTURE,
     pair_overlapping::PICTURE,
     pair_apart::PICTURE,

@@ -10,8 +10,10 @@ use crate::figure::{draw, plan};
 use crate::geometry::Side;
 use crate::scene::{Scene, open_text, panels_of_text};
 
-/// Places of B that a motion of A by (3, 0) hits soon and late, misses and begins in.
-const PLACES: [&str; 5] = ["[2.3, 0.25]", "[9, 0.25]", "[0.5, 0.25]", "[4.2, 0]", "[2.5, 3]"];
+/// Places of B that a motion of A by (3, 0) hits soon and late, misses and begins in; and the first again
+/// with a radius, by which bodies overlap whose cores are apart.
+const PLACES: [&str; 6] =
+    ["[2.3, 0.25]", "[9, 0.25]", "[0.5, 0.25]", "[4.2, 0]", "[2.5, 3]", "[2.3, 0.25]\nradius = 0.6"];
 
 /// Two bodies that an algorithm takes.
 fn pair(algorithm: &str, place: &str, motion: &str) -> String {
@@ -51,6 +53,17 @@ fn scenes() -> Vec<Scene> {
         }
     }
     texts.iter().filter_map(|text| Some(open_text("s.toml", text).ok()?.scene)).collect()
+}
+
+#[test]
+fn the_last_step_that_a_panel_names_is_drawn_in_it() {
+    for place in PLACES {
+        let text = pair("gjk", place, "") + "[query]\nkind = 'separation'\nalgorithm = 'gjk'\n";
+        let scene = open_text("s.toml", &format!("{text}of = ['crate', 'B']")).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let drawn: Vec<_> = plan.panels[1].layers.iter().map(|layer| layer.layer.name).collect();
+        assert!(drawn.iter().any(|name| ["simplex", "polytope"].contains(name)), "{place}: {drawn:?}");
+    }
 }
 
 /// The row that a scene's answer picks.
