@@ -37,6 +37,9 @@ fn committed() -> Vec<(String, Scene)> {
 /// The box of each label and where what it names lies, by panel and key; several of a key in their order.
 type Places = BTreeMap<(usize, &'static str), Vec<(Rect, Point)>>;
 
+/// Where each label was when it moved, with the frame, by panel, key and number.
+type Left<'k> = BTreeMap<(usize, &'k str, usize), Vec<(usize, (Rect, Point))>>;
+
 fn places(figure: &Figure) -> Places {
     let mut all = Places::new();
     for (i, Labelled { frame, placed, .. }) in figure.panels.iter().chain(&figure.insets).enumerate() {
@@ -95,7 +98,7 @@ fn drag(scene: &Scene, body: usize, way: (f64, f64), (frames, warm): (usize, boo
     let start = scene.shapes[body].1.position;
     let scale = plan(scene).map_or(1.0, |plan| plan.panels[0].frame.scale);
     let (mut scene, mut last): (Scene, Option<Figure>) = (scene.clone(), None);
-    let mut left: BTreeMap<(usize, &str, usize), Vec<(usize, (Rect, Point))>> = BTreeMap::new();
+    let mut left = Left::new();
     for k in 0..frames {
         let off = u32::try_from(if k < frames / 2 { k } else { frames - k }).unwrap();
         scene.shapes[body].1.position = start + DVec2::new(way.0, way.1) * (f64::from(off) / scale);
