@@ -171,7 +171,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
-        f.says("$3.2$: longer"),
+        f.says("$3.2$, longer"),
     ];
 }
 

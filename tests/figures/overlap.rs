@@ -28,7 +28,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         w.arrow(Ink, (1.85, 3.2), (2.65, 3.8)),
         w.arrow(Muted, (1.6, 0.2), (3.4, -2.2)),
         f.says("$d = 2$"),
-        f.says("$3$: longer"),
+        f.says("$3$, longer"),
         f.says("$n$"),
         f.says(r"$B$ pushed out by $d\,n$"),
         f.says("$A$"),
@@ -254,7 +254,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         one.polygon(A, &[(-4.0, -3.0), (-2.0, -3.5), (1.0, 0.5), (-3.0, 2.0)]).is_some(),
         one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (8.0, 2.5), (3.0, 6.0)]).is_some(),
         one.line(Now, (-2.0, -3.5), (1.0, 0.5)).is_some(),
-        f.says("depth $= 3.7$") && f.says("gap $= 1.6$"),
+        f.says("overlap $= 3.7$") && f.says("gap $= 1.6$"),
         f.says("$n = (0.8, -0.6)$") && f.says("$n = (0.6, 0.8)$"),
         f.says("$0$") && f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
     ];

@@ -26,6 +26,9 @@ const NEARER_MARK: f64 = 0.45;
 /// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
 
+/// How far below the lower radius the whole of it is measured, where a part of it is named there, page pixels.
+const BELOW: f64 = 44.0;
+
 /// Opacity of the sector's fill.
 const SECTOR: f64 = 0.06;
 
@@ -159,8 +162,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("extreme-point").marker(after, marker, role, MARKER);
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
     points(sketch, &t, after);
-    measures(sketch, options, &t, sector);
-    if let Some(arm) = nearer(context, options, &t) {
+    let arm = nearer(context, options, &t);
+    measures(sketch, options, &t, (sector, arm.is_some()));
+    if let Some(arm) = arm {
         shorter(sketch, &t, arm, sector);
     }
 }
@@ -236,8 +240,9 @@ fn angle(sketch: &mut Sketch, t: &Turn, (start, radius): (f64, f64), text: Strin
     sketch.label(Label::new("theta", text, Anchor::Arc { center, radius, start, sweep }, Role::Ink));
 }
 
-/// Names the angle, and with the sector its radius and the arc's length.
-fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
+/// Names the angle, and with the sector its radius and the arc's length; a radius that is divided by a nearer
+/// vertex has a dimension line over its whole length.
+fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
     let theta = if sector {
         format!(r"$\theta = {}°$", number(t.sweep.abs().to_degrees()))
     } else {
@@ -248,7 +253,12 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, sector: bool) {
         let r = format!("$r = {}$", number(t.radius));
         // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
         let (from, to) = if t.sweep > 0.0 { (t.before(), t.center) } else { (t.center, t.before()) };
-        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
+        let offset = if divided { sketch.fitted(BELOW) } else { ON_LINE };
+        if divided {
+            let pen = Pen::dimension(Role::Ink);
+            sketch.part("radius").dimension(t.center, t.before(), -offset.copysign(t.sweep), pen);
+        }
+        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset }, Role::Ink));
         let outside = t.radius + sketch.px(CLEAR);
         let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
         let length = format!(r"$L = \theta\,r = {}$", number(t.arc));

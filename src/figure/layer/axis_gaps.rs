@@ -23,11 +23,11 @@ const BELOW: f64 = 40.0;
 const BESIDE: f64 = 48.0;
 
 /// From one of two lanes to the other, as a part of the way to the next track: side by side, not touching.
-const LANE: f64 = 0.2;
+const LANE: f64 = 0.28;
 
 /// Where the shared stretch is measured, and then the distance of the centres, as parts of the way to the
 /// next track, to the right: beyond a label of some 80 pixels.
-const MEASURED: [f64; 2] = [1.75, 3.9];
+const MEASURED: [f64; 2] = [1.85, 4.0];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",

@@ -206,7 +206,10 @@ fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
     let other = found.body.other();
     let touching = found.points.iter().filter(|point| point.touches);
     let inward = left_of(found.reference[0], found.reference[1]);
+    let [from, to] = found.reference;
     for (point, key) in touching.zip(["d_1", "d_2"]) {
+        let far = if point.over.distance_squared(from) > point.over.distance_squared(to) { from } else { to };
+        sketch.part("right-angle").right_angle(point.over, far - point.over, point.at - point.over);
         depth(sketch, point, key, (other, inward), options);
     }
     for point in found.points.iter().filter(|point| !point.touches) {
@@ -267,6 +270,8 @@ mod tests {
             let drawn = lines(&figure, "depth");
             let markers = paths(&figure.drawing.items, "contact-point").len();
             assert_eq!((depths.len(), markers), (contacts, contacts), "{place}");
+            let square = paths(&figure.drawing.items, "right-angle").len();
+            assert!(square == depths.iter().filter(|d| *d * figure.panels[0].frame.scale > 20.0).count());
             let labels = labels(&figure);
             for (k, (depth, key)) in depths.iter().zip(["d_1", "d_2"]).enumerate() {
                 // A bar is a line and two ticks.

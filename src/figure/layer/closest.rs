@@ -128,7 +128,7 @@ pub(super) fn longer_way(found: &Difference, from: DVec2, least: f64) -> Option<
 
 /// What is said of a longer way out.
 pub(super) fn longer(length: f64) -> String {
-    format!("${}$: longer", number(length))
+    format!("${}$, longer", number(length))
 }
 
 /// Draws the next longer way from inside B ⊖ A square to one of its edges, with its length.
@@ -143,7 +143,8 @@ fn rival(sketch: &mut Sketch, context: &Context, from: DVec2, least: f64) {
     sketch.label(Label::new("rival", longer(length), anchor, Role::Muted).size(Size::Note));
 }
 
-/// Marks the right angle at the nearest point, where that is within an edge.
+/// Marks the right angle at the nearest point, where that is on an edge that the way there is square to; at a
+/// vertex it need be square to none.
 fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
     let Some(found) = difference(context, context.difference_time()) else { return };
     let (to, size) = (from + foot, foot.length());
@@ -151,7 +152,8 @@ fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2)
         let along = q - p;
         let share = (to - p).dot(along) / along.length_squared();
         let off = (to - p).perp_dot(along).abs() / along.length();
-        ((0.0..=1.0).contains(&share) && off <= SAME * size).then_some(if share > 0.5 {
+        let square = along.dot(foot).abs() <= SAME * size * along.length();
+        (square && (0.0..=1.0).contains(&share) && off <= SAME * size).then_some(if share > 0.5 {
             p - to
         } else {
             q - to

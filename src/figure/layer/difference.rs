@@ -71,7 +71,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "labels \"from A\" and \"from B\"",
         },
-        OptionSpec { name: "numbers", takes: Takes::Flag, default: "false", about: "numbers the steps" },
+        OptionSpec {
+            name: "numbers",
+            takes: Takes::Flag,
+            default: "false",
+            about: "names the steps t₁, t₂, …",
+        },
         OptionSpec {
             name: "built",
             takes: Takes::Flag,
@@ -324,7 +329,7 @@ fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
     all.filter(|&(k, _)| k < MOST || k == steps.len()).collect()
 }
 
-/// Writes the number of each iteration below its lowest vertex.
+/// Writes the numbered time of each iteration below its lowest vertex.
 fn numbers(sketch: &mut Sketch, context: &Context, all: &[(usize, Difference)]) {
     let level = sketch.px(LEVEL);
     let places: Vec<(usize, DVec2)> =
@@ -341,7 +346,7 @@ fn numbers(sketch: &mut Sketch, context: &Context, all: &[(usize, Difference)]) 
     kept.push(last);
     for (k, place) in kept {
         let anchor = Anchor::point_toward(place, DVec2::NEG_Y);
-        let label = Label::new("step", k.to_string(), anchor, Role::Difference);
+        let label = Label::new("step", format!("$t_{{{k}}}$"), anchor, Role::Difference);
         sketch.since(context.known(&When::Step(k))).label(label.rank(Rank::Word).size(Size::Small));
     }
 }

@@ -20,7 +20,7 @@ const FAINT: f64 = 0.05;
 const MOST: usize = 5;
 
 /// Opacity of the first ghost of a series, and of the last but one.
-const SERIES: [f64; 2] = [0.35, 0.65];
+const SERIES: [f64; 2] = [0.5, 0.75];
 
 pub(super) const LAYER: Layer = Layer {
     name: "ghosts",
@@ -55,6 +55,12 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Flag,
             default: "false",
             about: "the way of the body's origin between here and there, in the order of time",
+        },
+        OptionSpec {
+            name: "numbered",
+            takes: Takes::Flag,
+            default: "false",
+            about: "at every step, the step's number instead of its time, as the layer \"graph\" has it",
         },
     ],
     labels: &[
@@ -150,12 +156,15 @@ pub(super) fn ghost(
     sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
 
-/// Draws the body at each step after the first, each with its time; of more than [`MOST`] the first ones and
+/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first ones and
 /// the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
-    let role = options.role(side.into());
+    let (role, numbered) = (options.role(side.into()), options.flag("numbered", false));
+    let then = |step: usize, time: f64| {
+        if numbered { format!("$t_{{{step}}}$") } else { format!("$t = {}$", number(time)) }
+    };
     // An advancement closes in: its first steps are the ones that differ.
     let kept = before.get(..MOST - 1).unwrap_or(before);
     for ((step, &time), opacity) in (2..).zip(kept).zip(fade(SERIES, kept.len())) {
@@ -163,12 +172,14 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         let pen = Pen::ghost(role).opacity(opacity);
         if let Some(outline) = context.outline(side, time) {
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
-            let label = Label::new("then", format!("$t = {}$", number(time)), Anchor::inside(&outline), role);
+            let label = Label::new("then", then(step, time), Anchor::inside(&outline), role);
             sketch.label(label.rank(Rank::Word).size(Size::Small));
         }
     }
     if let Some(outline) = context.outline(side, last) {
         sketch.since(context.known(&When::Step(times.len() + 1)));
-        ghost(sketch, options, side, &outline, at_moment(context, side, &number(last)));
+        let count = times.len() + 1;
+        let text = if numbered { vec![then(count, last)] } else { at_moment(context, side, &number(last)) };
+        ghost(sketch, options, side, &outline, text);
     }
 }

@@ -135,7 +135,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .part("curve")
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
-    marks(sketch, &chart, &all);
+    marks(sketch, &chart, &all, role);
 }
 
 /// Draws both axes with their names.
@@ -171,8 +171,8 @@ fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     }
 }
 
-/// Marks the steps on the curve and on the axis of time, numbered where there is room.
-fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
+/// Marks the steps on the curve, which has a role, and on the axis of time, numbered where there is room.
+fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step], role: Role) {
     let mut free = f64::NEG_INFINITY;
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
         sketch.since(chart.context.known(&When::Step(k)));
@@ -192,7 +192,7 @@ fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
     if let Some(first) = all.first() {
         let anchor = Anchor::point_toward(chart.place(first.time, first.separation), DVec2::X);
         let text = format!("$s_1 = {}$", number(first.separation));
-        sketch.label(Label::new("s_1", text, anchor, Role::Now));
+        sketch.label(Label::new("s_1", text, anchor, role));
     }
 }
 

@@ -4,8 +4,8 @@
 //! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis n points
 //! out of an edge of A, or into one of B, so that the measure is that of the other body's support from the
 //! edge's line. Where B begins beyond A's end it is the gap of the intervals. Else it is the depth: how far B
-//! must go along n until the edge parts them, which is more than the intervals share where one reaches past
-//! the other's far end.
+//! must go along n until the edge parts them. That is called the overlap where it is what the intervals share,
+//! and is more than that where one reaches past the other's far end.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -60,7 +60,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the axis" },
         LabelKey {
             key: "gap",
-            about: "gap from where A ends to where B begins; the depth, where B begins before that",
+            about: "gap from where A ends to where B begins; the overlap or depth, where B begins before that",
         },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
@@ -220,7 +220,11 @@ fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
     sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
     let out = at(0.0, 1.0) - at(0.0, 0.0);
-    let word = if t.gap < 0.0 { "depth" } else { "gap" };
+    let word = match t.gap < 0.0 {
+        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap",
+        true => "depth",
+        false => "gap",
+    };
     let mut lines = vec![format!("{word} $= {}$", number(t.gap.abs()))];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
@@ -271,6 +275,8 @@ mod tests {
             let (label, number) = labels.remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
             assert_eq!(label.contains("faces away"), b.hi < a.lo, "axis {axis}: {label}");
+            let shared = a.hi.min(b.hi) - a.lo.max(b.lo);
+            assert_eq!(label.starts_with("overlap"), shared > 0.0 && shared == -(b.lo - a.hi), "axis {axis}");
             let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;
             assert!((drawn - number).abs() < 0.005 && (drawn - gap.abs()).abs() < 1e-9, "{label}: {drawn}");
         }

@@ -30,6 +30,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the components of the relative velocity",
         },
+        OptionSpec {
+            name: "free",
+            takes: Takes::Flag,
+            default: "true",
+            about: "a band under the way that is free, up to the hit",
+        },
     ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
@@ -54,7 +60,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time.lo));
     let from = -v * context.difference_time();
     let tip = from + v * cut;
-    if let Some(time) = hit {
+    if let Some(time) = hit.filter(|_| options.flag("free", true)) {
         // Under the arrow, which stays one vector from its tail to its tip.
         sketch.since(context.answered()).part("until-hit").line(from, from + v * time.lo, underlay());
     }

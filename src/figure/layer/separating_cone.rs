@@ -23,7 +23,7 @@ use crate::geometry::{DVec2, perp};
 
 use super::difference::difference;
 use super::half_extents::beside;
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Radius of the cone, page pixels; less where B ⊖ A is near.
 const RADIUS: f64 = 84.0;
@@ -58,16 +58,28 @@ const BEHIND: f64 = 96.0;
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 60.0];
 
+/// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
+const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
+
 pub(super) const LAYER: Layer = Layer {
     name: "separating-cone",
     about: "the directions that separate the bodies: tangents from O to B ⊖ A, the cone of normals",
     shows: Shows::Configuration,
     tells: Tells::Found,
-    options: &[],
+    options: &[OptionSpec {
+        name: "names",
+        takes: Takes::Flag,
+        default: "false",
+        about: "names the tangents, and each end of the cone by the tangent that it is square to",
+    }],
     labels: &[
         LabelKey { key: "cone", about: "the cone's angle" },
         LabelKey { key: "n", about: "the direction of the greatest gap" },
         LabelKey { key: "gap", about: "the greatest gap" },
+        LabelKey { key: "t_1", about: "the tangent to the left of B ⊖ A, with names" },
+        LabelKey { key: "t_2", about: "the tangent to the right of B ⊖ A, with names" },
+        LabelKey { key: "n_1", about: "the end of the cone square to the first tangent, with names" },
+        LabelKey { key: "n_2", about: "the end of the cone square to the second tangent, with names" },
     ],
     needs: "two convex bodies",
     fed: |context, _| {
@@ -126,13 +138,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sector = Outline::sector(origin, radius, start, end - start);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
     let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
-    let ends = [(cone.tangents[0], end, cone.touching[0]), (cone.tangents[1], start, cone.touching[1])];
-    for (tangent, edge, touching) in ends {
+    let ends = [(cone.tangents[1], start, cone.touching[1]), (cone.tangents[0], end, cone.touching[0])];
+    for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
         let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
         sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::construction());
         sketch.part("cone-edge").line(origin, on_circle(origin, radius, edge), Pen::vector(role));
         right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
+        if options.flag("names", false) {
+            let of_cone = on_circle(origin, radius, edge);
+            let ends = [(origin, beyond, Role::Muted), (origin, of_cone, role)];
+            for (key, (from, tip, role)) in keys.into_iter().zip(ends) {
+                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(from, tip), role));
+            }
+        }
     }
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = origin + cone.normal * 1.0_f64.max(least).min(most);
@@ -157,7 +176,7 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, role: Role) {
     let at = |aside: f64, ahead: f64| origin + along * aside + cone.normal * ahead;
     let other = -out * sketch.px(BEHIND);
     sketch.part("square-line").weight(Weight::Light);
-    sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::construction());
+    sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::extension());
     sketch.part("gap-line").weight(Weight::Light);
     sketch.line(at(along.dot(near), cone.gap), at(end + out * tick, cone.gap), Pen::extension());
     let (from, to) = (at(end, 0.0), at(end, cone.gap));
@@ -228,6 +247,28 @@ mod tests {
         // A's edge 3x + 4y = 9 and B's vertex (2, 3.5), where that is 20.
         assert_eq!(labels(&figure)["gap"].1, 2.2);
         assert!((lines(&figure, "gap")[0] / figure.panels[0].frame.scale - 2.2).abs() < 1e-9);
+    }
+
+    #[test]
+    fn each_end_of_the_cone_has_the_number_of_the_tangent_that_it_is_square_to() {
+        let text = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }
+            shapes.B = { kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ space = 'configuration', layers = [{ layer = 'separating-cone', names = true }] }]";
+        let scene = open_text("cone", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "cone");
+        let panel = &figure.panels[0];
+        let corner = panel.frame.panel;
+        let from_origin = |key: &str| {
+            let label = panel.placed.iter().find(|label| label.key == key).unwrap();
+            crate::drawing::Point::new(corner.x0, corner.y0) + label.home - panel.frame.page(DVec2::ZERO)
+        };
+        for [tangent, end] in NAMES {
+            let (t, n) = (from_origin(tangent), from_origin(end));
+            let cosine = (t.dx * n.dx + t.dy * n.dy) / (t.length() * n.length());
+            assert!(cosine.abs() < 1e-6, "{end} is not square to {tangent}: {cosine}");
+        }
     }
 
     #[test]

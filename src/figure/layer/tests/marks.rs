@@ -92,7 +92,7 @@ fn the_rival_is_the_next_longer_way_out() {
     let plan = plan(&scene).unwrap();
     let figure = draw(&plan, plan.theme, "marks");
     let (label, length) = labels(&figure)["rival"].clone();
-    assert_eq!((label.as_str(), length), ("$2.5$: longer", 2.5));
+    assert_eq!((label.as_str(), length), ("$2.5$, longer", 2.5));
     assert!((lines(&figure, "rival")[0] / figure.panels[0].frame.scale - length).abs() < 1e-9);
 }
 
@@ -110,7 +110,7 @@ fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
         let scene = open_text("marks.toml", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "marks");
-        assert_eq!(labels(&figure)["rival"].0, "$3$: longer");
+        assert_eq!(labels(&figure)["rival"].0, "$3$, longer");
         let frame = &figure.panels[0].frame;
         let ends: Vec<_> = paths(&figure.drawing.items, "rival").into_iter().flat_map(points).collect();
         let at = |p: [f64; 2]| ends.iter().any(|&q| (q - frame.page(DVec2::from(p))).length() < 0.5);
@@ -291,4 +291,20 @@ fn a_ray_says_its_components_where_the_scene_wants_them() {
     };
     assert_eq!(said("'ray'"), "$v$");
     assert_eq!(said("{ layer = 'ray', values = true }"), "$v$ $= (5, 1.5)$");
+}
+
+#[test]
+fn a_right_angle_is_marked_at_the_nearest_point_of_an_edge_and_not_at_a_vertex() {
+    for (place, angles) in [("[5, 0.5]", 1), ("[5, 4.5]", 0)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+             shapes.B = {{ kind = 'box', half_extents = [1, 1], position = {place} }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ space = 'configuration', layers = ['difference', 'closest'] }}]"
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        assert_eq!(paths(&figure.drawing.items, "right-angle").len(), angles, "{place}");
+    }
 }

@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::scene::open_text;
 use crate::trace::Event;
 
-use super::{labels, paths};
+use super::{labels, lines, paths};
 
 /// How far apart a thing may be drawn, page pixels.
 const NEAR: f64 = 1e-6;
@@ -124,4 +124,62 @@ fn at_the_bound_of_the_first_step_the_bodies_are_apart_by_the_slack_that_is_left
     assert!(bound > 0.3 && slack > 0.5, "{bound}, {slack}");
     let labels = labels(&draw(&plan, plan.theme, "bound"));
     assert!((labels["note"].1 - bound).abs() < 0.005 && (labels["d"].1 - slack).abs() < 0.01, "{labels:?}");
+}
+
+#[test]
+fn a_step_has_the_same_name_among_the_ghosts_in_the_graph_and_at_its_difference() {
+    let text = "shapes.A = { kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
+            angle_deg = 20, angular_velocity_deg = 90 }
+        shapes.B = { kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }
+        query = { kind = 'time-of-impact', of = ['A', 'B'], tolerance = 0.5,
+            algorithm = 'conservative-advancement' }
+        panels = [{ layers = [{ layer = 'ghosts', of = 'A', at = 'steps', numbered = true }] },
+            { layers = ['graph'] },
+            { space = 'configuration', layers = [{ layer = 'difference', at = 'steps', numbers = true }] }]";
+    let scene = open_text("names", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let count = plan.own_run().events().filter(|e| matches!(e, Event::Advanced { .. })).count();
+    let figure = draw(&plan, plan.theme, "names");
+    let names = |panel: usize| {
+        let placed = figure.panels[panel].placed.iter();
+        let named = placed.filter(|label| matches!(label.key, "then" | "A'" | "step"));
+        let mut names: Vec<_> = named.map(|label| label.lines[0].1.markup.clone()).collect();
+        names.sort();
+        names
+    };
+    let all: Vec<_> = (1..=count).map(|k| format!("$t_{{{k}}}$")).collect();
+    assert!(count > 2 && names(0) == all[1..] && names(1) == all && names(2) == all, "{all:?}");
+}
+
+#[test]
+fn a_radius_divided_by_a_nearer_vertex_is_measured_over_its_whole_length() {
+    for (nearer, measured) in [(", nearer = 0", true), ("", false)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[-1.5, -2], [3, 4], [0, 1]],
+                angular_velocity_deg = -50 }}
+            query = {{ kind = 'motion-bound', of = ['A'] }}
+            panels = [{{ layers = [{{ layer = 'arc', sector = true{nearer} }}] }}]"
+        );
+        let scene = open_text("arc", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "arc");
+        let scale = figure.panels[0].frame.scale;
+        let whole = |length: &f64| (length / scale - 5.0).abs() < NEAR;
+        assert_eq!(lines(&figure, "radius").iter().any(whole), measured, "{nearer}");
+        assert_eq!(labels(&figure)["r"].1, 5.0);
+    }
+}
+
+#[test]
+fn a_ray_without_its_free_way_still_hits() {
+    for (option, bands) in [("", 1), (", free = false", 0)] {
+        let text = format!(
+            "{BODIES}\nquery = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+            panels = [{{ space = 'configuration', layers = [{{ layer = 'ray'{option} }}] }}]"
+        );
+        let scene = open_text("ray", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let items = draw(&plan, plan.theme, "ray").drawing.items;
+        assert_eq!((paths(&items, "until-hit").len(), paths(&items, "hit").len()), (bands, 1));
+    }
 }
