@@ -26,7 +26,7 @@ const NEARER_MARK: f64 = 0.45;
 /// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
 
-/// How far below the lower radius the whole of it is measured, where a part of it is named there, page pixels.
+/// How far below the lower radius the whole of it is measured, where a part of it is named, page pixels.
 const BELOW: f64 = 44.0;
 
 /// Opacity of the sector's fill.

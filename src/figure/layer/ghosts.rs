@@ -156,8 +156,8 @@ pub(super) fn ghost(
     sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
 
-/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first ones and
-/// the last, which is named.
+/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first
+/// ones and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
@@ -179,7 +179,11 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     if let Some(outline) = context.outline(side, last) {
         sketch.since(context.known(&When::Step(times.len() + 1)));
         let count = times.len() + 1;
-        let text = if numbered { vec![then(count, last)] } else { at_moment(context, side, &number(last)) };
+        let text = if numbered {
+            vec![format!("{} at {}", context.named(side).primed(0), then(count, last))]
+        } else {
+            at_moment(context, side, &number(last))
+        };
         ghost(sketch, options, side, &outline, text);
     }
 }

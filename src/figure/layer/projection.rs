@@ -4,8 +4,8 @@
 //! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis n points
 //! out of an edge of A, or into one of B, so that the measure is that of the other body's support from the
 //! edge's line. Where B begins beyond A's end it is the gap of the intervals. Else it is the depth: how far B
-//! must go along n until the edge parts them. That is called the overlap where it is what the intervals share,
-//! and is more than that where one reaches past the other's far end.
+//! must go along n until the edge parts them. That is the overlap where it is what the intervals share, and is
+//! more than that where one reaches past the other's far end.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -60,7 +60,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the axis" },
         LabelKey {
             key: "gap",
-            about: "gap from where A ends to where B begins; the overlap or depth, where B begins before that",
+            about: "gap from where A ends to where B begins; overlap or depth, where B begins before that",
         },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
@@ -221,11 +221,11 @@ fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
     sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
     let out = at(0.0, 1.0) - at(0.0, 0.0);
     let word = match t.gap < 0.0 {
-        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap",
-        true => "depth",
-        false => "gap",
+        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap $=",
+        true => "depth $=",
+        false => "gap $=",
     };
-    let mut lines = vec![format!("{word} $= {}$", number(t.gap.abs()))];
+    let mut lines = vec![format!("{word} {}$", number(t.gap.abs()))];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());

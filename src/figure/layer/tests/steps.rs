@@ -143,7 +143,7 @@ fn a_step_has_the_same_name_among_the_ghosts_in_the_graph_and_at_its_difference(
     let names = |panel: usize| {
         let placed = figure.panels[panel].placed.iter();
         let named = placed.filter(|label| matches!(label.key, "then" | "A'" | "step"));
-        let mut names: Vec<_> = named.map(|label| label.lines[0].1.markup.clone()).collect();
+        let mut names: Vec<_> = named.map(|label| label.lines[0].1.markup.replace("$A$ at ", "")).collect();
         names.sort();
         names
     };
