@@ -4,8 +4,8 @@
 //! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis n points
 //! out of an edge of A, or into one of B, so that the measure is that of the other body's support from the
 //! edge's line. Where B begins beyond A's end it is the gap of the intervals. Else it is the depth: how far B
-//! must go along n until the edge parts them. That is the overlap where it is what the intervals share, and is
-//! more than that where one reaches past the other's far end.
+//! must go along n until the edge parts them. That is the overlap where it is what the intervals share, and
+//! is more than that where one reaches past the other's far end.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
