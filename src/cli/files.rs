@@ -20,7 +20,7 @@ use super::encoded::{Encoded, encode_all};
 use super::encoding::{cant_encode, figure_id, warn};
 use super::in_steps::StepOptions;
 use super::inputs::{find, shown};
-use super::jobs::{Job, Planned, Target, jobs};
+use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
 use super::parallel::threads;
 use super::regular::read_regular;
@@ -152,9 +152,14 @@ pub(crate) struct Plan {
 impl Files {
     /// What is to be drawn; `output` is where the command line wants the files.
     pub(crate) fn plan(&self, output: Option<&Path>) -> Result<Plan, Unplanned> {
+        self.plan_by(output, jobs)
+    }
+
+    /// What is to be drawn, its files named by a planner.
+    pub(crate) fn plan_by(&self, output: Option<&Path>, planner: Planner) -> Result<Plan, Unplanned> {
         let found = find(&self.scenes)?;
         let left_alone = found.left_alone();
-        let jobs = jobs(found.scenes, &mut Projects::new(&self.flags(output)))?;
+        let jobs = planner(found.scenes, &mut Projects::new(&self.flags(output)))?;
         Ok(Plan { jobs, folders: found.folders, is_whole: self.scenes.is_empty(), left_alone })
     }
 

@@ -49,8 +49,40 @@ pub(crate) struct Job {
     pub(crate) settings: Arc<Settings>,
 }
 
+/// Plans the files of scenes.
+pub(crate) type Planner = fn(Vec<Located>, &mut Projects<'_>) -> Result<Vec<Job>, Unplanned>;
+
 /// The files of all scenes, or why they can't all be written; nothing has been written then.
 pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
+    let jobs = planned(scenes, projects)?;
+    apart(&jobs)?;
+    inputs_stay(&jobs)?;
+    Ok(jobs)
+}
+
+/// The files of all scenes, as [`jobs`] gives them, or all of them one file where that has sheets.
+pub(crate) fn bound_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
+    let jobs = planned(scenes, projects)?;
+    if bound_file(&jobs).is_none() {
+        apart(&jobs)?;
+    }
+    inputs_stay(&jobs)?;
+    Ok(jobs)
+}
+
+/// The one file that all figures go to, where it is named and its format has sheets.
+pub(crate) fn bound_file(jobs: &[Job]) -> Option<(&Path, &'static Format)> {
+    let named =
+        |job: &Job| matches!(job.settings.destination, Destination::File(_)) && job.settings.steps.is_none();
+    let first = jobs.iter().flat_map(|job| &job.files).next().filter(|_| jobs.iter().all(named))?;
+    match &first.target {
+        Target::File(path) if first.format.has_sheets() => Some((path, first.format)),
+        _ => None,
+    }
+}
+
+/// The scenes with their files.
+fn planned(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
     let planned = |scene: Located| {
         let folder = match &scene.input {
             Input::File(path) => path.parent().unwrap_or(Path::new("")),
@@ -59,7 +91,11 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
         let settings = projects.settings(folder)?;
         Ok(job(scene, &settings))
     };
-    let jobs: Vec<Job> = scenes.into_iter().map(planned).collect::<Result<_, _>>()?;
+    scenes.into_iter().map(planned).collect()
+}
+
+/// Refuses files of which one would take the place of another.
+fn apart(jobs: &[Job]) -> Result<(), Unplanned> {
     let count = |is: fn(&Destination) -> bool| {
         jobs.iter().filter(|job| is(&job.settings.destination)).map(|job| job.files.len()).sum::<usize>()
     };
@@ -78,9 +114,7 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
                        `--seed`, or a folder";
         return Err(Unplanned::Usage(message.to_owned()));
     }
-    twins(&jobs)?;
-    inputs_stay(&jobs)?;
-    Ok(jobs)
+    twins(jobs)
 }
 
 /// A scene and its files, whatever other scenes there are.

@@ -16,6 +16,7 @@ mod encoded;
 mod encoding;
 mod files;
 mod gallery;
+mod handout;
 mod in_steps;
 mod inputs;
 mod jobs;

@@ -11,7 +11,8 @@ use super::atomic_file::clear_leftovers;
 use super::console::Console;
 use super::files::{Files, Plan};
 use super::gallery::finish;
-use super::jobs::{Job, folders_of};
+use super::handout::Sheets;
+use super::jobs::{Job, bound_jobs, folders_of};
 use super::live::Live;
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
@@ -50,6 +51,9 @@ pub(crate) struct Render {
         default_missing_value = "alone", value_parser = Live::of_word,
         conflicts_with_all = ["jsonl", "skip_unchanged", "steps"])]
     live: Option<Live>,
+    /// How figures are put onto sheets.
+    #[command(flatten)]
+    sheets: Sheets,
     /// Tell on standard error where the time went, added over all scenes
     #[arg(long)]
     timings: bool,
@@ -80,7 +84,7 @@ impl Runs for Render {
             self.files.live = Some(live);
             Live::add_pictures(self.output.as_deref(), &mut self.files.format);
         }
-        let Plan { jobs, left_alone, .. } = match self.files.plan(self.output.as_deref()) {
+        let Plan { jobs, left_alone, .. } = match self.files.plan_by(self.output.as_deref(), bound_jobs) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
@@ -98,6 +102,14 @@ impl Runs for Render {
             None => jobs,
         };
         folders_of(&jobs).into_iter().for_each(clear_leftovers);
+        match self.sheets.document(&jobs) {
+            Ok(None) => {}
+            Ok(Some(document)) => return document.write(&self.files, &jobs, console),
+            Err(message) => {
+                console.error(&message);
+                return Ok(Status::Usage);
+            }
+        }
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
         let ink = console.ink();

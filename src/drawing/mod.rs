@@ -107,6 +107,23 @@ impl Drawing {
 }
 
 impl Drawing {
+    /// Page pixels of an em of its smallest words; none where it has no words.
+    #[must_use]
+    pub(crate) fn smallest_words(&self) -> Option<f64> {
+        fn sizes(items: &[Item], all: &mut Vec<f64>) {
+            for item in items {
+                match item {
+                    Item::Group(group) => sizes(&group.items, all),
+                    Item::Text(text) => all.extend(text.line.runs.iter().map(|run| run.size)),
+                    Item::Path(_) => {}
+                }
+            }
+        }
+        let mut all = Vec::new();
+        sizes(&self.items, &mut all);
+        all.into_iter().reduce(f64::min)
+    }
+
     /// Whether what the page lies on is seen between what is drawn.
     #[must_use]
     pub(crate) fn is_transparent(&self) -> bool {

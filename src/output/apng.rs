@@ -20,6 +20,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
     in_steps: Some(write_steps),
+    bind: None,
     bracket: BRACKET,
     read: Some(READER),
     live: None,

@@ -24,6 +24,7 @@ pub(super) const FORMAT: Format = Format {
     usual: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
+    bind: None,
     in_steps: Some(write_steps),
     bracket: Bracket { begins: &[b"GIF89a".as_slice()], ends: &[b"\x3b".as_slice()] },
     // Its colours are those nearest to the drawing's, so files are compared byte by byte.

@@ -21,6 +21,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(stepper::write),
+    bind: None,
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</html>".as_slice(), b"-->"] },
     // The words around the picture count too, so pages are compared as texts.
     read: Some(Reader { stamp, picture: None }),

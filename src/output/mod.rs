@@ -9,6 +9,7 @@ mod base64;
 mod curves;
 mod gallery;
 mod gif;
+mod handout;
 mod hold;
 mod html;
 mod live_page;
@@ -31,6 +32,7 @@ use crate::drawing::Drawing;
 
 pub(crate) use base64::base64;
 pub use gallery::{Gallery, gallery};
+pub use handout::{Handout, MOST_A_SHEET, PAPERS, Paper};
 pub use live_page::{LivePage, Module, live_runtime};
 pub use picture::TooMuch;
 pub(crate) use picture::{Picture, Rows, Unread};
@@ -56,6 +58,8 @@ pub struct Format {
     pub write: Writer,
     /// How all steps of a drawing become one file; none where a file has room for one of them only.
     pub(crate) in_steps: Option<InStepsWriter>,
+    /// How it writes sheets of several drawings; `None` where a file has one page.
+    pub(crate) bind: Option<Binder>,
     /// How its files begin and end.
     pub(crate) bracket: Bracket,
     /// How a page is written whose figure a reader can drag; `None` where the format has no such pages.
@@ -78,6 +82,9 @@ pub enum Writer {
 pub type WriteLive = fn(&Drawing, &LivePage<'_>) -> Result<Vec<u8>, OutputError>;
 /// Makes one file of all steps of a drawing.
 pub(crate) type InStepsWriter = fn(&Drawing, &Options, InSteps) -> Result<Vec<u8>, OutputError>;
+
+/// Writes sheets as one file.
+pub(crate) type Binder = fn(&[handout::Sheet<'_>]) -> Result<Vec<u8>, OutputError>;
 
 /// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another
 /// option.
@@ -146,6 +153,18 @@ pub fn format(name: &str) -> Option<&'static Format> {
 }
 
 impl Format {
+    /// Whether it writes several figures as one document: a [`Handout`].
+    ///
+    /// ```
+    /// use tracefig::output::format;
+    /// assert!(format("pdf").unwrap().has_sheets());
+    /// assert!(!format("svg").unwrap().has_sheets());
+    /// ```
+    #[must_use]
+    pub fn has_sheets(&self) -> bool {
+        self.bind.is_some()
+    }
+
     /// What the bytes of a file depend on besides its scene: the format, the theme's word and those options
     /// that make a difference to this format. Two calls give the same text exactly where the same scene gives
     /// the same bytes.
@@ -317,6 +336,8 @@ pub enum OutputError {
     },
     /// The drawings of a sequence differ in size, or there are none.
     Sequence,
+    /// The format has no sheets, or there are no figures for them.
+    NoSheets,
     /// The encoder refused its input, which is a fault of this program.
     Encoder {
         /// What the encoder says.
@@ -347,6 +368,7 @@ impl fmt::Display for OutputError {
                 write!(f, "the drawing's group `{group}` has a place that is not on any page")
             }
             Self::Sequence => write!(f, "the drawings of a sequence must have one size"),
+            Self::NoSheets => write!(f, "a handout is at least one figure in a format that has sheets"),
             Self::Encoder { message } => write!(f, "the encoder says: {message}"),
         }
     }

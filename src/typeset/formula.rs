@@ -12,6 +12,7 @@ use latex_rust::{BoxContent, Error, FontError, MathBox, MathStyle, ParseError};
 use super::face::{Loaded, UNITS_PER_EM, ems};
 use super::inner_words::{self, Taken};
 use super::line::{Face, Glyph, PlacedGlyph, Rule, TypesetError};
+use super::plain;
 use super::vec_accent::Vector;
 use super::words::missing;
 
@@ -30,6 +31,8 @@ pub(super) struct Formula {
     pub(super) rules: Vec<Rule>,
     /// The advance width in page pixels.
     pub(super) width: f64,
+    /// What it says in plain text.
+    pub(super) text: String,
 }
 
 /// Formulas kept for the next time: the panels, themes and captions of figures say the same few again and
@@ -71,6 +74,7 @@ fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetErro
     let advance = ems(&tree.width) * size + grown;
     let ink = writer.formula.glyphs.last().map_or(0.0, right);
     writer.formula.width = advance.max(ink);
+    writer.formula.text = plain::formula_in_words(latex);
     Ok(writer.formula)
 }
 

@@ -105,6 +105,17 @@ pub struct Tint {
     pub x: [f64; 2],
 }
 
+/// A word or a formula of a line as it is read out: what a search finds and what is copied.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// What it says in plain text, with a space at its end where one follows.
+    pub text: String,
+    /// Page pixels from the line's start to its beginning and to its end, without the space.
+    pub x: [f64; 2],
+    /// Page pixels of an em.
+    pub size: f64,
+}
+
 /// A line of text: glyphs and rules with the extent that they need, baseline at y = 0, y down.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Line {
@@ -116,6 +127,8 @@ pub struct Line {
     pub rules: Vec<Rule>,
     /// The stretches that wear a role, left to right.
     pub tints: Vec<Tint>,
+    /// The words and formulas, left to right.
+    pub runs: Vec<Run>,
     /// Advance width in page pixels.
     pub width: f64,
     /// Page pixels above the baseline that belong to the line: its ink, and the letters' x-height at least.
@@ -150,11 +163,14 @@ impl Line {
 
     /// A part of the line, as a line that begins where the part does.
     fn stretch(&self, glyphs: Range<usize>, rules: Range<usize>, [from, to]: [f64; 2]) -> Self {
+        let is_within = |run: &&Run| (from..to).contains(&(0.5 * (run.x[0] + run.x[1])));
+        let moved = |run: &Run| Run { x: run.x.map(|x| x - from), ..run.clone() };
         Self {
             markup: self.markup.clone(),
             glyphs: self.glyphs[glyphs].iter().map(|g| PlacedGlyph { x: g.x - from, ..*g }).collect(),
             rules: self.rules[rules].iter().map(|r| Rule { x: r.x - from, ..*r }).collect(),
             tints: Vec::new(),
+            runs: self.runs.iter().filter(is_within).map(moved).collect(),
             width: to - from,
             ..*self
         }

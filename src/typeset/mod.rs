@@ -17,14 +17,17 @@ mod language;
 mod line;
 mod markup;
 mod paragraph;
+mod plain;
 mod vec_accent;
 mod words;
 
-pub(crate) use inner_words::{escaped, group, unescaped};
-pub(crate) use markup::{Piece, as_markup, characters, ends_in_formula, pieces};
+pub(crate) use inner_words::{escaped, group};
+pub(crate) use markup::{Piece, as_markup, ends_in_formula, pieces};
+pub(crate) use plain::{command_in_words, plain};
+pub(crate) use words::advance_of;
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
-pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Style, Tint, TypesetError, Weight};
+pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Run, Style, Tint, TypesetError, Weight};
 
 use paragraph::Newlines;
 

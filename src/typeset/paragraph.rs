@@ -3,7 +3,7 @@
 //! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
 //! count as one, those at the ends of a line as none.
 
-use super::line::{Line, PlacedGlyph, Rule, Style, Tint, TypesetError};
+use super::line::{Line, PlacedGlyph, Rule, Run, Style, Tint, TypesetError};
 use super::markup::{Piece, characters, pieces};
 use super::{formula, words};
 
@@ -38,7 +38,7 @@ pub(super) fn lines(
         match piece {
             Piece::Formula(offset, latex) => {
                 let set = formula::set(latex, offset, style.size)?;
-                setter.put(set.glyphs, set.rules, set.width);
+                setter.put(set.text, set.glyphs, set.rules, set.width);
             }
             Piece::Words(offset, text) => setter.words(offset, text)?,
             Piece::Role(_, role) => setter.role = Some(role),
@@ -59,6 +59,8 @@ struct Draft {
     rules: Vec<Rule>,
     /// The stretches so far that wear a role.
     tints: Vec<Tint>,
+    /// The words and formulas so far.
+    runs: Vec<Run>,
     /// The advance width so far, in page pixels.
     width: f64,
 }
@@ -83,6 +85,8 @@ impl Draft {
                 _ => self.tints.push(Tint { role, glyphs: g, rules: r, x: [x + from, x + to] }),
             }
         }
+        let moved = |run: Run| Run { x: run.x.map(|from| x + from), ..run };
+        self.runs.extend(other.runs.into_iter().map(moved));
         self.glyphs.extend(other.glyphs.into_iter().map(|g| PlacedGlyph { x: x + g.x, ..g }));
         self.rules.extend(other.rules.into_iter().map(|r| Rule { x: x + r.x, ..r }));
         self.width += other.width;
@@ -100,8 +104,8 @@ impl Draft {
             ascent = ascent.max(-r.y);
             descent = descent.max(r.y + r.height);
         }
-        let Self { glyphs, rules, tints, width } = self;
-        Line { markup: markup.to_owned(), glyphs, rules, tints, width, ascent, descent }
+        let Self { glyphs, rules, tints, runs, width } = self;
+        Line { markup: markup.to_owned(), glyphs, rules, tints, runs, width, ascent, descent }
     }
 }
 
@@ -151,22 +155,26 @@ impl Setter<'_> {
                 continue;
             }
             let word = std::iter::from_fn(|| rest.next_if(|&(_, c)| !c.is_ascii_whitespace()));
+            let mut read = String::new();
+            let word = word.inspect(|&(_, c)| read.push(c));
             let style = if self.role.is_some() { Style::semibold(self.style.size) } else { self.style };
             let set = words::set(word, style)?;
-            self.put(set.glyphs, Vec::new(), set.width);
+            self.put(read, set.glyphs, Vec::new(), set.width);
         }
         Ok(())
     }
 
-    /// Adds what is set to the chunk, in the role that is worn.
-    fn put(&mut self, glyphs: Vec<PlacedGlyph>, rules: Vec<Rule>, width: f64) {
+    /// Adds what is set to the chunk, in the role that is worn; `text` is how it is read.
+    fn put(&mut self, text: String, glyphs: Vec<PlacedGlyph>, rules: Vec<Rule>, width: f64) {
         let tint = self.role.map(|role| Tint {
             role: role.to_owned(),
             glyphs: 0..glyphs.len(),
             rules: 0..rules.len(),
             x: [0.0, width],
         });
-        self.chunk.append(Draft { glyphs, rules, tints: tint.into_iter().collect(), width });
+        let run = Run { text, x: [0.0, width], size: self.style.size };
+        let runs = Some(run).filter(|run| !run.text.is_empty()).into_iter().collect();
+        self.chunk.append(Draft { glyphs, rules, tints: tint.into_iter().collect(), runs, width });
     }
 
     /// Adds the chunk to the line, or to the next one where it does not fit.
@@ -180,6 +188,7 @@ impl Setter<'_> {
         }
         if !self.line.is_empty() {
             self.line.width += self.space;
+            self.line.runs.iter_mut().last().into_iter().for_each(|run| run.text.push(' '));
         }
         self.line.append(chunk);
     }
@@ -207,6 +216,22 @@ mod tests {
         assert!(lines.iter().all(|line| line.width <= 200.0));
         let glyphs: Vec<_> = lines.iter().flat_map(|line| &line.glyphs).map(|g| g.glyph).collect();
         assert_eq!(glyphs, whole.glyphs.iter().map(|g| g.glyph).collect::<Vec<_>>());
+    }
+
+    #[test]
+    fn lines_and_stretches_are_read_as_the_markup_is() {
+        let text = r"{a|$A$'s red box}, and from it $\|D\| - \frac{r}{2}$ to {b|B}.";
+        let style = Style::regular(14.0);
+        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
+        for width in [60.0, 150.0, 900.0] {
+            let lines = wrap(text, style, width).unwrap();
+            let all: Vec<String> = lines.iter().map(read).collect();
+            assert_eq!(all.join(" "), super::super::plain::plain(text));
+            for line in &lines {
+                let parts: String = line.stretches().iter().map(|(.., part)| read(part)).collect();
+                assert_eq!(parts, read(line));
+            }
+        }
     }
 
     #[test]

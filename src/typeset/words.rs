@@ -38,6 +38,11 @@ pub(super) fn set(
     Ok(word)
 }
 
+/// Width of a character among regular words, in ems; that of a figure where the fonts lack it.
+pub(crate) fn advance_of(character: char) -> f64 {
+    glyph_of(character, Weight::Regular).map_or(0.5, advance)
+}
+
 /// Width of a space, in page pixels.
 pub(super) fn space(style: Style) -> f64 {
     glyph_of(' ', style.weight).map_or(0.25, advance) * style.size

@@ -258,3 +258,39 @@ fn a_layer_that_the_answer_lacks_is_a_note_and_under_strict_an_error() {
     assert_eq!((strict.code, strict.out.as_str()), (Some(1), ""));
     assert!(strict.err.starts_with("error[not-in-answer]: `contact` draws nothing"), "{}", strict.err);
 }
+
+#[test]
+fn several_scenes_become_the_sheets_of_one_document() {
+    let folder = folder_with("a.toml", &drawn());
+    let here = folder.path();
+    for name in ["b.toml", "c.toml"] {
+        std::fs::write(here.join(name), drawn()).unwrap();
+    }
+    let render = |arguments: &[&str]| run(tracefig(here).arg("render").args(arguments));
+    let ran = render(&["a.toml", "b.toml", "c.toml", "-o", "h.pdf", "--paper", "letter"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "h.pdf\n"), "{}", ran.err);
+    let holds = |what: &[u8]| {
+        std::fs::read(here.join("h.pdf")).unwrap().windows(what.len()).filter(|part| *part == what).count()
+    };
+    assert_eq!((holds(b"/Count 2"), holds(b"/MediaBox[0 0 612 792]")), (1, 2));
+    // Where the tool is at hand: every figure's words are found, and the numbers of the sheets.
+    if let Ok(read) = std::process::Command::new("pdftotext").args(["h.pdf", "-"]).current_dir(here).output()
+    {
+        let text = String::from_utf8(read.stdout).unwrap();
+        let lines = |what: &str| text.lines().filter(|line| line.trim().replace(' ', "") == what).count();
+        assert_eq!(["A", "B", "1/2", "2/2"].map(lines), [3, 3, 1, 1], "{text}");
+    }
+    let one = render(&["a.toml", "-o", "one.pdf", "--per-page", "4"]);
+    assert_eq!(one.code, Some(0), "{}", one.err);
+    assert!(one.err.contains("warning: letters of"), "{}", one.err);
+
+    let kept = std::fs::read(here.join("h.pdf")).unwrap();
+    std::fs::write(here.join("b.toml"), "shapes = 1").unwrap();
+    let ran = render(&["a.toml", "b.toml", "-o", "h.pdf"]);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(1), ""));
+    assert!(ran.err.contains("h.pdf is not written without all its figures"), "{}", ran.err);
+    assert_eq!(std::fs::read(here.join("h.pdf")).unwrap(), kept);
+    for wrong in [&["a.toml", "c.toml", "-o", "x.svg"][..], &["a.toml", "--per-page", "2"]] {
+        assert_eq!(render(wrong).code, Some(2), "{wrong:?}");
+    }
+}

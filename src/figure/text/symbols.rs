@@ -1,8 +1,8 @@
 //! The symbols of a formula: its letters, each with its script and primes, as they read in running text.
 
-use crate::typeset::group;
+use crate::typeset::{command_in_words, group};
 
-use super::plain::{command_in_words, plain};
+use super::plain::plain;
 
 /// A symbol in plain text, as `v_A`, `A′` or `θ`.
 pub(crate) type Symbol = String;

@@ -1,6 +1,6 @@
 //! A drawing as operators of PDF.
 //!
-//! The page's coordinates are turned over once, so that everything below is in page pixels, y down. Whatever
+//! Coordinates are turned over once a figure, so that everything below is in page pixels, y down. Whatever
 //! changes the graphics state stands between `q` and `Q`. Clips and patterns are clipping paths.
 
 use std::collections::BTreeSet;
@@ -9,21 +9,25 @@ use pdf_writer::types::{LineCapStyle, LineJoinStyle};
 use pdf_writer::{Content as Operators, Name};
 
 use super::super::curves;
+use super::super::handout::{Placed, Sheet};
 use super::super::number::{hundredths, millionths};
-use super::{POINTS, SETTINGS};
+use super::SETTINGS;
+use super::letters::Letters;
 use crate::drawing::{
     Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text,
 };
 use crate::typeset::{Glyph, Rule, UNITS_PER_EM};
 
-/// What a page draws, and what that refers to by name.
+/// What pages draw, and what that refers to by name.
 pub(super) struct Content {
-    /// The operators of the page.
-    pub(super) page: Vec<u8>,
+    /// The operators of each page.
+    pub(super) pages: Vec<Vec<u8>>,
     /// The glyphs that occur, then the groups with an opacity, inner ones first.
     pub(super) forms: Vec<Form>,
     /// The graphics states that occur.
     pub(super) states: BTreeSet<State>,
+    /// The characters that can be found and copied.
+    pub(super) letters: Letters,
 }
 
 /// Content that is drawn by its name.
@@ -76,20 +80,24 @@ impl State {
 }
 
 impl Content {
-    /// All that a drawing shows.
-    pub(super) fn of(drawing: &Drawing) -> Self {
+    /// All that sheets show.
+    pub(super) fn of(sheets: &[Sheet<'_>]) -> Self {
         let mut painter = Painter::default();
-        let height = hundredths(drawing.height * POINTS);
-        let points = hundredths(POINTS);
-        painter.operators.transform([points, 0.0, 0.0, -points, 0.0, height]);
-        painter.operators.set_line_join(LineJoinStyle::RoundJoin);
-        if !drawing.is_transparent() {
-            painter.fill_paint(&drawing.background);
-            painter.rect(Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height });
-            painter.operators.fill_nonzero();
+        let mut pages = Vec::new();
+        let mut reach = [0.0_f64; 2];
+        for sheet in sheets {
+            painter.operators.set_line_join(LineJoinStyle::RoundJoin);
+            for figure in &sheet.figures {
+                painter.aside(|painter| painter.figure(figure, sheet.size[1]));
+                let Drawing { width, height, .. } = figure.drawing;
+                reach = [reach[0].max(*width), reach[1].max(*height)];
+            }
+            painter.operators.transform([1.0, 0.0, 0.0, -1.0, 0.0, hundredths(sheet.size[1])]);
+            sheet.words.iter().for_each(|words| painter.text(words));
+            let page = std::mem::replace(&mut painter.operators, empty());
+            pages.push(page.finish().into_vec());
         }
-        painter.items(&drawing.items);
-        let everywhere = [0.0, 0.0, hundredths(drawing.width.ceil()), hundredths(drawing.height.ceil())];
+        let everywhere = [0.0, 0.0, hundredths(reach[0].ceil()), hundredths(reach[1].ceil())];
         let groups = painter.groups.into_iter().enumerate().map(|(i, content)| Form {
             name: group_name(i),
             bounds: everywhere,
@@ -97,7 +105,7 @@ impl Content {
             is_group: true,
         });
         let forms = painter.glyphs.into_iter().map(glyph_form).chain(groups).collect();
-        Self { page: painter.operators.finish().into_vec(), forms, states: painter.states }
+        Self { pages, forms, states: painter.states, letters: painter.letters }
     }
 }
 
@@ -107,6 +115,8 @@ struct Painter {
     operators: Operators,
     /// The graphics states that were used.
     states: BTreeSet<State>,
+    /// The characters that were set.
+    letters: Letters,
     /// The glyphs that were set, each a form of its own.
     glyphs: BTreeSet<Glyph>,
     /// The operators of each group with an opacity.
@@ -115,7 +125,13 @@ struct Painter {
 
 impl Default for Painter {
     fn default() -> Self {
-        Self { operators: empty(), states: BTreeSet::new(), glyphs: BTreeSet::new(), groups: Vec::new() }
+        Self {
+            operators: empty(),
+            states: BTreeSet::new(),
+            letters: Letters::default(),
+            glyphs: BTreeSet::new(),
+            groups: Vec::new(),
+        }
     }
 }
 
@@ -125,6 +141,23 @@ impl Painter {
         self.operators.save_state();
         write(self);
         self.operators.restore_state();
+    }
+
+    /// A figure at its place on a sheet of this height; nothing of it lies beside its page.
+    fn figure(&mut self, &Placed { drawing, at: [x, y], scale }: &Placed<'_>, height: f64) {
+        let factor = millionths(scale);
+        self.operators.transform([factor, 0.0, 0.0, -factor, hundredths(x), hundredths(height - y)]);
+        let page = Rect { x0: 0.0, y0: 0.0, x1: drawing.width, y1: drawing.height };
+        self.rect(page);
+        self.operators.clip_nonzero().end_path();
+        if !drawing.is_transparent() {
+            self.aside(|painter| {
+                painter.fill_paint(&drawing.background);
+                painter.rect(page);
+                painter.operators.fill_nonzero();
+            });
+        }
+        self.items(&drawing.items);
     }
 
     fn items(&mut self, items: &[Item]) {
@@ -217,6 +250,9 @@ impl Painter {
             for rule in &text.line.rules {
                 painter.rect(place(rule, text.origin));
                 painter.operators.fill_nonzero();
+            }
+            for run in &text.line.runs {
+                painter.letters.show(&mut painter.operators, run, text.origin);
             }
         });
     }

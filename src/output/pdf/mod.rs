@@ -1,21 +1,23 @@
 //! PDF: a page of vector graphics, for papers and slides; in steps a page for each, that LaTeX includes by
-//! its number.
+//! its number; of several figures sheets of paper.
 //!
 //! A page pixel is ¾ of a point, as in CSS. Text is outlines: each glyph that occurs is a form that its
-//! places refer to. Opacities are graphics states, groups with an opacity are forms ([`content`]). Objects,
-//! strings and the table that says where each object begins are written by `pdf-writer`. There is no date and
-//! no random number in the file.
+//! places refer to; over them lie [`letters`] that no one sees, which are found and copied. Opacities are
+//! graphics states, groups with an opacity are forms ([`content`]). Objects, strings and the table that says
+//! where each object begins are written by `pdf-writer`. There is no date and no random number in the file.
 //! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, sections 7 and 8.
 
 mod content;
+mod letters;
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use flate2::{Compress, CompressError, Compression, FlushCompress, Status};
 use pdf_writer::writers::{ExtGraphicsState, PageLabel, Resources};
 use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, Str, TextStr};
 
+use super::handout::{POINTS, Placed, Sheet};
 use super::number::hundredths;
 use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Stamped, Writer, validity};
 use crate::drawing::{Drawing, Step};
@@ -24,11 +26,12 @@ use content::{Content, Form, Opacity, State};
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
     name: "pdf",
-    about: "vector page, text as outlines; a page for each step",
+    about: "vector page, its text found and copied; a page for each step, or sheets of several figures",
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(write_steps),
+    bind: Some(write_sheets),
     bracket: Bracket {
         begins: &[b"%PDF-".as_slice()],
         ends: &[b"%%EOF".as_slice(), b"%%EOF\n", b"%%EOF\r\n"],
@@ -40,9 +43,6 @@ pub(super) const FORMAT: Format = Format {
 
 /// Key of the document's information under which the scene's hash stands.
 const HASH: &str = "tracefig";
-
-/// Points a page pixel.
-const POINTS: f64 = 0.75;
 
 /// Spaces only where they separate.
 const SETTINGS: Settings = Settings { pretty: false };
@@ -63,72 +63,58 @@ fn stamp(bytes: &[u8]) -> Option<Stamped> {
 
 fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    file(drawing, &[Content::of(drawing)]).map_err(|error| OutputError::encoder(&error))
+    file(&[page_of(drawing)], &[drawing], &[]).map_err(|error| OutputError::encoder(&error))
 }
 
 /// Writes a page for each step, labelled with its title.
 fn write_steps(drawing: &Drawing, _options: &Options, _: InSteps) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    let pages = (1..=drawing.steps.len()).map(|step| Content::of(&drawing.at_step(step)));
-    file(drawing, &pages.collect::<Vec<_>>()).map_err(|error| OutputError::encoder(&error))
+    let steps: Vec<Drawing> = (1..=drawing.steps.len()).map(|step| drawing.at_step(step)).collect();
+    let pages: Vec<Sheet<'_>> = steps.iter().map(page_of).collect();
+    file(&pages, &[drawing], &drawing.steps).map_err(|error| OutputError::encoder(&error))
 }
 
-/// A page among the objects of a file.
-struct Sheet<'c> {
-    /// The page itself.
-    page: Ref,
-    /// What it draws.
-    drawn: Ref,
-    /// What that refers to by name.
-    resources: Ref,
-    /// What it draws, in operators.
-    content: &'c Content,
-    /// The forms that it refers to, each with its object; glyphs are those of all pages.
-    forms: Vec<(Ref, &'c Form)>,
+fn write_sheets(sheets: &[Sheet<'_>]) -> Result<Vec<u8>, OutputError> {
+    let drawings: Vec<&Drawing> = sheets.iter().flat_map(|s| &s.figures).map(|f| f.drawing).collect();
+    file(sheets, &drawings, &[]).map_err(|error| OutputError::encoder(&error))
 }
 
-/// The whole file: the document, its pages, and what they draw and refer to.
-fn file(drawing: &Drawing, contents: &[Content]) -> Result<Vec<u8>, CompressError> {
+/// A figure on a page of its own.
+fn page_of(drawing: &Drawing) -> Sheet<'_> {
+    let size = [drawing.width, drawing.height].map(|length| length * POINTS);
+    let figures = vec![Placed { drawing, at: [0.0; 2], scale: POINTS }];
+    Sheet { size, figures, words: Vec::new() }
+}
+
+/// The whole file: the document, which says what `drawings` say, its pages, and what they draw and refer to.
+/// Of several steps each page has the title of its own for a number.
+fn file(sheets: &[Sheet<'_>], drawings: &[&Drawing], steps: &[Step]) -> Result<Vec<u8>, CompressError> {
+    let content = Content::of(sheets);
     let mut free = Ref::new(1);
-    let [catalog, pages] = std::array::from_fn(|_| free.bump());
-    let mut objects: Vec<[Ref; 3]> = contents.iter().map(|_| std::array::from_fn(|_| free.bump())).collect();
-    let info = free.bump();
-    let mut glyphs: BTreeMap<&str, Ref> = BTreeMap::new();
-    let mut written: Vec<(Ref, &Form, Ref)> = Vec::new();
-    let mut sheets = Vec::new();
-    for (content, [page, drawn, resources]) in contents.iter().zip(objects.drain(..)) {
-        let mut forms = Vec::new();
-        for form in &content.forms {
-            let known = glyphs.get(form.name.as_str()).copied().filter(|_| !form.is_group);
-            let object = known.unwrap_or_else(|| free.bump());
-            if known.is_none() {
-                glyphs.insert(&form.name, object);
-                written.push((object, form, resources));
-            }
-            forms.push((object, form));
-        }
-        sheets.push(Sheet { page, drawn, resources, content, forms });
-    }
+    let [catalog, tree, resources, info] = std::array::from_fn(|_| free.bump());
+    let pages: Vec<[Ref; 2]> = sheets.iter().map(|_| [free.bump(), free.bump()]).collect();
+    let forms: Vec<(Ref, &Form)> = content.forms.iter().map(|form| (free.bump(), form)).collect();
     let mut pdf = Pdf::with_settings(SETTINGS);
-    write_catalog(&mut pdf, drawing, (catalog, pages), &sheets, &mut free);
+    write_catalog(&mut pdf, (catalog, tree), language(drawings), steps, &mut free);
+    let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
+    pdf.pages(tree).kids(pages.iter().map(|[page, _]| *page)).count(count);
     let mut packer = Packer::new();
-    let [width, height] = [drawing.width, drawing.height].map(|length| hundredths(length * POINTS));
-    for Sheet { page, drawn, resources, content, forms } in &sheets {
-        let mut sheet = pdf.page(*page);
-        sheet.parent(pages).media_box(Rect::new(0.0, 0.0, width, height)).contents(*drawn);
-        sheet.pair(RESOURCES, *resources);
-        sheet.finish();
-        let (bytes, filter) = packer.pack(&content.page)?;
+    for ((sheet, [page, drawn]), operators) in sheets.iter().zip(&pages).zip(&content.pages) {
+        let [width, height] = sheet.size.map(hundredths);
+        let mut written = pdf.page(*page);
+        written.parent(tree).media_box(Rect::new(0.0, 0.0, width, height)).contents(*drawn);
+        written.pair(RESOURCES, resources);
+        written.finish();
+        let (bytes, filter) = packer.pack(operators)?;
         pdf.stream(*drawn, &bytes).pairs(filter);
-        write_resources(&mut pdf, *resources, forms, &content.states);
     }
-    let mut information = pdf.document_info(info);
-    information.title(TextStr(&drawing.title)).subject(TextStr(&drawing.desc)).creator(TextStr("tracefig"));
-    if !drawing.hash.is_empty() {
-        information.pair(Name(HASH.as_bytes()), Str(drawing.hash.as_bytes()));
-    }
-    information.finish();
-    for (object, form, resources) in written {
+    let fonts = content.letters.write(&mut pdf, &mut free, &mut packer)?;
+    let mut names = pdf.indirect(resources).start::<Resources>();
+    write_names(&mut names, &forms, &content.states);
+    names.fonts().pairs(fonts.iter().map(|(name, font)| (Name(name.as_bytes()), *font)));
+    names.finish();
+    write_information(&mut pdf, info, drawings);
+    for (object, form) in forms {
         let (bytes, filter) = packer.pack(&form.content)?;
         let mut written = pdf.form_xobject(object, &bytes);
         let [x0, y0, x1, y1] = form.bounds;
@@ -141,19 +127,12 @@ fn file(drawing: &Drawing, contents: &[Content]) -> Result<Vec<u8>, CompressErro
     Ok(pdf.finish())
 }
 
-/// Writes what the document is, and its pages; of several each has the title of its step for a number.
-fn write_catalog(
-    pdf: &mut Pdf,
-    drawing: &Drawing,
-    (catalog, pages): (Ref, Ref),
-    sheets: &[Sheet<'_>],
-    free: &mut Ref,
-) {
-    let lang = drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG);
+/// Writes what the document is; of several steps each page has a title for its number.
+fn write_catalog(pdf: &mut Pdf, (catalog, tree): (Ref, Ref), lang: &str, steps: &[Step], free: &mut Ref) {
     let titles: Vec<(Ref, &Step)> =
-        drawing.steps.iter().filter(|_| sheets.len() > 1).map(|step| (free.bump(), step)).collect();
+        steps.iter().filter(|_| steps.len() > 1).map(|step| (free.bump(), step)).collect();
     let mut document = pdf.catalog(catalog);
-    document.pages(pages).lang(TextStr(lang));
+    document.pages(tree).lang(TextStr(lang));
     if !titles.is_empty() {
         let mut labels = document.page_labels();
         let mut numbers = labels.nums();
@@ -165,13 +144,32 @@ fn write_catalog(
     for (object, step) in &titles {
         pdf.indirect(*object).start::<PageLabel>().prefix(TextStr(&step.title));
     }
-    let count = i32::try_from(sheets.len()).unwrap_or(i32::MAX);
-    pdf.pages(pages).kids(sheets.iter().map(|sheet| sheet.page)).count(count);
+}
+
+/// The language of all drawings, or else ours.
+fn language<'d>(drawings: &[&'d Drawing]) -> &'d str {
+    let of = |drawing: &&'d Drawing| drawing.lang.as_deref().unwrap_or(Drawing::OWN_LANG);
+    let first = drawings.first().map_or(Drawing::OWN_LANG, of);
+    if drawings.iter().all(|drawing| of(drawing) == first) { first } else { Drawing::OWN_LANG }
+}
+
+/// Writes what the document says of itself: the words of its drawings, and the hash where it shows but one.
+fn write_information(pdf: &mut Pdf, object: Ref, drawings: &[&Drawing]) {
+    let all = |of: fn(&Drawing) -> &str, between: &str| {
+        drawings.iter().map(|drawing| of(drawing)).collect::<Vec<_>>().join(between)
+    };
+    let (title, subject) = (all(|drawing| &drawing.title, "; "), all(|drawing| &drawing.desc, "\n"));
+    let mut information = pdf.document_info(object);
+    information.title(TextStr(&title)).subject(TextStr(&subject)).creator(TextStr("tracefig"));
+    if let [drawing] = drawings
+        && !drawing.hash.is_empty()
+    {
+        information.pair(Name(HASH.as_bytes()), Str(drawing.hash.as_bytes()));
+    }
 }
 
 /// Writes the names of the forms and of the graphics states.
-fn write_resources(pdf: &mut Pdf, object: Ref, forms: &[(Ref, &Form)], states: &BTreeSet<State>) {
-    let mut resources = pdf.indirect(object).start::<Resources>();
+fn write_names(resources: &mut Resources, forms: &[(Ref, &Form)], states: &BTreeSet<State>) {
     resources.x_objects().pairs(forms.iter().map(|(object, form)| (Name(form.name.as_bytes()), *object)));
     let mut dictionaries = resources.ext_g_states();
     for state in states {

@@ -28,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Packing,
     write: Writer::One(write),
     in_steps: None,
+    bind: None,
     bracket: BRACKET,
     read: Some(READER),
     live: None,

@@ -1,0 +1,149 @@
+//! `render -o FILE` of several scenes: their figures on the sheets of one document.
+
+use std::io;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use clap::Args;
+use clap::builder::PossibleValuesParser;
+use tracefig::drawing::Drawing;
+use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, PAPERS};
+
+use super::Status;
+use super::atomic_file::write_whole;
+use super::console::Console;
+use super::files::Files;
+use super::inputs::shown;
+use super::jobs::{Job, bound_file};
+use super::parallel::in_order;
+use super::written::{Written, cant_write};
+
+/// Smaller letters, in points, are hard to read on paper: footnotes of books have 7 to 8.
+const SMALLEST: f64 = 7.0;
+
+/// How the figures of several scenes are put onto sheets.
+#[derive(Args, Clone, Debug)]
+pub(crate) struct Sheets {
+    /// Figures on a sheet, where `-o` names one PDF for several scenes; default: 2
+    #[arg(long, value_name = "N", value_parser = per_page,
+        conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"])]
+    per_page: Option<usize>,
+    /// Paper of these sheets; default: a4
+    #[arg(long, conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"],
+        value_parser = PossibleValuesParser::new(PAPERS.map(|paper| paper.name)))]
+    paper: Option<String>,
+}
+
+/// A number of figures as written on the command line.
+fn per_page(text: &str) -> Result<usize, String> {
+    let known = text.parse().ok().filter(|n| (1..=MOST_A_SHEET).contains(n));
+    known.ok_or_else(|| format!("expected a whole number from 1 to {MOST_A_SHEET}"))
+}
+
+/// A document of several figures that is to be written.
+pub(crate) struct Document {
+    /// Its file.
+    path: PathBuf,
+    /// The format of the file.
+    format: &'static Format,
+    /// How the figures are put onto sheets.
+    handout: Handout,
+}
+
+impl Sheets {
+    /// The document that a run writes, where it writes one.
+    ///
+    /// # Errors
+    /// Where sheets are asked for and the run writes files of other kinds.
+    pub(crate) fn document(&self, jobs: &[Job]) -> Result<Option<Document>, String> {
+        let is_asked = self.per_page.is_some() || self.paper.is_some();
+        let files = jobs.iter().map(|job| job.files.len()).sum::<usize>();
+        match bound_file(jobs) {
+            Some((path, format)) if is_asked || files > 1 => {
+                let usual = Handout::default();
+                let paper = PAPERS.into_iter().find(|paper| self.paper.as_deref() == Some(paper.name));
+                let (paper, per_page) =
+                    (paper.unwrap_or(usual.paper), self.per_page.unwrap_or(usual.per_page));
+                let handout = Handout { paper, per_page };
+                Ok(Some(Document { path: path.to_owned(), format, handout }))
+            }
+            None if is_asked => {
+                let with_sheets = FORMATS.iter().filter(|format| format.has_sheets());
+                let names: Vec<String> =
+                    with_sheets.map(|format| format!("-o FILE.{}", format.name)).collect();
+                Err(format!(
+                    "`--per-page` and `--paper` need one file for all figures: {}",
+                    names.join(" or ")
+                ))
+            }
+            _ => Ok(None),
+        }
+    }
+}
+
+impl Document {
+    /// Draws the scenes and writes their figures as one file, or none where one of them fails.
+    ///
+    /// # Errors
+    /// When standard output fails.
+    pub(crate) fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
+        let ink = console.ink();
+        let (mut status, mut figures) = (Status::Done, Vec::new());
+        in_order(
+            jobs,
+            files.threads(),
+            |job| files.draw(job, ink),
+            |job, drawn| -> io::Result<()> {
+                let name = job.input.shown();
+                let Some(drawn) = drawn else {
+                    status = status.max(Status::Bug);
+                    return Written::bug(&name).tell(console);
+                };
+                status = status.max(drawn.status);
+                Console::message(&drawn.messages);
+                figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file.drawing)));
+                Ok(())
+            },
+        )?;
+        if status != Status::Done {
+            console.error(&format!("{} is not written without all its figures", shown(&self.path)));
+            return Ok(status);
+        }
+        let mut written = Written::nothing();
+        let drawings: Vec<&Drawing> = figures.iter().map(|(_, drawing)| &**drawing).collect();
+        match self.handout.write(&drawings, self.format) {
+            Ok(bytes) => match write_whole(&self.path, &bytes, files.wait()) {
+                Ok(()) => written.names.push(shown(&self.path)),
+                Err(error) => {
+                    written.messages = cant_write(&self.path, &error);
+                    written.status = Status::Io;
+                }
+            },
+            Err(error) => {
+                written.messages = format!("error: {}: {error}\n", shown(&self.path));
+                written.status = Status::Wrong;
+            }
+        }
+        written.messages.push_str(&self.small_letters(&figures, &drawings));
+        written.tell(console)?;
+        Ok(written.status)
+    }
+
+    /// A warning of letters that are hard to read on these sheets; empty where all are large enough.
+    fn small_letters(&self, figures: &[(String, Arc<Drawing>)], drawings: &[&Drawing]) -> String {
+        let letters = self.handout.letters(drawings);
+        let small = figures.iter().zip(letters).filter_map(|((name, _), size)| Some((name, size?)));
+        let small: Vec<_> = small.filter(|(_, size)| *size < SMALLEST).collect();
+        let Some((name, size)) = small.iter().min_by(|(_, a), (_, b)| a.total_cmp(b)) else {
+            return String::new();
+        };
+        let others = match small.len() - 1 {
+            0 => String::new(),
+            more => format!(" and small ones in {more} more"),
+        };
+        format!(
+            "warning: letters of {size:.1} points in {name}{others}: under {SMALLEST} they are hard to read; \
+             fewer figures on a sheet are larger\n"
+        )
+    }
+}
