@@ -154,7 +154,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
             SHARES.into_iter().fold(Panels::drawn(sheet(1.0), None), |best, share| best.looser(sheet(share)))
         }
     };
-    let Panels { mut items, scopes, panels, insets, handles, share, .. } = drawn;
+    let Panels { mut items, scopes, labelled: panels, insets, handles, share, .. } = drawn;
     let Page { headline, headline_step, caption, step, caption_column, .. } = plan.page;
     items.push(across("headline", &plan.headline, (headline, headline_step, 0.0), theme));
     items.push(across("caption", &plan.caption, (caption, step, caption_column), theme));
@@ -199,7 +199,7 @@ struct Panels {
     /// Which items come with which events.
     scopes: Vec<Scope>,
     /// The labels of each panel.
-    panels: Vec<Labelled>,
+    labelled: Vec<Labelled>,
     /// The labels of each inset.
     insets: Vec<Labelled>,
     /// What a reader may drag.
@@ -229,12 +229,12 @@ impl Panels {
             scopes.push(Scope { items: begin..items.len(), cues, base, shows_bodies });
             panels.push(labelled);
         }
-        Self { items, scopes, panels, insets, handles, points, share }
+        Self { items, scopes, labelled: panels, insets, handles, points, share }
     }
 
     /// What is wrong with the labels of the panels whose scale is ours to choose.
     fn faults(&self, plan: &Plan) -> usize {
-        let free = self.panels.iter().zip(&plan.panels).filter(|(_, panel)| panel.source.view.is_none());
+        let free = self.labelled.iter().zip(&plan.panels).filter(|(_, panel)| panel.source.view.is_none());
         free.map(|(labelled, _)| faults(labelled).len()).sum()
     }
 

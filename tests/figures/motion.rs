@@ -120,7 +120,7 @@ fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
         f.says(r"$\omega_A$") && f.says(r"$\omega_B$"),
         f.says("$A$ at $t = 0.5$") && f.says("$B$ at $t = 0.5$"),
         // 11.5 / (20 + 5.5 π) = 0.30849, and what is left then.
-        f.says("At the bound $t = 0.308$ they are still apart; they touch at $t = 0.5$"),
+        f.says("At the bound $t = 0.31$ they are still apart; they touch at $t = 0.5$"),
         f.says("$d = 3.51$"),
     ];
 }
