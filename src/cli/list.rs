@@ -5,7 +5,7 @@ use std::io::{self, Write as _};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::collision::{ALGORITHMS, QUERIES, QueryKind, Question};
+use tracefig::collision::{ALGORITHMS, AnswerField, QUERIES, QueryKind, Question};
 use tracefig::drawing::Role;
 use tracefig::figure;
 use tracefig::figure::default_picture::{PICTURES, Picture};
@@ -15,7 +15,10 @@ use tracefig::figure::theme::{THEMES, ThemeKey, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
 use tracefig::output::FORMATS;
-use tracefig::scene::{ERRORS, Field, Holds, PROJECT_TABLES, TABLES, shape_rows, visible};
+use tracefig::scene::{
+    ERRORS, Field, Holds, LINE_FIELDS, PROJECT_TABLES, TABLES, answer_fields, shape_rows, visible,
+};
+use tracefig::trace::{EVENTS, HEADER, VALUES};
 
 use super::console::Console;
 use super::inputs::find;
@@ -66,6 +69,18 @@ static TOPICS: &[Topic] = &[
         rows: roles,
     },
     Topic { name: "values", group: "", title: "Values of an answer in texts, as `{=time:.3}`", rows: values },
+    Topic {
+        name: "answers",
+        group: "",
+        title: "Keys of answers, as `solve --json` writes them",
+        rows: answers,
+    },
+    Topic {
+        name: "events",
+        group: "",
+        title: "Events and their fields, as `trace --jsonl` writes them",
+        rows: events,
+    },
     Topic { name: "exercise", group: "", title: "Values that an exercise may ask for", rows: askable },
     Topic { name: "themes", group: "", title: "Themes", rows: themes },
     Topic {
@@ -258,6 +273,42 @@ fn values() -> Vec<(String, String)> {
         (":.3g", "after a name: three digits in all; without it as many"),
     ];
     figure::values().chain(digits).map(|(name, about)| (name.to_owned(), about.to_owned())).collect()
+}
+
+/// Keys with what they hold, and below them those of what they hold.
+fn answer_rows(within: &str, fields: &[AnswerField]) -> Vec<(String, String)> {
+    let rows = |field: &AnswerField| {
+        let path = format!("{within}{}", field.name);
+        let when =
+            if field.when.is_empty() { String::new() } else { format!("optional, of {}: ", field.when) };
+        let inner = answer_rows(&format!("{path}."), field.inner);
+        let own = (format!("  {path}"), format!("{when}{}", field.about));
+        std::iter::once(own).chain(inner).collect::<Vec<_>>()
+    };
+    fields.iter().flat_map(rows).collect()
+}
+
+fn answers() -> Vec<(String, String)> {
+    let mut rows = vec![("(the line)".to_owned(), String::new())];
+    rows.extend(answer_rows("", &LINE_FIELDS));
+    for query in QUERIES {
+        rows.push((query.word.to_owned(), String::new()));
+        rows.extend(answer_rows("", answer_fields(query.kind)));
+    }
+    rows
+}
+
+fn events() -> Vec<(String, String)> {
+    let inner = |&(name, about): &(&str, &str)| (format!("  {name}"), about.to_owned());
+    let mut rows = vec![("(the first line)".to_owned(), String::new())];
+    rows.extend(HEADER.iter().map(inner));
+    rows.push(("(forms of values)".to_owned(), String::new()));
+    rows.extend(VALUES.iter().map(inner));
+    for kind in EVENTS {
+        rows.push((kind.name(), kind.about()));
+        rows.extend(kind.fields.iter().map(|field| (format!("  {}", field.name), field.about())));
+    }
+    rows
 }
 
 fn theme_keys() -> Vec<(String, String)> {

@@ -47,8 +47,8 @@ mod tests;
 
 pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops, closest_approach};
 pub use answer::{
-    Answer, Bounds, ClosestApproach, Contact, ContactPoint, Impact, MotionBound, Outcome, Overlap, Reason,
-    Separation,
+    Answer, AnswerField, Bounds, ClosestApproach, Contact, ContactPoint, Impact, MotionBound, Outcome,
+    Overlap, Reason, Separation,
 };
 pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;

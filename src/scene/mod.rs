@@ -1,6 +1,7 @@
 //! The scene file: what it may hold, how it is read, and what is wrong with it.
 
 mod answer;
+mod answer_fields;
 mod asked;
 mod body;
 mod canvas;
@@ -37,6 +38,7 @@ mod visible;
 use std::ops::Range;
 
 pub use answer::{answer_json, answer_text};
+pub use answer_fields::{LINE_FIELDS, answer_fields};
 pub use canvas::{Background, Canvas, Height};
 pub use codes::{ERRORS, ErrorCode};
 pub use exercise::{Exercise, Variant};

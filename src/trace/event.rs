@@ -7,6 +7,8 @@ use serde::Serialize;
 
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 
+use super::vocabulary::{EventField, EventKind, vocabulary};
+
 /// A vertex that is farthest along a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SupportVertex {
@@ -49,6 +51,7 @@ pub struct Moment {
     pub angle_b: f64,
 }
 
+vocabulary! {
 /// Something an algorithm did or found.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "event", rename_all = "kebab-case")]
@@ -366,4 +369,5 @@ pub enum Event {
         /// How it ended, in a short word for the story, as "hit" or "separating axis".
         outcome: &'static str,
     },
+}
 }

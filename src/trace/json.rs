@@ -27,6 +27,22 @@ struct Header<'t> {
     events: usize,
 }
 
+/// The keys of the first line, and what they hold.
+pub static HEADER: [(&str, &str); 3] = [
+    ("tracefig_trace", "version of the format: it changes when a field is renamed or changes its meaning"),
+    ("algorithms", "names of the algorithms, in the order in which they began, each once"),
+    ("events", "how many lines follow, an event each"),
+];
+
+/// The forms of values in events that are no numbers, and what they are.
+pub static VALUES: [(&str, &str); 5] = [
+    ("[x, y]", "a point or a vector"),
+    ("{\"time\": t, \"angle_a\": α, \"angle_b\": β}", "a moment, with the angles of A and B in degrees"),
+    ("{\"lo\": s, \"hi\": t}", "an interval"),
+    ("{\"vertex\": i} or {\"edge\": i}", "a feature of a body, numbered from 0 in the order of the file"),
+    ("{\"index\": i, \"point\": [x, y]}", "a vertex, with its place in the world"),
+];
+
 /// The whole trace as JSON lines, each ended by a line feed.
 ///
 /// # Errors

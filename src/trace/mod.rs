@@ -6,11 +6,13 @@
 mod event;
 mod json;
 mod story;
+mod vocabulary;
 
-pub use event::{Culling, Event, Goal, Moment, SupportVertex};
-pub use json::json_lines;
+pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
+pub use json::{HEADER, VALUES, json_lines};
 pub(crate) use story::{difference, step};
 pub use story::{sentence, story};
+pub use vocabulary::{EventField, EventKind};
 
 /// Listens to an algorithm.
 ///

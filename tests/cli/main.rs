@@ -25,6 +25,7 @@ mod report;
 mod schema;
 mod streams;
 mod themes;
+mod vocabulary;
 #[cfg(unix)]
 mod watch;
 #[cfg(unix)]

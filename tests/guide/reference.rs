@@ -225,6 +225,18 @@ fn errors() -> String {
     )
 }
 
+/// A topic whose lines stand below heads that say something themselves or nothing.
+fn headed(title: &str, lead: &str, name: &str) -> String {
+    let mut text = format!("# {title}\n\n{lead}\n");
+    let rows = rows(name);
+    for row in rows.iter().filter(|row| !row.is_inner) {
+        let about = if row.about.is_empty() { String::new() } else { format!("{}\n\n", cell(&row.about)) };
+        let keys = options(below(&rows, &row.name)).replace("| option | takes |", "| key | holds |");
+        let _ = write!(text, "\n## {}\n\n{about}{keys}", row.name);
+    }
+    text
+}
+
 fn commands() -> String {
     let help = printed(&["--help"]);
     let list = help.split_once("\nCommands:\n").unwrap().1.split("\n\n").next().unwrap();
@@ -239,7 +251,7 @@ fn commands() -> String {
 }
 
 /// Every page of the reference, by the name of its file.
-fn all() -> [(&'static str, String); 11] {
+fn all() -> [(&'static str, String); 13] {
     let world = layers(
         Shows::World,
         "Layers of the world",
@@ -262,6 +274,11 @@ fn all() -> [(&'static str, String); 11] {
         ("pictures", pictures()),
         ("values", texts()),
         ("themes", themes()),
+        (
+            "answers",
+            headed("Answers", "What `solve --json` and `solve --jsonl` write, key by key.", "answers"),
+        ),
+        ("events", headed("Events", "What `trace --jsonl` writes: an event a line.", "events")),
         ("formats-and-errors", errors()),
     ]
 }

@@ -130,6 +130,7 @@ fn layers() -> Vec<Table> {
             ("bounds", "collision", "a kind of query"),
             ("clamp", "collision", "an algorithm"),
             ("normal", "collision/answer", "a part of an answer"),
+            ("closest", "collision/answer", "a part of an answer"),
             ("separation", "collision", "a kind of query"),
             ("difference", "drawing/paint.rs", "a colour role"),
             ("translation", "drawing/paint.rs", "a colour role"),

@@ -8,12 +8,14 @@
 //! so that whoever writes JSON or text needs to know kinds of values, not kinds of answers.
 
 mod contact;
+pub(crate) mod fields;
 mod part;
 mod separation;
 
 use crate::geometry::{DVec2, Enclosure};
 
 pub use contact::{Contact, ContactPoint};
+pub use fields::AnswerField;
 pub(crate) use part::{Part, Parts};
 pub use separation::Separation;
 
