@@ -41,7 +41,7 @@ fn per_page(text: &str) -> Result<usize, String> {
 }
 
 /// A document of several figures that is to be written.
-pub(crate) struct Document {
+struct Document {
     /// Its file.
     path: PathBuf,
     /// The format of the file.
@@ -51,11 +51,31 @@ pub(crate) struct Document {
 }
 
 impl Sheets {
+    /// Writes the document of a run; `None` where the run writes other files.
+    ///
+    /// # Errors
+    /// When standard output fails.
+    pub(crate) fn write(
+        &self,
+        files: &Files,
+        jobs: &[Job],
+        console: &mut Console,
+    ) -> io::Result<Option<Status>> {
+        match self.document(jobs) {
+            Ok(None) => Ok(None),
+            Ok(Some(document)) => document.write(files, jobs, console).map(Some),
+            Err(message) => {
+                console.error(&message);
+                Ok(Some(Status::Usage))
+            }
+        }
+    }
+
     /// The document that a run writes, where it writes one.
     ///
     /// # Errors
     /// Where sheets are asked for and the run writes files of other kinds.
-    pub(crate) fn document(&self, jobs: &[Job]) -> Result<Option<Document>, String> {
+    fn document(&self, jobs: &[Job]) -> Result<Option<Document>, String> {
         let is_asked = self.per_page.is_some() || self.paper.is_some();
         let files = jobs.iter().map(|job| job.files.len()).sum::<usize>();
         match bound_file(jobs) {
@@ -86,7 +106,7 @@ impl Document {
     ///
     /// # Errors
     /// When standard output fails.
-    pub(crate) fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
+    fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
         let ink = console.ink();
         let (mut status, mut figures) = (Status::Done, Vec::new());
         in_order(

@@ -102,13 +102,8 @@ impl Runs for Render {
             None => jobs,
         };
         folders_of(&jobs).into_iter().for_each(clear_leftovers);
-        match self.sheets.document(&jobs) {
-            Ok(None) => {}
-            Ok(Some(document)) => return document.write(&self.files, &jobs, console),
-            Err(message) => {
-                console.error(&message);
-                return Ok(Status::Usage);
-            }
+        if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
+            return Ok(status);
         }
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
