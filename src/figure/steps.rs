@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
-use crate::scene::Scene;
+use crate::scene::{Scene, StepWords};
 use crate::trace::{self, Event, step};
 
 use super::cue::{Cue, Teller};
@@ -69,10 +69,11 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
         let goes_on = told.get(i + 1).is_some_and(|next| next.cue.is_of_the_run_of(&this.cue));
         is_open = goes_on && !this.ends;
     }
+    let (steps, counted) = worded(steps, &scene.steps);
     for scope in scopes {
         let number = |number: usize| {
             let cue = scope.cue(number)?;
-            told.iter().position(|told| told.cue == cue).map(|i| numbers[i])
+            told.iter().position(|told| told.cue == cue).map(|i| counted[numbers[i] - 1])
         };
         for item in &mut items[scope.items.clone()] {
             item.for_each_shown(&|shown| {
@@ -82,6 +83,42 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
         }
     }
     steps
+}
+
+/// The steps as a scene wants them, and for each step as it was the number of the one that shows it now.
+fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>) {
+    let (mut steps, mut counted): (Vec<Step>, Vec<usize>) = (Vec::new(), Vec::new());
+    for words in said {
+        let from = counted.len();
+        let until = words.until.unwrap_or(from + 1).min(all.len());
+        let Some(joined) = all.get(from..until).filter(|joined| !joined.is_empty()) else { break };
+        // What is skipped comes with the next one, and with the one before where there is none.
+        let is_last = until == all.len();
+        if !words.skip || (is_last && steps.is_empty()) {
+            steps.push(one(joined, words));
+        }
+        let number = if words.skip && !is_last { steps.len() + 1 } else { steps.len() };
+        counted.resize(until, number);
+    }
+    if counted.len() == all.len() {
+        // Nothing comes after several that are skipped at the end.
+        counted.iter_mut().for_each(|number| *number = (*number).min(steps.len()));
+    }
+    for step in all.into_iter().skip(counted.len()) {
+        steps.push(step);
+        counted.push(steps.len());
+    }
+    (steps, counted)
+}
+
+/// Some steps as one.
+fn one(joined: &[Step], words: &StepWords) -> Step {
+    let own = || joined.iter().flat_map(|step| step.sentences.iter().cloned()).collect();
+    let title = || joined.last().map(|step| step.title.clone()).unwrap_or_default();
+    Step {
+        title: words.title.clone().unwrap_or_else(title),
+        sentences: words.text.clone().map_or_else(own, |text| vec![text]),
+    }
 }
 
 /// The numbers by which items come and go.
@@ -217,5 +254,41 @@ mod tests {
         assert_eq!(titles("gjk", both), ["The question", "B - A"]);
         // Without the bodies there would be nothing to begin with.
         assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
+    }
+
+    #[test]
+    fn a_scene_joins_skips_and_words_steps() {
+        let steps = |said: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 1]] }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [6, 1] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'minkowski' }}
+                panels = [{{ layers = ['shapes'] }}, {{ space = 'configuration', layers = ['difference'] }}]
+                {said}"
+            );
+            let scene = open_text("s", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let drawing = draw_in_steps(&plan, plan.theme, "f").drawing;
+            let shown: Vec<_> = (1..=drawing.steps.len()).map(|k| drawing.at_step(k).items).collect();
+            assert!(shown.windows(2).all(|pair| pair[0] != pair[1]), "{said}: a step changes nothing");
+            assert_eq!(shown.last(), Some(&draw(&plan, plan.theme, "f").drawing.items), "{said}");
+            drawing.steps
+        };
+        let titles = |said: &str| steps(said).into_iter().map(|step| step.title).collect::<Vec<_>>();
+        let all = titles("");
+        assert_eq!(all.len(), 5);
+        assert_eq!(
+            titles("steps = [{}, { until = 4, title = 'Its edges' }]"),
+            [all[0].as_str(), "Its edges", all[4].as_str()]
+        );
+        assert_eq!(titles("steps = [{ until = 3, skip = true }]"), all[3..]);
+        assert_eq!(titles("steps = [{ until = 4 }, { skip = true }]"), all[3..4]);
+        assert_eq!(titles("steps = [{ until = 3 }, { skip = true }, { skip = true }]"), all[2..3]);
+        assert_eq!(titles("steps = [{ until = 99, skip = true }]"), all[4..]);
+        let worded = steps("steps = [{ text = 'Two bodies.' }, { until = 3 }]");
+        assert_eq!(
+            (worded[0].sentences.as_slice(), worded[1].sentences.len()),
+            (&["Two bodies.".to_owned()][..], 2)
+        );
     }
 }

@@ -70,6 +70,7 @@ impl Scene {
                 labels: Vec::new(),
                 canvas: Canvas::default(),
                 live: Live::default(),
+                steps: Vec::new(),
                 exercise: None,
                 variant: Variant::default(),
             }),

@@ -74,6 +74,11 @@ pub(super) static ROOT: TableRows = TableRows {
         may("labels", Holds::Tables("labels"), "texts and places of labels, by label key"),
         may("canvas", Holds::Table, "the page"),
         may("live", Holds::Table, "what a reader may move in a live figure"),
+        may(
+            "steps",
+            Holds::List("steps"),
+            "for `--steps`: which steps are shown as one or left out, and in what words",
+        ),
         may("exercise", Holds::Table, "makes it an exercise: what is asked, and what the question hides"),
         may("id", Holds::Anything, "copied to the answer of `solve --jsonl`"),
         may("expected", Holds::Anything, "not read; a place for the known answer in suites of tests"),
@@ -255,6 +260,22 @@ pub(super) static LIVE: TableRows = TableRows {
     ],
 };
 
+/// What a scene says of steps that follow one another.
+pub(super) static STEP: TableRows = TableRows {
+    header: "[[steps]]",
+    place: "a step",
+    fields: &[
+        may(
+            "until",
+            Holds::Count { min: 1, max: MAX_ITERATIONS },
+            "the last of its steps, numbered from 1 as they are without `[[steps]]`; default: the next",
+        ),
+        may("title", Holds::Text, "what it is called, plain text; default: as the last of its steps"),
+        may("text", Holds::Text, "what it says, plain text; default: the sentences of its steps"),
+        may("skip", Holds::Switch, "its marks come with the step after it, without words; default false"),
+    ],
+};
+
 /// What makes a scene an exercise.
 pub(super) static EXERCISE: TableRows = TableRows {
     header: "[exercise]",
@@ -312,8 +333,8 @@ pub(super) static RENDER: TableRows = TableRows {
 pub static PROJECT_TABLES: [&TableRows; 2] = [&PROJECT, &RENDER];
 
 /// Every table of a scene but the fields of the kinds of shape.
-pub static TABLES: [&TableRows; 10] =
-    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS, &LIVE, &EXERCISE];
+pub static TABLES: [&TableRows; 11] =
+    [&ROOT, &BODY, &QUERY, &EXPECTED, &EXPECTED_POINTS, &PANEL, &LABEL, &CANVAS, &LIVE, &STEP, &EXERCISE];
 
 /// All the rows of a kind of shape: first those of every shape, then its own.
 ///

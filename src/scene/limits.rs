@@ -23,6 +23,8 @@ pub(crate) const MAX_LAYERS: usize = 200;
 pub(crate) const MAX_ALL_LAYERS: usize = 400;
 /// Entries of `[labels]`; far more than a page has room for.
 pub(crate) const MAX_LABELS: usize = 1_000;
+/// Entries of `[[steps]]`: more than a lecture shows of one figure.
+pub(crate) const MAX_STEPS: usize = 1_000;
 /// Values that an exercise asks for; more are several exercises.
 pub(crate) const MAX_ASKED: usize = 8;
 /// Values in a list of an option, as times of ghosts.

@@ -29,6 +29,7 @@ mod recognized;
 mod schema;
 mod solution;
 mod source;
+mod steps;
 mod stream;
 mod suggest;
 mod toml;
@@ -57,6 +58,7 @@ pub use recognized::is_scene;
 pub use schema::schema;
 pub use solution::Solution;
 pub use source::{Place, Source, Syntax};
+pub use steps::StepWords;
 pub use stream::{
     Reply, jsonl_name, open_jsonl_line, refuse_jsonl_line, refuse_long_jsonl_line, refused_bytes,
     refused_length, solve, solve_jsonl_line,
@@ -101,6 +103,8 @@ pub struct Scene {
     pub canvas: Canvas,
     /// What a reader may move where the figure is live.
     pub live: Live,
+    /// What is said of the steps in which the figure comes about, in their order.
+    pub steps: Vec<StepWords>,
     /// What makes it an exercise; `None` for other scenes.
     pub exercise: Option<Exercise>,
     /// Which variant of an exercise is drawn.

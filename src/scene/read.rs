@@ -8,7 +8,7 @@ use super::limits::MAX_SHAPES;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problem, Problems};
 use super::source::Source;
-use super::{Scene, Spanned, Variant, body, canvas, exercise, labels, live, panels, question};
+use super::{Scene, Spanned, Variant, body, canvas, exercise, labels, live, panels, question, steps};
 
 /// Reads a scene, checked: what comes back can be asked and drawn. Layers, their options, themes and the
 /// values in texts are checked by the figure's plan.
@@ -45,6 +45,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
     let labels = labels::read(&top, p);
     let canvas = canvas::read(&top, p);
     let live = live::read(&top, &read, p);
+    let steps = steps::read(&top, p);
     let exercise = exercise::read(&top, p);
     let shapes: Option<Vec<_>> = read.into_iter().map(|r| r.body.map(|body| (r.name, body))).collect();
     Some(Scene {
@@ -59,6 +60,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
         labels,
         canvas,
         live,
+        steps,
         exercise,
         variant: Variant::default(),
     })

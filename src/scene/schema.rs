@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, TableRows,
+    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, STEP, TableRows,
     shape_rows,
 };
 use super::holds::Holds;
@@ -97,6 +97,7 @@ fn holds(field: &Field) -> Value {
             let label = json!({ "anyOf": [{ "type": "string" }, of(&LABEL)] });
             json!({ "type": "object", "additionalProperties": label })
         }
+        Holds::List("steps") => json!({ "type": "array", "items": of(&STEP) }),
         Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::Table => of(match field.name {
             "query" => &QUERY,

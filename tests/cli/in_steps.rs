@@ -136,3 +136,36 @@ fn an_svg_with_all_steps_is_hardly_larger_than_the_figure() {
     }
     assert!(ran.out.lines().count() >= 20, "{}", ran.out);
 }
+
+#[test]
+fn steps_of_a_scene_are_told_in_its_words_whatever_letters_they_have() {
+    let words = "[[steps]]\nuntil = 2\ntitle = 'Near <é (1'\ntext = 'Both & \"apart\".'\n[canvas]";
+    let folder = folder_with("s.toml", &scene().replace("[canvas]", words));
+    let ran = render(folder.path(), &["--steps", "--format", "html,pdf"]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    let page = fs::read_to_string(folder.path().join("s.steps.html")).unwrap();
+    assert_eq!(page.matches("type=\"radio\"").count(), 2);
+    assert!(page.contains("Near &lt;é (1") && page.contains("Both &amp; ") && !page.contains("Near <"));
+    let pdf = fs::read(folder.path().join("s.steps.pdf")).unwrap();
+    let pdf = String::from_utf8_lossy(&pdf);
+    assert!(pdf.contains("/Count 2") && !pdf.contains("/P(Near <"), "{pdf}");
+}
+
+#[test]
+fn what_is_wrong_with_the_steps_of_a_scene_is_told_with_its_line() {
+    let told = [
+        ("until = 2\n[[steps]]\nuntil = 2", 3, "from step 2"),
+        ("untill = 2", 1, "`until`"),
+        ("until = 0", 1, "`until`"),
+        ("skip = true\ntext = 'no'", 2, "`skip`"),
+    ];
+    for (words, line, wanted) in told {
+        let scene = scene().replace("[canvas]", &format!("[[steps]]\n{words}\n[canvas]"));
+        let before = scene.lines().position(|line| line == "[[steps]]").unwrap() + 1;
+        let folder = folder_with("s.toml", &scene);
+        let ran = render(folder.path(), &["--steps"]);
+        assert_eq!(ran.code, Some(1), "{words}");
+        let place = format!("s.toml:{}:", before + line);
+        assert!(ran.err.contains(&place) && ran.err.contains(wanted), "{}", ran.err);
+    }
+}

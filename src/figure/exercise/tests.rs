@@ -106,3 +106,11 @@ fn hidden_layers_and_labels_are_left_out_and_nothing_else() {
     assert_eq!(keys(Variant::Question), ("axes shapes".to_owned(), "B".to_owned()));
     assert_eq!(keys(Variant::Key).0, "grid axes shapes separation");
 }
+
+#[test]
+fn a_question_has_no_words_of_the_steps_to_its_answer() {
+    let mut scene = scene("separation", 4.5);
+    scene.steps = vec![crate::scene::StepWords { text: Some("d = 3".to_owned()), ..Default::default() }];
+    assert_eq!(variant(&scene, Variant::Key).unwrap().steps, scene.steps);
+    assert!(variant(&scene, Variant::Question).unwrap().steps.is_empty());
+}

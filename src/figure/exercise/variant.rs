@@ -63,6 +63,7 @@ fn question(scene: &Scene, exercise: &Exercise) -> Scene {
         panels: if is_bare { usual(&scene.query.span, exercise) } else { panels },
         labels,
         query,
+        steps: Vec::new(),
         variant: Variant::Question,
         ..scene.clone()
     }
