@@ -102,7 +102,9 @@ fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>) {
     }
     if counted.len() == all.len() {
         // Nothing comes after several that are skipped at the end.
-        counted.iter_mut().for_each(|number| *number = (*number).min(steps.len()));
+        for number in &mut counted {
+            *number = steps.len().min(*number);
+        }
     }
     for step in all.into_iter().skip(counted.len()) {
         steps.push(step);
