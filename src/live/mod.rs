@@ -119,7 +119,7 @@ impl Live {
     /// live.set(r#"[[["shapes", "A", "position"], [10, 0]], [["shapes", 0, "radius"], 1]]"#)?;
     /// assert!(live.draw()?.panel.contains("from (9, −1) to (11, 1)"));
     /// let refused = live.set(r#"[[["shapes", 0, "radius"], -1]]"#).unwrap_err();
-    /// assert_eq!(refused.to_string(), "A can't be so: `radius`: expected a number ≥ 0, got -1");
+    /// assert_eq!(refused.to_string(), "A can't be so: `radius`: expected 0 or more, got -1");
     /// # Ok::<(), tracefig::live::Refusal>(())
     /// ```
     pub fn set(&mut self, edits: &str) -> Result<(), Refusal> {

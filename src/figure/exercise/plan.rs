@@ -44,7 +44,7 @@ pub fn task(plan: &Plan<'_>) -> String {
 /// use tracefig::{figure::{exercise::way, plan}, scene::open_text};
 /// let text = "shapes.A = { kind = 'circle', radius = 1 }\nquery = { kind = 'bounds', of = ['A'] }";
 /// let scene = open_text("s.toml", text)?.scene;
-/// assert!(way(&plan(&scene).unwrap()).last().unwrap().starts_with("Done: "));
+/// assert!(way(&plan(&scene).unwrap()).last().unwrap().starts_with("The box of A runs from"));
 /// # Ok::<(), Box<tracefig::Refused>>(())
 /// ```
 #[must_use]
