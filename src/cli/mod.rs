@@ -26,6 +26,7 @@ mod live;
 mod man;
 mod manual;
 mod mdbook;
+mod moodle;
 mod orphans;
 mod outputs;
 mod parallel;
@@ -146,6 +147,7 @@ static COMMANDS: &[Command] = &[
     row::<trace::Trace>("trace", "Tell every step of a scene's algorithm"),
     row::<describe::Describe>("describe", "Tell a figure in words: its alternative text, short and long"),
     row::<mdbook::Mdbook>("mdbook", "Draw the scenes in the pages of a book, as mdBook builds it"),
+    row::<moodle::Moodle>("moodle", "Write exercises as questions for a Moodle course, in one file"),
     row::<report::Report>("report", "Measure speed against error, as tables and plots"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),

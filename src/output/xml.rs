@@ -4,7 +4,7 @@
 //! character that XML 1.0 or HTML forbids, a control character or none at all, becomes U+FFFD.
 
 /// A document being written.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Xml {
     /// Text so far.
     out: String,

@@ -116,7 +116,7 @@ fn a_command_ends_as_its_page_says() {
     let folder = folder_with("wrong.toml", "title = 1");
     let ended = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments)).code.unwrap();
     let page = |command: &str| run(tracefig(folder.path()).args(["man", command])).out;
-    for command in ["render", "check", "solve", "trace", "describe"] {
+    for command in ["render", "check", "solve", "trace", "describe", "moodle"] {
         assert_eq!(ended(&[command, "wrong.toml"]), 1);
         assert!(terms(&page(command), "EXIT STATUS").contains(&"1".to_owned()), "{command}");
         // For `check` a scene that can't be read is a finding.

@@ -17,6 +17,7 @@ mod inputs_stay;
 mod jsonl;
 mod live;
 mod mdbook;
+mod moodle;
 mod project;
 mod readme;
 mod render;

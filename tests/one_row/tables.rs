@@ -65,6 +65,7 @@ fn outer() -> Vec<Table> {
                 ("svg", "cli/book/colors.rs", "the element inside a page"),
                 ("html", "output/live_page.rs", "the element that is a page"),
                 ("html", "output/gallery.rs", "the element that is a page"),
+                ("html", "output/moodle.rs", "what the texts of a question are marked up with"),
                 ("html", "cli/reports.rs", "the page of findings, which is no figure"),
                 ("html", "drift/report", "the page of findings, which is no figure"),
             ],

@@ -89,7 +89,17 @@ impl Asked {
     }
 
     /// The answer as the key has it, as markup: three digits at most, the unit, and the bounds.
-    fn line(&self) -> String {
+    ///
+    /// ```
+    /// use tracefig::figure::exercise::Asked;
+    /// let asked = Asked {
+    ///     name: "d", symbol: "$d$".into(), what: "the distance".into(), unit: "m".into(),
+    ///     lo: 2.25, hi: 2.25, is_proved: true,
+    /// };
+    /// assert_eq!(asked.line(), "Answer: $d = 2.25$ m, proved to be exact.");
+    /// ```
+    #[must_use]
+    pub fn line(&self) -> String {
         let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
         let text = rounded(self.lo, self.hi);
         let sign = if text.parse() == Ok(value) { "=" } else { r"\approx" };
