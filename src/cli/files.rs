@@ -370,7 +370,8 @@ impl Files {
             key.push_str(planned.variant.word());
         }
         if let Some(seed) = planned.seed {
-            key.push_str(&format!(" seed={seed}"));
+            key.push_str(" seed=");
+            key.push_str(&seed.to_string());
         }
         fingerprint(&file.meaning, &key)
     }

@@ -47,6 +47,21 @@ pub(crate) fn tables() -> Vec<Table> {
     [outer(), layers(), pictures(), algorithms()].into_iter().flatten().collect()
 }
 
+/// Words that are names of formats, where they mean something else.
+const NO_FORMATS: &[(&str, &str, &str)] = &[
+    ("svg", "output/page.rs", "the element inside a page"),
+    ("html", "output/page.rs", "the element around a page"),
+    ("html", "output/stepper", "the element around a page"),
+    ("png", "output/mod.rs", "the option `--png`"),
+    ("html", "cli/mdbook.rs", "the renderer of mdBook whose pages take elements"),
+    ("svg", "cli/book/colors.rs", "the element inside a page"),
+    ("html", "output/live_page.rs", "the element that is a page"),
+    ("html", "output/gallery.rs", "the element that is a page"),
+    ("html", "output/moodle.rs", "what the texts of a question are marked up with"),
+    ("html", "cli/reports.rs", "the page of findings, which is no figure"),
+    ("html", "drift/report", "the page of findings, which is no figure"),
+];
+
 /// What a user adds from outside: formats, kinds, themes, commands.
 fn outer() -> Vec<Table> {
     vec![
@@ -56,19 +71,7 @@ fn outer() -> Vec<Table> {
             row: Some("FORMAT"),
             names: names(&mut tracefig::output::FORMATS.iter().map(|f| f.name)),
             finds: has_word,
-            other_meanings: &[
-                ("svg", "output/page.rs", "the element inside a page"),
-                ("html", "output/page.rs", "the element around a page"),
-                ("html", "output/stepper", "the element around a page"),
-                ("png", "output/mod.rs", "the option `--png`"),
-                ("html", "cli/mdbook.rs", "the renderer of mdBook whose pages take elements"),
-                ("svg", "cli/book/colors.rs", "the element inside a page"),
-                ("html", "output/live_page.rs", "the element that is a page"),
-                ("html", "output/gallery.rs", "the element that is a page"),
-                ("html", "output/moodle.rs", "what the texts of a question are marked up with"),
-                ("html", "cli/reports.rs", "the page of findings, which is no figure"),
-                ("html", "drift/report", "the page of findings, which is no figure"),
-            ],
+            other_meanings: NO_FORMATS,
         },
         Table {
             what: "shape kind",
