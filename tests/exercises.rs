@@ -4,7 +4,7 @@
 //! `TRACEFIG_CASES_EXERCISES` raises the number: `TRACEFIG_CASES_EXERCISES=1000 cargo test --release --test
 //! exercises`.
 
-#![expect(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "tests fail by panics")]
+#![expect(clippy::expect_used, clippy::panic, reason = "tests fail by panics")]
 
 use std::path::Path;
 
