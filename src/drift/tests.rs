@@ -5,7 +5,7 @@ use std::fs;
 use super::*;
 use crate::drawing::Drawing;
 use crate::figure::{draw, plan, theme};
-use crate::output::{Options, Writer, format, rasterize};
+use crate::output::{Options, Pixels, Writer, format, rasterize};
 use crate::scene::open_text;
 
 const SCENE: &str = r#"
@@ -72,12 +72,17 @@ fn says(lines: &[String], what: &str) {
     assert!(lines.iter().any(|line| line.contains(what)), "{what}: {lines:#?}");
 }
 
-/// Mean difference of two drawings' channels, in levels of 255.
+/// Mean difference of two drawings' channels, in levels of 255, over the pixels that are not as the page.
 fn levels_apart(a: &Drawing, b: &Drawing, scale: f64) -> f64 {
     let (a, b) = (rasterize(a, scale).unwrap(), rasterize(b, scale).unwrap());
-    let levels = a.rgba.iter().zip(&b.rgba).map(|(a, b)| u64::from(a.abs_diff(*b)));
+    let pixels = |image: &Pixels| image.rgba.chunks_exact(4).map(<[u8]>::to_vec).collect::<Vec<_>>();
+    let (a, b) = (pixels(&a), pixels(&b));
+    let page = a[0].clone();
+    let drawn: Vec<_> = a.iter().zip(&b).filter(|(a, b)| **a != page || **b != page).collect();
+    let apart =
+        |(a, b): &(&Vec<u8>, &Vec<u8>)| a.iter().zip(*b).map(|(a, b)| u64::from(a.abs_diff(*b))).sum::<u64>();
     #[expect(clippy::cast_precision_loss, reason = "a sum over an image")]
-    let mean = levels.sum::<u64>() as f64 / a.rgba.len() as f64;
+    let mean = drawn.iter().map(apart).sum::<u64>() as f64 / (4 * drawn.len()) as f64;
     mean
 }
 
@@ -95,9 +100,9 @@ fn every_figure_of_every_theme_is_read_again_as_what_it_shows() {
             assert_eq!((&again.title, &again.desc), (&drawing.title, &drawing.desc), "{place}");
             // Coordinates are rounded to hundredths, so pixels along edges differ by some levels: an edge
             // near a row of the rasterizer's samples goes to its other side, a quarter of a pixel. Most edges
-            // are those of letters: 0.16 on a low page with three lines of caption.
+            // are those of letters: 0.5 to 1 of what is drawn, 2.7 where much of it is dots.
             let mean = levels_apart(&drawing, &again, 1.0);
-            assert!(mean < 0.2, "{place}: {mean}");
+            assert!(mean < 3.0, "{place}: {mean}");
             // Once texts are outlines, names those of ids and widths of halos rounded, another round loses
             // nothing.
             let round = |drawing: &Drawing| shown_by(&written(drawing)).unwrap();
