@@ -18,6 +18,7 @@ use super::Status;
 use super::atomic_file::Wait;
 use super::encoded::{Encoded, encode_all};
 use super::encoding::{cant_encode, figure_id, warn};
+use super::failure::Failure;
 use super::in_steps::StepOptions;
 use super::inputs::{find, shown};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
@@ -107,20 +108,6 @@ pub(crate) struct Drawn {
     pub(crate) status: Status,
     /// Where the time went.
     pub(crate) timings: Timings,
-}
-
-/// Why a scene has no files.
-struct Failure {
-    /// What kind of error it is.
-    status: Status,
-    /// The message of it.
-    message: String,
-}
-
-impl From<String> for Failure {
-    fn from(message: String) -> Self {
-        Self { status: Status::Wrong, message }
-    }
 }
 
 /// What is drawn: a scene of a job, or a variant of it.
@@ -278,8 +265,7 @@ impl Files {
         messages: &mut String,
         timings: &mut Timings,
     ) -> Result<Vec<Encoded>, Failure> {
-        let file = opened(job)
-            .map_err(|refused| Failure { status: Status::of(&refused), message: refused.render(ink) })?;
+        let file = opened(job).map_err(|refused| Failure::of(&refused, ink))?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;

@@ -14,6 +14,7 @@ mod console;
 mod describe;
 mod encoded;
 mod encoding;
+mod failure;
 mod files;
 mod gallery;
 mod handout;

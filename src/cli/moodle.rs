@@ -11,6 +11,7 @@ use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible}
 
 use super::console::Console;
 use super::encoding::warn;
+use super::failure::Failure;
 use super::inputs::{Input, single};
 use super::manual::Manual;
 use super::themes::{ChosenTheme, OwnThemes};
@@ -63,20 +64,6 @@ impl Runs for Moodle {
     }
 }
 
-/// Why a scene is no part of the file.
-struct Failure {
-    /// What kind of error it is.
-    status: Status,
-    /// The message of it.
-    message: String,
-}
-
-impl From<String> for Failure {
-    fn from(message: String) -> Self {
-        Self { status: Status::Wrong, message }
-    }
-}
-
 /// The file that is being written, and what is to be said of it.
 struct Sheet<'s> {
     /// The file.
@@ -91,9 +78,7 @@ impl Sheet<'_> {
     /// Adds the questions of a scene, or says what is wrong.
     fn scene(&mut self, path: &Path, seeds: &[Seeds]) -> Result<(), Failure> {
         let (input, ink) = (single(path), self.ink);
-        let file = input
-            .open()
-            .map_err(|refused| Failure { status: Status::of(&refused), message: refused.render(ink) })?;
+        let file = input.open().map_err(|refused| Failure::of(&refused, ink))?;
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
         let told = |unvaried: Unvaried| match unvaried {
             Unvaried::Wrong(problems) => refuse(problems),

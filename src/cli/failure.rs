@@ -1,0 +1,26 @@
+//! Why nothing came of a scene, where the others still do.
+
+use tracefig::scene::{Ink, Refused};
+
+use super::Status;
+
+/// Why nothing came of a scene.
+pub(crate) struct Failure {
+    /// What kind of error it is.
+    pub(crate) status: Status,
+    /// The message of it.
+    pub(crate) message: String,
+}
+
+impl Failure {
+    /// Takes kind and message from a scene that is refused.
+    pub(crate) fn of(refused: &Refused, ink: Ink) -> Self {
+        Self { status: Status::of(refused), message: refused.render(ink) }
+    }
+}
+
+impl From<String> for Failure {
+    fn from(message: String) -> Self {
+        Self { status: Status::Wrong, message }
+    }
+}
