@@ -23,7 +23,7 @@ use tracefig::trace::{EVENTS, HEADER, VALUES};
 use super::console::Console;
 use super::inputs::find;
 use super::manual::Manual;
-use super::schema::schema;
+use super::schema::SCHEMAS;
 use super::{Runs, Status};
 
 /// A topic of `list`.
@@ -94,13 +94,10 @@ static TOPICS: &[Topic] = &[
     Topic { name: "figures", group: "", title: "Scenes of the project, or in figures/", rows: figures },
 ];
 
-/// The topic that is no table of lines but a JSON Schema, for editors; printed only when asked for.
-const SCHEMA: &str = "schema";
-
-/// Every word that names topics.
+/// Every word that names topics, or a schema, which is printed only when asked for.
 fn words() -> Vec<&'static str> {
     let mut words: Vec<_> = TOPICS.iter().flat_map(|t| [t.name, t.group]).filter(|w| !w.is_empty()).collect();
-    words.push(SCHEMA);
+    words.extend(SCHEMAS.iter().map(|schema| schema.name));
     words.sort_unstable();
     words.dedup();
     words
@@ -109,7 +106,7 @@ fn words() -> Vec<&'static str> {
 /// Options of `list`.
 #[derive(Args)]
 pub(crate) struct List {
-    /// What to list; none: everything but the schema
+    /// What to list; none: everything but the schemas
     #[arg(value_parser = PossibleValuesParser::new(words()))]
     topic: Option<String>,
 }
@@ -125,8 +122,9 @@ impl Runs for List {
     };
 
     fn run(self, console: &mut Console) -> io::Result<Status> {
-        if self.topic.as_deref() == Some(SCHEMA) {
-            writeln!(console.out, "{:#}", schema())?;
+        let asked = SCHEMAS.iter().find(|schema| self.topic.as_deref() == Some(schema.name));
+        if let Some(schema) = asked {
+            writeln!(console.out, "{:#}", (schema.make)())?;
             return Ok(Status::Done);
         }
         let is_wanted =

@@ -1,21 +1,83 @@
-//! The JSON Schema of scenes: the tables of fields, and in them the layers with their options.
+//! JSON Schemas: of scenes, with the layers and their options; of project files, with the formats; of theme
+//! files.
 
 use serde_json::{Map, Value, json};
 use tracefig::drawing::Role;
 use tracefig::figure::layer::{LAYERS, Layer};
+use tracefig::figure::theme::{THEMES, ThemeKey, ThemeValue, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
+use tracefig::output::FORMATS;
 use tracefig::scene;
+
+/// How a colour of a theme file is written.
+const THEME_COLOR: &str = "^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$";
 
 /// Where the schema says what stands in a panel's list of layers.
 const LAYERS_OF_A_PANEL: &str = "/properties/panels/items/properties/layers/items";
 
+/// Where the schema of a project file says what stands in its list of formats.
+const FORMATS_OF_A_PROJECT: &str = "/properties/render/properties/formats/items";
+
+/// A file that a schema is of.
+pub(crate) struct Schema {
+    /// The word that asks for it.
+    pub(crate) name: &'static str,
+    /// Makes it.
+    pub(crate) make: fn() -> Value,
+}
+
+/// Every schema.
+pub(crate) static SCHEMAS: [Schema; 3] = [
+    Schema { name: "schema", make: scene_schema },
+    Schema { name: "project-schema", make: project_schema },
+    Schema { name: "theme-schema", make: theme_schema },
+];
+
 /// JSON Schema (draft 2020-12) of a scene.
-pub(crate) fn schema() -> Value {
+fn scene_schema() -> Value {
     let mut schema = scene::schema();
     if let Some(layers) = schema.pointer_mut(LAYERS_OF_A_PANEL) {
         let names: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
         let tables: Vec<_> = LAYERS.iter().map(table).collect();
         *layers = json!({ "anyOf": [{ "enum": names }, { "oneOf": tables }] });
+    }
+    schema
+}
+
+/// JSON Schema (draft 2020-12) of a project file.
+fn project_schema() -> Value {
+    let mut schema = scene::project_schema();
+    if let Some(formats) = schema.pointer_mut(FORMATS_OF_A_PROJECT) {
+        *formats = json!({ "enum": FORMATS.iter().map(|format| format.name).collect::<Vec<_>>() });
+    }
+    schema
+}
+
+/// JSON Schema (draft 2020-12) of a theme file.
+fn theme_schema() -> Value {
+    let object = || json!({ "type": "object", "properties": {}, "additionalProperties": false });
+    let mut schema = object();
+    schema["$schema"] = json!("https://json-schema.org/draft/2020-12/schema");
+    schema["title"] = json!("tracefig theme file");
+    for ThemeKey { table, name, takes, about } in keys() {
+        let mut value = match takes {
+            ThemeValue::Base => json!({ "enum": THEMES.iter().map(|theme| theme.name).collect::<Vec<_>>() }),
+            ThemeValue::Color => json!({ "type": "string", "pattern": THEME_COLOR }),
+            ThemeValue::Share => json!({ "type": "number", "minimum": 0, "maximum": 1 }),
+            ThemeValue::Pixels(least, most) => {
+                json!({ "type": "number", "minimum": least, "maximum": most })
+            }
+        };
+        value["description"] = json!(about);
+        if table.is_empty() {
+            schema["properties"][name] = value;
+            continue;
+        }
+        let within = &mut schema["properties"][table];
+        if within.is_null() {
+            *within = object();
+        }
+        within["properties"][name] = value;
     }
     schema
 }

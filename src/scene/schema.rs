@@ -1,11 +1,12 @@
-//! The tables of fields as a JSON Schema, so that editors complete and check scenes as they are typed.
+//! The tables of fields as JSON Schemas, so that editors complete and check scenes and project files as they
+//! are typed.
 
 use serde_json::{Map, Value, json};
 
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, STEP, TableRows,
+    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, PROJECT, QUERY, RENDER, ROOT, STEP, TableRows,
     shape_rows,
 };
 use super::holds::Holds;
@@ -20,9 +21,24 @@ use super::{COMPASS, When};
 /// ```
 #[must_use]
 pub fn schema() -> Value {
-    let mut schema = table(ROOT.fields);
+    titled("tracefig scene", table(ROOT.fields))
+}
+
+/// JSON Schema (draft 2020-12) of a project file. Which formats there are is left open.
+///
+/// ```
+/// let schema = tracefig::scene::project_schema();
+/// assert_eq!(schema["properties"]["render"]["properties"]["scenes"]["minItems"], 1);
+/// ```
+#[must_use]
+pub fn project_schema() -> Value {
+    titled("tracefig project file", table(PROJECT.fields))
+}
+
+/// A whole schema from the schema of its table.
+fn titled(title: &str, mut schema: Map<String, Value>) -> Value {
     schema.insert("$schema".to_owned(), json!("https://json-schema.org/draft/2020-12/schema"));
-    schema.insert("title".to_owned(), json!("tracefig scene"));
+    schema.insert("title".to_owned(), json!(title));
     Value::Object(schema)
 }
 
@@ -98,13 +114,15 @@ fn holds(field: &Field) -> Value {
             json!({ "type": "object", "additionalProperties": label })
         }
         Holds::List("steps") => json!({ "type": "array", "items": of(&STEP) }),
-        Holds::List(_) => json!({ "type": "array", "items": of(&PANEL) }),
+        Holds::List("panels") => json!({ "type": "array", "items": of(&PANEL) }),
+        Holds::List(_) => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
         Holds::Table => of(match field.name {
             "query" => &QUERY,
             "exercise" => &EXERCISE,
             "expected" => &EXPECTED,
             "points" => &EXPECTED_POINTS,
             "live" => &LIVE,
+            "render" => &RENDER,
             _ => &CANVAS,
         }),
         Holds::Anything => json!({}),
@@ -132,6 +150,10 @@ mod tests {
         let text = schema().to_string();
         for field in super::super::fields::TABLES.iter().flat_map(|t| t.fields) {
             assert!(text.contains(&format!("\"{}\":", field.name)), "{}", field.name);
+        }
+        let of_project = project_schema().to_string();
+        for field in super::super::fields::PROJECT_TABLES.iter().flat_map(|t| t.fields) {
+            assert!(of_project.contains(&format!("\"{}\":", field.name)), "{}", field.name);
         }
         for kind in KINDS {
             assert!(text.contains(&format!("\"const\":\"{}\"", kind.name)), "{}", kind.name);

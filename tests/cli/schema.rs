@@ -1,4 +1,4 @@
-//! `list schema` takes every scene that we draw, and refuses what we refuse.
+//! The schemas of `list` take every scene, project file and theme file that we take, and refuse what we refuse.
 //!
 //! Read here is the part of JSON Schema that ours uses; a keyword that is not known here fails the test.
 
@@ -10,11 +10,12 @@ use serde_json::{Map, Value, json};
 
 use crate::{run, tracefig};
 
-/// The one pattern of the schema, that of colours.
-const COLOR: &str = "^#[0-9A-Fa-f]{6}$";
+/// The patterns of the schemas, of colours, with the numbers of digits that they take.
+const COLORS: [(&str, &[usize]); 2] =
+    [("^#[0-9A-Fa-f]{6}$", &[6]), ("^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6})$", &[3, 6])];
 
-fn schema() -> Value {
-    let ran = run(tracefig(Path::new(".")).args(["list", "schema"]));
+fn schema(of: &str) -> Value {
+    let ran = run(tracefig(Path::new(".")).args(["list", of]));
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     serde_json::from_str(&ran.out).unwrap()
 }
@@ -102,10 +103,11 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
         "anyOf" => fitting() > 0,
         "oneOf" => fitting() == 1,
         "pattern" => {
-            assert_eq!(rule, COLOR);
+            let (_, digits) = COLORS.iter().find(|(pattern, _)| rule == pattern).expect("a known pattern");
             let is_color = |text: &str| {
-                text.strip_prefix('#')
-                    .is_some_and(|hex| hex.len() == 6 && hex.bytes().all(|b| b.is_ascii_hexdigit()))
+                text.strip_prefix('#').is_some_and(|hex| {
+                    digits.contains(&hex.len()) && hex.bytes().all(|b| b.is_ascii_hexdigit())
+                })
             };
             value.as_str().is_none_or(is_color)
         }
@@ -115,7 +117,7 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
 
 #[test]
 fn the_schema_takes_every_committed_scene() {
-    let schema = schema();
+    let schema = schema("schema");
     let figures = Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
     let mut read = 0;
     for file in std::fs::read_dir(figures).unwrap().map(|file| file.unwrap().path()) {
@@ -156,7 +158,7 @@ fn with(pointer: &str, put: Value) -> Value {
 
 #[test]
 fn the_schema_refuses_what_the_reader_refuses() {
-    let schema = schema();
+    let schema = schema("schema");
     let folder = tempfile::tempdir().unwrap();
     let solved = |scene: &Value| {
         std::fs::write(folder.path().join("s.json"), scene.to_string()).unwrap();
@@ -199,5 +201,77 @@ fn the_schema_refuses_what_the_reader_refuses() {
         let wrong = with(pointer, put.clone());
         assert_eq!(solved(&wrong), Some(1), "{pointer} {put}");
         assert!(!faults(&schema, &wrong, "").is_empty(), "the schema takes {pointer} {put}");
+    }
+}
+
+/// Whether a schema takes TOML, which must be as the program does.
+fn is_taken(schema: &Value, toml: &str, code: Option<i32>) {
+    let value: Value = toml::from_str(toml).unwrap();
+    let found = faults(schema, &value, "");
+    match code {
+        Some(0) => assert!(found.is_empty(), "refused by the schema alone: {toml}\n{}", found.join("\n")),
+        Some(1) => assert!(!found.is_empty(), "taken by the schema alone: {toml}"),
+        other => panic!("{toml}: exit status {other:?}"),
+    }
+}
+
+/// A circle's bounds.
+const SCENE: &str = "shapes.A = { kind = 'circle', radius = 1 }\nquery = { kind = 'bounds', of = ['A'] }";
+
+#[test]
+fn the_schema_of_project_files_is_what_the_reader_takes() {
+    let schema = schema("project-schema");
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("s.toml"), SCENE).unwrap();
+    std::fs::write(folder.path().join("own.toml"), "[colors]\na = '#9A1620'").unwrap();
+    for (text, code) in [
+        ("", 0),
+        ("[render]\nscenes = ['s.toml']\nformats = ['svg', 'png']\nscale = 1\noutput = 'out'", 0),
+        ("[render]\nthemes = ['dark', 'own.toml']\nsteps = 'files'", 0),
+        ("[canvas]\nwidth = 500\nheight = 'auto'\ntheme = 'dark'\ntext = 14", 0),
+        ("[render]\nscene = ['s.toml']", 1),
+        ("[render]\nscenes = 's.toml'", 1),
+        ("[render]\nscenes = []", 1),
+        ("[render]\nformats = ['svgg']", 1),
+        ("[render]\nformats = [1]", 1),
+        ("[render]\nscale = 'big'", 1),
+        ("[render]\nscale = -1", 1),
+        ("[render]\nsteps = 'many'", 1),
+        ("[canvas]\nwidht = 500", 1),
+        ("[canvas]\nwidth = 'wide'", 1),
+        ("scale = 2", 1),
+    ] {
+        std::fs::write(folder.path().join("tracefig.toml"), text).unwrap();
+        let ran = run(tracefig(folder.path()).args(["render", "s.toml"]));
+        assert_eq!(ran.code, Some(code), "{text}\n{}", ran.err);
+        is_taken(&schema, text, ran.code);
+    }
+}
+
+#[test]
+fn the_schema_of_theme_files_is_what_the_reader_takes() {
+    let schema = schema("theme-schema");
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("own.toml");
+    std::fs::write(folder.path().join("s.toml"), format!("canvas.theme = 'own.toml'\n{SCENE}")).unwrap();
+    for (text, code) in [
+        ("", 0),
+        ("based_on = 'dark'\nfill_opacity = 0.5", 0),
+        ("[colors]\na = '#9A1620'\nink = '#123'\n[dark]\na = '#FFB0A0'", 0),
+        ("[text]\nname = 20\n[stroke]\noutline = 3", 0),
+        ("based_on = 'drak'", 1),
+        ("fill_opacity = 1.5", 1),
+        ("[colors]\nc = '#9A1620'", 1),
+        ("[colors]\na = 'red'", 1),
+        ("[dark]\na = '#12345'", 1),
+        ("[text]\nname = 2", 1),
+        ("[text]\nword = 20", 1),
+        ("[stroke]\noutline = 'thick'", 1),
+        ("[color]\na = '#9A1620'", 1),
+    ] {
+        std::fs::write(&own, text).unwrap();
+        let ran = run(tracefig(folder.path()).args(["render", "s.toml", "--allow-similar"]));
+        assert_eq!(ran.code, Some(code), "{text}\n{}", ran.err);
+        is_taken(&schema, text, ran.code);
     }
 }

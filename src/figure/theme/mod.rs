@@ -19,7 +19,7 @@ mod user;
 pub mod vision;
 
 pub use fitness::{Measure, Shortcoming, remedies, shortcomings};
-pub use keys::{ThemeKey, keys};
+pub use keys::{ThemeKey, ThemeValue, keys};
 pub use strokes::{LineKind, Strokes};
 pub use type_sizes::{TextKind, TypeSizes};
 pub(crate) use user::of_json;
