@@ -24,6 +24,7 @@ use super::orphans::orphans;
 use super::parallel::in_order;
 use super::regular::{read_regular, replaceable};
 use super::reports::Places;
+use super::unfit::{Unfit, Unfits};
 use super::unplanned::{Unplanned, tell_unplanned};
 use super::written::cant_write;
 use super::{Runs, Status};
@@ -61,18 +62,33 @@ const ORPHAN: &str = "orphan";
 type Pictures = BTreeMap<PathBuf, PathBuf>;
 
 /// What `check` says of a scene.
-#[derive(Default)]
 struct Checked {
     /// A finding for each file, in the order of the job.
     findings: Vec<Finding>,
     /// What is said on standard error.
     messages: String,
+    /// What the scene has against its themes, to be said once for all scenes.
+    unfit: Vec<Unfit>,
+    /// Why something could not be checked, the worst of it.
+    status: Status,
 }
 
 impl Checked {
-    /// Adds a file that could not be checked, and why.
-    fn fail(&mut self, file: &str, message: &str) {
+    /// Nothing is said yet.
+    fn new() -> Self {
+        let (findings, messages, unfit) = (Vec::new(), String::new(), Vec::new());
+        Self { findings, messages, unfit, status: Status::Done }
+    }
+
+    /// Adds a file that could not be checked, and why, which is said.
+    fn fail(&mut self, file: &str, status: Status, message: &str) {
         self.messages.push_str(message);
+        self.miss(file, status, message);
+    }
+
+    /// Adds a file that could not be checked, and why.
+    fn miss(&mut self, file: &str, status: Status, message: &str) {
+        self.status = self.status.max(status);
         let details = message.lines().take(1).map(str::to_owned).collect();
         self.findings.push(Finding { details, ..Finding::new(file, ERROR) });
     }
@@ -96,7 +112,7 @@ impl Runs for Check {
             FIGURES,
             ("target/tracefig-check/", "a page and pictures of what differs, unless -o names another folder"),
         ],
-        wrong: Some("a figure is not what its scene gives, or a scene is wrong or can't be read"),
+        wrong: Some("a figure is not what its scene gives, or a scene is wrong"),
     };
 
     fn run(self, console: &mut Console) -> io::Result<Status> {
@@ -119,29 +135,34 @@ impl Runs for Check {
         if self.accept {
             folders_of(jobs).into_iter().for_each(clear_leftovers);
         }
-        let mut findings = Vec::new();
+        let (mut findings, mut unfits, mut status) = (Vec::new(), Unfits::default(), Status::Done);
         in_order(
             jobs,
             self.files.threads(),
             |job| self.compare_all(job, self.files.draw(job, ink), &pictures),
             |job, checked| -> io::Result<()> {
-                let checked = checked.unwrap_or_else(|| {
-                    let mut bug = Checked::default();
+                let mut checked = checked.unwrap_or_else(|| {
+                    let mut bug = Checked::new();
                     let name = job.input.shown();
                     bug.fail(
                         &job.input.name(),
+                        Status::Bug,
                         &format!("error: {name} was not drawn because of a bug of tracefig\n"),
                     );
                     bug
                 });
+                unfits.extend(std::mem::take(&mut checked.unfit));
+                status = status.max(checked.status);
                 self.tell(&checked.findings, &checked.messages, console)?;
                 findings.extend(checked.findings);
                 Ok(())
             },
         )?;
+        unfits.tell(console)?;
         let orphans = self.orphans(&plan);
         self.tell(&orphans.findings, &orphans.messages, console)?;
         findings.extend(orphans.findings);
+        status = status.max(orphans.status);
         let failed = self.places.write(&findings, &mut console.out);
         Console::message(&failed);
         self.conclude(&findings, console)?;
@@ -151,9 +172,9 @@ impl Runs for Check {
             _ => !f.is_bad() || self.accept,
         };
         Ok(match findings.iter().all(settled) {
-            _ if !failed.is_empty() => Status::Io,
-            true => Status::Done,
-            false => Status::Wrong,
+            _ if !failed.is_empty() => status.max(Status::Io),
+            true => status,
+            false => status.max(Status::Wrong),
         })
     }
 }
@@ -161,7 +182,7 @@ impl Runs for Check {
 impl Check {
     /// The figures without a scene, deleted where that is wanted.
     fn orphans(&self, plan: &Plan) -> Checked {
-        let mut checked = Checked::default();
+        let mut checked = Checked::new();
         for path in orphans(plan) {
             let name = path.display().to_string();
             let told = if self.prune {
@@ -169,7 +190,11 @@ impl Check {
                 match replaceable(&path).and_then(|()| std::fs::remove_file(&path)) {
                     Ok(()) => "it had no scene, and was deleted",
                     Err(error) => {
-                        checked.fail(&name, &format!("error: can't delete {}: {error}\n", shown(&path)));
+                        checked.fail(
+                            &name,
+                            Status::Io,
+                            &format!("error: can't delete {}: {error}\n", shown(&path)),
+                        );
                         continue;
                     }
                 }
@@ -226,12 +251,14 @@ impl Check {
 
     /// Compares all files of a scene.
     fn compare_all(&self, job: &Job, drawn: Drawn, pictures: &Pictures) -> Checked {
-        let mut checked = Checked::default();
-        if drawn.status == Status::Done {
-            checked.messages = drawn.messages;
-        } else {
-            checked.fail(&job.input.name(), &drawn.messages);
+        let mut checked = Checked::new();
+        checked.messages = drawn.messages;
+        if drawn.status != Status::Done {
+            let mut messages = checked.messages.clone();
+            messages.extend(drawn.unfit.iter().map(Unfit::message));
+            checked.miss(&job.input.name(), drawn.status, &messages);
         }
+        checked.unfit = drawn.unfit;
         for encoded in &drawn.files {
             match &encoded.target {
                 Target::File(path) => {
@@ -241,7 +268,11 @@ impl Check {
                     self.compare_one((path, &picture), encoded, &mut checked);
                 }
                 Target::Stdout => {
-                    checked.fail("<stdin>", "error: a scene from standard input has no files to check\n");
+                    checked.fail(
+                        "<stdin>",
+                        Status::Usage,
+                        "error: a scene from standard input has no files to check\n",
+                    );
                 }
             }
         }
@@ -256,7 +287,11 @@ impl Check {
             Ok(bytes) => Some(bytes),
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => {
-                return checked.fail(&name, &format!("error: can't read {}: {error}\n", shown(path)));
+                return checked.fail(
+                    &name,
+                    Status::Io,
+                    &format!("error: can't read {}: {error}\n", shown(path)),
+                );
             }
         };
         let (format, scale) = (encoded.format, encoded.options.scale);
@@ -281,7 +316,7 @@ impl Check {
                     let written = std::fs::create_dir_all(self.places.folder())
                         .and_then(|()| write_whole(picture, &image, Wait::No));
                     if let Err(error) = written {
-                        checked.fail(&name, &cant_write(picture, &error));
+                        checked.fail(&name, Status::Io, &cant_write(picture, &error));
                     }
                     finding.picture = Some((picture.display().to_string(), image));
                 }
@@ -293,7 +328,7 @@ impl Check {
             && self.accept
             && let Err(error) = write_whole(path, &encoded.bytes, self.files.wait())
         {
-            checked.fail(&name, &cant_write(path, &error));
+            checked.fail(&name, Status::Io, &cant_write(path, &error));
         }
     }
 }

@@ -17,6 +17,11 @@ impl Failure {
     pub(crate) fn of(refused: &Refused, ink: Ink) -> Self {
         Self { status: Status::of(refused), message: refused.render(ink) }
     }
+
+    /// A scene that is not drawn for a reason that is said for several at once.
+    pub(crate) const fn told() -> Self {
+        Self { status: Status::Wrong, message: String::new() }
+    }
 }
 
 impl From<String> for Failure {

@@ -26,8 +26,9 @@ use super::live::{Live, live_of};
 use super::parallel::threads;
 use super::regular::read_regular;
 use super::settings::{Flags, Projects, Settings, usual_formats};
-use super::themes::{ChosenTheme, OwnThemes, chosen_theme, unfit};
+use super::themes::{ChosenTheme, OwnThemes, chosen_theme};
 use super::timings::Timings;
+use super::unfit::Unfit;
 use super::unplanned::Unplanned;
 use super::variants::{Seeds, Unvaried, scene_of, variant, varied};
 
@@ -104,6 +105,8 @@ pub(crate) struct Drawn {
     pub(crate) files: Vec<Encoded>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
+    /// What it has against its themes.
+    pub(crate) unfit: Vec<Unfit>,
     /// What the errors among them are.
     pub(crate) status: Status,
     /// Where the time went.
@@ -206,14 +209,15 @@ impl Files {
 
     /// Reads, answers and draws one scene.
     pub(crate) fn draw(&self, job: &Job, ink: Ink) -> Drawn {
-        let (mut messages, mut timings) = (String::new(), Timings::start());
-        match self.encoded(job, ink, &mut messages, &mut timings) {
-            Ok(files) => Drawn { files, messages, status: Status::Done, timings },
-            Err(Failure { status, message }) => {
-                timings.lap("failed");
-                Drawn { files: Vec::new(), messages: messages + &message, status, timings }
-            }
-        }
+        let mut timings = Timings::start();
+        let (mut messages, mut unfit) = (String::new(), Vec::new());
+        let made = self.encoded(job, ink, (&mut messages, &mut unfit), &mut timings);
+        let (files, status) = made.unwrap_or_else(|Failure { status, message }| {
+            timings.lap("failed");
+            messages.push_str(&message);
+            (Vec::new(), status)
+        });
+        Drawn { files, messages, unfit, status, timings }
     }
 
     /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these
@@ -262,13 +266,16 @@ impl Files {
         &self,
         job: &Job,
         ink: Ink,
-        messages: &mut String,
+        (messages, unfit): (&mut String, &mut Vec<Unfit>),
         timings: &mut Timings,
-    ) -> Result<Vec<Encoded>, Failure> {
+    ) -> Result<(Vec<Encoded>, Status), Failure> {
         let file = opened(job).map_err(|refused| Failure::of(&refused, ink))?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
-        let own = self.own_theme(&file, job).map_err(|problem| refuse(vec![problem]))?;
+        let own = self.own_theme(&file, job).map_err(|problem| {
+            unfit.push(Unfit::file(&file, problem, ink));
+            Failure::told()
+        })?;
         let told = |unvaried: Unvaried| match unvaried {
             Unvaried::Wrong(problems) => refuse(problems),
             unvaried => unvaried.message(&visible(&file.source.name)),
@@ -281,9 +288,9 @@ impl Files {
             let other = first.seed.and_then(|seed| varied.get(seed.checked_sub(1)?));
             let scene = scene_of(other.map_or(&file, |found| &found.file), first.variant).map_err(told)?;
             let subject = Subject { job, file: &file, scene: &scene, own: own.as_deref(), ink };
-            files.extend(self.encoded_variant(&subject, same_variant, messages, timings)?);
+            files.extend(self.encoded_variant(&subject, same_variant, (messages, unfit), timings)?);
         }
-        Ok(files)
+        Ok((files, Status::Done))
     }
 
     /// The files of a variant of a scene, or what is wrong.
@@ -291,7 +298,7 @@ impl Files {
         &self,
         &Subject { job, file, scene, own, ink }: &Subject<'_>,
         all: &[Planned],
-        messages: &mut String,
+        (messages, unfit): (&mut String, &mut Vec<Unfit>),
         timings: &mut Timings,
     ) -> Result<Vec<Encoded>, Failure> {
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
@@ -322,11 +329,12 @@ impl Files {
                 warn(file, &warnings, ink, messages);
             }
             if let Some(chosen) = chosen {
-                let told = unfit(&file.source.name, chosen, &drawing, self.allow_similar);
-                if !told.is_empty() && !self.allow_similar {
-                    return Err(told.into());
+                let found = Unfit::colors(&file.source.name, chosen, &drawing, self.allow_similar);
+                let is_refused = !found.is_empty() && !self.allow_similar;
+                unfit.extend(found);
+                if is_refused {
+                    return Err(Failure::told());
                 }
-                messages.push_str(&told);
             }
             // Drawing a plan says which events are shown.
             let facts = facts(plan);

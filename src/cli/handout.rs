@@ -16,6 +16,7 @@ use super::files::Files;
 use super::inputs::shown;
 use super::jobs::{Job, bound_file};
 use super::parallel::in_order;
+use super::unfit::Unfits;
 use super::written::{Written, cant_write};
 
 /// Smaller letters, in points, are hard to read on paper: footnotes of books have 7 to 8.
@@ -109,6 +110,7 @@ impl Document {
     fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
         let ink = console.ink();
         let (mut status, mut figures) = (Status::Done, Vec::new());
+        let mut unfits = Unfits::default();
         in_order(
             jobs,
             files.threads(),
@@ -121,10 +123,12 @@ impl Document {
                 };
                 status = status.max(drawn.status);
                 Console::message(&drawn.messages);
+                unfits.extend(drawn.unfit);
                 figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file.drawing)));
                 Ok(())
             },
         )?;
+        unfits.tell(console)?;
         if status != Status::Done {
             console.error(&format!("{} is not written without all its figures", shown(&self.path)));
             return Ok(status);

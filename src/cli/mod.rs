@@ -46,6 +46,7 @@ mod tally;
 mod themes;
 mod timings;
 mod trace;
+mod unfit;
 mod unplanned;
 mod variants;
 mod walk;

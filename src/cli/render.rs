@@ -20,6 +20,7 @@ use super::partition::Partition;
 use super::settings::Destination;
 use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
+use super::unfit::Unfits;
 use super::unplanned::tell_unplanned;
 use super::written::{Written, makes_folders, write_files};
 use super::{Runs, Status};
@@ -105,11 +106,18 @@ impl Runs for Render {
         if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
             return Ok(status);
         }
+        self.draw_all(&jobs, console)
+    }
+}
+
+impl Render {
+    /// Draws scenes and writes their files.
+    fn draw_all(&self, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
         let ink = console.ink();
         let (mut status, mut timings) = (Status::Done, Timings::start());
-        let mut names = BTreeSet::new();
+        let (mut names, mut unfits) = (BTreeSet::new(), Unfits::default());
         let work = |job: &Job| {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
@@ -117,11 +125,12 @@ impl Runs for Render {
                 write_files(self.files.draw(job, ink), self.files.wait())
             }
         };
-        in_order(&jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
-            let written = written.unwrap_or_else(|| Written::bug(&job.input.shown()));
+        in_order(jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
+            let mut written = written.unwrap_or_else(|| Written::bug(&job.input.shown()));
             status = status.max(written.status);
             timings.add(&written.timings);
             names.extend(written.names.iter().cloned());
+            unfits.extend(std::mem::take(&mut written.unfit));
             bar.suspend(|| -> io::Result<()> {
                 written.tell(console)?;
                 // While the bar is away, lest the two write over each other.
@@ -131,17 +140,16 @@ impl Runs for Render {
             Ok(())
         })?;
         bar.finish_and_clear();
+        unfits.tell(console)?;
         if let Some(live) = self.live {
-            status = status.max(finish(live, &jobs, &names, console)?);
+            status = status.max(finish(live, jobs, &names, console)?);
         }
         if self.timings {
             Console::message(&timings.to_string());
         }
         Ok(status)
     }
-}
 
-impl Render {
     /// Draws a stream of scenes.
     fn stream(&self, console: &mut Console) -> io::Result<Status> {
         let settings = match self.files.settings_here(self.output.as_deref()) {
@@ -162,6 +170,7 @@ impl Render {
         clear_leftovers(folder);
         let ink = console.ink();
         let (mut status, mut timings) = (Status::Done, Timings::start());
+        let mut unfits = Unfits::default();
         let mut stream = LinesToDraw::new(io::stdin().lock(), ink);
         loop {
             let batch = match stream.next_batch(&settings, self.files.threads()) {
@@ -179,13 +188,15 @@ impl Render {
                 Drawable::Refused(messages) => Written::refused(messages.clone()),
             };
             in_order(&batch, self.files.threads(), work, |line, written| -> io::Result<()> {
-                let written = written.unwrap_or_else(|| Written::bug(&line.shown()));
+                let mut written = written.unwrap_or_else(|| Written::bug(&line.shown()));
+                unfits.extend(std::mem::take(&mut written.unfit));
                 status = status.max(written.status);
                 timings.add(&written.timings);
                 written.tell(console)
             })?;
             console.out.flush()?;
         }
+        unfits.tell(console)?;
         if self.timings {
             Console::message(&timings.to_string());
         }

@@ -2,13 +2,11 @@
 //! scene.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use tracefig::drawing::Drawing;
 use tracefig::figure::Fault;
-use tracefig::figure::theme::{self, Theme, remedies, shortcomings};
+use tracefig::figure::theme::{self, Theme};
 use tracefig::scene::limits::MAX_FILE_BYTES;
 use tracefig::scene::{Problem, SceneFile, visible};
 
@@ -103,33 +101,6 @@ impl OwnThemes {
         known.insert(path, Arc::clone(&theme));
         Ok(Some(theme))
     }
-}
-
-/// What readers can't tell apart in a drawing with a theme of a user's own, in lines; empty for a fit one.
-/// `allowed` says that they are warnings, without the colours that would pass.
-pub(crate) fn unfit(scene: &str, chosen: &ChosenTheme, drawing: &Drawing, allowed: bool) -> String {
-    let mut lines = String::new();
-    if chosen.file.is_none() {
-        return lines;
-    }
-    let (scene, name) = (visible(scene), visible(&chosen.name));
-    for short in shortcomings(&chosen.theme, drawing) {
-        if allowed {
-            let _ = writeln!(lines, "warning: {scene}, theme {name}: {short}");
-            continue;
-        }
-        let _ = write!(lines, "error: {scene}, theme {name}: {short}");
-        let near = remedies(&chosen.theme, drawing, &short);
-        let near: Vec<_> = near.iter().map(|(role, color)| format!("{} {color}", role.name())).collect();
-        if !near.is_empty() {
-            let _ = write!(lines, "; nearest that passes: {}", near.join(", or "));
-        }
-        lines.push('\n');
-    }
-    if !allowed && !lines.is_empty() {
-        lines.push_str("help: `--allow-similar` draws it all the same\n");
-    }
-    lines
 }
 
 /// Each theme once; the error is of two with one name, whose files would be one.

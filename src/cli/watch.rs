@@ -20,6 +20,7 @@ use super::inputs::Input;
 use super::jobs::{Job, each_settings, folders_of};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
+use super::unfit::Unfits;
 use super::unplanned::{Unplanned, tell_unplanned};
 use super::written::{Written, makes_folders, write_files};
 use super::{Runs, Status};
@@ -138,14 +139,17 @@ impl Watch {
                 told.remove(&name);
                 return Ok(());
             };
-            if !written.messages.is_empty() && told.get(&name) != Some(&written.messages) {
+            let mut unfits = Unfits::default();
+            unfits.extend(written.unfit);
+            let messages = written.messages + &unfits.messages();
+            if !messages.is_empty() && told.get(&name) != Some(&messages) {
                 console.out.flush()?;
-                Console::message(&written.messages);
+                Console::message(&messages);
             }
             if !written.names.is_empty() && !console.is_quiet() {
                 writeln!(console.out, "{name}: {}", written.names.join(", "))?;
             }
-            told.insert(name, written.messages);
+            told.insert(name, messages);
             Ok(())
         })
     }

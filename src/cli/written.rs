@@ -11,6 +11,7 @@ use super::files::Drawn;
 use super::inputs::shown;
 use super::jobs::Target;
 use super::timings::Timings;
+use super::unfit::Unfit;
 
 /// What became of a job.
 pub(crate) struct Written {
@@ -20,6 +21,8 @@ pub(crate) struct Written {
     pub(crate) names: Vec<String>,
     /// What is said on standard error.
     pub(crate) messages: String,
+    /// What the scene has against its themes, to be said once for all scenes.
+    pub(crate) unfit: Vec<Unfit>,
     /// Why a file is not what it should be.
     pub(crate) status: Status,
     /// Where the time went.
@@ -30,7 +33,8 @@ impl Written {
     /// A job of which nothing was written and nothing is to be said.
     pub(crate) fn nothing() -> Self {
         let (picture, names, messages) = (Vec::new(), Vec::new(), String::new());
-        Self { picture, names, messages, status: Status::Done, timings: Timings::start() }
+        let unfit = Vec::new();
+        Self { picture, names, messages, unfit, status: Status::Done, timings: Timings::start() }
     }
 
     /// A scene that was not drawn, with the reasons.
@@ -62,8 +66,8 @@ impl Written {
 
 /// Writes the files of a scene.
 pub(crate) fn write_files(drawn: Drawn, wait: Wait) -> Written {
-    let Drawn { files, messages, status, timings } = drawn;
-    let mut written = Written { messages, status, timings, ..Written::nothing() };
+    let Drawn { files, messages, unfit, status, timings } = drawn;
+    let mut written = Written { messages, unfit, status, timings, ..Written::nothing() };
     for Encoded { bytes, target, .. } in files {
         match &target {
             Target::Stdout => written.picture = bytes,

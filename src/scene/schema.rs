@@ -6,8 +6,8 @@ use serde_json::{Map, Value, json};
 use crate::geometry::shape::KINDS;
 
 use super::fields::{
-    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, PROJECT, QUERY, RENDER, ROOT, STEP, TableRows,
-    shape_rows,
+    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, PROJECT, QUERY, RENDER, ROOT,
+    STEP, TableRows, shape_rows,
 };
 use super::holds::Holds;
 use super::{COMPASS, When};

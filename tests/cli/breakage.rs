@@ -92,7 +92,7 @@ const BREAKAGES: &[Breakage] = &[
             fs::remove_file(f.join("s.svg")).unwrap();
             fs::create_dir(f.join("s.svg")).unwrap();
         },
-        code: 1,
+        code: 74,
         says: &["1 identical, 0 changed, 0 missing, 1 error\n"],
     },
     Breakage {

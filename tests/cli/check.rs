@@ -233,3 +233,16 @@ fn a_scene_that_is_only_written_otherwise_is_not_stale() {
     let ran = run(&[&["check"][..], &svg].concat());
     assert!(ran.code == Some(1) && ran.out.starts_with("stale     s.svg\n"), "{}", ran.out);
 }
+
+#[test]
+fn what_cannot_be_read_is_no_wrong_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    fs::write(folder.path().join("s.toml"), drawn()).unwrap();
+    let ended = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments)).code;
+    for (scene, code) in [("absent.toml", 74), ("bytes.toml", 1), ("s.toml", 1)] {
+        assert_eq!(ended(&["check", scene]), Some(code), "{scene}");
+        // The worst of several is told.
+        assert_eq!(ended(&["check", scene, "away.toml"]), Some(74), "{scene}");
+    }
+}

@@ -181,3 +181,60 @@ fn a_theme_of_a_scene_is_a_file_by_a_path_from_there() {
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
     assert!(svg(here, "line-1.svg").contains("#ff6650"));
 }
+
+#[test]
+fn what_several_scenes_say_of_a_theme_is_said_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let alike = "[colors]\na = '#ff7f0e'\nb = '#d62728'\n";
+    fs::write(folder.path().join("own.toml"), alike).unwrap();
+    let names: Vec<_> = (0..7).map(|k| format!("scenes/s{k}.toml")).collect();
+    fs::create_dir(folder.path().join("scenes")).unwrap();
+    for name in &names {
+        fs::write(folder.path().join(name), drawn()).unwrap();
+    }
+    let files: Vec<&str> = names.iter().map(String::as_str).collect();
+    let ran = |more: &[&str]| {
+        let usual = ["--format", "svg", "--theme", "own.toml"];
+        render(folder.path(), &[&usual, more, &files[..]].concat())
+    };
+    let refused = ran(&[]);
+    assert_eq!(refused.code, Some(1), "{}", refused.err);
+    let said = "(7 scenes: scenes/s0.toml, scenes/s1.toml, scenes/s2.toml, scenes/s3.toml and 3 more)";
+    let lines: Vec<_> = refused.err.lines().collect();
+    assert!(lines[0].starts_with("error: theme own: a #FF7F0E is too near b #D62728"), "{}", refused.err);
+    assert!(lines[0].ends_with(said) && lines.len() == 2, "{}", refused.err);
+    assert!(lines[1].starts_with("help: `--allow-similar`"), "{}", refused.err);
+    for threads in ["1", "3"] {
+        assert_eq!(ran(&["--threads", threads]).err, refused.err, "in any order of work");
+    }
+    let allowed = ran(&["--allow-similar"]);
+    assert_eq!(allowed.code, Some(0));
+    let lines: Vec<_> = allowed.err.lines().collect();
+    assert!(lines.len() == 1 && lines[0].starts_with("warning: ") && lines[0].ends_with(said), "{lines:?}");
+    let checked = run(tracefig(folder.path()).args(["check", "--json", "--theme", "own.toml", "scenes"]));
+    assert_eq!(checked.code, Some(1));
+    assert_eq!(checked.err, refused.err);
+    assert_eq!(
+        checked.out.matches("is too near b #D62728").count(),
+        7,
+        "each finding has its own: {}",
+        checked.out
+    );
+}
+
+#[test]
+fn a_file_that_is_no_theme_is_said_once_for_all_scenes_that_name_it() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("own.toml"), "[colors]\nink = 'black'\n").unwrap();
+    let scene = format!("{}\n[canvas]\ntheme = 'own.toml'\n", drawn());
+    let write = |name: &str| fs::write(folder.path().join(name), &scene).unwrap();
+    write("s0.toml");
+    let alone = render(folder.path(), &["s0.toml"]);
+    assert_eq!(alone.code, Some(1));
+    assert!(alone.err.contains("s0.toml:") && alone.err.contains("got `black`"), "{}", alone.err);
+    write("s1.toml");
+    let both = render(folder.path(), &["s0.toml", "s1.toml"]);
+    assert_eq!(both.code, Some(1));
+    assert_eq!(both.err.matches("got `black`").count(), 1, "{}", both.err);
+    assert!(both.err.contains("(2 scenes: s0.toml, s1.toml)"), "{}", both.err);
+}
