@@ -62,6 +62,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "at every step, the step's number instead of its time, as the layer \"graph\" has it",
         },
+        OptionSpec {
+            name: "text",
+            takes: Takes::Lines,
+            default: "its name, and when it is there",
+            about: "lines of the label in this panel",
+        },
     ],
     labels: &[
         LabelKey { key: "A'", about: "the first body, and when it is there" },
@@ -153,7 +159,8 @@ pub(super) fn ghost(
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));
     let key = if side == Side::A { "A'" } else { "B'" };
     let label = Label { lines, ..Label::new(key, "", Anchor::inside(outline), role) };
-    sketch.label(label.rank(Rank::Name).size(Size::Note));
+    let label = label.rank(Rank::Name).size(Size::Note);
+    sketch.label(if let Some(text) = options.words("text") { label.given(text) } else { label });
 }
 
 /// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first

@@ -5,12 +5,12 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Sketch};
-use crate::geometry::DVec2;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch};
+use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
 use super::velocity::{label_of_hit, text, underlay};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
@@ -36,9 +36,17 @@ pub(super) const LAYER: Layer = Layer {
             default: "true",
             about: "a band under the way that is free, up to the hit",
         },
+        OptionSpec {
+            name: "parts",
+            takes: Takes::Flag,
+            default: "false",
+            about: "where both bodies move, what the relative velocity is made of: that of A, then B's reversed",
+        },
     ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
+        LabelKey { key: "part.A", about: "velocity of the first body, as a part of it" },
+        LabelKey { key: "part.B", about: "velocity of the second body, reversed, as a part of it" },
         LabelKey { key: "t", about: "time of the hit" },
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
@@ -64,6 +72,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         // Under the arrow, which stays one vector from its tail to its tip.
         sketch.since(context.answered()).part("until-hit").line(from, from + v * time.lo, underlay());
     }
+    if options.flag("parts", false) {
+        parts(sketch, context, options, from);
+    }
     sketch.since(None).part("ray").arrow(from, tip, Pen::vector(role));
     sketch.label(Label::new("v", text("$v$", v, options), Anchor::tip(from, tip), role));
     if let Some(time) = hit {
@@ -71,5 +82,23 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.since(context.answered());
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
+    }
+}
+
+/// Draws the velocities that make up the relative one, `v_A` and then −`v_B`, where both bodies move.
+fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2) {
+    let [a, b] = [Side::A, Side::B].map(|side| context.body(side).map_or(DVec2::ZERO, |body| body.velocity));
+    if a == DVec2::ZERO || b == DVec2::ZERO {
+        return;
+    }
+    let reversed = context.symbol("v", Side::B).replacen('$', "$-", 1);
+    let ways = [("part.A", Side::A, context.symbol("v", Side::A), a), ("part.B", Side::B, reversed, -b)];
+    let mut tail = from;
+    for (key, side, symbol, way) in ways {
+        sketch.since(None).part(part("ray", side)).arrow(tail, tail + way, Pen::vector(side.into()));
+        let anchor = Anchor::middle(tail, tail + way);
+        let label = Label::new(key, text(&symbol, way, options), anchor, side.into());
+        sketch.label(label.rank(Rank::Measure).size(Size::Note));
+        tail += way;
     }
 }

@@ -29,13 +29,15 @@ pub(super) const LAYER: Layer = Layer {
         name: "lengths",
         takes: Takes::Flag,
         default: "false",
-        about: "where edges face each other, both with their lengths, here as parts of the nearest edge",
+        about: "where edges face each other, both with their lengths, here as parts of the nearest edge, and \
+            the vertices whose difference joins them",
     }],
     labels: &[
         LabelKey { key: "a_1", about: "first supporting vertex, on A" },
         LabelKey { key: "a_2", about: "second supporting vertex, on A" },
         LabelKey { key: "b_1", about: "first supporting vertex, on B" },
         LabelKey { key: "b_2", about: "second supporting vertex, on B" },
+        LabelKey { key: "joint", about: "where the parts of the nearest edge join, with lengths" },
         LabelKey { key: "length.A", about: "length of A's facing edge, with lengths" },
         LabelKey { key: "length.B", about: "length of B's facing edge, with lengths" },
     ],
@@ -85,10 +87,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
             let joint = joint + context.estimate();
             sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
+            if let Some([a, b]) = joined(context).filter(|_| lengths) {
+                let [p, q] = [b, a].map(|vertex| context.named(vertex.side).point(vertex.number));
+                let anchor = Anchor::point(joint);
+                sketch.label(Label::new("joint", format!("${p} - {q}$"), anchor, role).rank(Rank::Point));
+            }
         }
         return;
     }
     let Some((side, vertices)) = supports(context) else { return };
+    if let Some(both) = joined(context).filter(|_| lengths) {
+        for vertex in both.into_iter().filter(|vertex| vertex.side != side) {
+            mark(sketch, context, role, vertex, Anchor::point(vertex.point));
+        }
+    }
     if let ([p, q], false) = (vertices.as_slice(), lengths) {
         sketch.part("support").weight(Weight::Light).line(p.point, q.point, Pen::highlighted(role));
     }
@@ -96,14 +108,53 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         [p, q] => 0.5 * (p.point + q.point),
         _ => vertices.first().map_or(DVec2::ZERO, |v| v.point),
     };
-    let keys = if side == Side::A { ["a_1", "a_2"] } else { ["b_1", "b_2"] };
-    for ((vertex, key), number) in vertices.iter().zip(keys).zip(1..) {
-        let text = format!("${}$", context.named(side).point(number));
-        let marker = if side == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
-        sketch.part("support").marker(vertex.point, marker, role, LARGE_MARKER);
-        let anchor = Anchor::point_toward(vertex.point, vertex.point - middle);
-        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
+    for (&SupportVertex { point, .. }, number) in vertices.iter().zip(1..=2) {
+        let anchor = Anchor::point_toward(point, point - middle);
+        mark(sketch, context, role, Marked { side, number, point }, anchor);
     }
+}
+
+/// A vertex that is marked and named.
+#[derive(Clone, Copy)]
+struct Marked {
+    /// The body that it is of.
+    side: Side,
+    /// Its number on the edge that faces the other body, from 1.
+    number: usize,
+    /// Its place in the world.
+    point: DVec2,
+}
+
+/// Marks a vertex and names it.
+fn mark(sketch: &mut Sketch, context: &Context, role: Role, vertex: Marked, anchor: Anchor) {
+    let Marked { side, number, point } = vertex;
+    let (marker, keys) = match side {
+        Side::A => (Marker::HollowDisc, ["a_1", "a_2"]),
+        Side::B => (Marker::HollowSquare, ["b_1", "b_2"]),
+    };
+    sketch.part("support").marker(point, marker, role, LARGE_MARKER);
+    let key = if number == 1 { keys[0] } else { keys[1] };
+    let text = format!("${}$", context.named(side).point(number));
+    sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
+}
+
+/// The vertices of A and of B whose difference joins the two parts of the nearest edge. `None` where no edges
+/// face each other.
+fn joined(context: &Context) -> Option<[Marked; 2]> {
+    let found = difference(context, context.time)?;
+    let (joint, aligned) = (found.joint()?, found.aligned()?);
+    let ends = |side: Side| {
+        let edge = aligned.iter().find(|edge| edge.source == side)?;
+        let mut ends = context.body(side)?.shape.edge_ends(edge.index)?;
+        // A tie of supporting vertices is told in the order of their numbers.
+        ends.sort_unstable();
+        let [p, q] = ends.map(|k| context.vertex(side, k, context.time));
+        Some([(1, p?), (2, q?)].map(|(number, point)| Marked { side, number, point }))
+    };
+    let (a, b) = (ends(Side::A)?, ends(Side::B)?);
+    let gap = |[p, q]: &[Marked; 2]| (q.point - p.point).distance(joint);
+    let pairs = a.into_iter().flat_map(|p| b.map(|q| [p, q]));
+    pairs.min_by(|one, other| gap(one).total_cmp(&gap(other)))
 }
 
 /// Draws the edges that face each other, one of each body, with their lengths: in the world where they are,
@@ -124,7 +175,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) -> bool {
         sketch.part(part("length", side));
         let text = if here {
             draw_edge(sketch, side, (from, to), Pen::highlighted(role));
-            format!("${length}$ from {}", context.named(side).primed(0))
+            format!("edge of {}, ${length}$", context.named(side).primed(0))
         } else {
             sketch.line(from, to, Pen::highlighted(role));
             format!("${length}$")

@@ -1,32 +1,45 @@
-//! The outer tangents between a body and its ghost at the hit: the band that it sweeps.
+//! The outer tangents between a body and its ghost at the hit, or at the end of its way: the band that it
+//! sweeps.
 //!
 //! The band of a translated body is the convex hull of both places. Of the hull of all core vertices, the
 //! edges that lead from one place to the other are the tangents of the cores; moved out by the radius, those
 //! of the bodies.
 
 use crate::figure::context::Context;
-use crate::figure::sketch::{Pen, Sketch, Weight};
+use crate::figure::sketch::{Outline, Pen, Sketch, Wash, Weight};
 use crate::geometry::{DVec2, Side};
+use crate::scene::When;
 
 use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
+/// Opacity of the band's fill: a quiet ground for the bodies on it.
+const FAINT: f64 = 0.07;
+
 pub(super) const LAYER: Layer = Layer {
     name: "sweep",
-    about: "the edges of the band that a body sweeps up to the hit",
+    about: "the band that a body sweeps up to the hit, by its edges",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "of",
-        takes: Takes::Bodies,
-        default: "all that move",
-        about: "which bodies",
-    }],
+    options: &[
+        OptionSpec { name: "of", takes: Takes::Bodies, default: "all that move", about: "which bodies" },
+        OptionSpec {
+            name: "to",
+            takes: Takes::Word(&[When::HIT, When::END]),
+            default: "\"hit\"",
+            about: "up to the hit, or all the way to t = 1",
+        },
+        OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill of the band" },
+    ],
     labels: &[],
     needs: "a question for the first contact, and a body that goes straight, as the panel shows it",
     fed: |context, options| {
         let straight = !swept(context, options).is_empty();
         let why = "seen from the panel's frame nothing goes straight";
-        if straight { Fed::by_a_hit(context) } else { Fed::by_the_frame(false, context, why) }
+        match options.word("to", When::HIT) {
+            _ if !straight => Fed::by_the_frame(false, context, why),
+            When::END => Fed::by_the_scene(context.asks_for_a_hit()),
+            _ => Fed::by_a_hit(context),
+        }
     },
     draw,
 };
@@ -41,20 +54,25 @@ fn swept(context: &Context, options: &Options) -> Vec<Side> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some((time, _)) = context.hit() else { return };
-    sketch.since(context.answered());
+    let to_the_end = options.word("to", When::HIT) == When::END;
+    let Some(time) = (if to_the_end { Some(1.0) } else { context.hit().map(|(time, _)| time) }) else {
+        return;
+    };
+    sketch.since((!to_the_end).then(|| context.answered()));
     for side in swept(context, options) {
         let (before, after) = (core(context, side, context.time), core(context, side, time));
         if before == after {
             continue;
         }
         let radius = context.body(side).map_or(0.0, |body| body.shape.radius);
-        for (p, q) in tangents(&before, &after, radius) {
-            sketch.part(part("sweep", side)).weight(Weight::Light).line(
-                p,
-                q,
-                Pen::dimension(options.role(side.into())),
-            );
+        let (role, hull) = (options.role(side.into()), hull(&before, &after));
+        sketch.part(part("sweep", side)).weight(Weight::Light);
+        if options.flag("fill", false) {
+            let band: Vec<DVec2> = hull.iter().skip(1).map(|&(p, _)| p).collect();
+            sketch.area(&Outline::rounded(&band, radius), Some(Wash::faint(role, FAINT)), None);
+        }
+        for (p, q) in tangents(&hull, radius) {
+            sketch.line(p, q, Pen::dimension(role));
         }
     }
 }
@@ -65,15 +83,21 @@ fn core(context: &Context, side: Side, time: f64) -> Vec<DVec2> {
     body.shape.core.iter().filter_map(|&i| context.vertex(side, i, time)).collect()
 }
 
-/// The edges of the common hull that lead from one of two sets to the other, moved out by `radius`, in the
-/// world.
-fn tangents(before: &[DVec2], after: &[DVec2], radius: f64) -> Vec<(DVec2, DVec2)> {
+/// The common hull of two sets of points, counter-clockwise from its leftmost point back to it, in their
+/// units; with each point whether it is of the second set.
+fn hull(before: &[DVec2], after: &[DVec2]) -> Vec<(DVec2, bool)> {
     let mut points: Vec<(DVec2, bool)> =
         before.iter().map(|&p| (p, false)).chain(after.iter().map(|&p| (p, true))).collect();
     points.sort_by(|(p, _), (q, _)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     let mut hull = half_hull(points.iter());
     hull.pop();
     hull.extend(half_hull(points.iter().rev()));
+    hull
+}
+
+/// The edges of a common hull that lead from one of its two sets to the other, moved out by `radius`, in the
+/// world.
+fn tangents(hull: &[(DVec2, bool)], radius: f64) -> Vec<(DVec2, DVec2)> {
     let across = |w: &[(DVec2, bool)]| {
         let ((p, p_after), (q, q_after)) = (w[0], w[1]);
         let along = (q - p).normalize_or_zero();
@@ -104,7 +128,7 @@ mod tests {
 
     #[test]
     fn a_disc_sweeps_a_band_as_wide_as_itself() {
-        let lines = tangents(&[DVec2::ZERO], &[DVec2::new(4.0, 0.0)], 1.0);
+        let lines = tangents(&hull(&[DVec2::ZERO], &[DVec2::new(4.0, 0.0)]), 1.0);
         let expected =
             [(DVec2::new(0.0, -1.0), DVec2::new(4.0, -1.0)), (DVec2::new(4.0, 1.0), DVec2::new(0.0, 1.0))];
         assert_eq!(lines, expected);
@@ -114,7 +138,7 @@ mod tests {
     fn a_square_that_moves_along_its_diagonal_is_joined_at_its_other_vertices() {
         let square = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
         let moved = square.map(|p| p + DVec2::splat(3.0));
-        let lines = tangents(&square, &moved, 0.0);
+        let lines = tangents(&hull(&square, &moved), 0.0);
         assert_eq!(lines, [(DVec2::X, DVec2::new(4.0, 3.0)), (DVec2::new(3.0, 4.0), DVec2::Y)]);
     }
 }

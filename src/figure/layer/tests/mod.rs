@@ -4,6 +4,7 @@ mod handles;
 mod insets;
 mod marks;
 mod moments;
+mod motion;
 mod numbers;
 mod reading;
 mod steps;
