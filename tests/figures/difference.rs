@@ -82,10 +82,10 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-8.0, -6.5, 7.5, 9.0]);
+    let world = look(&f, 0, [-8.9, -7.8, 9.0, 8.8]);
     shows![
         world.polygon(A, &[(-2.5, -5.0), (5.5, 1.0), (2.5, 5.0), (-5.5, -1.0)]).is_some(),
-        world.polygon(B, &[(-1.5, -0.5), (2.5, 2.5), (-0.5, 6.5), (-4.5, 3.5)]).is_some(),
+        world.polygon(B, &[(-1.5, -0.5), (2.5, 2.5), (1.0, 4.5), (-3.0, 1.5)]).is_some(),
         // From the middle of what the parallel edges share, along (-3, 4)/5.
         world.arrow(Translation, (0.5, 1.0), (-0.7, 2.6)),
         world.marker(Now, (-1.5, -0.5)),
@@ -96,21 +96,23 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.text_near("$b_1$", (-1.5, -0.5), 40.0),
         world.text_near("$b_2$", (2.5, 2.5), 40.0),
         f.says("$5$") && f.says("$10$"),
+        world.marker(Now, (2.5, 5.0)),
+        world.text_near("$a_1$", (2.5, 5.0), 40.0),
         world
-            .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-1.7, 8.1), (-5.7, 5.1)])
+            .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-0.2, 6.1), (-4.2, 3.1)])
             .is_some_and(|p| p.fill.is_none()),
     ];
-    let conf = look(&f, 1, [-11.0, -6.5, 9.0, 12.5]);
+    let conf = look(&f, 1, [-9.2, -6.8, 8.7, 9.8]);
     edges_wear_their_source(
         &conf,
         &[
             ((-4.0, -5.5), B),
             ((0.0, -2.5), A),
             ((8.0, 3.5), B),
-            ((5.0, 7.5), A),
-            ((2.0, 11.5), B),
-            ((-2.0, 8.5), A),
-            ((-10.0, 2.5), B),
+            ((6.5, 5.5), A),
+            ((3.5, 9.5), B),
+            ((-0.5, 6.5), A),
+            ((-8.5, 0.5), B),
             ((-7.0, -1.5), A),
         ],
     );
@@ -120,8 +122,10 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.marker(Now, (0.0, -2.5)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("$5$ from $B$", (-2.0, -4.0), 60.0),
-        conf.text_near("$10$ from $A$", (4.0, 0.5), 60.0),
+        conf.text_near("edge of $B$, $5$", (-2.0, -4.0), 60.0),
+        conf.text_near("edge of $A$, $10$", (4.0, 0.5), 60.0),
+        // (2.5, 2.5) − (2.5, 5)
+        conf.text_near("$b_2 - a_1$", (0.0, -2.5), 60.0),
     ];
 }
 

@@ -28,13 +28,16 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         world.polygon(B, &b).is_some_and(|p| p.fill.is_some()),
         world.polygon(A, &moved(a, (4.5, -0.75))).is_some_and(dashed),
         world.polygon(B, &moved(b, (1.5, -4.5))).is_some_and(dashed),
-        world.arrow(Ink, (-6.0, -1.5), (0.0, -2.5)),
-        world.arrow(Ink, (-0.5, 4.25), (1.5, -1.75)),
+        // From the points that will touch, through the contact.
+        world.arrow(A, (-5.0, 0.0), (1.0, -1.0)),
+        world.arrow(B, (-2.0, 3.75), (0.0, -2.25)),
+        world.line(Now, (-5.0, 0.0), (-0.5, -0.75)).is_some(),
+        world.line(Now, (-2.0, 3.75), (-0.5, -0.75)).is_some(),
         world.marker(Ink, (-0.5, -0.75)),
         f.says("$A$ at $t = 0.75$") && f.says("$B$ at $t = 0.75$"),
         f.says("$v_A$ $= (6, -1)$") && f.says("$v_B$ $= (2, -6)$"),
     ];
-    let conf = look(&f, 1, [-1.6, -1.6, 11.0, 9.9]);
+    let conf = look(&f, 1, [-1.9, -1.9, 11.1, 9.8]);
     let edges = [
         ((2.0, 4.25), B),
         ((6.0, 2.25), A),
@@ -54,6 +57,9 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (3.0, 3.75)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (4.0, 5.0)),
+        conf.arrow(A, (0.0, 0.0), (6.0, -1.0)),
+        conf.arrow(B, (6.0, -1.0), (4.0, 5.0)),
+        f.says("$-v_B$ $= (-2, 6)$"),
         conf.marker(Now, (3.0, 3.75)),
         f.says("$v$ $= (4, 5)$"),
         f.says("$t = 0.75$"),
@@ -163,33 +169,35 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 }
 
 #[test]
-fn frames_continuous_predicts_the_path_and_stops_a_where_it_touches() {
+fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-6.8, -3.6, 6.8, 2.4];
-    let b = [(-2.5, -2.5), (-0.6, -3.3), (3.15, 1.7), (0.5, 1.5)];
+    let view = [-9.5, -2.8, 9.5, 3.0];
+    let b = [(-1.75, -1.5), (0.15, -2.3), (3.9, 2.7), (1.1, 2.3)];
     let one = look(&f, 0, view);
-    // The band's edges are 1 from the way, square to (11, -2): by (2, 11)/√125.
+    // The band's edges are 1 from the way, square to (16.5, -3): by (2, 11)/√125.
     let (x, y) = (2.0 / 125.0_f64.sqrt(), 11.0 / 125.0_f64.sqrt());
-    // After 0.35 of the way the centre (-1.65, 0.3) is 1 from the line 4x - 3y = -2.5, at (-0.85, -0.3).
+    // After 0.4 of the way the centre (-1.65, 0.3) is 1 from the line 4x - 3y = -2.5, at (-0.85, -0.3).
     shows![
-        one.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
         one.circle(A, (-1.65, 0.3), 1.0).is_some_and(dashed),
-        one.any_line((-5.5 + x, 1.0 + y), (-1.65 + x, 0.3 + y)),
-        one.any_line((-5.5 - x, 1.0 - y), (-1.65 - x, 0.3 - y)),
-        one.line(Now, (-5.5, 1.0), (-1.65, 0.3)).is_some(),
-        one.arrow(Ink, (-5.5, 1.0), (5.5, -1.0)),
+        one.circle(A, (8.25, -1.5), 1.0).is_some_and(dashed),
+        one.any_line((-8.25 + x, 1.5 + y), (8.25 + x, -1.5 + y)),
+        one.any_line((-8.25 - x, 1.5 - y), (8.25 - x, -1.5 - y)),
+        one.line(Now, (-8.25, 1.5), (-1.65, 0.3)).is_some(),
+        one.arrow(Ink, (-8.25, 1.5), (8.25, -1.5)),
         one.marker(Ink, (-0.85, -0.3)),
-        f.says("$v_A$ $= (11, -2)$"),
-        f.says("$t = 0.35$"),
-        f.says("$A$ at $t = 0.35$") && f.says("$A$ at $t = 0$"),
+        f.says("$v_A$"),
+        f.says("$t = 0.4$"),
+        f.says("$A$ at $t = 0.4$") && f.says("$A$ at $t = 0$") && f.says("$A$ at $t = 1$"),
     ];
     let two = look(&f, 1, view);
     shows![
         two.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_some()),
-        two.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_none()),
+        two.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_none()),
         two.marker(Ink, (-0.85, -0.3)),
         two.head(Ink, (-0.05, -0.9)),
+        two.text_near("$p$", (-0.85, -0.3), 40.0),
         f.says("$n$"),
     ];
 }

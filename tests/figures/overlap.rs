@@ -39,7 +39,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-6.6, -4.0, 9.0, 5.7]);
+    let w = look(&f, 0, [-7.6, -4.7, 9.2, 5.7]);
     let px = 1.0 / w.panel.scale;
     let a = [
         (-5.0, 2.0),
@@ -80,24 +80,24 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-7.6, -2.6, 11.4, 7.8]);
-    let closest = (6.0, 1.5);
+    let w = look(&f, 0, [-6.4, -2.7, 10.4, 7.8]);
+    let closest = (5.0, 1.5);
     shows![
-        w.polygon(A, &[(-6.0, -1.5), (6.0, -1.5), closest, (-6.0, 1.5)]).is_some(),
-        w.circle(B, (9.0, 5.5), 2.0).is_some(),
-        w.arrow(Ink, (0.0, 0.0), (9.0, 5.5)),
-        w.arrow(Muted, (0.0, 0.0), (9.0, 0.0)),
+        w.polygon(A, &[(-5.0, -1.5), (5.0, -1.5), closest, (-5.0, 1.5)]).is_some(),
+        w.circle(B, (8.0, 5.5), 2.0).is_some(),
+        w.arrow(Ink, (0.0, 0.0), (8.0, 5.5)),
+        w.arrow(Muted, (0.0, 0.0), (8.0, 0.0)),
         w.arrow(Muted, (0.0, 0.0), (0.0, 5.5)),
-        w.line(A, (0.0, 0.0), (6.0, 0.0)).is_some_and(thick),
+        w.line(A, (0.0, 0.0), (5.0, 0.0)).is_some_and(thick),
         w.line(A, (0.0, 0.0), (0.0, 1.5)).is_some_and(thick),
-        w.any_line((9.0, 0.0), (9.0, 5.5)),
-        w.any_line((0.0, 5.5), (9.0, 5.5)),
+        w.any_line((8.0, 0.0), (8.0, 5.5)),
+        w.any_line((0.0, 5.5), (8.0, 5.5)),
         w.marker(A, closest),
-        w.arrow(Translation, closest, (9.0, 5.5)),
+        w.arrow(Translation, closest, (8.0, 5.5)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (9, 5.5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5.5$"),
-        f.says("$V_x$ cut to 6") && f.says("$V_y$ cut to 1.5"),
-        f.says("$h_x = 6$") && f.says("$h_y = 1.5$"),
+        f.says("$V = (8, 5.5)$") && f.says("$V_x = 8$") && f.says("$V_y = 5.5$"),
+        f.says("$V_x$ cut to 5") && f.says("$V_y$ cut to 1.5"),
+        f.says("$h_x = 5$") && f.says("$h_y = 1.5$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 2$"),
         f.says("distance") && f.says("$= 3$"),
@@ -105,14 +105,14 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     // Beside D, 28 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
     let off = 28.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    let rim = (7.8, 3.9);
-    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((9.0, 5.5))),];
+    let rim = (6.8, 3.9);
+    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((8.0, 5.5))),];
 }
 
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, [-5.0, -6.6, 13.0, 4.4]);
+    let w = look(&f, 0, [-4.0, -6.2, 12.4, 4.4]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
         w.circle(B, (5.0, 0.0), 4.0).is_some(),
@@ -206,30 +206,27 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let view = [-6.8, -3.6, 6.8, 2.4];
-    let b = [(-2.5, -2.5), (-0.6, -3.3), (3.15, 1.7), (0.5, 1.5)];
-    let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
-    // B's long edges lie on 4x - 3y = -2.5 and 7.5. Along (4, -3)/5, A's rim comes to 3.5 before the one, then
-    // 1.5 beyond it, and leaves the other 2.5 behind.
-    let centers = [(-5.5, 1.0), (0.0, 0.0), (5.5, -1.0), (-1.65, 0.3)];
-    for (panel, center) in panels.iter().zip(centers) {
+    let view = [-9.5, -2.8, 9.5, 3.0];
+    let b = [(-1.75, -1.5), (0.15, -2.3), (3.9, 2.7), (1.1, 2.3)];
+    let [late, never] = [0, 1].map(|i| look(&f, i, view));
+    for panel in [&late, &never] {
         shows![
-            panel.circle(A, center, 1.0).is_some_and(|p| p.fill.is_some()),
-            panel.polygon(B, &b).is_some()
+            panel.polygon(B, &b).is_some(),
+            panel.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_none())
         ];
     }
-    let [one, two, three, between] = panels;
+    // B's long edges lie on 4x - 3y = -2.5 and 7.5. Along (4, -3)/5, A's rim touches the one at t = 0.4, is 1.5
+    // beyond it at 0.5, and has left the other 5 behind at 1.
     shows![
-        one.line(Translation, (-4.7, 0.4), (-1.9, -1.7)).is_some(),
-        f.says("apart by 3.5"),
-        two.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
-        f.says("overlap 1.5"),
-        three.line(Translation, (4.7, -0.4), (2.7, 1.1)).is_some(),
-        f.says("apart by 2.5"),
-        between.circle(A, (-5.5, 1.0), 1.0).is_some_and(|p| p.fill.is_none()),
-        between.circle(A, (5.5, -1.0), 1.0).is_some_and(|p| p.fill.is_none()),
-        between.marker(Ink, (-0.85, -0.3)),
-        f.says("$A$ at $t = 0$") && f.says("$A$ at $t = 1$"),
+        late.circle(A, (0.0, 0.0), 1.0).is_some_and(|p| p.fill.is_some()),
+        late.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_none()),
+        late.marker(Ink, (-0.85, -0.3)),
+        late.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
+        f.says("overlap 1.5") && f.says("first touch, $t = 0.4$"),
+        never.circle(A, (8.25, -1.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        never.line(Translation, (7.45, -0.9), (3.45, 2.1)).is_some(),
+        f.says("apart by 5"),
+        f.says("$A$ at $t = 0$"),
     ];
 }
 

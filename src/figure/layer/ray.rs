@@ -40,7 +40,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "parts",
             takes: Takes::Flag,
             default: "false",
-            about: "where both bodies move, what the relative velocity is made of: that of A, then B's reversed",
+            about: "where both bodies move, A's velocity and then B's reversed, which lead to the same tip",
         },
     ],
     labels: &[

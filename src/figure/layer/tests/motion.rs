@@ -93,8 +93,7 @@ fn the_parts_of_a_ray_are_the_first_velocity_and_the_second_reversed() {
 
 #[test]
 fn the_joint_of_two_parts_is_the_difference_of_the_vertices_that_are_named() {
-    // A's upper edge and B's lower one face each other. B ⊖ A runs along B's edge, less A's vertex (2, 1), then
-    // along A's, which leads from B's right end. The other way round A's edge is the one below.
+    // The upper edge of the one and the lower one of the other face each other.
     let place = |lower: &str, upper: &str| {
         figure(&format!(
             "shapes.{lower} = {{ kind = 'box', half_extents = [2, 1] }}
