@@ -146,8 +146,3 @@ class Row {
         });
     }
 }
-
-const figures = [...document.querySelectorAll(".tracefig-live")];
-for (const root of figures) {
-    Figure.start(root, figures.length === 1).catch((error) => (root.dataset.live = `no: ${error.message}`));
-}

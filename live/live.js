@@ -9,6 +9,7 @@ const NARROW = 0.8; // A figure that is shown at less of its width is laid out f
 const TRIES = 6; // How often the way to what can't be is halved.
 const WHOLE = 0xffffffff; // The step that shows the finished figure.
 const still = matchMedia("(prefers-reduced-motion: reduce)");
+const phone = matchMedia("(max-width: 600px)"); // There one is as wide as the page, whatever a book says.
 
 class Figure {
     // Makes a figure of the page live; it stays as it is where that can't be.
@@ -50,7 +51,7 @@ class Figure {
         this.fill();
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
         this.shown();
-        new ResizeObserver(() => this.fit()).observe(this.stage);
+        new ResizeObserver(() => this.fit()).observe(this.root);
         if (this.alone) addEventListener("hashchange", () => this.forget() ?? this.fromAddress());
         this.fromAddress();
         this.speak(0);
@@ -225,9 +226,10 @@ class Figure {
 
     // The width of the page where the figure's own would be unreadably small.
     fit() {
-        const room = this.stage.clientWidth;
+        const room = this.root.clientWidth;
         this.own ??= this.picture.size[0];
-        const width = room < NARROW * this.own ? Math.max(Math.floor(room), 240) : undefined;
+        const asAsked = this.stage.style.width && !phone.matches;
+        const width = room < NARROW * this.own && !asAsked ? Math.max(Math.floor(room), 240) : undefined;
         if (width === this.room) return this.shown();
         this.room = width;
         this.layOut(width);

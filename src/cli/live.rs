@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde_json::{Value, json};
-use tracefig::drawing::Drawing;
+use tracefig::drawing::{Drawing, Role};
 use tracefig::figure::plain;
 use tracefig::output::{FORMATS, INLINE, LivePage, Module, OutputError, WriteLive};
 use tracefig::scene::{SceneFile, Source, Variant};
@@ -85,7 +85,7 @@ impl LiveFile {
         let up = up(job, target);
         let (beside, index) = (format!("{up}{RUNTIME}"), index_of(job, target));
         let module = if self.live == Live::Shared { Module::Beside(&beside) } else { Module::Inside(MODULE) };
-        let request = request(file, drawing, theme);
+        let request = request(file, &drawing.id, theme, None);
         let (heading, index) = (heading(file, job), index.map(|name| format!("{up}{name}")));
         (self.write)(
             drawing,
@@ -94,9 +94,23 @@ impl LiveFile {
     }
 }
 
-/// What the module is opened with.
-fn request(file: &SceneFile, drawing: &Drawing, theme: Option<&ChosenTheme>) -> String {
-    let mut rest = json!({ "id": drawing.id });
+/// Whose colours a picture has that stands inside a page.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Inline<'r> {
+    /// Colours of the page's style sheet, which gives words of these roles another one than lines.
+    Following(&'r [Role]),
+    /// Colours of its own.
+    OnItsOwn,
+}
+
+/// What the module is opened with: the scene, the id and the theme, and how the picture stands inside a page.
+pub(crate) fn request(
+    file: &SceneFile,
+    id: &str,
+    theme: Option<&ChosenTheme>,
+    inline: Option<Inline<'_>>,
+) -> String {
+    let mut rest = json!({ "id": id });
     if let Some(theme) = theme {
         let own = |key: &String| {
             let file = Source::new("", key).json().and_then(|text| serde_json::from_str(&text).ok());
@@ -104,9 +118,23 @@ fn request(file: &SceneFile, drawing: &Drawing, theme: Option<&ChosenTheme>) -> 
         };
         rest["theme"] = if theme.file.is_some() { own(&theme.key) } else { json!(theme.key) };
     }
+    if let Some(inline) = inline {
+        let names = |roles: &[Role]| roles.iter().map(|role| role.name()).collect::<Vec<_>>();
+        rest["inline"] = match inline {
+            Inline::Following(roles) => json!({ "words": names(roles) }),
+            Inline::OnItsOwn => json!({}),
+        };
+    }
     // The order of a scene's keys stays: the scene is written as it is.
-    let rest = rest.to_string();
-    format!("{{\"scene\":{},{}", file.json(), rest.trim_start_matches('{'))
+    let (mut scene, rest) = (file.json(), rest.to_string());
+    if let Some(alt) = file.scene.alt.as_ref()
+        && let Ok(mut said) = serde_json::from_str::<Value>(&scene)
+    {
+        // A book may say another one.
+        said["alt"] = json!(alt.value);
+        scene = said.to_string();
+    }
+    format!("{{\"scene\":{scene},{}", rest.trim_start_matches('{'))
 }
 
 /// What a page is called.

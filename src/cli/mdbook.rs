@@ -16,7 +16,9 @@ use super::book::kept::Kept;
 use super::book::mail::Mail;
 use super::book::markdown::{Place, What, places};
 use super::book::places::line_in_file;
+use super::book::runtime;
 use super::console::Console;
+use super::live::RUNTIME;
 use super::manual::Manual;
 use super::parallel::{in_order, threads};
 use super::themes::{OwnThemes, theme_in};
@@ -58,6 +60,11 @@ impl Runs for Mdbook {
         files: &[
             ("book.toml", "`[preprocessor.tracefig]` makes mdBook run this command"),
             (
+                RUNTIME,
+                "what live figures need, written where `additional-js` of `[output.html]` has it; leave it \
+                 out of what you keep",
+            ),
+            (
                 "~/.cache/tracefig/books/",
                 "figures of the last build of each book; may be deleted at any time",
             ),
@@ -95,7 +102,7 @@ impl Runs for Mdbook {
 fn colors(mail: &Mail) -> Result<Colors, String> {
     let Some(file) = &mail.theme else { return Ok(Colors::of(of_the_house())) };
     let chosen = theme_in(&mail.root, file).map_err(|e| format!("the book's theme {file}: {e}"))?;
-    Ok(Colors::of(&chosen.theme))
+    Ok(Colors::of(chosen))
 }
 
 /// Draws what the pages ask for and puts it in its place.
@@ -107,12 +114,14 @@ fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status
     let orders = orders(&read);
     let kept = Kept::open(&root, &renderer);
     let desk = Desk { takes, colors, kept, own_themes: OwnThemes::default(), ink: console.ink() };
-    let (mut status, mut served) = (Status::Done, Vec::with_capacity(orders.len()));
+    let (mut status, mut any_live) = (Status::Done, false);
+    let mut served = Vec::with_capacity(orders.len());
     let mut pictures = BTreeMap::new();
     let work = |(_, order): &(usize, Order)| desk.serve(order);
     let done: Result<(), ()> = in_order(&orders, threads(None), work, |(page, order), done| {
-        let Served { text, messages, kept } = done.unwrap_or_default();
+        let Served { text, messages, kept, is_live } = done.unwrap_or_default();
         pictures.extend(kept);
+        any_live |= is_live;
         if text.is_some() {
             console.note(&messages);
         } else {
@@ -128,7 +137,16 @@ fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status
     for (page, range, text) in served.into_iter().rev() {
         pages[page].content.replace_range(range, &text);
     }
-    status
+    if status != Status::Done || !any_live {
+        return status;
+    }
+    runtime::bring(&root, &mail.scripts).map_or_else(
+        |(status, told)| {
+            console.error(&told);
+            status
+        },
+        |()| Status::Done,
+    )
 }
 
 /// What of a page is ours, and where it stands in the page's file.

@@ -26,6 +26,14 @@ pub(crate) struct ChosenTheme {
     pub(crate) file: Option<PathBuf>,
 }
 
+impl ChosenTheme {
+    /// One of the house.
+    pub(crate) fn of_the_house(theme: &Theme) -> Self {
+        let (name, key) = (theme.name.to_string(), theme.name.to_string());
+        Self { name, theme: theme.clone(), key, file: None }
+    }
+}
+
 /// A theme as written on the command line: the word for one of the house, or a file.
 pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
     theme_in(Path::new(""), text)
@@ -34,8 +42,7 @@ pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
 /// A theme by its word, or from a file whose path is relative to a folder.
 pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, String> {
     if let Some(known) = theme::find(text) {
-        let (name, key) = (text.to_owned(), text.to_owned());
-        return Ok(ChosenTheme { name, theme: known.clone(), key, file: None });
+        return Ok(ChosenTheme::of_the_house(known));
     }
     if theme::is_file(text) {
         return from_file(&folder.join(text));

@@ -16,11 +16,11 @@ use serde_json::Value;
 use crate::drawing::Drawing;
 use crate::drift::{facts, fingerprint, metadata, text_chunk};
 use crate::figure::{Figure, Plan, draw_after, off_page, plan, plan_in};
-use crate::output::{OutputError, svg_key, svg_text};
+use crate::output::{OutputError, inline, svg_key, svg_text};
 use crate::scene::{SceneFile, open_text};
 
 pub use refusal::Refusal;
-use request::{Look, Request};
+use request::{Inline, Look, Request};
 
 /// A scene with the text that it was read from.
 #[derive(Clone, Debug)]
@@ -65,6 +65,8 @@ pub struct Live {
     id: String,
     /// The theme.
     look: Look,
+    /// How the picture stands inside a page; `None` where it is a file.
+    inline: Option<Inline>,
     /// The scene as it is now.
     now: State,
     /// The scene as it was last drawn, where it has been edited since.
@@ -83,7 +85,9 @@ impl Live {
     /// The scene is one in JSON, or the text of a scene file. `id` is what every id of the SVG begins with,
     /// and is `fig` where it is left out. The theme is one of the house by its name, or
     /// `{"key": TEXT, "file": {…}}`: a theme file as JSON, with the text that stands for it in the figure's
-    /// hash; without one it is the scene's own.
+    /// hash; without one it is the scene's own. With `"inline": {}` the picture is an element for the
+    /// middle of a page ([`inline`]); with `"inline": {"words": ["a"]}` that page's style sheet sets its
+    /// colours, those of words of these roles apart from those of lines, and says when it is dark.
     ///
     /// # Errors
     /// Where the text is no such JSON, or the scene is none.
@@ -100,8 +104,9 @@ impl Live {
     /// # Ok::<(), tracefig::live::Refusal>(())
     /// ```
     pub fn open(text: &str) -> Result<Self, Refusal> {
-        let Request { scene, id, look } = Request::read(text)?;
-        Ok(Self { id, look, now: State::of(scene)?, drawn: None, is_drawn: false, step: None, before: None })
+        let Request { scene, id, look, inline } = Request::read(text)?;
+        let now = State::of(scene)?;
+        Ok(Self { id, look, inline, now, drawn: None, is_drawn: false, step: None, before: None })
     }
 
     /// Changes the scene: JSON `[[PATH, VALUE], …]`, where a path is a list of keys and numbers, as
@@ -240,14 +245,26 @@ impl Live {
             Some(step) if step < whole.steps.len() => whole.at_step(step.max(1)),
             _ => whole.finished(),
         };
-        let key = match &self.look {
-            Look::Own => plan.theme.name,
-            Look::Given { key, .. } => key,
+        let written = match &self.inline {
+            Some(Inline { words }) => {
+                if let Some(roles) = words {
+                    drawing.words = roles.iter().map(|&role| (role, plan.theme.word_color(role))).collect();
+                    drawing.dark = None;
+                }
+                inline(&drawing)
+            }
+            None => {
+                let key = match &self.look {
+                    Look::Own => plan.theme.name,
+                    Look::Given { key, .. } => key,
+                };
+                let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
+                drawing.hash = text_chunk(&hash);
+                drawing.metadata = metadata(&hash, &facts(&plan));
+                svg_text(&drawing)
+            }
         };
-        let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
-        drawing.hash = text_chunk(&hash);
-        drawing.metadata = metadata(&hash, &facts(&plan));
-        let svg = svg_text(&drawing).map_err(|error| match error {
+        let svg = written.map_err(|error| match error {
             OutputError::NotFinite { outer, group } => {
                 let problem = off_page(plan.scene, &outer, &group);
                 Refusal::of_figure(&self.now.file.source, &[problem])

@@ -6,6 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::refusal::Refusal;
+use crate::drawing::Role;
 use crate::figure::theme::{self, Theme};
 
 /// What a request looks like, for messages.
@@ -24,6 +25,16 @@ struct Written {
     id: Option<String>,
     /// The theme.
     theme: Option<WrittenTheme>,
+    /// How it stands inside a page; without it, it is a file.
+    inline: Option<WrittenInline>,
+}
+
+/// How a picture stands inside a page, as it is written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WrittenInline {
+    /// The roles whose words have a colour of their own, where the page's style sheet sets all colours.
+    words: Option<Vec<String>>,
 }
 
 /// A theme as it is written.
@@ -63,6 +74,24 @@ pub(super) struct Request {
     pub(super) id: String,
     /// The theme.
     pub(super) look: Look,
+    /// How the picture stands inside a page; `None` where it is a file.
+    pub(super) inline: Option<Inline>,
+}
+
+/// How a picture stands inside a page.
+#[derive(Clone, Debug)]
+pub(super) struct Inline {
+    /// The roles whose words have a colour of their own, where the page's style sheet sets all colours and
+    /// says when it is dark; `None` where the picture has its own.
+    pub(super) words: Option<Vec<Role>>,
+}
+
+impl Inline {
+    /// Reads how a picture stands inside a page.
+    fn read(written: &WrittenInline) -> Result<Self, Refusal> {
+        let roles = |names: &Vec<String>| names.iter().map(|name| role(name)).collect();
+        Ok(Self { words: written.words.as_ref().map(roles).transpose()? })
+    }
 }
 
 impl Request {
@@ -72,8 +101,15 @@ impl Request {
             .map_err(|error| Refusal::Malformed { expected: EXPECTED, got: error.to_string() })?;
         let id = written.id.unwrap_or_else(|| USUAL_ID.to_owned());
         let look = written.theme.map_or(Ok(Look::Own), look)?;
-        Ok(Self { scene: written.scene, id, look })
+        let inline = written.inline.as_ref().map(Inline::read).transpose()?;
+        Ok(Self { scene: written.scene, id, look, inline })
     }
+}
+
+/// The role of a name.
+fn role(name: &str) -> Result<Role, Refusal> {
+    let found = Role::ALL.into_iter().find(|role| role.name() == name);
+    found.ok_or_else(|| Refusal::Malformed { expected: "roles of words", got: format!("`{name}`") })
 }
 
 /// A theme that a request names.

@@ -21,10 +21,11 @@ const SCRIPT: &str = concat!(
     include_str!("../../live/picture.js"),
     include_str!("../../live/live.js"),
     include_str!("../../live/controls.js"),
+    include_str!("../../live/start.js"),
     "}\n",
 );
 /// How the controls of a live figure look.
-const STYLE: &str = include_str!("../../live/live.css");
+pub(super) const STYLE: &str = include_str!("../../live/live.css");
 /// How the page around it looks.
 const PAGE: &str = "body{margin:0 auto;padding:1rem;max-width:62rem;font:1rem/1.5 system-ui,sans-serif}\
                     h1{font-size:1rem;margin:0 0 .5rem}\

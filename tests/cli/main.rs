@@ -16,6 +16,7 @@ mod inert;
 mod inputs_stay;
 mod jsonl;
 mod live;
+mod live_book;
 mod mdbook;
 mod moodle;
 mod project;

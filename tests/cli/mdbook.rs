@@ -29,13 +29,13 @@ fn mdbook(folder: &Path) -> Command {
 }
 
 /// The book that comes back.
-fn came_back(ran: &Ran) -> Value {
+pub(crate) fn came_back(ran: &Ran) -> Value {
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
     serde_json::from_str(&ran.out).unwrap()
 }
 
 /// The texts of all pages below a list, in their order.
-fn contents(list: &Value) -> Vec<String> {
+pub(crate) fn contents(list: &Value) -> Vec<String> {
     let mut found = Vec::new();
     for item in list.as_array().unwrap() {
         if let Some(chapter) = item.get("Chapter") {
@@ -60,11 +60,16 @@ fn emptied(mut list: Value) -> Value {
 /// What comes of a page in a folder with two circles 1 apart, and the folder.
 fn page(content: &str, renderer: &str) -> (Ran, TempDir) {
     let folder = folder_with("circles.toml", CIRCLES);
-    fs::write(folder.path().join("page.md"), content).unwrap();
+    (page_in(folder.path(), content, renderer, &json!({"book": {"src": ""}})), folder)
+}
+
+/// What comes of a page in a folder, in a book that says so.
+pub(crate) fn page_in(folder: &Path, content: &str, renderer: &str, config: &Value) -> Ran {
+    fs::write(folder.join("page.md"), content).unwrap();
     let chapter = json!({"name": "P", "content": content, "sub_items": [], "path": "page.md"});
-    let context = json!({"root": folder.path(), "renderer": renderer, "config": {"book": {"src": ""}}});
+    let context = json!({"root": folder, "renderer": renderer, "config": config});
     let mail = json!([context, {"items": [{"Chapter": chapter}]}]).to_string();
-    (run_on(&mut mdbook(folder.path()), mail), folder)
+    run_on(&mut mdbook(folder), mail)
 }
 
 /// The text of a page that has become one.

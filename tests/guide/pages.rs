@@ -97,7 +97,9 @@ fn the_guide_is_drawn_whole() {
     };
     let pages = all();
     let items: Vec<Value> = pages.iter().map(page).collect();
-    let context = json!({"root": src().parent().unwrap(), "renderer": "html", "config": {}});
+    let config = fs::read_to_string(src().with_file_name("book.toml")).unwrap();
+    let config: Value = toml::from_str(&config).unwrap();
+    let context = json!({"root": src().parent().unwrap(), "renderer": "html", "config": config});
     let mut command = tracefig();
     command.arg("mdbook").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut running = command.spawn().unwrap();

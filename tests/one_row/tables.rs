@@ -54,6 +54,8 @@ const NO_FORMATS: &[(&str, &str, &str)] = &[
     ("html", "output/stepper", "the element around a page"),
     ("png", "output/mod.rs", "the option `--png`"),
     ("html", "cli/mdbook.rs", "the renderer of mdBook whose pages take elements"),
+    ("html", "cli/book/mail.rs", "the renderer of mdBook whose pages load scripts"),
+    ("html", "cli/book/runtime.rs", "the renderer of mdBook whose pages load scripts"),
     ("svg", "cli/book/colors.rs", "the element inside a page"),
     ("html", "output/live_page.rs", "the element that is a page"),
     ("html", "output/gallery.rs", "the element that is a page"),

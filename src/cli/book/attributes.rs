@@ -13,11 +13,14 @@ pub(crate) struct Attributes {
     pub(crate) theme: Option<String>,
     /// Whether the scene itself is shown before it.
     pub(crate) source: bool,
+    /// Whether a reader may drag it where scripts run.
+    pub(crate) live: bool,
 }
 
 /// Every attribute, with what it takes.
-const KNOWN: [(&str, &str); 4] = [
+const KNOWN: [(&str, &str); 5] = [
     ("alt", "a text in quotes"),
+    ("live", "nothing"),
     ("source", "nothing"),
     ("theme", "the name of a theme, or a theme file"),
     ("width", "page pixels, as 400, or a share of the page, as 60%"),
@@ -38,6 +41,7 @@ impl Attributes {
             let wrong = || format!("`{key}` takes {takes}");
             match (key.as_str(), value) {
                 ("alt", Some(value)) => read.alt = Some(value),
+                ("live", None) => read.live = true,
                 ("source", None) => read.source = true,
                 ("theme", Some(value)) => read.theme = Some(named_theme(value)?),
                 ("width", Some(value)) => read.width = Some(width(&value).ok_or_else(wrong)?),
@@ -99,8 +103,8 @@ mod tests {
 
     #[test]
     fn pairs_stand_between_blanks_or_commas_in_any_order() {
-        let read = Attributes::read(r#",width=60%  alt="Two circles, apart" source"#).unwrap();
-        assert_eq!((read.width.as_deref(), read.source), (Some("60%"), true));
+        let read = Attributes::read(r#",width=60%  alt="Two circles, apart" source live"#).unwrap();
+        assert_eq!((read.width.as_deref(), read.source, read.live), (Some("60%"), true, true));
         assert_eq!(read.alt.as_deref(), Some("Two circles, apart"));
         assert_eq!(Attributes::read(" width=400px").unwrap(), Attributes::read(",width='400'").unwrap());
         assert_eq!(Attributes::read("").unwrap(), Attributes::default());
@@ -109,7 +113,7 @@ mod tests {
     #[test]
     fn what_is_no_attribute_is_told_with_those_that_there_are() {
         let told = |text: &str| Attributes::read(text).unwrap_err();
-        assert_eq!(told("hight=3"), "unknown attribute `hight`; there are alt, source, theme, width");
+        assert_eq!(told("hight=3"), "unknown attribute `hight`; there are alt, live, source, theme, width");
         assert_eq!(told("width=wide"), "`width` takes page pixels, as 400, or a share of the page, as 60%");
         assert_eq!(told("width=0"), told("width=-3"));
         assert_eq!(told("source=yes"), "`source` takes nothing");

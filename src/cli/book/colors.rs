@@ -10,6 +10,8 @@ use tracefig::drawing::{Color, Drawing, Role};
 use tracefig::figure::theme::contrast::contrast;
 use tracefig::figure::theme::{Side, THEMES, Theme};
 
+use super::super::themes::ChosenTheme;
+
 /// The class of figures that follow the book.
 const FOLLOWS: &str = "tracefig-book";
 /// The class of all figures.
@@ -33,20 +35,24 @@ const PAGES: [(&str, Color); 4] = [
 pub(crate) struct Colors {
     /// What figures are drawn in.
     pub(crate) base: Theme,
+    /// The theme that they are from.
+    pub(crate) chosen: ChosenTheme,
     /// The roles whose words have another colour than their lines, on one page at least.
-    shaded: Vec<Role>,
+    pub(crate) shaded: Vec<Role>,
     /// The style sheet of a page with figures, one line.
     pub(crate) sheet: String,
 }
 
 /// The theme of the house that has a light side and a dark one.
-pub(crate) fn of_the_house() -> &'static Theme {
-    THEMES.iter().find(|theme| theme.dark.is_some()).unwrap_or(&THEMES[0])
+pub(crate) fn of_the_house() -> ChosenTheme {
+    let theme = THEMES.iter().find(|theme| theme.dark.is_some()).unwrap_or(&THEMES[0]);
+    ChosenTheme::of_the_house(theme)
 }
 
 impl Colors {
     /// Colours of a theme; one with a dark side has it on dark pages.
-    pub(crate) fn of(theme: &Theme) -> Self {
+    pub(crate) fn of(chosen: ChosenTheme) -> Self {
+        let theme = &chosen.theme;
         let base = Theme { dark: None, ..theme.clone() };
         let pages = PAGES.map(|(class, page)| (class, on_page(theme, page)));
         let sides = || pages.iter().map(|(_, side)| side).chain([&base]);
@@ -71,7 +77,7 @@ impl Colors {
             let _ = write!(sheet, "--tracefig-fill-opacity:{}}}", side.fill_opacity);
         }
         sheet.push('}');
-        Self { base, shaded, sheet }
+        Self { base, chosen, shaded, sheet }
     }
 
     /// Lets words have another colour than lines, as some pages want it.
@@ -110,7 +116,7 @@ mod tests {
         let figures = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("figures");
         let file = open(&figures.join("03-circle-box.toml")).unwrap();
         for (class, page) in PAGES {
-            let theme = on_page(of_the_house(), page);
+            let theme = on_page(&of_the_house().theme, page);
             let plan = plan_in(&file.scene, &theme).unwrap();
             let short = shortcomings(&theme, &draw(&plan, &theme, "book").drawing);
             assert!(short.is_empty(), "{class}: {}", short[0]);

@@ -4,7 +4,6 @@ use std::fmt::Write as _;
 use std::path::{Component, Path, PathBuf};
 
 use tracefig::drift::fingerprint;
-use tracefig::figure::theme::Theme;
 use tracefig::figure::{draw, plan, plan_in};
 use tracefig::output::{data_uri, inline};
 use tracefig::scene::{
@@ -13,8 +12,9 @@ use tracefig::scene::{
 };
 
 use super::super::inputs::Input;
+use super::super::live::{Inline, request};
 use super::super::project::nearest;
-use super::super::themes::{OwnThemes, theme_in};
+use super::super::themes::{ChosenTheme, OwnThemes, theme_in};
 use super::super::unplanned::Unplanned;
 use super::attributes::Attributes;
 use super::colors::Colors;
@@ -74,6 +74,8 @@ pub(crate) struct Served {
     pub(crate) messages: String,
     /// The picture, by what it depends on, where the next build need not draw it again.
     pub(crate) kept: Option<(String, String)>,
+    /// Whether it is a figure that a reader may drag.
+    pub(crate) is_live: bool,
 }
 
 impl Served {
@@ -131,18 +133,19 @@ impl Desk<'_> {
             None => self.picture(order, &file, own.as_ref(), &mut messages)?,
         };
         let mut out = String::new();
+        let is_live = attributes.live && self.takes == Takes::Element;
         if attributes.source {
             let shown = if path.is_some() { &file.source.text } else { text };
             push_fenced(&mut out, shown, &order.place.margin);
         }
         match self.takes {
             Takes::Element => {
-                let style = attributes.width.map(|w| format!(" style=\"width:{w}\"")).unwrap_or_default();
-                let _ = write!(out, "<figure class=\"{}\"{style}>", Colors::class(own.is_none()));
-                if order.with_sheet {
-                    let _ = write!(out, "<style>{}</style>", self.colors.sheet);
+                let element = self.element(order, &attributes, own.is_none(), &picture);
+                if is_live {
+                    push_live(&mut out, &element, &self.request(order, &file, own.as_ref()));
+                } else {
+                    out.push_str(&element);
                 }
-                let _ = write!(out, "{picture}</figure>");
             }
             Takes::Image => out.push_str(&picture),
         }
@@ -150,12 +153,30 @@ impl Desk<'_> {
         let _ = write!(out, "\n{}", order.place.margin.trim_end());
         // What is told is told by every build.
         let kept = messages.is_empty().then_some((key, picture));
-        Ok(Served { text: Some(out), messages, kept })
+        Ok(Served { text: Some(out), messages, kept, is_live })
+    }
+
+    /// A picture as an element of the page, with the style sheet if it is the first.
+    fn element(&self, order: &Order, attributes: &Attributes, follows: bool, picture: &str) -> String {
+        let style = attributes.width.as_ref().map(|w| format!(" style=\"width:{w}\"")).unwrap_or_default();
+        let class = Colors::class(follows);
+        let sheet = order.with_sheet.then(|| format!("<style>{}</style>", self.colors.sheet));
+        let sheet = sheet.unwrap_or_default();
+        format!("<figure class=\"{class}\"{style}>{sheet}{picture}</figure>")
+    }
+
+    /// What a live figure is opened with, so that it draws the picture that stands in the page.
+    fn request(&self, order: &Order, file: &SceneFile, own: Option<&ChosenTheme>) -> String {
+        let (theme, colors) = match own {
+            Some(own) => (own, Inline::OnItsOwn),
+            None => (&self.colors.chosen, Inline::Following(&self.colors.shaded)),
+        };
+        request(file, &order.id, Some(theme), Some(colors))
     }
 
     /// What a picture depends on, in a hash.
-    fn key(&self, order: &Order, file: &SceneFile, own: Option<&Theme>) -> String {
-        let theme = own.map_or_else(|| self.colors.sheet.clone(), |own| format!("{own:?}"));
+    fn key(&self, order: &Order, file: &SceneFile, own: Option<&ChosenTheme>) -> String {
+        let theme = own.map_or_else(|| self.colors.sheet.clone(), |own| format!("{:?}", own.theme));
         let alt = file.scene.alt.as_ref().map(|alt| &alt.value);
         fingerprint(&file.meaning, &format!("{:?} {} {alt:?} {theme}", self.takes, order.id))
     }
@@ -165,10 +186,10 @@ impl Desk<'_> {
         &self,
         order: &Order,
         file: &SceneFile,
-        own: Option<&Theme>,
+        own: Option<&ChosenTheme>,
         messages: &mut String,
     ) -> Result<String, String> {
-        let theme = own.unwrap_or(&self.colors.base);
+        let theme = own.map_or(&self.colors.base, |own| &own.theme);
         let plan = plan_in(&file.scene, theme).map_err(|problems| {
             order.refused(&Refused { source: file.source.clone(), problems }, self.ink)
         })?;
@@ -211,19 +232,19 @@ impl Desk<'_> {
         attributes: &Attributes,
         file: &SceneFile,
         input: &Input,
-    ) -> Result<Option<Theme>, String> {
+    ) -> Result<Option<ChosenTheme>, String> {
         if let Some(word) = &attributes.theme {
             let folder = order.file.parent().unwrap_or(Path::new(""));
             let chosen = theme_in(folder, word).map_err(|e| order.told(&format!("theme {word}: {e}")))?;
-            return Ok(Some(chosen.theme));
+            return Ok(Some(chosen));
         }
         let own = self.own_themes.of(file, input).map_err(|problem| {
             order.refused(&Refused { source: file.source.clone(), problems: vec![problem] }, self.ink)
         })?;
         let named = || theme_in(Path::new(""), &file.scene.canvas.theme.as_ref()?.value).ok();
-        let own = own.map(|own| own.theme.clone()).or_else(|| named().map(|own| own.theme));
+        let own = own.map(|own| ChosenTheme::clone(&own)).or_else(named);
         // Who has two sides follows the reader's system elsewhere, and the book here.
-        Ok(own.filter(|theme| theme.dark.is_none()))
+        Ok(own.filter(|own| own.theme.dark.is_none()))
     }
 }
 
@@ -272,6 +293,14 @@ fn page_of(file: &Path) -> Result<CanvasDefaults, Box<Refused>> {
             Ok(project(&Source::new("", WIDTH)).map(|project| project.canvas).unwrap_or_default())
         }
     }
+}
+
+/// Appends a figure that a reader may drag, with what its script needs of it, in one line.
+fn push_live(out: &mut String, element: &str, request: &str) {
+    // Neither markup nor what another preprocessor takes for a formula may be seen in a text of the scene.
+    let request = request.replace('<', "\\u003c").replace('$', "\\u0024");
+    let _ = write!(out, "<div class=\"tracefig-live\">{element}");
+    let _ = write!(out, "<script type=\"application/json\">{request}</script></div>");
 }
 
 /// Appends a text as a fenced block of TOML or JSON, with the margin before each further line.

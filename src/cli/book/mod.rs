@@ -2,8 +2,8 @@
 //!
 //! A page says ```` ```tracefig ```` before a scene, `{{#tracefig FILE}}` for one in a file, and
 //! `{{=FILE VALUE}}` for a number of its answer. [`markdown`] finds them, [`figures`] draws them, [`colors`]
-//! lets them follow the book's theme, [`kept`] has those of the last build, and [`mail`] is how the book
-//! comes and goes.
+//! lets them follow the book's theme, [`kept`] has those of the last build, [`runtime`] is what those need
+//! that are live, and [`mail`] is how the book comes and goes.
 
 pub(crate) mod attributes;
 pub(crate) mod colors;
@@ -12,3 +12,4 @@ pub(crate) mod kept;
 pub(crate) mod mail;
 pub(crate) mod markdown;
 pub(crate) mod places;
+pub(crate) mod runtime;

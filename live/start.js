@@ -1,0 +1,6 @@
+// A page of its own for live figures: the address of one that is alone says what was moved.
+
+const figures = [...document.querySelectorAll(".tracefig-live")];
+for (const root of figures) {
+    Figure.start(root, figures.length === 1).catch((error) => (root.dataset.live = `no: ${error.message}`));
+}
