@@ -102,7 +102,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
             .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-0.2, 6.1), (-4.2, 3.1)])
             .is_some_and(|p| p.fill.is_none()),
     ];
-    let conf = look(&f, 1, [-9.2, -6.8, 8.7, 9.8]);
+    let conf = look(&f, 1, [-9.2, -6.6, 8.7, 10.0]);
     edges_wear_their_source(
         &conf,
         &[
@@ -132,20 +132,20 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-5.2, -4.6, 7.2, 6.4]);
+    let world = look(&f, 0, [-5.2, -3.9, 7.2, 7.1]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
-        world.polygon(A, &[(2.5, 2.0), (-1.0, 3.5), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
+        world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
         world.polygon(B, &[(-0.75, 3.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
         world.polygon(B, &[(0.85, 4.2), (4.6, -0.8), (6.6, 5.2)]).is_some_and(|p| p.fill.is_none()),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-6.4, -5.9, 11.0, 7.8]);
+    let conf = look(&f, 1, [-6.4, -6.4, 11.0, 7.8]);
     edges_wear_their_source(
         &conf,
         &[
-            ((4.0, -5.5), A),
+            ((4.75, -5.75), A),
             ((7.0, -3.0), B),
             ((9.0, 3.0), A),
             ((8.0, 5.5), A),
@@ -159,7 +159,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     // (1.6, 1.2), B takes B ⊖ A along until the nearest edge runs through O.
     let foot = (-0.8 * 3.2, 0.6 * 3.2);
     let pushed = [
-        (5.6, -4.3),
+        (6.35, -4.55),
         (8.6, -1.8),
         (10.6, 4.2),
         (9.6, 6.7),

@@ -205,7 +205,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, [-7.0, -2.4, 9.2, 10.2]);
+    let world = look(&f, 0, [-7.2, -3.2, 9.6, 11.0]);
     let a = [(3.5, 7.5), (6.0, 4.5), (8.5, 7.0), (6.5, 9.5)];
     // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, 1) to (-3.5, 5.5).
     shows![
