@@ -226,6 +226,8 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         never.circle(A, (8.25, -1.5), 1.0).is_some_and(|p| p.fill.is_some()),
         never.line(Translation, (7.45, -0.9), (3.45, 2.1)).is_some(),
         f.says("apart by 5"),
+        never.circle(A, (0.0, 0.0), 1.0).is_some_and(|p| p.fill.is_none()),
+        f.says("$t = 0.5$: not tested"),
         f.says("$A$ at $t = 0$"),
     ];
 }
