@@ -1,17 +1,17 @@
-//! `render -o FILE` of several scenes: their figures on the sheets of one document.
+//! `render -o FILE` of several scenes: their figures on the sheets of one document, or its slides.
 
 use std::io;
-use std::path::PathBuf;
-use std::sync::Arc;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
-use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, PAPERS};
+use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, OutputError, PAPERS};
 
 use super::Status;
 use super::atomic_file::write_whole;
 use super::console::Console;
+use super::encoded::Encoded;
 use super::files::Files;
 use super::inputs::shown;
 use super::jobs::{Job, bound_file};
@@ -33,6 +33,9 @@ pub(crate) struct Sheets {
     #[arg(long, conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"],
         value_parser = PossibleValuesParser::new(PAPERS.map(|paper| paper.name)))]
     paper: Option<String>,
+    /// Leave out the line "Figure N" below each figure of these sheets
+    #[arg(long, conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"])]
+    no_numbers: bool,
 }
 
 /// A number of figures as written on the command line.
@@ -47,8 +50,8 @@ struct Document {
     path: PathBuf,
     /// The format of the file.
     format: &'static Format,
-    /// How the figures are put onto sheets.
-    handout: Handout,
+    /// How the figures are put onto sheets; `None` for slides.
+    handout: Option<Handout>,
 }
 
 impl Sheets {
@@ -77,27 +80,33 @@ impl Sheets {
     /// # Errors
     /// Where sheets are asked for and the run writes files of other kinds.
     fn document(&self, jobs: &[Job]) -> Result<Option<Document>, String> {
-        let is_asked = self.per_page.is_some() || self.paper.is_some();
+        let is_asked = self.per_page.is_some() || self.paper.is_some() || self.no_numbers;
         let files = jobs.iter().map(|job| job.files.len()).sum::<usize>();
-        match bound_file(jobs) {
-            Some((path, format)) if is_asked || files > 1 => {
-                let usual = Handout::default();
-                let paper = PAPERS.into_iter().find(|paper| self.paper.as_deref() == Some(paper.name));
-                let (paper, per_page) =
-                    (paper.unwrap_or(usual.paper), self.per_page.unwrap_or(usual.per_page));
-                let handout = Handout { paper, per_page };
-                Ok(Some(Document { path: path.to_owned(), format, handout }))
-            }
-            None if is_asked => {
-                let with_sheets = FORMATS.iter().filter(|format| format.has_sheets());
-                let names: Vec<String> =
-                    with_sheets.map(|format| format!("-o FILE.{}", format.name)).collect();
-                Err(format!(
-                    "`--per-page` and `--paper` need one file for all figures: {}",
-                    names.join(" or ")
-                ))
-            }
-            _ => Ok(None),
+        let bound = bound_file(jobs);
+        if is_asked && !bound.is_some_and(|(_, format)| format.has_sheets()) {
+            let with_sheets = FORMATS.iter().filter(|format| format.has_sheets());
+            let names: Vec<String> = with_sheets.map(|format| format!("-o FILE.{}", format.name)).collect();
+            return Err(format!(
+                "`--per-page`, `--paper` and `--no-numbers` need one file for all figures: {}",
+                names.join(" or ")
+            ));
+        }
+        let document = |(path, format): (&Path, &'static Format)| Document {
+            path: path.to_owned(),
+            format,
+            handout: format.has_sheets().then(|| self.handout()),
+        };
+        Ok(bound.filter(|_| is_asked || files > 1).map(document))
+    }
+
+    /// How figures are put onto sheets: as asked, else as usual.
+    fn handout(&self) -> Handout {
+        let usual = Handout::default();
+        let paper = PAPERS.into_iter().find(|paper| self.paper.as_deref() == Some(paper.name));
+        Handout {
+            paper: paper.unwrap_or(usual.paper),
+            per_page: self.per_page.unwrap_or(usual.per_page),
+            numbers: !self.no_numbers,
         }
     }
 }
@@ -124,7 +133,7 @@ impl Document {
                 status = status.max(drawn.status);
                 Console::message(&drawn.messages);
                 unfits.extend(drawn.unfit);
-                figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file.drawing)));
+                figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file)));
                 Ok(())
             },
         )?;
@@ -134,8 +143,8 @@ impl Document {
             return Ok(status);
         }
         let mut written = Written::nothing();
-        let drawings: Vec<&Drawing> = figures.iter().map(|(_, drawing)| &**drawing).collect();
-        match self.handout.write(&drawings, self.format) {
+        let drawings: Vec<&Drawing> = figures.iter().map(|(_, file)| &*file.drawing).collect();
+        match self.bytes(&figures, &drawings) {
             Ok(bytes) => match write_whole(&self.path, &bytes, files.wait()) {
                 Ok(()) => written.names.push(shown(&self.path)),
                 Err(error) => {
@@ -153,9 +162,18 @@ impl Document {
         Ok(written.status)
     }
 
+    /// The document of these figures.
+    fn bytes(&self, figures: &[(String, Encoded)], drawings: &[&Drawing]) -> Result<Vec<u8>, OutputError> {
+        match (&self.handout, figures.first()) {
+            (None, Some((_, first))) => self.format.slides(drawings, &first.options),
+            (handout, _) => handout.unwrap_or_default().write(drawings, self.format),
+        }
+    }
+
     /// A warning of letters that are hard to read on these sheets; empty where all are large enough.
-    fn small_letters(&self, figures: &[(String, Arc<Drawing>)], drawings: &[&Drawing]) -> String {
-        let letters = self.handout.letters(drawings);
+    fn small_letters(&self, figures: &[(String, Encoded)], drawings: &[&Drawing]) -> String {
+        let Some(handout) = &self.handout else { return String::new() };
+        let letters = handout.letters(drawings);
         let small = figures.iter().zip(letters).filter_map(|((name, _), size)| Some((name, size?)));
         let small: Vec<_> = small.filter(|(_, size)| *size < SMALLEST).collect();
         let Some((name, size)) = small.iter().min_by(|(_, a), (_, b)| a.total_cmp(b)) else {

@@ -60,7 +60,8 @@ pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<
     Ok(jobs)
 }
 
-/// The files of all scenes, as [`jobs`] gives them, or all of them one file where that has sheets.
+/// The files of all scenes, as [`jobs`] gives them, or all of them one file where that has
+/// room for them.
 pub(crate) fn bound_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
     let jobs = planned(scenes, projects)?;
     if bound_file(&jobs).is_none() {
@@ -70,15 +71,21 @@ pub(crate) fn bound_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> R
     Ok(jobs)
 }
 
-/// The one file that all figures go to, where it is named and its format has sheets.
+/// The one file that all figures go to, where it is named and its format has sheets, or slides, of which
+/// steps may have one each.
 pub(crate) fn bound_file(jobs: &[Job]) -> Option<(&Path, &'static Format)> {
-    let named =
-        |job: &Job| matches!(job.settings.destination, Destination::File(_)) && job.settings.steps.is_none();
-    let first = jobs.iter().flat_map(|job| &job.files).next().filter(|_| jobs.iter().all(named))?;
-    match &first.target {
-        Target::File(path) if first.format.has_sheets() => Some((path, first.format)),
-        _ => None,
-    }
+    let Planned { target: Target::File(path), format, .. } = jobs.iter().flat_map(|job| &job.files).next()?
+    else {
+        return None;
+    };
+    let bound = |Settings { destination, steps, .. }: &Settings| {
+        let holds = match steps {
+            None => format.has_sheets() || format.has_slides(),
+            Some(steps) => format.has_slides() && !steps.are_apart(format),
+        };
+        holds && matches!(destination, Destination::File(_))
+    };
+    jobs.iter().all(|job| bound(&job.settings)).then_some((path, *format))
 }
 
 /// The scenes with their files.

@@ -99,10 +99,15 @@ impl Drawing {
 
     /// The languages of the title and of the long text, where they are not that of the drawing.
     pub(crate) fn languages_of_words(&self) -> [Option<&'static str>; 2] {
-        let is_own =
-            |lang: &str| lang.split('-').next().is_some_and(|of| of.eq_ignore_ascii_case(Self::OWN_LANG));
-        let other = self.lang.as_deref().is_some_and(|lang| !is_own(lang)).then_some(Self::OWN_LANG);
+        let other = Some(Self::OWN_LANG).filter(|_| !self.speaks_ours());
         [other.filter(|_| !self.is_titled), other]
+    }
+
+    /// Whether words of ours are in its language, or it does not say which that is.
+    pub(crate) fn speaks_ours(&self) -> bool {
+        let is_ours =
+            |lang: &str| lang.split('-').next().is_some_and(|of| of.eq_ignore_ascii_case(Self::OWN_LANG));
+        self.lang.as_deref().is_none_or(is_ours)
     }
 }
 

@@ -16,6 +16,7 @@ use crate::drawing::Drawing;
 pub(super) const FORMAT: Format = Format {
     name: "apng",
     about: "animated PNG of a sequence of drawings",
+    media_type: "image/apng",
     usual: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),

@@ -21,6 +21,7 @@ use crate::drawing::Drawing;
 pub(super) const FORMAT: Format = Format {
     name: "gif",
     about: "animation in 256 colours, for what takes no other",
+    media_type: "image/gif",
     usual: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),

@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use super::{Format, OutputError};
+use super::{Binder, Format, OutputError};
 use crate::drawing::{Color, Drawing, Paint, Point, Role, Shown, Text};
 use crate::typeset::{Style, typeset};
 
@@ -39,8 +39,11 @@ const MARGIN: f64 = 15.0 * MILLIMETRE;
 /// White between two cells of the grid, in points.
 const GAP: f64 = 6.0 * MILLIMETRE;
 
-/// Points of the letters of page numbers.
+/// Points of the letters of the numbers of sheets and figures.
 const NUMBER: f64 = 9.0;
+
+/// Points that the number of a figure takes below it: a line of such letters.
+const CAPTION: f64 = 1.5 * NUMBER;
 
 /// Points a page pixel where a figure has its own size.
 pub(super) const POINTS: f64 = 0.75;
@@ -55,12 +58,14 @@ pub struct Handout {
     pub paper: Paper,
     /// Figures a sheet; at least 1, and at most [`MOST_A_SHEET`].
     pub per_page: usize,
+    /// Whether each figure has its number below it, counted over all sheets: "Figure 3".
+    pub numbers: bool,
 }
 
 impl Default for Handout {
-    /// Two figures on a sheet of A4: those of a usual page then are as wide as the sheet.
+    /// Two figures on a sheet of A4, numbered: those of a usual page then are as wide as the sheet.
     fn default() -> Self {
-        Self { paper: PAPERS[0], per_page: 2 }
+        Self { paper: PAPERS[0], per_page: 2, numbers: true }
     }
 }
 
@@ -93,6 +98,8 @@ struct Grid {
     sheet: [f64; 2],
     /// Cells side by side, and one above the other.
     cells: [usize; 2],
+    /// Height of the line below each figure, in points.
+    caption: f64,
 }
 
 impl Handout {
@@ -119,7 +126,9 @@ impl Handout {
     /// assert!(handout.write(&[&drawing], format("svg").unwrap()).is_err());
     /// ```
     pub fn write(&self, drawings: &[&Drawing], format: &Format) -> Result<Vec<u8>, OutputError> {
-        let bind = format.bind.filter(|_| !drawings.is_empty()).ok_or(OutputError::NoSheets)?;
+        let Some(Binder::Sheets(bind)) = format.bind.filter(|_| !drawings.is_empty()) else {
+            return Err(OutputError::NoSheets);
+        };
         drawings.iter().try_for_each(|drawing| super::validity::page(drawing))?;
         let finished: Vec<Drawing> = drawings.iter().map(|&drawing| drawing.clone().finished()).collect();
         bind(&self.sheets(&finished.iter().collect::<Vec<_>>()))
@@ -154,10 +163,13 @@ impl Handout {
         let per_page = self.per_page.clamp(1, MOST_A_SHEET);
         let grid = self.grid(drawings, per_page);
         let of = drawings.len().div_ceil(per_page);
-        let sheet = |(i, some): (usize, &[&'d Drawing])| Sheet {
-            size: grid.sheet,
-            figures: some.iter().enumerate().map(|(cell, drawing)| grid.place(cell, drawing)).collect(),
-            words: page_number(i + 1, of, grid.sheet).into_iter().collect(),
+        let sheet = |(i, some): (usize, &[&'d Drawing])| {
+            let figures: Vec<Placed<'d>> =
+                some.iter().enumerate().map(|(cell, drawing)| grid.place(cell, drawing)).collect();
+            let numbered = (i * per_page + 1..).zip(&figures).filter(|_| self.numbers);
+            let captions = numbered.filter_map(|(number, placed)| caption(number, placed));
+            let words = captions.chain(page_number(i + 1, of, grid.sheet)).collect();
+            Sheet { size: grid.sheet, figures, words }
         };
         drawings.chunks(per_page).enumerate().map(sheet).collect()
     }
@@ -165,11 +177,15 @@ impl Handout {
     /// The grid in which the figures are largest; upright, with few columns, where that is all the same.
     fn grid(&self, drawings: &[&Drawing], per_page: usize) -> Grid {
         let [width, height] = self.paper.size;
+        let caption = if self.numbers { CAPTION } else { 0.0 };
         let grids = [[width, height], [height, width]].into_iter().flat_map(|sheet| {
-            (1..=per_page).map(move |columns| Grid { sheet, cells: [columns, per_page.div_ceil(columns)] })
+            (1..=per_page).map(move |columns| {
+                let cells = [columns, per_page.div_ceil(columns)];
+                Grid { sheet, cells, caption }
+            })
         });
         let total = |grid: &Grid| drawings.iter().map(|drawing| grid.scale(drawing)).sum::<f64>();
-        let first = Grid { sheet: [width, height], cells: [1, per_page] };
+        let first = Grid { sheet: [width, height], cells: [1, per_page], caption };
         grids.fold(first, |best, grid| if total(&grid) > total(&best) { grid } else { best })
     }
 }
@@ -187,7 +203,7 @@ impl Grid {
     /// Points a page pixel at which a figure fits into a cell.
     fn scale(&self, drawing: &Drawing) -> f64 {
         let [width, height] = self.cell();
-        (width / drawing.width).min(height / drawing.height).min(POINTS)
+        (width / drawing.width).min((height - self.caption) / drawing.height).min(POINTS)
     }
 
     /// A figure in the middle of the top of a cell; cells are counted along rows.
@@ -204,8 +220,21 @@ impl Grid {
 
 /// Which sheet it is, of how many, in the middle of the margin below; nothing where it is the only one.
 fn page_number(number: usize, of: usize, [width, height]: [f64; 2]) -> Option<Text> {
-    let line = typeset(&format!("{number} / {of}"), Style::regular(NUMBER)).ok().filter(|_| of > 1)?;
-    let origin = Point::new(0.5 * (width - line.width), height - 0.5 * MARGIN);
+    let middle = Point::new(0.5 * width, height - 0.5 * MARGIN);
+    words(&format!("{number} / {of}"), middle).filter(|_| of > 1)
+}
+
+/// The number of a figure below it; without the word of ours where the figure speaks another language.
+fn caption(number: usize, Placed { drawing, at, scale }: &Placed<'_>) -> Option<Text> {
+    let word = if drawing.speaks_ours() { "Figure " } else { "" };
+    let [x, y] = [at[0] + 0.5 * drawing.width * scale, at[1] + drawing.height * scale];
+    words(&format!("{word}{number}"), Point::new(x, y + CAPTION - 0.25 * NUMBER))
+}
+
+/// Words with the middle of their baseline at a point.
+fn words(markup: &str, middle: Point) -> Option<Text> {
+    let line = typeset(markup, Style::regular(NUMBER)).ok()?;
+    let origin = Point::new(middle.x - 0.5 * line.width, middle.y);
     let paint = Paint::role(Role::Ink, Color::hex(0));
     Some(Text { line: Arc::new(line), origin, paint, halo: None, shown: Shown::ALWAYS })
 }
@@ -225,7 +254,7 @@ mod tests {
         let drawings: Vec<&Drawing> = all.iter().cycle().take(11).collect();
         for paper in PAPERS {
             for per_page in 1..=9 {
-                let sheets = Handout { paper, per_page }.sheets(&drawings);
+                let sheets = Handout { paper, per_page, numbers: true }.sheets(&drawings);
                 assert_eq!(sheets.len(), drawings.len().div_ceil(per_page));
                 for sheet in &sheets {
                     let ends = |p: &Placed| {
@@ -253,7 +282,7 @@ mod tests {
         let (wide, tall) = (sample(960.0, 540.0), sample(540.0, 960.0));
         let [a4, _] = PAPERS;
         let grid = |drawing, per_page| {
-            let grid = Handout { paper: a4, per_page }.grid(&[drawing], per_page);
+            let grid = Handout { paper: a4, per_page, numbers: true }.grid(&[drawing], per_page);
             (grid.sheet[0] > grid.sheet[1], grid.cells)
         };
         assert_eq!(grid(&wide, 1), (true, [1, 1]), "across");
@@ -265,10 +294,24 @@ mod tests {
     #[test]
     fn sheets_are_numbered_where_there_are_several() {
         let drawing = sample(960.0, 540.0);
-        let handout = Handout { per_page: 2, ..Handout::default() };
+        let handout = Handout { per_page: 2, numbers: false, ..Handout::default() };
         assert!(handout.sheets(&[&drawing; 2])[0].words.is_empty());
         let sheets = handout.sheets(&[&drawing; 5]);
         let numbers: Vec<&str> = sheets.iter().map(|sheet| sheet.words[0].line.markup.as_str()).collect();
         assert_eq!(numbers, ["1 / 3", "2 / 3", "3 / 3"]);
+    }
+
+    #[test]
+    fn figures_are_counted_over_all_sheets_each_below_itself_and_above_the_next() {
+        let (wide, german) = (sample(960.0, 540.0), Drawing { lang: Some("de".into()), ..everything() });
+        let sheets = Handout { per_page: 2, ..Handout::default() }.sheets(&[&wide, &wide, &german]);
+        let said =
+            |sheet: &Sheet<'_>| sheet.words.iter().map(|word| word.line.markup.clone()).collect::<Vec<_>>();
+        assert_eq!(said(&sheets[0]), ["Figure 1", "Figure 2", "1 / 2"]);
+        assert_eq!(said(&sheets[1]), ["3", "2 / 2"]);
+        let [first, second] = &sheets[0].figures[..] else { panic!("two figures a sheet") };
+        let baseline = sheets[0].words[0].origin.y;
+        let end = first.at[1] + first.drawing.height * first.scale;
+        assert!(end + 0.5 * NUMBER < baseline && baseline < second.at[1] - GAP, "{end} {baseline}");
     }
 }

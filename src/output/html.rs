@@ -17,6 +17,7 @@ use crate::drawing::Drawing;
 pub(super) const FORMAT: Format = Format {
     name: "html",
     about: "self-contained page: the picture inline, its description below",
+    media_type: "text/html",
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),

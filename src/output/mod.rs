@@ -7,6 +7,7 @@
 mod apng;
 mod base64;
 mod curves;
+mod embedded;
 mod gallery;
 mod gif;
 mod handout;
@@ -21,14 +22,15 @@ mod page_colors;
 mod pdf;
 mod picture;
 mod png;
+mod pptx;
 mod raster;
+mod refusal;
 mod sha256;
 mod stepper;
 mod svg;
 mod validity;
 mod xml;
-
-use std::fmt;
+mod zip;
 
 use crate::drawing::Drawing;
 
@@ -43,6 +45,7 @@ pub(crate) use picture::{Picture, Rows, Unread};
 pub(crate) use png::ImageWriter;
 pub(crate) use raster::Pixel;
 pub use raster::{Pixels, rasterize};
+pub use refusal::OutputError;
 pub use svg::inline::{data_uri, inline, short_id};
 pub(crate) use svg::read::sheets_apart;
 pub(crate) use svg::{key as svg_key, text as svg_text};
@@ -54,6 +57,8 @@ pub struct Format {
     pub name: &'static str,
     /// One line for `tracefig list`.
     pub about: &'static str,
+    /// What kind of file it is, as IANA names them.
+    pub media_type: &'static str,
     /// Whether it is written where nobody says which formats.
     pub usual: bool,
     /// Which options its bytes depend on.
@@ -62,7 +67,7 @@ pub struct Format {
     pub write: Writer,
     /// How all steps of a drawing become one file; none where a file has room for one of them only.
     pub(crate) in_steps: Option<InStepsWriter>,
-    /// How it writes sheets of several drawings; `None` where a file has one page.
+    /// How it writes several drawings as one file; `None` where a file has room for one of them only.
     pub(crate) bind: Option<Binder>,
     /// How its files begin and end.
     pub(crate) bracket: Bracket,
@@ -87,8 +92,14 @@ pub type WriteLive = fn(&Drawing, &LivePage<'_>) -> Result<Vec<u8>, OutputError>
 /// Makes one file of all steps of a drawing.
 pub(crate) type InStepsWriter = fn(&Drawing, &Options, InSteps) -> Result<Vec<u8>, OutputError>;
 
-/// Writes sheets as one file.
-pub(crate) type Binder = fn(&[handout::Sheet<'_>]) -> Result<Vec<u8>, OutputError>;
+/// Writes several drawings as one file.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Binder {
+    /// On sheets of paper.
+    Sheets(fn(&[handout::Sheet<'_>]) -> Result<Vec<u8>, OutputError>),
+    /// On slides: one for each, or where the options say so for each of its steps.
+    Slides(fn(&[&Drawing], &Options) -> Result<Vec<u8>, OutputError>),
+}
 
 /// Which of the [`Options`] the bytes of a format depend on. A file is not out of date because of another
 /// option.
@@ -136,8 +147,8 @@ pub(crate) enum Stamped {
 }
 
 /// Every format.
-pub const FORMATS: [Format; 6] =
-    [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT, gif::FORMAT];
+pub const FORMATS: [Format; 7] =
+    [svg::FORMAT, png::FORMAT, pdf::FORMAT, html::FORMAT, apng::FORMAT, gif::FORMAT, pptx::FORMAT];
 
 /// The format of the picture inside a live page.
 pub const INLINE: Format = svg::FORMAT;
@@ -166,7 +177,45 @@ impl Format {
     /// ```
     #[must_use]
     pub fn has_sheets(&self) -> bool {
-        self.bind.is_some()
+        matches!(self.bind, Some(Binder::Sheets(_)))
+    }
+
+    /// Whether it writes several figures as one presentation: [`Format::slides`].
+    ///
+    /// ```
+    /// use tracefig::output::format;
+    /// assert!(format("pptx").unwrap().has_slides());
+    /// assert!(!format("pdf").unwrap().has_slides());
+    /// ```
+    #[must_use]
+    pub fn has_slides(&self) -> bool {
+        matches!(self.bind, Some(Binder::Slides(_)))
+    }
+
+    /// Writes figures as one presentation: a slide for each, or for each of its steps where the options ask
+    /// for steps.
+    ///
+    /// # Errors
+    ///
+    /// [`OutputError::NoSlides`] where the format has none or there is no figure, else what the format says.
+    ///
+    /// ```
+    /// use tracefig::{figure::{draw_in_steps, plan}, output::{InSteps, Options, format}, scene::open_text};
+    /// let text = "shapes.A = { kind = 'circle', radius = 2 }\nquery = { kind = 'bounds', of = ['A'] }";
+    /// let file = open_text("s.toml", text)?;
+    /// let plan = plan(&file.scene).unwrap();
+    /// let drawing = draw_in_steps(&plan, plan.theme, "f").drawing;
+    /// let options = Options { steps: Some(InSteps::default()), ..Options::default() };
+    /// let deck = format("pptx").unwrap().slides(&[&drawing, &drawing], &options)?;
+    /// assert!(deck.starts_with(b"PK"));
+    /// assert!(format("svg").unwrap().slides(&[&drawing], &options).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn slides(&self, drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputError> {
+        match self.bind {
+            Some(Binder::Slides(write)) if !drawings.is_empty() => write(drawings, options),
+            _ => Err(OutputError::NoSlides),
+        }
     }
 
     /// What the bytes of a file depend on besides its scene: the format, the theme's word and those options
@@ -311,74 +360,6 @@ pub const MOST_PIXELS: f64 = 67_108_864.0;
 /// of text or 2²⁶ pixels that repeat from row to row, has some 10 MB; a scene has no more memory than eight
 /// times as much.
 pub const MOST_BYTES: usize = 64 << 20;
-
-/// Why a drawing can't be written.
-#[derive(Clone, Debug, PartialEq)]
-pub enum OutputError {
-    /// The image would have more than [`MOST_PIXELS`] pixels.
-    TooLarge {
-        /// The scale asked for.
-        scale: f64,
-        /// The largest scale that fits.
-        largest: f64,
-    },
-    /// The page or the scale is no positive number, or the image would have no pixels.
-    Empty {
-        /// Page width in pixels.
-        width: f64,
-        /// Page height in pixels.
-        height: f64,
-        /// The scale asked for.
-        scale: f64,
-    },
-    /// A place or a length in the drawing is not a finite number, or beyond any page.
-    NotFinite {
-        /// Name of the outermost group that it is in: the panel.
-        outer: String,
-        /// Name of the innermost group that it is in.
-        group: String,
-    },
-    /// The drawings of a sequence differ in size, or there are none.
-    Sequence,
-    /// The format has no sheets, or there are no figures for them.
-    NoSheets,
-    /// The encoder refused its input, which is a fault of this program.
-    Encoder {
-        /// What the encoder says.
-        message: String,
-    },
-}
-
-impl OutputError {
-    /// What an encoder answers where it refuses what it was given.
-    fn encoder(error: &dyn std::error::Error) -> Self {
-        Self::Encoder { message: error.to_string() }
-    }
-}
-
-impl fmt::Display for OutputError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooLarge { scale, largest } => {
-                write!(
-                    f,
-                    "a scale of {scale} gives more than 2^26 pixels; the largest that fits is {largest}"
-                )
-            }
-            Self::Empty { width, height, scale } => {
-                write!(f, "a page of {width} × {height} at a scale of {scale} has no pixels")
-            }
-            Self::NotFinite { group, .. } => {
-                write!(f, "the drawing's group `{group}` has a place that is not on any page")
-            }
-            Self::Sequence => write!(f, "the drawings of a sequence must have one size"),
-            Self::NoSheets => write!(f, "a handout is at least one figure in a format that has sheets"),
-            Self::Encoder { message } => write!(f, "the encoder says: {message}"),
-        }
-    }
-}
-
-impl std::error::Error for OutputError {}
 
 #[cfg(test)]
 mod samples;

@@ -4,8 +4,9 @@
 //! a site needs no filter for formulas to show them.
 
 use super::base64::base64;
+use super::embedded::image;
 use super::xml::Xml;
-use super::{IMAGE, Options, OutputError, PngEffort, Writer};
+use super::{IMAGE, Options, OutputError, PngEffort};
 use crate::drawing::Drawing;
 
 /// Characters of a name; the columns of a question bank hold 255.
@@ -154,7 +155,7 @@ impl Quiz {
 
     /// Writes an element of HTML with its figure.
     fn figured(&mut self, name: &'static str, html: &str, figure: &Drawing) -> Result<(), OutputError> {
-        let image = image(figure)?;
+        let image = image(figure, &Options { png: PngEffort::Small, ..Options::default() })?;
         self.xml.start(name);
         self.xml.attribute("format", "html");
         self.element("text", html);
@@ -177,16 +178,6 @@ fn short(name: &str) -> String {
 /// The name of the figure of a text, among the files of that text.
 fn file_name() -> String {
     format!("figure.{}", IMAGE.name)
-}
-
-/// A figure as an image that says nothing of itself: a student reads all of it.
-fn image(figure: &Drawing) -> Result<Vec<u8>, OutputError> {
-    let mute = Drawing { hash: String::new(), metadata: String::new(), ..figure.clone() };
-    let options = Options { png: PngEffort::Small, ..Options::default() };
-    match IMAGE.write {
-        Writer::One(write) => write(&mute, &options),
-        Writer::Sequence(write) => write(&[&mute], &options),
-    }
 }
 
 /// Paragraphs, the figure below them, and numbered steps.
@@ -248,6 +239,6 @@ mod tests {
             let words: Vec<_> = html.descendants().filter_map(|node| node.text()).collect();
             assert!(words.contains(&nasty) && html.descendants().any(|n| n.attribute("alt") == Some(nasty)));
         }
-        assert!(!image(figure).unwrap().windows(6).any(|bytes| bytes == b"answer"));
+        assert!(!image(figure, &Options::default()).unwrap().windows(6).any(|bytes| bytes == b"answer"));
     }
 }

@@ -80,6 +80,37 @@ fn a_pdf_has_a_page_a_step_with_its_title_and_a_gif_holds_as_long_as_asked() {
 }
 
 #[test]
+fn a_presentation_has_a_slide_a_step_of_every_scene_and_the_same_bytes_again() {
+    let folder = folder_with("s.toml", &scene());
+    fs::write(folder.path().join("t.toml"), scene()).unwrap();
+    // The directory of the archive names every file once more.
+    let slides = |name: &str| {
+        let bytes = fs::read(folder.path().join(name)).unwrap();
+        let named = bytes.windows(16).filter(|part| part.starts_with(b"ppt/slides/slide")).count();
+        (named / 2, bytes)
+    };
+    for (arguments, name, count) in [
+        (&["t.toml", "--steps", "-o", "deck.pptx"][..], "deck.pptx", 6),
+        (&["t.toml", "-o", "two.pptx"], "two.pptx", 2),
+        (&["--steps", "-o", "alone.pptx"], "alone.pptx", 3),
+        (&["--format", "pptx", "--theme", "dark"], "s.pptx", 1),
+    ] {
+        let ran = render(folder.path(), arguments);
+        assert_eq!((ran.code, ran.out.as_str()), (Some(0), format!("{name}\n").as_str()), "{}", ran.err);
+        let (slides_of, bytes) = slides(name);
+        assert_eq!(slides_of, count, "{name}");
+        assert_eq!(render(folder.path(), arguments).code, Some(0));
+        assert!(slides(name).1 == bytes, "{name}");
+    }
+    // It says of itself what it is of.
+    let current = render(folder.path(), &["--format", "pptx", "--theme", "dark", "--skip-unchanged"]);
+    assert_eq!((current.code, current.out.as_str()), (Some(0), ""), "{}", current.err);
+    for wrong in [&["t.toml", "-o", "x.pptx", "--per-page", "2"][..], &["t.toml", "-o", "x.pdf", "--steps"]] {
+        assert_eq!(render(folder.path(), wrong).code, Some(2), "{wrong:?}");
+    }
+}
+
+#[test]
 fn check_compares_and_accepts_every_file_of_the_steps() {
     let folder = folder_with("s.toml", &scene());
     let check = |more: &[&str]| {

@@ -279,7 +279,12 @@ fn several_scenes_become_the_sheets_of_one_document() {
         let text = String::from_utf8(read.stdout).unwrap();
         let lines = |what: &str| text.lines().filter(|line| line.trim().replace(' ', "") == what).count();
         assert_eq!(["A", "B", "1/2", "2/2"].map(lines), [3, 3, 1, 1], "{text}");
+        assert_eq!(["Figure1", "Figure2", "Figure3"].map(lines), [1; 3], "{text}");
     }
+    let size = || std::fs::metadata(here.join("h.pdf")).unwrap().len();
+    let numbered = size();
+    assert_eq!(render(&["a.toml", "b.toml", "c.toml", "-o", "h.pdf", "--no-numbers"]).code, Some(0));
+    assert!(size() < numbered, "{} {numbered}", size());
     let one = render(&["a.toml", "-o", "one.pdf", "--per-page", "4"]);
     assert_eq!(one.code, Some(0), "{}", one.err);
     assert!(one.err.contains("warning: letters of"), "{}", one.err);

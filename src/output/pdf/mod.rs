@@ -19,7 +19,9 @@ use pdf_writer::{Finish, Name, Pdf, Rect, Ref, Settings, Str, TextStr};
 
 use super::handout::{POINTS, Placed, Sheet};
 use super::number::hundredths;
-use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Stamped, Writer, validity};
+use super::{
+    Binder, Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Stamped, Writer, validity,
+};
 use crate::drawing::{Drawing, Step};
 use content::{Content, Form, Opacity, State};
 
@@ -27,11 +29,12 @@ use content::{Content, Form, Opacity, State};
 pub(super) const FORMAT: Format = Format {
     name: "pdf",
     about: "vector page, its text found and copied; a page for each step, or sheets of several figures",
+    media_type: "application/pdf",
     usual: false,
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(write_steps),
-    bind: Some(write_sheets),
+    bind: Some(Binder::Sheets(write_sheets)),
     bracket: Bracket {
         begins: &[b"%PDF-".as_slice()],
         ends: &[b"%%EOF".as_slice(), b"%%EOF\n", b"%%EOF\r\n"],

@@ -24,6 +24,7 @@ pub(crate) use image::{Image, ImageRows, ImageWriter};
 pub(super) const FORMAT: Format = Format {
     name: "png",
     about: "image at --scale pixels for a page pixel",
+    media_type: "image/png",
     usual: true,
     depends: Depends::Packing,
     write: Writer::One(write),

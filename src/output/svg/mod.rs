@@ -23,6 +23,7 @@ use style::Property;
 pub(super) const FORMAT: Format = Format {
     name: "svg",
     about: "scalable picture with alternative text, its colours open to the page",
+    media_type: "image/svg+xml",
     usual: true,
     depends: Depends::Page,
     write: Writer::One(write),
@@ -59,8 +60,7 @@ pub(crate) fn text(drawing: &Drawing) -> Result<String, OutputError> {
 pub(super) enum Sheet {
     /// The sheet stands inside, so that pages and dark systems can set colours.
     Inside,
-    /// There is none: the colours are those of the attributes.
-    #[cfg(test)]
+    /// There is none: the colours are those of the attributes, for programs that know no style sheets.
     Absent,
 }
 
