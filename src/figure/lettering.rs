@@ -94,12 +94,11 @@ impl Lettering {
     /// Where `typeset` can't set it.
     pub(crate) fn new(
         markup: &str,
-        typeset: impl Fn(&str) -> Result<Vec<Line>, TypesetError>,
+        typeset: impl Fn(&str) -> Result<Vec<Arc<Line>>, TypesetError>,
     ) -> Result<Self, TypesetError> {
-        let shared = |lines: Vec<Line>| lines.into_iter().map(Arc::new).collect();
-        let colored: Vec<_> = shared(typeset(markup)?);
+        let colored = typeset(markup)?;
         let wears = colored.iter().any(|line| !line.tints.is_empty());
-        let marked = if wears { Some(shared(typeset(&with_markers(markup))?)) } else { None };
+        let marked = if wears { Some(typeset(&with_markers(markup))?) } else { None };
         Ok(Self { colored, marked })
     }
 
@@ -124,7 +123,7 @@ mod tests {
     use crate::figure::theme::{THEMES, find};
     use crate::figure::{draw, plan};
     use crate::scene::{Source, read};
-    use crate::typeset::{Style, wrap};
+    use crate::typeset::{Style, paragraph};
 
     #[test]
     fn markers_stand_before_words_of_bodies_and_difference_alone() {
@@ -136,7 +135,7 @@ mod tests {
 
     #[test]
     fn a_text_has_markers_in_the_themes_that_do_not_count_on_colour() {
-        let set = |text: &str| wrap(text, Style::regular(14.0), 500.0);
+        let set = |text: &str| Ok(paragraph(text, Style::regular(14.0))?.lines(500.0));
         let text = Lettering::new("{a|box}", set).unwrap();
         for theme in THEMES {
             let glyphs = text.of(theme)[0].glyphs.len();

@@ -9,7 +9,7 @@ use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
 use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, When};
-use crate::typeset::{Style, typeset, wrap};
+use crate::typeset::{Style, line, paragraph};
 
 use super::context::{Context, Moment};
 use super::default_picture::Sheet;
@@ -76,10 +76,10 @@ impl<'s> Resolver<'_, 's> {
             let style = Style::semibold(self.measures.title_size());
             let width = self.title_width;
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
-                let line = typeset(text, style)?;
-                let folded = width.filter(|width| line.width > *width).map(|width| wrap(text, style, width));
-                let folded = folded.transpose()?.filter(|lines| lines.len() <= MOST_TITLE);
-                Ok(folded.unwrap_or_else(|| vec![line]))
+                let whole = line(text, style)?;
+                let Some(width) = width.filter(|width| whole.width > *width) else { return Ok(vec![whole]) };
+                let folded = paragraph(text, style)?.lines(width);
+                Ok(if folded.len() <= MOST_TITLE { folded } else { vec![whole] })
             })
         });
         // What is said of the panel has the values that stand over it.

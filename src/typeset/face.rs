@@ -10,6 +10,7 @@ use latex_rust::{Dim, MathFont};
 use ttf_parser::{GlyphId, OutlineBuilder};
 
 use super::line::{Face, Glyph};
+use super::pairs::Pairs;
 
 static REGULAR: &[u8] = include_bytes!("fonts/tracefig-sans-regular.ttf");
 static SEMIBOLD: &[u8] = include_bytes!("fonts/tracefig-sans-semibold.ttf");
@@ -68,6 +69,8 @@ pub(super) struct Loaded {
     source: Source,
     /// The outlines that were asked for so far, by the glyph's number.
     outlines: Vec<OnceLock<Box<Outline>>>,
+    /// What it said so far of characters and of pairs of glyphs.
+    pub(super) pairs: Pairs,
 }
 
 /// A face as the part that sets it wants it.
@@ -98,9 +101,10 @@ impl Loaded {
             }
             Face::Math => Source::Formulas(Box::new(MathFont::from_bytes(bytes).ok()?)),
         };
-        let mut loaded = Self { source, outlines: Vec::new() };
+        let mut loaded = Self { source, outlines: Vec::new(), pairs: Pairs::new(0) };
         let count = loaded.face().number_of_glyphs();
         loaded.outlines.resize_with(usize::from(count), OnceLock::new);
+        loaded.pairs = Pairs::new(count);
         Some(loaded)
     }
 

@@ -9,19 +9,23 @@
 //! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
 mod accents;
+mod draft;
 mod face;
 mod formula;
 mod inner_words;
+mod kept;
 #[cfg(test)]
 mod language;
 mod line;
 mod markup;
+mod pairs;
 mod paragraph;
 mod plain;
 mod vec_accent;
 mod words;
 
 pub(crate) use inner_words::{escaped, group};
+pub(crate) use kept::{line, paragraph};
 pub(crate) use markup::{Piece, as_markup, ends_in_formula, pieces};
 pub(crate) use plain::{command_in_words, plain};
 pub(crate) use words::advance_of;
@@ -29,7 +33,7 @@ pub(crate) use words::advance_of;
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};
 pub use line::{Face, Glyph, Line, PlacedGlyph, Rule, Run, Style, Tint, TypesetError, Weight};
 
-use paragraph::Newlines;
+use paragraph::{Newlines, Paragraph};
 
 /// Sets `markup` on one line, newlines as spaces.
 ///
@@ -45,8 +49,8 @@ use paragraph::Newlines;
 /// assert_eq!(typeset(r"$a + \foo$", Style::regular(14.0)).unwrap_err().offset, 5);
 /// ```
 pub fn typeset(markup: &str, style: Style) -> Result<Line, TypesetError> {
-    let lines = paragraph::lines(markup, style, f64::INFINITY, Newlines::Spaces)?;
-    Ok(lines.into_iter().next().unwrap_or_else(|| Line::empty(markup, style)))
+    let paragraph = Paragraph::of(markup, style, Newlines::Spaces)?;
+    Ok(paragraph.lines(f64::INFINITY).into_iter().next().unwrap_or_else(|| Line::empty(markup, style)))
 }
 
 /// Sets `markup` on as few lines as fit into `width` page pixels, broken at spaces outside formulas and at
@@ -63,5 +67,5 @@ pub fn typeset(markup: &str, style: Style) -> Result<Line, TypesetError> {
 /// assert!(lines.iter().all(|line| line.width <= 150.0));
 /// ```
 pub fn wrap(markup: &str, style: Style, width: f64) -> Result<Vec<Line>, TypesetError> {
-    paragraph::lines(markup, style, width, Newlines::Breaks)
+    Ok(Paragraph::of(markup, style, Newlines::Breaks)?.lines(width))
 }

@@ -1,20 +1,19 @@
 //! Lines from words and formulas, broken where a space allows it.
 //!
 //! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
-//! count as one, those at the ends of a line as none.
+//! count as one, those at the ends of a line as none. Words and formulas are set once, whatever the widths
+//! are that lines of them are tried in.
 
+use super::draft::Draft;
 use super::line::{Line, PlacedGlyph, Rule, Run, Style, Tint, TypesetError};
 use super::markup::{Piece, characters, pieces};
 use super::{formula, words};
-
-/// Height of the letter x in the word face, in ems; a line's ascent is never less.
-const X_HEIGHT: f64 = 0.486;
 
 /// Bytes of one markup; what is longer is an error. A page holds a few thousand letters.
 const LONGEST: usize = 10_000;
 
 /// What a newline in the markup means.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Newlines {
     /// A newline is a space.
     Spaces,
@@ -22,127 +21,116 @@ pub(super) enum Newlines {
     Breaks,
 }
 
-/// Sets lines of at most `width` page pixels; a word or formula that is wider has a line of its own.
-pub(super) fn lines(
-    markup: &str,
-    style: Style,
+/// A text that is set, but not yet broken into lines.
+pub(crate) struct Paragraph {
+    /// The markup that was set.
+    markup: String,
+    /// Page pixels of an em of its words.
+    size: f64,
+    /// Page pixels that a space takes.
+    space: f64,
+    /// What no line breaks.
+    chunks: Vec<Chunk>,
+}
+
+/// What stands between two spaces outside of formulas.
+struct Chunk {
+    /// What is set.
+    set: Draft,
+    /// Whether its line ends behind it, however much room there is.
+    is_last: bool,
+}
+
+/// Which chunks stand on a line, and how wide that is in page pixels.
+struct Row {
+    /// The number of its chunks.
+    count: usize,
+    /// The advance width.
     width: f64,
-    newlines: Newlines,
-) -> Result<Vec<Line>, TypesetError> {
-    if markup.len() > LONGEST {
-        let message = format!("a text of {} bytes; the longest allowed has {LONGEST}", markup.len());
-        return Err(TypesetError { offset: markup.floor_char_boundary(LONGEST), message });
-    }
-    let mut setter = Setter { style, newlines, width, space: words::space(style), ..Setter::new() };
-    for piece in pieces(markup)? {
-        match piece {
-            Piece::Formula(offset, latex) => {
-                let set = formula::set(latex, offset, style.size)?;
-                setter.put(set.text, set.glyphs, set.rules, set.width);
-            }
-            Piece::Words(offset, text) => setter.words(offset, text)?,
-            Piece::Role(_, role) => setter.role = Some(role),
-            Piece::Plain => setter.role = None,
+}
+
+impl Paragraph {
+    /// Sets markup.
+    pub(super) fn of(markup: &str, style: Style, newlines: Newlines) -> Result<Self, TypesetError> {
+        if markup.len() > LONGEST {
+            let message = format!("a text of {} bytes; the longest allowed has {LONGEST}", markup.len());
+            return Err(TypesetError { offset: markup.floor_char_boundary(LONGEST), message });
         }
-    }
-    setter.end_chunk();
-    setter.end_line();
-    Ok(setter.lines.into_iter().map(|draft| draft.into_line(markup, style.size)).collect())
-}
-
-/// A line, or a part of one, while it is set.
-#[derive(Default)]
-struct Draft {
-    /// The glyphs so far, from the draft's start.
-    glyphs: Vec<PlacedGlyph>,
-    /// The rules so far, from the draft's start.
-    rules: Vec<Rule>,
-    /// The stretches so far that wear a role.
-    tints: Vec<Tint>,
-    /// The words and formulas so far.
-    runs: Vec<Run>,
-    /// The advance width so far, in page pixels.
-    width: f64,
-}
-
-impl Draft {
-    fn is_empty(&self) -> bool {
-        self.glyphs.is_empty() && self.rules.is_empty()
-    }
-
-    fn append(&mut self, other: Self) {
-        let x = self.width;
-        let (glyphs, rules) = (self.glyphs.len(), self.rules.len());
-        for Tint { role, glyphs: g, rules: r, x: [from, to] } in other.tints {
-            let (g, r) = (glyphs + g.start..glyphs + g.end, rules + r.start..rules + r.end);
-            match self.tints.last_mut() {
-                // Nothing that is seen lies between the words of one stretch.
-                Some(last)
-                    if last.role == role && last.glyphs.end == g.start && last.rules.end == r.start =>
-                {
-                    (last.glyphs.end, last.rules.end, last.x[1]) = (g.end, r.end, x + to);
+        let mut setter = Setter { style, newlines, role: None, chunks: Vec::new(), chunk: Draft::default() };
+        for piece in pieces(markup)? {
+            match piece {
+                Piece::Formula(offset, latex) => {
+                    let set = formula::set(latex, offset, style.size)?;
+                    setter.put(set.text, set.glyphs, set.rules, set.width);
                 }
-                _ => self.tints.push(Tint { role, glyphs: g, rules: r, x: [x + from, x + to] }),
+                Piece::Words(offset, text) => setter.words(offset, text)?,
+                Piece::Role(_, role) => setter.role = Some(role),
+                Piece::Plain => setter.role = None,
             }
         }
-        let moved = |run: Run| Run { x: run.x.map(|from| x + from), ..run };
-        self.runs.extend(other.runs.into_iter().map(moved));
-        self.glyphs.extend(other.glyphs.into_iter().map(|g| PlacedGlyph { x: x + g.x, ..g }));
-        self.rules.extend(other.rules.into_iter().map(|r| Rule { x: x + r.x, ..r }));
-        self.width += other.width;
+        setter.end_chunk();
+        let (markup, space) = (markup.to_owned(), words::space(style));
+        Ok(Self { markup, size: style.size, space, chunks: setter.chunks })
     }
 
-    fn into_line(self, markup: &str, size: f64) -> Line {
-        let (mut ascent, mut descent) = (X_HEIGHT * size, 0.0_f64);
-        for g in &self.glyphs {
-            let [_, top, _, bottom] = g.glyph.outline().bounds;
-            let em = g.size / super::face::UNITS_PER_EM;
-            ascent = ascent.max(-(g.y + f64::from(top) * em));
-            descent = descent.max(g.y + f64::from(bottom) * em);
+    /// Lines of at most `width` page pixels; a word or formula that is wider has a line of its own.
+    pub(crate) fn lines(&self, width: f64) -> Vec<Line> {
+        let mut rest = self.chunks.iter();
+        let rows = self.rows(width).into_iter();
+        rows.map(|row| {
+            let mut line = Draft::default();
+            for chunk in rest.by_ref().take(row.count) {
+                line.append(&chunk.set, self.space);
+            }
+            line.into_line(&self.markup, self.size)
+        })
+        .collect()
+    }
+
+    /// How many lines of at most `width` page pixels it takes, and how wide the widest is.
+    pub(crate) fn extent(&self, width: f64) -> (usize, f64) {
+        let rows = self.rows(width);
+        (rows.len(), rows.iter().map(|row| row.width).fold(0.0, f64::max))
+    }
+
+    /// How many glyphs it has.
+    pub(super) fn glyphs(&self) -> usize {
+        self.chunks.iter().map(|chunk| chunk.set.glyphs.len()).sum()
+    }
+
+    /// What stands on lines of at most `width` page pixels.
+    fn rows(&self, width: f64) -> Vec<Row> {
+        let mut rows: Vec<Row> = Vec::new();
+        let mut is_open = false;
+        for Chunk { set, is_last } in &self.chunks {
+            match rows.last_mut().filter(|_| is_open) {
+                Some(row) if row.width + self.space + set.width <= width => {
+                    row.count += 1;
+                    row.width = row.width + self.space + set.width;
+                }
+                _ => rows.push(Row { count: 1, width: set.width }),
+            }
+            is_open = !is_last;
         }
-        for r in &self.rules {
-            ascent = ascent.max(-r.y);
-            descent = descent.max(r.y + r.height);
-        }
-        let Self { glyphs, rules, tints, runs, width } = self;
-        Line { markup: markup.to_owned(), glyphs, rules, tints, runs, width, ascent, descent }
+        rows
     }
 }
 
-/// Lines, a line being filled, and the chunk without a break being set.
+/// The chunks that are set, and the one being set.
 struct Setter<'m> {
     /// How words are set.
     style: Style,
-    /// The role that is worn at this place of the markup.
-    role: Option<&'m str>,
     /// What newlines mean.
     newlines: Newlines,
-    /// Page pixels that a line may take.
-    width: f64,
-    /// Page pixels that a space takes.
-    space: f64,
-    /// The lines that are full.
-    lines: Vec<Draft>,
-    /// The line being filled.
-    line: Draft,
-    /// What was set since the last space outside a formula.
+    /// The role that is worn at this place of the markup.
+    role: Option<&'m str>,
+    /// What was set up to the last space outside a formula.
+    chunks: Vec<Chunk>,
+    /// What was set since.
     chunk: Draft,
 }
 
 impl Setter<'_> {
-    fn new() -> Self {
-        Self {
-            style: Style::regular(0.0),
-            role: None,
-            newlines: Newlines::Spaces,
-            width: f64::INFINITY,
-            space: 0.0,
-            lines: Vec::new(),
-            line: Draft::default(),
-            chunk: Draft::default(),
-        }
-    }
-
     fn words(&mut self, offset: usize, text: &str) -> Result<(), TypesetError> {
         let mut rest = characters(offset, text).peekable();
         while let Some(&(_, character)) = rest.peek() {
@@ -150,7 +138,7 @@ impl Setter<'_> {
                 rest.next();
                 self.end_chunk();
                 if character == '\n' && self.newlines == Newlines::Breaks {
-                    self.end_line();
+                    self.chunks.iter_mut().last().into_iter().for_each(|chunk| chunk.is_last = true);
                 }
                 continue;
             }
@@ -174,28 +162,14 @@ impl Setter<'_> {
         });
         let run = Run { text, x: [0.0, width], size: self.style.size };
         let runs = Some(run).filter(|run| !run.text.is_empty()).into_iter().collect();
-        self.chunk.append(Draft { glyphs, rules, tints: tint.into_iter().collect(), runs, width });
+        let set = Draft { glyphs, rules, tints: tint.into_iter().collect(), runs, width };
+        self.chunk.join(&set);
     }
 
-    /// Adds the chunk to the line, or to the next one where it does not fit.
+    /// Ends what no line breaks.
     fn end_chunk(&mut self) {
-        if self.chunk.is_empty() {
-            return;
-        }
-        let chunk = std::mem::take(&mut self.chunk);
-        if !self.line.is_empty() && self.line.width + self.space + chunk.width > self.width {
-            self.end_line();
-        }
-        if !self.line.is_empty() {
-            self.line.width += self.space;
-            self.line.runs.iter_mut().last().into_iter().for_each(|run| run.text.push(' '));
-        }
-        self.line.append(chunk);
-    }
-
-    fn end_line(&mut self) {
-        if !self.line.is_empty() {
-            self.lines.push(std::mem::take(&mut self.line));
+        if !self.chunk.is_empty() {
+            self.chunks.push(Chunk { set: std::mem::take(&mut self.chunk), is_last: false });
         }
     }
 }

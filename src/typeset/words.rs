@@ -62,7 +62,9 @@ fn glyph_of(character: char, weight: Weight) -> Option<Glyph> {
     [words, Face::Math].into_iter().find_map(|face| {
         // Without mark positioning a combining accent would stand beside its letter.
         let is_combining = matches!(character, '\u{300}'..='\u{36F}' | '\u{20D0}'..='\u{20FF}');
-        let id = Loaded::of(face)?.face().glyph_index(character)?.0;
+        let loaded = Loaded::of(face)?;
+        let ask = || loaded.face().glyph_index(character).map_or(0, |glyph| glyph.0);
+        let id = loaded.pairs.glyph(character, ask);
         (!is_combining && id != 0).then_some(Glyph { face, id })
     })
 }
@@ -81,14 +83,19 @@ fn kerning(left: Glyph, right: Glyph) -> Option<f64> {
         return None;
     }
     let loaded = Loaded::of(left.face)?;
+    let units =
+        loaded.pairs.kerning((left.id, right.id), || rule(loaded, GlyphId(left.id), GlyphId(right.id)));
+    units.map(|units| f64::from(units) * loaded.em())
+}
+
+/// The rule of a face for a pair, in its units.
+fn rule(loaded: &Loaded, left: GlyphId, right: GlyphId) -> Option<i16> {
     let lookups = loaded.face().tables().gpos?.lookups;
-    let (left, right) = (GlyphId(left.id), GlyphId(right.id));
     // The first subtable that covers the pair decides; the embedded faces have no other kind of lookup.
     lookups
         .into_iter()
         .flat_map(|lookup| lookup.subtables.into_iter::<PositioningSubtable>())
         .find_map(|table| pair(&table, left, right))
-        .map(|units| f64::from(units) * loaded.em())
 }
 
 /// The kerning of a pair in one table, in units of the face.

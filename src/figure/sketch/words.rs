@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::drawing::{Contour, Halo, Item, Path, Point, Rect, Role, Segment, Shown, Text};
 use crate::geometry::DVec2;
-use crate::typeset::{Line, Style, typeset};
+use crate::typeset::{Line, Style, line};
 
 use super::{Cover, Pen, Sketch};
 
@@ -69,9 +69,9 @@ impl Sketch<'_> {
     /// Sets markup in the size of small notes; `None` where it can't be set.
     #[must_use]
     pub(crate) fn set(&self, markup: &str) -> Option<Words> {
-        let line = typeset(markup, Style::regular(self.small)).ok()?;
+        let line = line(markup, Style::regular(self.small)).ok()?;
         let (width, ascent, descent) = (line.width, line.ascent, line.descent);
-        Some(Words { line: Arc::new(line), width, ascent, descent })
+        Some(Words { line, width, ascent, descent })
     }
 
     /// Writes a line of text on the page, its baseline beginning at `origin`, and makes labels keep off it;

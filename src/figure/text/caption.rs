@@ -2,13 +2,15 @@
 //!
 //! A text that can't be set is told with its place before anything is drawn.
 
+use std::sync::Arc;
+
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::lettering::Lettering;
 use crate::figure::name::Name;
 use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
-use crate::typeset::{Line, Style, TypesetError, as_markup, wrap};
+use crate::typeset::{Line, Style, TypesetError, as_markup, paragraph};
 
 use super::columns::columns;
 use super::fill::fill;
@@ -98,26 +100,27 @@ impl Room {
     }
 
     /// Sets markup on lines that are read with ease, or on longer ones where these would be too many.
-    fn set(&self, markup: &str) -> Result<Vec<Line>, TypesetError> {
+    fn set(&self, markup: &str) -> Result<Vec<Arc<Line>>, TypesetError> {
         let [ease, widest] = self.widths;
-        let lines = wrap(markup, self.style, ease)?;
-        if lines.len() > self.most {
-            return wrap(markup, self.style, widest);
-        }
-        if self.is_balanced { self.balanced(markup, lines) } else { Ok(lines) }
+        let set = paragraph(markup, self.style)?;
+        let (count, _) = set.extent(ease);
+        Ok(set.lines(match count {
+            _ if count > self.most => widest,
+            _ if self.is_balanced => self.balanced(count, |width| set.extent(width)),
+            _ => ease,
+        }))
     }
 
-    /// Sets markup on as many lines as `lines`, which are as wide as there is room for, as narrow as they can
-    /// be.
-    fn balanced(&self, markup: &str, mut lines: Vec<Line>) -> Result<Vec<Line>, TypesetError> {
+    /// The least width, page pixels, at which a text takes no more than `count` lines, as many as where it is
+    /// as wide as there is room for. `extent` says how many lines a width takes, and how wide the widest is.
+    fn balanced(&self, count: usize, extent: impl Fn(f64) -> (usize, f64)) -> f64 {
         let (mut narrow, mut wide) = (0.0, self.widths[0]);
-        while lines.len() > 1 && wide - narrow > BALANCE * self.style.size {
+        while count > 1 && wide - narrow > BALANCE * self.style.size {
             let middle = 0.5 * (narrow + wide);
-            let set = wrap(markup, self.style, middle)?;
-            let fits = set.len() == lines.len() && set.iter().all(|line| line.width <= middle);
-            if fits { (wide, lines) = (middle, set) } else { narrow = middle }
+            let (lines, widest) = extent(middle);
+            if lines == count && widest <= middle { wide = middle } else { narrow = middle }
         }
-        Ok(lines)
+        wide
     }
 }
 
@@ -127,7 +130,7 @@ pub(crate) fn set(
     text: &Spanned<String>,
     context: &Context,
     said: (&mut Vec<Problem>, &mut Vec<Problem>),
-    typeset: impl Fn(&str) -> Result<Vec<Line>, TypesetError>,
+    typeset: impl Fn(&str) -> Result<Vec<Arc<Line>>, TypesetError>,
 ) -> Option<Lettering> {
     set_as(text, context, said, |filled| Lettering::new(filled, typeset))
 }
@@ -238,7 +241,7 @@ pub(crate) fn paragraphs(
     let width = room.column.filter(|_| !list.is_empty()).unwrap_or(room.widths[1]);
     let set = |all: &[String]| {
         Lettering::new(&all.join("\n"), |text| {
-            let lines = text.split('\n').map(|paragraph| wrap(paragraph, room.style, width));
+            let lines = text.split('\n').map(|text| Ok(paragraph(text, room.style)?.lines(width)));
             Ok(lines.collect::<Result<Vec<_>, _>>()?.concat())
         })
     };

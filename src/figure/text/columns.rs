@@ -3,7 +3,7 @@
 //! The second column begins with a sentence, the one that leaves both columns of the most equal length. A
 //! text that fits on one line, or whose sentences would leave more than half of a column empty, has one.
 
-use crate::typeset::{Piece, Style, TypesetError, pieces, typeset};
+use crate::typeset::{Piece, Style, TypesetError, line, pieces};
 
 /// The least share of the longer column's text that the shorter one has.
 const LEAST: f64 = 0.4;
@@ -15,13 +15,13 @@ const LEAST: f64 = 0.4;
 /// Where the markup can't be typeset.
 pub(super) fn columns(markup: &str, style: Style, ease: f64) -> Result<Vec<&str>, TypesetError> {
     let mut ends = sentence_ends(markup)?;
-    if ends.is_empty() || typeset(markup, style)?.width <= ease {
+    if ends.is_empty() || line(markup, style)?.width <= ease {
         return Ok(vec![markup]);
     }
     ends.push(markup.len());
     let (mut widths, mut from) = (Vec::new(), 0);
     for &end in &ends {
-        widths.push(typeset(&markup[from..end], style)?.width);
+        widths.push(line(&markup[from..end], style)?.width);
         from = end;
     }
     let all: f64 = widths.iter().sum();

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::figure::placement::Fold;
-use crate::typeset::{Line, Style, wrap};
+use crate::typeset::{Line, Style, paragraph};
 
 /// A name that is shorter than this, in ems, stays on one line: a word of eight letters.
 const SHORT: f64 = 4.0;
@@ -36,17 +36,17 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
 /// A text on two lines and on three, each as narrow as it can be; `width` is that of the whole.
 fn narrow(markup: &str, width: f64, style: Style) -> Vec<Vec<Arc<Line>>> {
     let mut all: Vec<Vec<Arc<Line>>> = Vec::new();
-    let set = |width: f64| wrap(markup, style, width).unwrap_or_default();
+    let Ok(set) = paragraph(markup, style) else { return all };
     for most in 2..=MOST {
         // The least width that keeps to so many lines.
         let (mut narrow, mut wide) = (0.0, width);
         while wide - narrow > STEP * style.size {
             let middle = 0.5 * (narrow + wide);
-            if set(middle).len() <= most { wide = middle } else { narrow = middle }
+            if set.extent(middle).0 <= most { wide = middle } else { narrow = middle }
         }
-        let lines = set(wide);
+        let lines = set.lines(wide);
         if lines.len() == most {
-            all.push(lines.into_iter().map(Arc::new).collect());
+            all.push(lines);
         }
     }
     all

@@ -1,7 +1,6 @@
 //! The text of a label: the layer's own or the scene's, with its values filled in, set in type.
 
 use std::ops::Range;
-use std::sync::Arc;
 
 use crate::figure::budget::Budget;
 use crate::figure::context::Context;
@@ -12,7 +11,7 @@ use crate::figure::placement::Sought;
 use crate::figure::sketch::{Anchor, Rank, Request, Size};
 use crate::figure::standing::standing;
 use crate::scene;
-use crate::typeset::{Style, TypesetError, typeset};
+use crate::typeset::{self, Style, TypesetError, typeset};
 
 use super::decimal::Decimal;
 use super::fill::fill;
@@ -62,7 +61,7 @@ impl Wording<'_> {
         let mut set = |line: &String| {
             if !is_given {
                 let own = decimal.in_formulas(line);
-                return typeset(&own, style).map(Arc::new).map_err(|e| self.unsettable(e, line, &place));
+                return typeset::line(&own, style).map_err(|e| self.unsettable(e, line, &place));
             }
             let (filled, values) = fill(line, self.context, &place)?;
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
@@ -72,7 +71,7 @@ impl Wording<'_> {
             // What stands at its thing needs no marker of it.
             let marked = self.marked && label.rank == Rank::Note;
             let filled = if marked { with_markers(&filled) } else { filled };
-            typeset(&filled, style).map(Arc::new).map_err(|e| bad_markup(e, filled.clone(), &place))
+            typeset::line(&filled, style).map_err(|e| bad_markup(e, filled.clone(), &place))
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
         let folds = match &lines[..] {
