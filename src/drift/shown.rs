@@ -30,7 +30,8 @@ pub(super) fn tables(events: &[&Event], room: usize) -> (String, usize) {
         let name =
             fields.shift_remove("event").and_then(|n| Some(n.as_str()?.to_owned())).unwrap_or_default();
         let head = (name, fields.keys().cloned().collect::<Vec<_>>());
-        let row = Value::Array(fields.into_iter().map(|(_, value)| rounded(value)).collect()).to_string();
+        let row = Value::Array(fields.into_iter().map(|(_, value)| rounded(value)).collect());
+        let row = serde_json::to_string(&row).unwrap_or_default();
         let kind = known.iter().position(|k| *k == head);
         let (end, begin) = if open.is_some() && open == kind {
             ("", String::new())

@@ -40,7 +40,7 @@ impl State {
                 let file = read(&text)?;
                 Self::of(file.json_value())
             }
-            json => Ok(Self { file: read(&json.to_string())?, json }),
+            json => Ok(Self { file: read(&serde_json::to_string(&json).unwrap_or_default())?, json }),
         }
     }
 }

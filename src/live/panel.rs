@@ -29,13 +29,13 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
     });
     let steps =
         draws.drawing.steps.iter().map(|step| json!({ "title": step.title, "sentences": step.sentences }));
-    json!({
+    let said = json!({
         "sentence": sentence(plan.scene, &run),
         "answer": Solution::of(plan.scene).json(),
         "notes": notes,
         "handles": handles_json(&draws.handles, plan.scene),
         "steps": steps.collect::<Vec<_>>(),
         "panels": frames.collect::<Vec<_>>(),
-    })
-    .to_string()
+    });
+    serde_json::to_string(&said).unwrap_or_default()
 }

@@ -12,7 +12,7 @@ pub(super) mod steps;
 mod style;
 mod text;
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
 use super::xml::Xml;
 use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Writer, number};
@@ -76,7 +76,7 @@ pub(super) fn document_in_steps(drawing: &Drawing, sheet: Sheet, in_steps: Optio
     let mut document = Document {
         xml: Xml::with_capacity(TYPICAL_SIZE),
         prefix,
-        ids: BTreeSet::new(),
+        ids: BTreeMap::new(),
         clips: Vec::new(),
         fill_opacity: drawing.fill_opacity,
         words: drawing.words.clone(),
@@ -115,8 +115,8 @@ struct Document {
     xml: Xml,
     /// What every id and class begins with.
     prefix: String,
-    /// Ids given so far.
-    ids: BTreeSet<String>,
+    /// What ids given so far are called behind the prefix, each with how often an id was asked for by that name.
+    ids: BTreeMap<String, usize>,
     /// Clip rectangles that have an element; a rectangle's index is the number in its id.
     clips: Vec<Rect>,
     /// Opacity of the fills of areas.
@@ -174,13 +174,17 @@ impl Document {
 
     /// An id that no other element has: the prefix, the name, and a number where the name was given before.
     fn new_id(&mut self, name: &str) -> String {
-        let base = format!("{}-{}", self.prefix, identifier(name));
-        let mut id = base.clone();
-        let mut count = 1;
-        while !self.ids.insert(id.clone()) {
-            count += 1;
-            id = format!("{base}-{count}");
+        let mut name = identifier(name);
+        if let Some(&count) = self.ids.get(&name) {
+            // All numbers up to the last one given are taken.
+            let numbered = |count: usize| format!("{name}-{count}");
+            let count = (count + 1..).find(|&count| !self.ids.contains_key(&numbered(count)));
+            let (count, own) = (count.unwrap_or(0), numbered(count.unwrap_or(0)));
+            self.ids.insert(name, count);
+            name = own;
         }
+        let id = [&self.prefix, "-", &name].concat();
+        self.ids.insert(name, 1);
         id
     }
 

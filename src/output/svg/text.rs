@@ -3,13 +3,18 @@
 //! A line is a group of `<use>` elements in thousandths of an em, a group for each size. Where it has a halo,
 //! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled.
 
-use std::collections::BTreeSet;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 use super::super::number;
 use super::style::{self, Property};
 use super::{Document, contour};
 use crate::drawing::{Halo, Point, Text};
 use crate::typeset::{Face, Glyph, Line, PlacedGlyph, Rule, UNITS_PER_EM};
+
+// At most one for each glyph of the embedded faces.
+thread_local! { static PATHS: RefCell<BTreeMap<Glyph, Rc<str>>> = RefCell::default(); }
 
 impl Document {
     /// The outlines of all glyphs that the drawing uses.
@@ -22,7 +27,7 @@ impl Document {
             self.xml.start("path");
             let prefix = &self.prefix;
             self.xml.attribute_by("id", |out| push_glyph_id(out, prefix, glyph));
-            self.xml.attribute_by("d", |out| contour::outline(out, glyph.outline()));
+            self.xml.attribute_by("d", |out| out.push_str(&path_data(glyph)));
             self.xml.end();
         }
         self.xml.end();
@@ -123,6 +128,19 @@ impl Document {
         }
         self.xml.end();
     }
+}
+
+/// The path data of a glyph's outline, written at the first call: a page has some eighty glyphs, which are the
+/// same in every frame of a figure that moves.
+fn path_data(glyph: Glyph) -> Rc<str> {
+    PATHS.with_borrow_mut(|paths| {
+        let path = paths.entry(glyph).or_insert_with(|| {
+            let mut path = String::new();
+            contour::outline(&mut path, glyph.outline());
+            path.into()
+        });
+        Rc::clone(path)
+    })
 }
 
 /// The id of a glyph's outline. The full stop keeps it apart from the ids of groups, which have none.
