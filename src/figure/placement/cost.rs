@@ -45,23 +45,24 @@ fn named(sought: &Sought, frame: &Frame) -> Option<Point> {
     }
 }
 
-/// What a place costs whatever the other labels do.
+/// What a place costs whatever the other labels do; infinite where that is more than `most`.
 pub(super) fn own_cost(
     (sought, things): (&Sought, &Things),
     home: Point,
-    candidate: &Candidate,
+    (candidate, most): (&Candidate, f64),
     near_by: &NearBy,
     scene: &Surroundings,
 ) -> f64 {
     let w = scene.costs;
     let mut cost = candidate.reluctance + edge(&candidate.rect, &scene.frame.panel, w);
-    if candidate.leader.is_none() {
-        cost += doubt(things.margin(&candidate.rect, w.doubt_reach), w);
-    }
     let named = named(sought, scene.frame);
     let near = named.map(|p| (p, nearest_in(&candidate.rect, p)));
     let reach = hull(candidate, named);
     for (bounds, obstacle) in near_by {
+        // Nothing of a cost is negative.
+        if cost > most {
+            return f64::INFINITY;
+        }
         if bounds.intersection(reach).is_none() {
             continue;
         }
@@ -77,7 +78,11 @@ pub(super) fn own_cost(
             cost += w.naming * near.clamp(0.0, 1.0);
         }
     }
-    cost + if moved(sought, home, candidate, scene) { w.moved } else { 0.0 }
+    if candidate.leader.is_none() {
+        cost += doubt(things.margin(&candidate.rect, w.doubt_reach), w);
+    }
+    cost += if moved(sought, home, candidate, scene) { w.moved } else { 0.0 };
+    if cost > most { f64::INFINITY } else { cost }
 }
 
 /// What standing nearer to another thing costs, or not much nearer to its own, by a margin in page pixels.

@@ -35,10 +35,21 @@ impl<'s> Seeker<'s> {
 
     /// Places, each with what it costs whatever the other labels do.
     pub(super) fn priced(&self, all: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
+        self.priced_within(f64::INFINITY, all, scene)
+    }
+
+    /// The places that cost no more than `most`, each with what it costs whatever the other labels do.
+    pub(super) fn priced_within(
+        &self,
+        most: f64,
+        all: Vec<Candidate>,
+        scene: &Surroundings,
+    ) -> Vec<(Candidate, f64)> {
         let near_by = near_by(self.sought, &all, scene);
-        let own = |c: &Candidate| own_cost((self.sought, &self.things), self.home, c, &near_by, scene);
-        let cost = |c: &Candidate| steady(own(c));
-        all.into_iter().map(|c| (cost(&c), c)).map(|(cost, c)| (c, cost)).collect()
+        let named = (self.sought, &self.things);
+        let cost = |c: &Candidate| steady(own_cost(named, self.home, (c, most), &near_by, scene));
+        let priced = all.into_iter().map(|c| (cost(&c), c));
+        priced.filter(|(cost, _)| most.is_infinite() || *cost <= most).map(|(cost, c)| (c, cost)).collect()
     }
 
     /// The label at its place: its lines below each other, centred but for notes.

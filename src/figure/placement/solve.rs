@@ -131,12 +131,13 @@ impl Choices<'_> {
                 break;
             }
             let seeker = &seekers[label];
-            if seeker.sought.pin.is_some() || self.cost(label, self.chosen[label], &all) < search.trouble {
+            let now = self.cost(label, self.chosen[label], &all);
+            if seeker.sought.pin.is_some() || now < search.trouble {
                 continue;
             }
             let about = |slot: usize| nudged(&self.places[label][slot].0, &seeker.things, self.weights);
             let more = self.cheapest(label, search.cheapest).into_iter().flat_map(about).collect();
-            let more = self.price(seeker, more, scene);
+            let more = self.price(seeker, (more, now + search.hopeless), scene);
             self.places[label].extend(more);
         }
     }
@@ -155,19 +156,28 @@ impl Choices<'_> {
             {
                 continue;
             }
-            let mut places: Vec<Candidate> = self.places[label].drain(..).map(|(place, _)| place).collect();
-            places.extend(anywhere(sought, &seeker.things, scene.frame, self.weights));
-            self.places[label] = self.price(seeker, places, &strict);
+            let places: Vec<Candidate> = self.places[label].drain(..).map(|(place, _)| place).collect();
+            self.places[label] = self.price(seeker, (places, f64::INFINITY), &strict);
+            let most = self.places[label][self.chosen[label]].1 + self.weights.search.hopeless;
+            let more = anywhere(sought, &seeker.things, scene.frame, self.weights);
+            let more = self.price(seeker, (more, most), &strict);
+            self.places[label].extend(more);
             self.urged[label] = true;
             any = true;
         }
         any
     }
 
-    /// Places, each with what it costs by itself; the work counts as that of pairs of places.
-    fn price(&self, seeker: &Seeker, places: Vec<Candidate>, scene: &Surroundings) -> Vec<(Candidate, f64)> {
+    /// The places that cost no more than `most` by themselves, each with that; the work counts as that of
+    /// pairs of places.
+    fn price(
+        &self,
+        seeker: &Seeker,
+        (places, most): (Vec<Candidate>, f64),
+        scene: &Surroundings,
+    ) -> Vec<(Candidate, f64)> {
         self.priced.set(self.priced.get() + places.len() * scene.obstacles.len() / BOXES);
-        seeker.priced(places, scene)
+        seeker.priced_within(most, places, scene)
     }
 
     /// The labels at their places, without those that clash beyond help.

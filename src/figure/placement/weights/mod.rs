@@ -15,8 +15,8 @@
 //! TRACEFIG_SCENES=60 cargo test --release --lib placement::weights -- --nocapture
 //! ```
 //!
-//! The numbers of last resorts (`kept_in`, `hiding` and those of the field) are younger than that survey;
-//! they count only for labels over an edge or a line. Those of resting (`comfort`, `worse`, `unrest`,
+//! The numbers of last resorts (`kept_in`, `hiding`, `hopeless` and those of the field) are younger than that
+//! survey; they count only for labels over an edge or a line. Those of resting (`comfort`, `worse`, `unrest`,
 //! `inertia`) count only in figures that move, and were tuned on the drags of `rest/tests.rs`.
 //!
 //! Few numbers make faults: `spill` is part of what a fault is, and the others make one or two, or none, and

@@ -23,6 +23,8 @@ super::numbers! {
         /// Reluctance for each page pixel that a label in trouble is moved.
         /// Twice: 2 + 32 labels; half: 2 + 10 labels.
         nudged: f64 = 0.16;
+        /// A further place is not offered that costs this much more than where its label stands.
+        hopeless: f64 = 10.0;
         /// How far apart the spots of the field are that a label looks at which hides something elsewhere,
         /// page pixels.
         field_step: f64 = 6.0;
