@@ -26,7 +26,7 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDo
 
 class Knob {
     constructor(figure, handle) {
-        Object.assign(this, { figure, handle });
+        Object.assign(this, { figure, handle, worn: new Map() });
         const hit = make("circle", { class: "hit", r: REACH });
         const ring = make("circle", { class: "ring", r: handle.grip === "position" ? 11 : 7 });
         this.element = make("g", { class: `knob ${handle.grip}` }, hit, ring);
@@ -47,19 +47,23 @@ class Knob {
     place(handle, isStop) {
         this.handle = handle;
         const [x, y] = handle.at.map((v) => v * this.figure.scale);
-        this.element.setAttribute("transform", `translate(${x} ${y})`);
         const { name, value, range: [lo, hi] } = handle;
         const first = (numbers) => [numbers].flat()[0];
         const heard = {
             role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": inWords(value),
             "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
         };
-        for (const [key, words] of Object.entries(heard)) {
-            if (isStop) this.element.setAttribute(key, words);
-            else this.element.removeAttribute(key);
-        }
-        if (isStop) this.element.removeAttribute("aria-hidden");
-        else this.element.setAttribute("aria-hidden", "true");
+        this.wear("transform", `translate(${x} ${y})`);
+        for (const [key, words] of Object.entries(heard)) this.wear(key, isStop ? words : undefined);
+        this.wear("aria-hidden", isStop ? undefined : "true");
+    }
+
+    // Sets an attribute, or takes it away, where that is not done yet.
+    wear(name, value) {
+        if (this.worn.has(name) && this.worn.get(name) === value) return;
+        this.worn.set(name, value);
+        if (value === undefined) this.element.removeAttribute(name);
+        else this.element.setAttribute(name, value);
     }
 
     grab(event) {
@@ -142,7 +146,8 @@ class Row {
 
     show(value) {
         [value].flat().forEach((v, i) => {
-            if (document.activeElement !== this.fields[i]) this.fields[i].value = v;
+            const field = this.fields[i];
+            if (document.activeElement !== field && field.value !== String(v)) field.value = v;
         });
     }
 }

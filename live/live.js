@@ -172,17 +172,18 @@ class Figure {
             return false;
         }
         const drawn = performance.now();
-        this.picture.patch(this.engine.svg);
+        const stays = this.picture.patch(this.engine.svg);
         this.info = this.engine.info;
-        this.shown();
+        this.shown(stays);
         const ms = { module: drawn - start, all: performance.now() - start };
         this.root.dispatchEvent(new CustomEvent("tracefig", { bubbles: true, detail: { ...this.info, ms } }));
         return true;
     }
 
-    // Brings handles and numbers to where the picture has them.
-    shown() {
-        this.scale = this.stage.clientWidth / this.picture.size[0];
+    // Brings handles and numbers to where the picture has them. Where its elements stayed as they were, no
+    // width is asked for, for which the page would have to be laid out twice in a frame.
+    shown(stays = false) {
+        if (!stays) this.scale = this.stage.clientWidth / this.picture.size[0];
         const seen = new Set();
         const stops = new Set();
         for (const handle of this.info.handles) {
@@ -197,7 +198,9 @@ class Figure {
             stops.add(key);
         }
         for (const knob of this.knobs.values()) knob.element.classList.toggle("gone", !seen.has(knob));
-        this.hold();
+        const held = this.info.handles.map(({ panel, name }) => `${panel} ${name}`).join();
+        if (!stays || held !== this.heldBy) this.hold();
+        this.heldBy = held;
         if (this.count) {
             const [now, last] = [this.step, this.info.steps.length];
             this.count.textContent = now >= last ? `${last} steps` : `step ${now} of ${last}`;

@@ -64,22 +64,29 @@ const unescaped = (s) => s.replace(/&(lt|gt|quot|apos|#39|amp);/g, (_, name) => 
 const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g;
 const attributesOf = (tag) => new Map(Array.from(tag.matchAll(ATTRIBUTE), (m) => [m[1], unescaped(m[2])]));
 
-// The tree of a text that tracefig wrote: nodes with tag, name, id and kids, and their places in `tags`.
-function treeOf(tags) {
+// The tag that begins a line of such a text, with its name, its id, and what follows it there.
+const HEAD = /^<([\w:-]+)(?: id="([^"]*)")?[^>]*>/;
+const ofText = (rest) => /^[^<]*/.exec(rest)[0];
+
+// The tree of a text that tracefig wrote: nodes with tag, name, id and kids, and their places in `tags`. Each
+// tag that opens an element begins a line; `lines` has the nodes by those.
+function treeOf(tags, lines) {
     const top = { kids: [] };
     const open = [top];
+    let line = 0;
     for (let i = 0; i < tags.length; i++) {
         const tag = tags[i];
         const inner = open[open.length - 1];
         if (tag[0] !== "<") inner.kids.push({ tag, name: "#text", kids: null, from: i, to: i });
         else if (tag[1] === "/") open.pop().to = i;
         else {
-            const [, name] = /^<([\w:-]+)/.exec(tag);
-            const id = /\sid="([^"]*)"/.exec(tag)?.[1];
+            const [, name, id] = HEAD.exec(tag);
             const node = { tag, name, id, kids: [], from: i, to: i };
             inner.kids.push(node);
+            lines[line] = node;
             if (!tag.endsWith("/>")) open.push(node);
         }
+        if (tag[0] !== "<" && tag.includes("\n")) line += tag.split("\n").length - 1;
     }
     return top.kids.find((node) => node.name === "svg");
 }
@@ -96,7 +103,7 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.shown = treeOf(text.match(TAG));
+        this.take(text, text.match(TAG));
         return this.bind(this.shown, this.svg);
     }
 
@@ -112,11 +119,50 @@ class Picture {
         return fits;
     }
 
+    // Keeps a text and its tree.
+    take(text, tags) {
+        this.lines = text.split("\n");
+        this.nodes = [];
+        this.shown = treeOf(tags, this.nodes);
+    }
+
+    // Shows another text; whether all elements stayed.
     patch(text) {
+        if (this.redress(text.split("\n"))) return true;
         const tags = text.match(TAG);
-        const next = treeOf(tags);
-        this.morph(this.shown, next, tags);
-        this.shown = next;
+        const before = this.shown;
+        this.take(text, tags);
+        this.morph(before, this.shown, tags);
+        return false;
+    }
+
+    // Sets what differs in a text of the same elements, line by line; whether it is one. Most frames are.
+    redress(lines) {
+        if (lines.length !== this.lines.length) return false;
+        const differ = [];
+        for (let i = 0; i < lines.length; i++) {
+            if (lines[i] === this.lines[i]) continue;
+            const [was, is] = [HEAD.exec(this.lines[i]), HEAD.exec(lines[i])];
+            const node = this.nodes[i];
+            // Another page size moves all that lies over the picture.
+            if (!node || node === this.shown || was?.[1] !== is?.[1] || was[2] !== is[2]) return false;
+            const [before, now] = [this.lines[i].slice(was[0].length), lines[i].slice(is[0].length)];
+            const [old, text] = [before, now].map(ofText);
+            if (before.slice(old.length) !== now.slice(text.length)) return false;
+            if (was[0].endsWith("/>") !== is[0].endsWith("/>")) return false;
+            const [inner] = node.kids;
+            if (before !== now && (inner?.kids !== null || inner.tag !== old)) return false;
+            differ.push([node, is[0], before === now ? undefined : text]);
+        }
+        for (const [node, tag, text] of differ) {
+            if (node.tag !== tag) this.dress(node, { tag, kids: node.kids });
+            node.tag = tag;
+            if (text === undefined) continue;
+            this.dress(node.kids[0], { tag: text, kids: null });
+            node.kids[0].tag = text;
+        }
+        this.lines = lines;
+        return true;
     }
 
     // Makes the element of an old node that of the next one.
