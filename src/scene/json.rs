@@ -120,7 +120,7 @@ impl<'t> Walk<'t, '_> {
         self.at = span.end;
         let text = raw.get();
         let value = match text.as_bytes().first() {
-            Some(b'"') => serde_json::from_str(text).map(NodeValue::Text),
+            Some(b'"') => unquoted(raw).map(NodeValue::Text),
             Some(b't' | b'f') => Ok(NodeValue::Bool(text == "true")),
             Some(b'n') => Ok(NodeValue::Other("null")),
             // The grammar has been checked; `f64::from_str` rounds to nearest, and overflows to an infinity.
@@ -142,6 +142,36 @@ impl<'t> Walk<'t, '_> {
             Fault::OverLimit { what: "nesting".to_owned(), limit: MAX_NESTING, unit: "levels", got: depth };
         self.problems.push(Problem::new(fault, span.start..span.start + 1));
         Node { value: NodeValue::Other("a nested value"), span }
+    }
+}
+
+/// What a text between quotes says; most have no escapes, and are what they look like.
+fn unquoted(raw: &RawValue) -> Result<String, serde_json::Error> {
+    let text = raw.get();
+    match text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+        Some(plain) if !plain.contains('\\') => Ok(plain.to_owned()),
+        _ => serde_json::from_str(text),
+    }
+}
+
+/// How many entries of an object are looked through for a key; of more there is a set.
+const FEW: usize = 16;
+
+/// The keys that an object has so far.
+#[derive(Default)]
+struct Keys(BTreeSet<String>);
+
+impl Keys {
+    /// Whether an object of some entries has none of a key. It is asked once for each key, which becomes an
+    /// entry if it is new.
+    fn is_new(&mut self, key: &str, entries: &[(Spanned<String>, Node)]) -> bool {
+        if entries.len() < FEW {
+            return entries.iter().all(|(known, _)| known.value != key);
+        }
+        if self.0.is_empty() {
+            self.0.extend(entries.iter().map(|(known, _)| known.value.clone()));
+        }
+        self.0.insert(key.to_owned())
     }
 }
 
@@ -189,17 +219,17 @@ impl<'de> Visitor<'de> for Inside<'_, 'de, '_> {
 
     fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<NodeValue, A::Error> {
         let Next { walk, depth } = self.0;
-        let mut keys = BTreeSet::new();
+        let mut keys = Keys::default();
         let mut entries = Vec::new();
         while let Some(raw) = map.next_key::<&RawValue>()? {
             let span = walk.span(raw);
             walk.at = span.end;
-            let key: String = serde_json::from_str(raw.get()).unwrap_or_else(|error| {
+            let key = unquoted(raw).unwrap_or_else(|error| {
                 walk.problems.push(Problem::new(broken(&error), span.clone()));
                 raw.get().to_owned()
             });
             let node = map.next_value_seed(Next { walk: &mut *walk, depth })?;
-            if keys.insert(key.clone()) {
+            if keys.is_new(&key, &entries) {
                 entries.push((Spanned { value: key, span }, node));
             } else {
                 walk.problems.push(Problem::new(Fault::DuplicateKey { key }, span));
@@ -248,6 +278,15 @@ mod tests {
         let problems = parse(r#"{"a": 1, "b": 2, "a": 3}"#).unwrap_err();
         assert_eq!(problems[0].fault, Fault::DuplicateKey { key: "a".to_owned() });
         assert_eq!(problems[0].span, 17..20);
+        for count in [FEW - 1, FEW, FEW + 1, 3 * FEW] {
+            for twin in [0, count / 2, count - 1] {
+                let keys = (0..count).chain([twin, count]).map(|i| format!("\"k{i}\": {i}"));
+                let text = format!("{{{}}}", keys.collect::<Vec<_>>().join(","));
+                let problems = parse(&text).unwrap_err();
+                let [problem] = &problems[..] else { panic!("{problems:?}") };
+                assert_eq!(problem.fault, Fault::DuplicateKey { key: format!("k{twin}") });
+            }
+        }
     }
 
     #[test]
