@@ -64,7 +64,7 @@ def shorten_names(path):
 
 
 crate, target = Path(sys.argv[1]), sys.argv[2]
-options = subset.Options(layout_features=["ssty"], hinting=False, notdef_outline=True, glyph_names=False,
+options = subset.Options(layout_features=["ssty"], hinting=False, desubroutinize=True, notdef_outline=True, glyph_names=False,
                          legacy_kern=False, drop_tables=["STAT", "BASE", "GPOS", "GDEF", "DSIG"],
                          name_IDs=[0, 1, 2, 3, 4, 5, 6, 13, 14])
 font = TTFont(crate / "fonts" / "stix-two-math" / "STIXTwoMath-Regular.otf", recalcTimestamp=False)
