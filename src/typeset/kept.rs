@@ -1,8 +1,8 @@
 //! Texts that this thread has set, kept for the next time.
 //!
-//! A figure's texts are set for its plan and again for its picture, those of one that moves for every frame:
-//! of the time of a frame that was a third. What is kept is a pure function of the markup and its style, so no
-//! run can tell the difference; and it is bounded.
+//! A figure's texts are set for its plan and again for its picture, those of one that moves for every
+//! frame: of the time of a frame that was a third. What is kept is a pure function of the markup and its
+//! style, so no run can tell the difference; and it is bounded.
 
 use std::cell::RefCell;
 use std::collections::HashMap;

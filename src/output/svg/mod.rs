@@ -115,7 +115,7 @@ struct Document {
     xml: Xml,
     /// What every id and class begins with.
     prefix: String,
-    /// What ids given so far are called behind the prefix, each with how often an id was asked for by that name.
+    /// What ids given so far are called behind the prefix, each with the last number that was given to it.
     ids: BTreeMap<String, usize>,
     /// Clip rectangles that have an element; a rectangle's index is the number in its id.
     clips: Vec<Rect>,

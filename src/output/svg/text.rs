@@ -130,8 +130,8 @@ impl Document {
     }
 }
 
-/// The path data of a glyph's outline, written at the first call: a page has some eighty glyphs, which are the
-/// same in every frame of a figure that moves.
+/// The path data of a glyph's outline, written at the first call: a page has some eighty glyphs, which are
+/// the same in every frame of a figure that moves.
 fn path_data(glyph: Glyph) -> Rc<str> {
     PATHS.with_borrow_mut(|paths| {
         let path = paths.entry(glyph).or_insert_with(|| {
