@@ -11,6 +11,7 @@
 //! algorithm/   who answers it: one algorithm a file, the table ALGORITHMS
 //! answer/      what comes back, and the names of its parts
 //! expected.rs  what someone else answered, and how far off that is
+//! naive/       what looks right and is wrong: one such method a file, the table METHODS; answers nothing
 //! size.rs      what the rounding of a pair is measured by
 //! certified/   distance/  how far apart a pair is at one moment
 //!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
@@ -40,6 +41,7 @@ pub(crate) mod answer;
 mod certified;
 mod expected;
 mod feature;
+pub mod naive;
 mod query;
 mod size;
 #[cfg(test)]

@@ -28,6 +28,8 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/certified",
         ],
     ),
+    // What looks right and is wrong, beside both storeys: nothing but a layer of figures enters it.
+    ("collision/naive", &["geometry", "collision/query", "collision/certified/distance"]),
     // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls}
     // ← impact ← sweep, no way back.
     ("collision/certified", &[]),

@@ -44,7 +44,7 @@ fn names(all: &mut dyn Iterator<Item = &'static str>) -> Vec<String> {
 
 /// Every table of the house.
 pub(crate) fn tables() -> Vec<Table> {
-    [outer(), layers(), pictures(), algorithms()].into_iter().flatten().collect()
+    [outer(), layers(), pictures(), algorithms(), naive()].into_iter().flatten().collect()
 }
 
 /// Words that are names of formats, where they mean something else.
@@ -116,6 +116,18 @@ fn outer() -> Vec<Table> {
             ],
         },
     ]
+}
+
+/// Naive methods.
+fn naive() -> Vec<Table> {
+    vec![Table {
+        what: "naive method",
+        folder: "collision/naive",
+        row: Some("NAIVE"),
+        names: names(&mut tracefig::collision::naive::METHODS.iter().map(|method| method.name)),
+        finds: is_name,
+        other_meanings: &[],
+    }]
 }
 
 /// Layers.

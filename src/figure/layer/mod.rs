@@ -30,6 +30,7 @@ mod grown;
 mod half_extents;
 mod held;
 mod merging;
+mod naive;
 mod normal;
 mod note;
 pub(crate) mod options;
@@ -130,6 +131,7 @@ pub static LAYERS: &[Layer] = &[
     clipping::LAYER,
     approach::LAYER,
     expected::LAYER,
+    naive::LAYER,
     bounds::LAYER,
     half_extents::LAYER,
     clamp::LAYER,

@@ -1,0 +1,130 @@
+//! What a naive method claims, beside the answer that is proved: the bodies where it would have them touch.
+
+use crate::collision::naive::{Claim, Naive, WORDS, method};
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::text::number;
+use crate::geometry::Side;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+
+/// The option that names the method.
+const METHOD: &str = "method";
+
+/// Opacity of the fill of a body that is where a method says.
+const FAINT: f64 = 0.08;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "naive",
+    about: "what a method claims that looks right and is wrong on some pairs: bodies where it would have \
+        them just touch, for a contact in time where it sees it, or at the end",
+    shows: Shows::World,
+    tells: Tells::Found,
+    options: &[OptionSpec {
+        name: METHOD,
+        takes: Takes::Word(&WORDS),
+        default: "the first that takes the question",
+        about: "the method: the largest gap between projections on edges' normals as the distance; the way \
+            out along the line of the centres; a walk to the nearest point that ends when it gains less \
+            than 10⁻⁶; a look at both frames alone; conservative advancement without the spin",
+    }],
+    labels: &[LabelKey { key: "naive", about: "what the method claims" }],
+    needs: "a question that the method takes, bodies that it takes, and a panel in the world's frame",
+    fed: |context, options| {
+        let is_here = context.moving_frame().is_none();
+        Fed::by_the_scene(is_here && claim(context, options).is_some())
+    },
+    draw,
+};
+
+/// The method of a panel with what it claims.
+fn claim(context: &Context, options: &Options) -> Option<(&'static Naive, Claim)> {
+    let method = method(options.word(METHOD, ""), context.scene.query.kind)?;
+    let bodies = [context.body(Side::A)?, context.body(Side::B)?];
+    Some((method, (method.claims)(bodies, context.time)?))
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some((method, claim)) = claim(context, options) else { return };
+    sketch.since(context.answered());
+    let (said, at, by) = match claim {
+        Claim::Separation(s, n) => (format!("$s = {}$", number(s)), context.time, Some(n * -s)),
+        Claim::Hit(t) => (format!("hit at $t = {}$", number(t)), t, None),
+        Claim::Miss => ("no hit".to_owned(), 1.0, None),
+        Claim::Nothing => ("division by 0".to_owned(), context.time, None),
+    };
+    let role = options.role(Role::Now);
+    let mut named = None;
+    for side in context.sides() {
+        let Some(outline) = context.outline(side, at) else { continue };
+        // Parted or brought together by the claim, B would just touch A.
+        let outline = by.filter(|_| side == Side::B).map_or(outline.clone(), |by| outline.moved(by));
+        let is_elsewhere = by.is_some_and(|by| by != by * 0.0) && side == Side::B
+            || context.pose(side, at) != context.pose(side, context.time);
+        if is_elsewhere {
+            let pen = Some(Pen::ghost(role));
+            let wash = Some(Wash::faint(role, FAINT));
+            sketch.part(part("claimed", side)).weight(Weight::Light).area(&outline, wash, pen);
+        }
+        if named.is_none() || is_elsewhere {
+            named = Some(outline);
+        }
+    }
+    let Some(outline) = named else { return };
+    label(sketch, method, &said, &outline, role);
+}
+
+/// Writes what a method claims where it would have a body.
+fn label(sketch: &mut Sketch, method: &Naive, said: &str, outline: &Outline, role: Role) {
+    let lines = vec![format!("{}:", method.name.replace('-', " ")), said.to_owned()];
+    let label = Label { lines, ..Label::new("naive", "", Anchor::inside(outline), role) };
+    sketch.label(label.rank(Rank::Name).size(Size::Note));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::open_text;
+
+    fn figure(a: &str, b: &str, query: &str, layer: &str) -> Option<Figure> {
+        let text = format!(
+            "shapes.A = {{ {a} }}\nshapes.B = {{ {b} }}\nquery = {{ kind = '{query}', of = ['A', 'B'] }}\n\
+             [[panels]]\ntime = 'start'\nlayers = ['shapes', {layer}]"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).ok()?;
+        Some(draw(&plan, plan.theme, "s"))
+    }
+
+    const BOX: &str = "kind = 'box', half_extents = [1, 1]";
+    const BALL: &str = "kind = 'circle', radius = 0.8, position = [1.7, 1.7]";
+
+    #[test]
+    fn a_claim_stands_at_the_body_that_it_would_move() {
+        let figure = figure(BOX, BALL, "separation", "'naive'").unwrap();
+        let (text, _) = &labels(&figure)["naive"];
+        assert!(text.contains("largest gap") && text.contains("-0.1"), "{text}");
+        assert_eq!(paths(&figure.drawing.items, "claimed-B").len(), 1);
+        assert!(paths(&figure.drawing.items, "claimed-A").is_empty());
+    }
+
+    #[test]
+    fn a_flight_through_a_wall_ends_behind_it() {
+        let bullet = "kind = 'circle', radius = 0.2, position = [-3, 0], velocity = [6, 0]";
+        let wall = "kind = 'aabb', half_extents = [0.1, 1]";
+        let drawn = figure(bullet, wall, "linear-sweep", "'naive'").unwrap();
+        assert!(labels(&drawn)["naive"].0.contains("no hit"));
+        assert_eq!(paths(&drawn.drawing.items, "claimed-A").len(), 1);
+        assert!(figure(bullet, wall, "linear-sweep", "{ layer = 'naive', method = 'centres' }").is_none());
+    }
+
+    #[test]
+    fn bodies_with_one_centre_have_no_way_along_it() {
+        let drawn = figure(BOX, BOX, "separation", "{ layer = 'naive', method = 'centres' }").unwrap();
+        assert!(labels(&drawn)["naive"].0.contains("division by 0"));
+        let discs = figure(BALL, BALL, "separation", "'naive'");
+        assert!(discs.is_none(), "two discs have no edge");
+    }
+}
