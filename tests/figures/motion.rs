@@ -3,7 +3,6 @@
 use tracefig::drawing::Path;
 use tracefig::drawing::Role::{A, B, Difference, Ink, Muted, Now, Translation};
 
-use super::seen::distance;
 use super::{figure, look};
 
 type P = (f64, f64);
@@ -101,33 +100,46 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 }
 
 #[test]
-fn figure_7_shows_that_the_closest_points_are_not_those_that_meet() {
+fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let w = look(&f, 0, [-9.0, -4.5, 10.7, 2.2]);
-    let then = look(&f, 1, [-9.0, -4.6, 10.7, 4.7]);
-    let a = moved([(0.0, -3.0), (1.0, 0.0), (0.0, 1.5), (-1.0, 0.0)], (-7.0, -1.0));
-    let b = moved([(-2.0, -1.5), (1.5, -2.0), (2.5, 0.0), (2.0, 1.5), (-2.0, 1.5)], (7.5, -1.5));
+    let w = look(&f, 0, [-6.6, -3.7, 7.9, 3.1]);
+    let view = [-6.3, -2.5, 8.2, 3.1];
+    let (then, hit) = (look(&f, 2, view), look(&f, 3, view));
+    let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 1.6), (-1.4, 0.4)];
+    let shape_b = [(-2.0, -1.5), (1.5, -2.0), (2.5, 0.0), (2.0, 1.5), (-2.0, 1.5)];
+    let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
+    // cos and sin of 0.5, of 0.8 · 0.5, and of both angles at the hit, t = 0.719415441713.
+    let t = 0.719_415_441_713;
+    let [a, a_hit] = [(0.877_582_561_890, 0.479_425_538_604), (0.752_191_049_444, 0.658_945_085_069)]
+        .map(|angle| shape_a.map(turned(angle)));
+    let [b, b_hit] = [(0.921_060_994_003, 0.389_418_342_309), (0.838_902_671_237, 0.544_281_460_452)]
+        .map(|angle| shape_b.map(turned(angle)));
+    let contact = (0.347_526_141_708, 0.389_206_527_665);
     shows![
-        w.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
-        w.polygon(B, &b).is_some_and(|p| p.fill.is_some()),
-        then.polygon(A, &[(1.0, 2.0), (-2.0, 3.0), (-3.5, 2.0), (-2.0, 1.0)]).is_some_and(dashed),
-        then.polygon(B, &[(4.0, -0.5), (4.5, 3.0), (2.5, 4.0), (1.0, 3.5), (1.0, -0.5)]).is_some_and(dashed),
-        w.along(Translation, (-6.0, -1.0), (5.5, -1.0)),
-        then.polygon(A, &a).is_some_and(dashed) && then.polygon(B, &b).is_some_and(dashed),
-        then.marker(Ink, (1.0, 2.0)),
-        then.curve(A, (-7.0, -4.0), (1.0, 2.0)),
-        then.curve(B, (8.0, 0.0), (1.0, 2.0)),
-        w.arrow(Ink, (-7.0, -1.0), (-4.5, 0.5)),
-        w.arrow(Ink, (7.5, -1.5), (5.0, 0.0)),
-        w.round((-7.0, -1.0), 0.7),
-        w.round((7.5, -1.5), 0.7),
-        f.says("$d = 11.5$"),
+        w.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(|p| p.fill.is_some()),
+        w.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(|p| p.fill.is_some()),
+        w.along(Translation, (-3.0, 0.0), (3.0, 0.0)),
+        w.arrow(Ink, (-3.0, 0.0), (-2.0, 0.0)),
+        w.arrow(Ink, (-4.0, 0.0), (0.0, 2.0)),
+        w.arrow(Ink, (5.0, -0.5), (2.0, 0.5)),
+        w.round((-4.0, 0.0), 1.1) && w.round((5.0, -0.5), 1.1),
+        then.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(|p| p.fill.is_some()),
+        then.polygon(B, &moved(b, (3.5, 0.0))).is_some_and(|p| p.fill.is_some()),
+        then.along(Translation, (-0.900_397_760, 0.247_089_131), (1.073_750_499, 0.602_754_806)),
+        hit.polygon(A, &moved(a_hit, (-4.0 + 4.0 * t, 2.0 * t))).is_some(),
+        hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, t - 0.5))).is_some(),
+        hit.marker(Ink, contact),
+        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.5), each from where it is at the start.
+        hit.curve(A, (-3.586_025_984, -1.758_077_951), contact),
+        hit.curve(B, (3.0, 1.0), contact),
+        f.says("$d = 6$"),
         f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
-        f.says(r"$\omega_A$") && f.says(r"$\omega_B$"),
-        f.says("$A$ at $t = 0.5$") && f.says("$B$ at $t = 0.5$"),
-        // 11.5 / (20 + 5.5 π) = 0.30849, and what is left then.
-        f.says("At the bound $t = 0.31$ they are still apart; they touch at $t = 0.5$"),
-        f.says("$d = 3.51$"),
+        f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
+        // v·n = (7, 1)·(1, 0), 3 · 1 and 2.5 · 0.8; 6 / 12 = 0.5, and what is left then.
+        f.says(r"$v \cdot n = 7$"),
+        f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$"),
+        f.says("$t = 0.5$") && f.says("$0.719$"),
+        f.says("$d = 2.01$"),
     ];
 }
 
@@ -140,7 +152,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let p = (4.8, 1.4);
     let q = turned(p);
     let one = look(&f, 0, [-2.7, -2.9, 5.6, 5.6]);
-    let two = look(&f, 1, [-0.6, -0.6, 5.6, 5.6]);
+    let two = look(&f, 1, [-0.6, -1.15, 5.6, 5.35]);
     let vertices = [(-2.0, -1.5), (3.0, -1.5), p, (-1.5, 1.4)];
     shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
     for panel in [&one, &two] {
@@ -257,56 +269,55 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 #[test]
 fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     let f = figure("demo-angular-sweep");
-    let world = look(&f, 0, [-6.0, -4.4, 5.0, 3.4]);
-    let start = moved([(-1.2, -0.5), (1.2, -0.5), (1.2, 0.5), (-1.2, 0.5)], (-4.5, -2.5));
-    shows![
-        world.polygon(A, &start).is_some_and(|p| p.fill.is_some()),
-        world.polygon(B, &[(1.0, -0.5), (3.0, -3.0), (4.5, 0.0), (3.0, 2.0)]).is_some(),
+    let b = [(1.0, -0.5), (3.0, -3.0), (4.5, 0.0), (3.0, 2.0)];
+    // A's corners at t = 0, t = 4.554119 / 15.415 and t = 0.460770, 83 degrees on; the closest points then.
+    let steps: [([P; 4], [P; 2], &str); 3] = [
+        ([(-5.7, 1.0), (-3.3, 1.0), (-3.3, 2.0), (-5.7, 2.0)], [(-3.3, 1.0), b[0]], "$d = 4.55$"),
+        (
+            [
+                (-1.273_570_571_400, 0.239_721_880_467),
+                (0.164_757_300_528, 2.160_974_839_563),
+                (-0.635_764_765_763, 2.760_278_119_533),
+                (-2.074_092_637_690, 0.839_025_160_437),
+            ],
+            [(-0.811_871, 0.856_440), b[0]],
+            "$d = 2.26$",
+        ),
+        (
+            [
+                (1.377_925_357_081, 0.247_635_381_013),
+                (1.672_965_595_809, 2.629_431_186_184),
+                (0.680_550_676_987, 2.752_364_618_987),
+                (0.385_510_438_260, 0.370_568_813_816),
+            ],
+            [(1.377_925, 0.247_635), (1.512_183, 0.140_229)],
+            "$d = 0.172$",
+        ),
     ];
-    let conf = look(&f, 1, [-1.0, -4.5, 10.6, 5.6]);
-    let first = [
-        ((6.3, -1.0), A),
-        ((8.7, -1.0), B),
-        ((10.2, 2.0), A),
-        ((10.2, 3.0), B),
-        ((8.7, 5.0), A),
-        ((6.3, 5.0), B),
-        ((4.3, 2.5), A),
-        ((4.3, 1.5), B),
-    ];
-    for (i, &(from, role)) in first.iter().enumerate() {
-        assert!(conf.edge(role, from, first[(i + 1) % 8].0).is_some(), "edge {i} at t = 0");
+    for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
+        let world = look(&f, i, [-6.0, -3.3, 5.0, 3.1]);
+        let conf = look(&f, 3 + i, [-1.0, -6.1, 10.6, 2.1]);
+        shows![
+            world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
+            world.polygon(B, &b).is_some(),
+            world.along(Translation, p, q),
+            conf.along(Translation, (0.0, 0.0), (q.0 - p.0, q.1 - p.1)),
+        ];
+        assert_eq!(f.texts.iter().filter(|(text, _)| text == said).count(), 2, "{said} in both spaces");
+        // B's edges keep their directions, A's have turned with it.
+        for (k, &from) in b.iter().enumerate() {
+            let to = b[(k + 1) % 4];
+            let far = |v: &P| (v.0 * (to.1 - from.1) - v.1 * (to.0 - from.0)) / 10.0;
+            let &(x, y) = a.iter().min_by(|v, w| far(v).total_cmp(&far(w))).unwrap();
+            let [from, to] = [from, to].map(|(u, v)| (u - x, v - y));
+            assert!(conf.edge(B, from, to).is_some(), "edge {k} of B at step {i}");
+        }
+        for (k, &(x, y)) in a.iter().enumerate() {
+            let (u, v) = a[(k + 1) % 4];
+            let far = |w: &P| w.0 * (v - y) - w.1 * (u - x);
+            let &(s, t) = b.iter().min_by(|v, w| far(v).total_cmp(&far(w))).unwrap();
+            assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A at step {i}");
+        }
     }
-    // The last iteration, t = 0.478362: B less A moved by t (10, 5) and turned by 180° t.
-    let close = |p: P, role| {
-        let page = conf.panel.page(p);
-        f.paths.iter().any(|s| {
-            let near = |b: tracefig::drawing::Rect| distance(b.center(), page) < 2.5 && b.width() < 20.0;
-            s.fill.and_then(|fill| fill.role) == Some(role) && s.contour.bounds().is_some_and(near)
-        })
-    };
-    for p in [
-        (0.136, -1.555),
-        (2.136, -4.055),
-        (3.134, -4.123),
-        (4.634, -1.123),
-        (4.797, 1.272),
-        (3.297, 3.272),
-        (2.299, 3.339),
-        (0.299, 0.839),
-    ] {
-        assert!(close(p, Difference), "a diamond of the last difference near {p:?}");
-    }
-    for k in 1..=4 {
-        let names = f.texts.iter().filter(|(text, _)| text.ends_with(&format!("$t_{{{k}}}$"))).count();
-        assert_eq!(names, if k == 1 { 1 } else { 2 }, "t_{k} at B ⊖ A, and at A's ghost");
-    }
-    // Its distance from O at first: to the vertex (4.3, 1.5).
-    shows![conf.line(Translation, (0.0, 0.0), (4.3, 1.5)).is_some(), f.says("$d = 4.55$")];
-    // A has a ghost for each of the steps 2 … 4.
-    let dotted_a = f
-        .paths
-        .iter()
-        .filter(|s| s.stroke.as_ref().is_some_and(|k| k.paint.role == Some(A) && !k.dash.is_empty()));
-    assert_eq!(dotted_a.filter(|s| super::seen::vertices(s).len() == 4).count(), 3, "three ghosts of A");
+    assert!(f.says("Step 2: $t_2 = 0.295$"));
 }

@@ -137,7 +137,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.2, -5.5, 15.6, 4.7]);
+    let w = look(&f, 0, [-8.2, -5.5, 17.9, 4.7]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -191,10 +191,14 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let back = look(&f, 2, view);
     // Of D = (5, 12)/13 · 2.6 the circle takes 0.8.
     let (closest, rim) = (turned((2.0, 1.0)), turned((2.0 + 9.0 / 13.0, 1.0 + 21.6 / 13.0)));
+    let off = 44.0 / back.panel.scale / 2.6;
+    let aside = |(x, y): (f64, f64)| (x - off * (center.1 - closest.1), y + off * (center.0 - closest.0));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
-        back.along(Translation, closest, rim) && back.along(B, rim, center),
+        back.along(Translation, closest, rim),
+        // The radius is measured 44 px to the left of the way from A to B.
+        back.along(B, aside(rim), aside(center)),
         f.says("$V$") && f.says("$V_x = 3$") && f.says("$V_y = 3.4$"),
         f.says("$h_x = 2$") && f.says("$h_y = 1$") && f.says("$B_c$"),
         f.says("$D = (1, 2.4)$"),

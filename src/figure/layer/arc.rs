@@ -26,8 +26,9 @@ const NEARER_MARK: f64 = 0.45;
 /// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
 
-/// How far below the lower radius the whole of it is measured, where a part of it is named, page pixels.
-const BELOW: f64 = 44.0;
+/// How far below the lower radius a part of it is measured, and the whole of it, page pixels: a label of 16
+/// fits between.
+const BELOW: [f64; 2] = [20.0, 66.0];
 
 /// Opacity of the sector's fill.
 const SECTOR: f64 = 0.06;
@@ -202,9 +203,7 @@ fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
         sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
     if sector {
-        let r = format!("$r_q = {}$", number(radius));
-        let (p, q) = if t.sweep > 0.0 { (from, t.center) } else { (t.center, from) };
-        sketch.label(Label::new("r_q", r, Anchor::Beside { from: p, to: q, offset: ON_LINE }, Role::Ink));
+        measured(sketch, t, from, ("r_q", format!("$r_q = {}$", number(radius)), BELOW[0]));
         let path = Anchor::Arc { center: t.center, radius, start, sweep: t.sweep };
         let length = format!(r"$\theta\,r_q = {}$", number(radius * t.sweep.abs()));
         sketch.label(Label::new("L_q", length, path, role));
@@ -240,6 +239,21 @@ fn angle(sketch: &mut Sketch, t: &Turn, (start, radius): (f64, f64), text: Strin
     sketch.label(Label::new("theta", text, Anchor::Arc { center, radius, start, sweep }, Role::Ink));
 }
 
+/// The ends of a radius, so that its outer side is on the left: seen from the centre on its right, where the
+/// turn is counter-clockwise.
+fn below(t: &Turn, end: DVec2) -> (DVec2, DVec2) {
+    if t.sweep > 0.0 { (end, t.center) } else { (t.center, end) }
+}
+
+/// Draws a dimension line below the lower radius, from the centre to a point on it.
+fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'static str, String, f64)) {
+    let offset = sketch.fitted(off);
+    let pen = Pen::dimension(Role::Ink);
+    sketch.part("radius").dimension(t.center, end, -offset.copysign(t.sweep), pen);
+    let (from, to) = below(t, end);
+    sketch.label(Label::new(key, text, Anchor::Beside { from, to, offset }, Role::Ink));
+}
+
 /// Names the angle, and with the sector its radius and the arc's length; a radius that is divided by a nearer
 /// vertex has a dimension line over its whole length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
@@ -251,14 +265,12 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
     angle(sketch, t, (t.start, MARK * t.radius), theta);
     if sector {
         let r = format!("$r = {}$", number(t.radius));
-        // Below the lower radius: on its right, seen from the centre, where the turn is counter-clockwise.
-        let (from, to) = if t.sweep > 0.0 { (t.before(), t.center) } else { (t.center, t.before()) };
-        let offset = if divided { sketch.fitted(BELOW) } else { ON_LINE };
         if divided {
-            let pen = Pen::dimension(Role::Ink);
-            sketch.part("radius").dimension(t.center, t.before(), -offset.copysign(t.sweep), pen);
+            measured(sketch, t, t.before(), ("r", r, BELOW[1]));
+        } else {
+            let (from, to) = below(t, t.before());
+            sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
         }
-        sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset }, Role::Ink));
         let outside = t.radius + sketch.px(CLEAR);
         let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
         let length = format!(r"$L = \theta\,r = {}$", number(t.arc));

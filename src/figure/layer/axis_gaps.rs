@@ -22,12 +22,16 @@ const BELOW: f64 = 40.0;
 /// between.
 const BESIDE: f64 = 48.0;
 
-/// From one of two lanes to the other, as a part of the way to the next track: side by side, not touching.
-const LANE: f64 = 0.28;
+/// From one of two lanes to the other, of x and of y, as a part of the way to the next track: side by side,
+/// not touching; beside the boxes, where a label stands at either end, two bars and not one.
+const LANES: [f64; 2] = [0.28, 0.5];
 
-/// Where the shared stretch is measured, and then the distance of the centres, as parts of the way to the
-/// next track, to the right: beyond a label of some 80 pixels.
-const MEASURED: [f64; 2] = [1.85, 4.0];
+/// Where the shared stretch is measured, of x and of y, as a part of the way to the next track.
+const SHARED: [f64; 2] = [1.85, 2.6];
+
+/// Where the distance of the centres is measured to the right, as a part of the way to the next track: beyond
+/// the label of the shared stretch, of some 110 pixels.
+const LAST: f64 = 5.2;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -206,12 +210,13 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
-    let [measured, last] = MEASURED;
+    let axis = usize::from(name == 'y');
+    let (lane, shared) = (1.0 + LANES[axis], SHARED[axis]);
     let (tracks, places) = match (e.gap < 0.0, name) {
-        (true, 'x') => ([1.0, measured, 1.0 + LANE, measured + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, measured, 1.0 + LANE, last], [First, Outward, Last, Outward]),
+        (true, 'x') => ([1.0, shared, lane, shared + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, shared, lane, LAST], [First, Outward, Last, Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
-        (false, _) => ([1.0, 1.0, 1.0, last - 1.0], [Outward; 4]),
+        (false, _) => ([1.0, 1.0, 1.0, LAST - 1.0], [Outward; 4]),
     };
     let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
     let bar = |i: usize| {

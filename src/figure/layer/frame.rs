@@ -33,7 +33,10 @@ pub(super) const LAYER: Layer = Layer {
             about: "the angle by which it is turned, and no second axis",
         },
     ],
-    labels: &[LabelKey { key: "angle", about: "the angle by which the body is turned" }],
+    labels: &[
+        LabelKey { key: "angle", about: "the angle by which the body is turned" },
+        LabelKey { key: "axis", about: "the body's own axis, with `angle`" },
+    ],
     needs: "nothing",
     fed: |_, _| Fed::Yes,
     draw,
@@ -49,6 +52,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.part(part("frame", side)).arrow(pose.position, pose.point(axis * length), pen);
         }
         if turned {
+            let (from, tip) = (pose.position, pose.point(DVec2::X * length));
+            let text = format!("$x$ of {}", context.name(side));
+            sketch.label(Label::new("axis", text, Anchor::tip(from, tip), pen.role).rank(Rank::Word));
             angle(sketch, pose.position, pose.vector(DVec2::X), length);
         }
     }

@@ -6,7 +6,6 @@
 //!
 //! The graph fills its panel; its axes have scales of their own, so that it stands alone there.
 
-use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
@@ -15,25 +14,20 @@ use crate::geometry::DVec2;
 use crate::scene::When;
 use crate::trace::Event;
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
+use super::chart::{Chart, separations};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Room around the graph, page pixels: left, right, below, above.
 const ROOM: [f64; 4] = [46.0, 30.0, 44.0, 30.0];
 
-/// Pieces of the curve: a chord is then within half a pixel of a curve that bends once over its panel.
-const PIECES: usize = 48;
-
 /// How many steps are drawn; the later ones are a blur at the contact.
 const MOST: usize = 12;
 
+/// The least height of a separation that is named, page pixels: that of its letters.
+const NAMED: f64 = 24.0;
+
 /// The least distance of the numbers of two steps along the axis, page pixels.
 const GAP: f64 = 22.0;
-
-/// Half the length of the tick of a step on the axis of time, page pixels.
-const TICK: f64 = 4.0;
-
-/// How much longer the axes are than what they measure.
-const LONGER: f64 = 1.08;
 
 pub(super) const LAYER: Layer = Layer {
     name: "graph",
@@ -51,6 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "s", about: "the axis of separation" },
         LabelKey { key: "step", about: "the times of the steps" },
         LabelKey { key: "s_1", about: "the separation at the first step" },
+        LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
         LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
     ],
     needs: "an algorithm that advances in steps",
@@ -69,16 +64,6 @@ struct Step {
     next: Option<f64>,
 }
 
-/// The graph's place in its panel and its scales.
-struct Chart<'c> {
-    /// What the panel knows.
-    context: &'c Context<'c>,
-    /// The lower left and the upper right end of its area, in the panel's space.
-    area: [DVec2; 2],
-    /// The time and the separation at its upper right.
-    most: DVec2,
-}
-
 /// The steps that the algorithm told.
 fn steps(context: &Context) -> Vec<Step> {
     let told = |event: &Event| match *event {
@@ -88,45 +73,16 @@ fn steps(context: &Context) -> Vec<Step> {
     context.run().told(told).collect()
 }
 
-/// The separation of the bodies at some times from 0 to `until`.
-fn curve(context: &Context, until: f64) -> Vec<DVec2> {
-    let query = context.scene.query_of_bodies();
-    let Some(b) = query.b else { return Vec::new() };
-    let at = |i: usize| {
-        let time = until * (number_of(i) / number_of(PIECES));
-        DVec2::new(time, Pair::at(query.a, b, time).separation().separation)
-    };
-    (0..=PIECES).map(at).collect()
-}
-
-impl Chart<'_> {
-    /// A vector of the page, to the right and up, in the panel's space.
-    fn vector(&self, v: DVec2) -> DVec2 {
-        self.context.frame().map_or(v, |pose| pose.vector(v))
-    }
-
-    /// A time and a separation in the panel's space.
-    fn place(&self, time: f64, separation: f64) -> DVec2 {
-        let [lo, hi] = self.area;
-        let p = lo + (hi - lo) * (DVec2::new(time, separation) / self.most);
-        self.context.frame().map_or(p, |pose| pose.point(p))
-    }
-}
-
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let all = steps(context);
     let Some(last) = all.last() else { return };
     let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
-    let points = curve(context, until);
+    let points = separations(context, until);
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
-    let (lo, hi) = sketch.visible();
-    let [left, right, below, above] = ROOM.map(|px| sketch.px(px));
-    let area = [lo + DVec2::new(left, below), hi - DVec2::new(right, above)];
-    let most = DVec2::new(until, if highest > 0.0 { highest } else { 1.0 });
-    let chart = Chart { context, area, most };
-    axes(sketch, &chart);
+    let chart = Chart::new(sketch, context, ROOM, (0.0, DVec2::new(until, highest)));
+    chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);
     if options.flag("lines", true) {
-        worst(sketch, &chart, &all);
+        worst(sketch, (context, &chart), &all);
     }
     let role = options.role(Role::Translation);
     let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
@@ -135,26 +91,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .part("curve")
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
-    marks(sketch, &chart, &all, role);
-}
-
-/// Draws both axes with their names.
-fn axes(sketch: &mut Sketch, chart: &Chart) {
-    let corner = chart.place(0.0, 0.0);
-    let most = chart.most * LONGER;
-    let ends = [("t", chart.place(most.x, 0.0), DVec2::NEG_Y), ("s", chart.place(0.0, most.y), DVec2::NEG_X)];
-    for (key, end, toward) in ends {
-        sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
-        let anchor = Anchor::point_toward(end, toward);
-        sketch.label(Label::new(key, format!("${key}$"), anchor, Role::Muted));
-    }
+    marks(sketch, (context, &chart), &all, role);
 }
 
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
-fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
+fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]) {
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
-        let look = |k| chart.context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
+        let look = |k| context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
         sketch.since(look(k + 1));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
         let dashed = Pen::construction();
@@ -167,22 +111,26 @@ fn worst(sketch: &mut Sketch, chart: &Chart, all: &[Step]) {
             sketch.since(look(k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
+            if sketch.on_page(up.distance(to)) >= sketch.fitted(NAMED) {
+                let text = format!("$s_{{{}}}$", k + 2);
+                let anchor = Anchor::middle(to, up);
+                sketch.label(Label::new("s_k", text, anchor, Role::Translation).rank(Rank::Word));
+            }
         }
     }
 }
 
 /// Marks the steps on the curve, which has a role, and on the axis of time, numbered where there is room.
-fn marks(sketch: &mut Sketch, chart: &Chart, all: &[Step], role: Role) {
+fn marks(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], role: Role) {
     let mut free = f64::NEG_INFINITY;
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
-        sketch.since(chart.context.known(&When::Step(k)));
+        sketch.since(context.known(&When::Step(k)));
         let on_axis = chart.place(step.time, 0.0);
         let on_curve = chart.place(step.time, step.separation);
-        let tick = chart.vector(DVec2::Y * sketch.px(TICK));
         sketch.part("steps").weight(Weight::Background);
-        sketch.line(on_axis - tick, on_axis + tick, Pen::dimension(Role::Now));
+        chart.tick(sketch, step.time, Role::Now);
         sketch.marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
-        let along = step.time / chart.most.x * sketch.on_page(chart.area[1].x - chart.area[0].x);
+        let along = chart.along(sketch, step.time);
         if along >= free {
             free = along + sketch.fitted(GAP);
             let anchor = Anchor::point_toward(on_axis, DVec2::NEG_Y);

@@ -10,6 +10,7 @@ mod arc;
 mod axes;
 mod axis_gaps;
 mod bounds;
+mod chart;
 mod clamp;
 mod clipping;
 mod closest;
@@ -19,7 +20,9 @@ mod difference;
 mod edge_cues;
 mod edge_fan;
 mod edge_normals;
+mod enlarged;
 mod expected;
+mod fastest_approach;
 mod feature;
 mod fed;
 mod frame;
@@ -161,6 +164,8 @@ pub static LAYERS: &[Layer] = &[
     merging::LAYER,
     separating_cone::LAYER,
     graph::LAYER,
+    fastest_approach::LAYER,
+    enlarged::LAYER,
     note::LAYER,
 ];
 

@@ -19,7 +19,13 @@ use crate::scene::When;
 
 use super::closest::{WayOut, longer, longer_way};
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells};
+
+/// At how many steps the separation is drawn; the later ones are a blur at the contact.
+const MOST: usize = 5;
+
+/// The least length of a step's separation that is named, page pixels: that of its letters.
+const NAMED: f64 = 24.0;
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
@@ -32,9 +38,9 @@ pub(super) const LAYER: Layer = Layer {
     options: &[
         OptionSpec {
             name: "at",
-            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::BOUND, When::END]),
+            takes: Takes::When(&[When::START, When::HIT, When::CLOSEST, When::BOUND, When::END, STEPS]),
             default: "the panel's moment",
-            about: "when the bodies are asked for their separation",
+            about: "when the bodies are asked for their separation, or at every step: s₁, s₂, …",
         },
         OptionSpec {
             name: "style",
@@ -77,6 +83,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "p", about: "the signed penetration of two circles" },
         LabelKey { key: "rival", about: "length of the next longer way out" },
+        LabelKey { key: "s_k", about: "the separation at a step, where it is long enough" },
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],
     needs: "two bodies",
@@ -84,6 +91,7 @@ pub(super) const LAYER: Layer = Layer {
         Some(When::Hit | When::Closest | When::Bound) => {
             Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
         }
+        _ if is_of_steps(options) => Fed::by_the_scene(!context.steps().is_empty()),
         _ => Fed::by_the_scene(found(context, options).is_some()),
     },
     draw,
@@ -98,7 +106,30 @@ fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
     context.separation_at(time).filter(|run| run.separation().is_some())
 }
 
+/// Whether the scene wants the separation at every step.
+fn is_of_steps(options: &Options) -> bool {
+    options.word("at", "") == STEPS
+}
+
+/// Draws the distance at each of the first steps, numbered as the layer "graph" does.
+fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let role = options.role(Role::Translation);
+    for (k, &time) in (1..=MOST).zip(&context.steps()) {
+        let Some(answer) = context.separation_seen(time) else { continue };
+        let [p, q] = answer.points;
+        sketch.since(context.known(&When::Step(k))).part("separation");
+        sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5));
+        if sketch.on_page(p.distance(q)) >= sketch.fitted(NAMED) {
+            let anchor = Anchor::middle(p, q);
+            sketch.label(Label::new("s_k", format!("$s_{{{k}}}$"), anchor, role));
+        }
+    }
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    if is_of_steps(options) {
+        return steps(sketch, context, options);
+    }
     let Some(run) = found(context, options) else { return };
     let Some(answer) = context.separation_seen(run.time) else { return };
     let role = options.role(Role::Translation);

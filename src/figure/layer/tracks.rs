@@ -6,14 +6,19 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",
     about: "paths of the two points that touch at the hit, from the start until then",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[],
+    options: &[OptionSpec {
+        name: "ahead",
+        takes: Takes::Flag,
+        default: "false",
+        about: "the way that is still ahead at the panel's moment, and no more",
+    }],
     labels: &[
         LabelKey { key: "x1", about: "the point of A" },
         LabelKey { key: "x2", about: "the point of B" },
@@ -33,7 +38,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             continue;
         };
         let local = then.inverse_point(point);
-        let path = context.track(side, local, [0.0, time]);
+        let begin = if options.flag("ahead", false) { context.time.min(time) } else { 0.0 };
+        let path = context.track(side, local, [begin, time]);
         let role = options.role(side.into());
         if path.first() != path.last() {
             sketch.part(part("track", side)).path_through_time(&path, Pen::path(role));

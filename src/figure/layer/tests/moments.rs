@@ -128,6 +128,7 @@ const OF_THE_START: &[(&str, &str)] = &[
     ("ray", "until-hit"),
     ("advancement", ""),
     ("graph", ""),
+    ("fastest-approach", ""),
 ];
 
 /// Layers that show the hit too: where it is past, no later motion has it.
@@ -284,7 +285,7 @@ fn every_layer_shows_what_the_bodies_are_at_the_panels_moment() {
     let never = LAYERS.iter().map(|l| l.name).filter(|l| !followed.contains(l));
     let mut others: Vec<&str> = OF_NO_MOMENT.to_vec();
     // The bound of a whole motion, and the steps of an algorithm.
-    others.extend(["arc", "advancement", "graph"]);
+    others.extend(["arc", "advancement", "graph", "fastest-approach", "enlarged"]);
     assert!(never.clone().all(|layer| others.contains(&layer)), "{:?}", never.collect::<Vec<_>>());
 }
 

@@ -166,7 +166,20 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("velocity", "t") => until_hit(scene, time),
         ("ray", "t") => until_hit(scene, 0.0),
         ("projection", "gap") => largest_gap(context),
-        ("graph", "s_1") => separation(scene, 0.0).separation,
+        ("fastest-approach", "unit") => 1.0,
+        ("fastest-approach", "hit") => until_hit(scene, 0.0),
+        ("fastest-approach", "v.n") => {
+            let [a, b] = [a, b].map(|body| body.unwrap().velocity);
+            (a - b).dot(*separation(scene, 0.0).normal)
+        }
+        ("fastest-approach", "r.A") => arm(a.unwrap()),
+        ("fastest-approach", "r.B") => arm(b.unwrap()),
+        ("fastest-approach", "bound") => {
+            let [a, b] = [a, b].map(|body| body.unwrap());
+            let found = separation(scene, 0.0);
+            found.separation / ((a.velocity - b.velocity).dot(*found.normal) + arm(a) + arm(b))
+        }
+        ("graph" | "fastest-approach", "s_1" | "d") => separation(scene, 0.0).separation,
         // EPA knows the cores only.
         ("polytope", "d") => core_depth(context),
         ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
@@ -225,6 +238,11 @@ fn least(scene: &Scene, time: f64) -> f64 {
 /// The distance of a body's farthest point from its origin.
 fn reach(body: &Body) -> f64 {
     body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) + body.shape.radius
+}
+
+/// How fast turning moves the farthest vertex of a body, r |ω|.
+fn arm(body: &Body) -> f64 {
+    (reach(body) - body.shape.radius) * body.spin.radians().abs()
 }
 
 /// The angle from the world's x axis to a body's own at a time, degrees.

@@ -1,0 +1,98 @@
+//! A chart over time that fills its panel, with scales of its own: what `graph.rs` and `fastest_approach.rs`
+//! stand on.
+
+use crate::collision::Pair;
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
+use crate::geometry::DVec2;
+
+use super::number_of;
+
+/// Pieces of a curve: a chord is then within half a pixel of a curve that bends once over its panel.
+const PIECES: usize = 48;
+
+/// How much longer the axes are than what they measure.
+const LONGER: f64 = 1.08;
+
+/// Half the length of a tick on the axis of time, page pixels.
+const TICK: f64 = 4.0;
+
+/// A chart's place in its panel and its scales.
+pub(super) struct Chart<'c> {
+    /// What the panel knows.
+    context: &'c Context<'c>,
+    /// The lower left and the upper right end of its area, in the panel's space.
+    area: [DVec2; 2],
+    /// The value at its lower edge.
+    least: f64,
+    /// The time and the value at its upper right.
+    pub(super) most: DVec2,
+}
+
+impl<'c> Chart<'c> {
+    /// A chart that fills its panel but for some room around it: left, right, below and above, page pixels.
+    /// Values run from `least` to that of `most`.
+    pub(super) fn new(
+        sketch: &Sketch,
+        context: &'c Context<'c>,
+        room: [f64; 4],
+        (least, most): (f64, DVec2),
+    ) -> Self {
+        let (lo, hi) = sketch.visible();
+        let [left, right, below, above] = room.map(|px| sketch.px(px));
+        let area = [lo + DVec2::new(left, below), hi - DVec2::new(right, above)];
+        let height = if most.y > least { most.y } else { least + 1.0 };
+        Self { context, area, least, most: DVec2::new(most.x, height) }
+    }
+
+    /// A vector of the page, to the right and up, in the panel's space.
+    pub(super) fn vector(&self, v: DVec2) -> DVec2 {
+        self.context.frame().map_or(v, |pose| pose.vector(v))
+    }
+
+    /// A time and a value in the panel's space.
+    pub(super) fn place(&self, time: f64, value: f64) -> DVec2 {
+        let [lo, hi] = self.area;
+        let share = DVec2::new(time / self.most.x, (value - self.least) / (self.most.y - self.least));
+        let p = lo + (hi - lo) * share;
+        self.context.frame().map_or(p, |pose| pose.point(p))
+    }
+
+    /// How far a time lies along its axis, page pixels.
+    pub(super) fn along(&self, sketch: &Sketch, time: f64) -> f64 {
+        time / self.most.x * sketch.on_page(self.area[1].x - self.area[0].x)
+    }
+
+    /// Draws the axis of time and that of values, each with its key and name.
+    pub(super) fn axes(&self, sketch: &mut Sketch, [(time, t), (value, s)]: [(&'static str, &str); 2]) {
+        let corner = self.place(0.0, 0.0);
+        let most = self.most * LONGER;
+        let ends = [
+            (time, t, self.place(most.x, 0.0), DVec2::NEG_Y),
+            (value, s, self.place(0.0, most.y), DVec2::NEG_X),
+        ];
+        for (key, name, end, toward) in ends {
+            sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
+            let anchor = Anchor::point_toward(end, toward);
+            sketch.label(Label::new(key, name, anchor, Role::Muted));
+        }
+    }
+
+    /// Draws a tick on the axis of time.
+    pub(super) fn tick(&self, sketch: &mut Sketch, time: f64, role: Role) {
+        let (at, half) = (self.place(time, 0.0), self.vector(DVec2::Y * sketch.px(TICK)));
+        sketch.line(at - half, at + half, Pen::dimension(role));
+    }
+}
+
+/// The separation of the bodies at some times from 0 to `until`.
+pub(super) fn separations(context: &Context, until: f64) -> Vec<DVec2> {
+    let query = context.scene.query_of_bodies();
+    let Some(b) = query.b else { return Vec::new() };
+    let at = |i: usize| {
+        let time = until * (number_of(i) / number_of(PIECES));
+        DVec2::new(time, Pair::at(query.a, b, time).separation().separation)
+    };
+    (0..=PIECES).map(at).collect()
+}

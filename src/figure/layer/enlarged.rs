@@ -1,0 +1,87 @@
+//! A frame around what another panel shows of the same space, enlarged.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Weight};
+use crate::geometry::DVec2;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "enlarged",
+    about: "a frame around what another panel shows enlarged",
+    shows: Shows::Anywhere,
+    tells: Tells::Given,
+    options: &[OptionSpec {
+        name: "panel",
+        takes: Takes::Counts,
+        default: "the next panel of this space with a view",
+        about: "which panel, from 1",
+    }],
+    labels: &[LabelKey { key: "enlarged", about: "the frame; only where a scene gives it a text" }],
+    needs: "another panel of the same space with a `view`",
+    fed: |context, options| Fed::by_the_scene(framed(context, options).is_some()),
+    draw,
+};
+
+/// The rectangle that another panel shows, by its lower left and its upper right end, in the panel's own
+/// coordinates.
+fn framed(context: &Context, options: &Options) -> Option<[DVec2; 2]> {
+    let all = &context.scene.panels;
+    let view = |index: usize| {
+        let panel = all.get(index).filter(|panel| panel.space == *context.space)?;
+        panel.view.as_ref().map(|view| view.value)
+    };
+    let asked = options.counts("panel").and_then(|counts| counts.first().copied());
+    let [x0, y0, x1, y1] = match asked {
+        Some(number) => view(number.checked_sub(1)?)?,
+        None => (1..all.len()).find_map(view)?,
+    };
+    Some([DVec2::new(x0, y0), DVec2::new(x1, y1)])
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some([lo, hi]) = framed(context, options) else { return };
+    let corners = [lo, DVec2::new(hi.x, lo.y), hi, DVec2::new(lo.x, hi.y)];
+    let corners = corners.map(|p| context.frame().map_or(p, |pose| pose.point(p)));
+    let role = options.role(Role::Muted);
+    let outline = Outline::polygon(&corners);
+    sketch.part("around").weight(Weight::Background).area(&outline, None, Some(Pen::dimension(role)));
+    let anchor = Anchor::inside(&outline);
+    sketch.label(Label::new("enlarged", "", anchor, role).rank(Rank::Word).size(Size::Note));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
+    use crate::scene::open_text;
+
+    /// A scene of two panels whose first one frames what the other shows.
+    fn scene(second: &str) -> crate::scene::Scene {
+        let text = format!(
+            "shapes.A = {{ kind = 'circle', radius = 1 }}
+            query = {{ kind = 'bounds', of = ['A'] }}
+            panels = [{{ view = [-4, -2, 4, 2], layers = ['shapes', 'enlarged'] }}, {second}]"
+        );
+        open_text("enlarged", &text).unwrap().scene
+    }
+
+    #[test]
+    fn the_frame_lies_around_what_the_other_panel_shows() {
+        let scene = scene("{ view = [0, -0.5, 2, 1], layers = ['shapes'] }");
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "enlarged");
+        let bounds = paths(&figure.drawing.items, "around")[0].contour.bounds().unwrap();
+        let page = |x, y| figure.panels[0].frame.page(DVec2::new(x, y));
+        let (lower, upper) = (page(0.0, -0.5), page(2.0, 1.0));
+        assert!((bounds.x0 - lower.x).abs() < 1e-9 && (bounds.y1 - lower.y).abs() < 1e-9);
+        assert!((bounds.x1 - upper.x).abs() < 1e-9 && (bounds.y0 - upper.y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_panel_that_fits_its_own_view_has_no_frame() {
+        assert!(plan(&scene("{ layers = ['shapes'] }")).is_err());
+    }
+}

@@ -1,0 +1,315 @@
+//! Why nothing touches before the bound of an advancement's first step: the most that the bodies can come
+//! nearer over time, against the distance d that they have.
+//!
+//! ```text
+//! t (v·n + r_A |ω_A| + r_B |ω_B|)             the most by the time t
+//! ```
+//!
+//! The three lie on each other, each growing with time; at t = 1 they are read off. Where their sum reaches d
+//! lies the bound. How near the bodies come in fact is drawn under it, up to the hit. Source: Brian Mirtich,
+//! *Impulse-based Dynamic Simulation of Rigid Body Systems*, 1996, 2.3.2.
+//!
+//! The chart fills its panel; its axes have scales of their own, so that it stands alone there.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+};
+use crate::figure::text::{Quantity, number};
+use crate::geometry::{DVec2, Enclosure, Side};
+use crate::scene::When;
+use crate::trace::Event;
+
+use super::chart::{Chart, separations};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+/// Room around the chart, page pixels: left, right, below, above.
+const ROOM: [f64; 4] = [62.0, 112.0, 36.0, 34.0];
+
+/// The least distance of the bound and the hit along the axis of time for both to be written, page pixels.
+const GAP: f64 = 48.0;
+
+/// Opacity of what v·n adds, which has no body's colour.
+const FAINT: f64 = 0.1;
+
+/// What one body's turning adds is not drawn where it is less than this part of the sum: no line is thinner.
+const SEEN: f64 = 1e-3;
+
+pub(super) const LAYER: Layer = Layer {
+    name: "fastest-approach",
+    about: "the most that bodies can come nearer over time, by v·n and by turning, against their distance",
+    shows: Shows::World,
+    tells: Tells::Found,
+    options: &[OptionSpec {
+        name: "real",
+        takes: Takes::Flag,
+        default: "true",
+        about: "how much nearer they come in fact, up to the hit",
+    }],
+    labels: &[
+        LabelKey { key: "t", about: "the axis of time" },
+        LabelKey { key: "nearer", about: "the axis of how much nearer they are" },
+        LabelKey { key: "d", about: "the distance at the start" },
+        LabelKey { key: "v.n", about: "what moving adds in a unit of time" },
+        LabelKey { key: "r.A", about: "what turning of the first body adds" },
+        LabelKey { key: "r.B", about: "what turning of the second body adds" },
+        LabelKey { key: "unit", about: "the end of a unit of time" },
+        LabelKey { key: "bound", about: "the time until which nothing can touch" },
+        LabelKey { key: "hit", about: "the time of the hit" },
+        LabelKey { key: "most", about: "the line of the fastest approach" },
+        LabelKey { key: "real", about: "the curve of how near they come in fact" },
+    ],
+    needs: "a first step of an advancement: a question for the first contact of bodies that are apart",
+    fed: |context, _| Fed::by_the_answer(first(context).is_some(), context.asks_for_a_hit()),
+    draw,
+};
+
+/// What the first step of an advancement knows.
+#[derive(Clone, Copy)]
+struct First {
+    /// Distance of the bodies at t = 0.
+    distance: f64,
+    /// The closing speed v·n; negative where they move apart.
+    closing: f64,
+    /// The bound on the approach, `r_A |ω_A|` and `r_B |ω_B|` included.
+    bound: f64,
+    /// Until when nothing can touch, where the bound says it.
+    until: Option<f64>,
+}
+
+/// The first step of an advancement from t = 0, whatever algorithm answers.
+fn first(context: &Context) -> Option<First> {
+    context.first_step()?.find_told(|event| match *event {
+        Event::Advanced { separation, closing_speed, bound, next, .. } => {
+            Some(First { distance: separation, closing: closing_speed, bound, until: next })
+        }
+        _ => None,
+    })
+}
+
+/// What is added to the approach in a unit of time.
+struct Part {
+    /// Key of its label.
+    key: &'static str,
+    /// What it is, in LaTeX.
+    symbol: String,
+    /// How much it is.
+    value: f64,
+    /// Its colour.
+    role: Role,
+}
+
+/// v·n, `r_A |ω_A|` and `r_B |ω_B|`, those that are there: together the bound.
+fn parts(context: &Context, first: &First) -> Vec<Part> {
+    let arm = |side| {
+        let body = context.body(side)?;
+        let far = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max);
+        Some(far * body.spin.radians().abs())
+    };
+    let own = Side::BOTH.map(|side| arm(side).unwrap_or(0.0));
+    let turning = first.bound - first.closing;
+    let moving = Part { key: "v.n", symbol: r"v \cdot n".to_owned(), value: first.closing, role: Role::Ink };
+    let mut parts = vec![moving];
+    for (side, key) in [(Side::A, "r.A"), (Side::B, "r.B")] {
+        let name = context.named(side);
+        let symbol = format!(r"{}|{}|", name.below("r"), name.below(r"\omega"));
+        let share = own[usize::from(side == Side::B)] / (own[0] + own[1]);
+        let value = turning * share;
+        if value > SEEN * first.bound.abs() {
+            parts.push(Part { key, symbol, value, role: side.into() });
+        }
+    }
+    parts
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(first) = first(context) else { return };
+    let hit = context.hit_time();
+    let real = options.flag("real", true);
+    let nearer: Vec<DVec2> = if real {
+        let until = hit.map_or(1.0, |hit| hit.lo);
+        separations(context, until).iter().map(|p| DVec2::new(p.x, first.distance - p.y)).collect()
+    } else {
+        Vec::new()
+    };
+    let parts = parts(context, &first);
+    let values = [first.closing, first.bound, first.distance, 0.0].into_iter();
+    let values = values.chain(nearer.iter().map(|p| p.y));
+    let (least, most) = values.fold((0.0_f64, 0.0_f64), |(lo, hi), y| (lo.min(y), hi.max(y)));
+    let chart = Chart::new(sketch, context, ROOM, (least, DVec2::new(1.0, most)));
+    sketch.since(context.known(&When::Bound));
+    wedges(sketch, &chart, &parts, &first);
+    chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "nearer by")]);
+    level(sketch, context, &chart, &first);
+    if real {
+        fact(sketch.since(context.answered()), &chart, &nearer, hit);
+    }
+    bound(sketch.since(context.known(&When::Bound)), &chart, &first, options.role(Role::Now));
+    if let Some(hit) = hit.filter(|_| real) {
+        touch(sketch.since(context.answered()), &chart, &first, hit);
+    }
+}
+
+/// Draws what is added, each on the one before, with its value where a unit of time is over.
+fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
+    let corner = chart.place(0.0, 0.0);
+    let mut below = 0.0;
+    for part in parts {
+        let above = below + part.value;
+        let [p, q] = [below, above].map(|y| chart.place(1.0, y));
+        let wash =
+            if part.role == Role::Ink { Wash::faint(Role::Ink, FAINT) } else { Wash::theme(part.role) };
+        let wedge = Outline::polygon(&[corner, p, q]);
+        sketch.part("wedge").weight(Weight::Background).area(&wedge, Some(wash), None);
+        sketch.part("part").weight(Weight::Background).bar(p, q, 0.0, Pen::highlighted(part.role));
+        let text = format!("${} = {}$", part.symbol, number(part.value));
+        let anchor = Anchor::point_toward(0.5 * (p + q), chart.vector(DVec2::X));
+        sketch.label(Label::new(part.key, text, anchor, part.role));
+        below = above;
+    }
+    let end = chart.place(1.0, 0.0);
+    sketch.part("unit");
+    chart.tick(sketch, 1.0, Role::Ink);
+    let anchor = Anchor::point_toward(end, chart.vector(DVec2::NEG_Y));
+    sketch.label(Label::new("unit", "$1$", anchor, Role::Ink));
+    let top = chart.place(1.0, first.bound);
+    sketch.part("most").weight(Weight::Background).line(corner, top, Pen::vector(Role::Ink));
+    let label = Label::new("most", "at most", Anchor::middle(corner, top), Role::Ink);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
+/// Draws the distance of the start as a level that the approach has to reach.
+fn level(sketch: &mut Sketch, context: &Context, chart: &Chart, first: &First) {
+    let [from, to] = [0.0, 1.0].map(|time| chart.place(time, first.distance));
+    sketch.since(context.first_step().and_then(|run| run.last_cue(|e| matches!(e, Event::Advanced { .. }))));
+    let pen = Pen::dimension(Role::Translation).width(1.5);
+    sketch.part("level").weight(Weight::Background).line(from, to, pen);
+    let text = format!("$d = {}$", number(first.distance));
+    let anchor = Anchor::point_toward(from, chart.vector(DVec2::NEG_X));
+    sketch.label(Label::new("d", text, anchor, Role::Translation));
+}
+
+/// Draws how much nearer the bodies come in fact.
+fn fact(sketch: &mut Sketch, chart: &Chart, nearer: &[DVec2], hit: Option<Enclosure>) {
+    let curve: Vec<DVec2> = nearer.iter().map(|p| chart.place(p.x, p.y)).collect();
+    let pen = Pen::dimension(Role::Ink).width(1.5);
+    sketch.part("real").weight(Weight::Background).stroke(&Outline::polyline(&curve), pen);
+    let Some(&at) = curve.get(curve.len() * 2 / 5) else { return };
+    let anchor = Anchor::point_toward(at, chart.vector(DVec2::new(1.0, -1.0)));
+    let label = Label::new("real", "in fact", anchor, Role::Ink);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+    if let (Some(&end), Some(_)) = (curve.last(), hit) {
+        sketch.part("touch").weight(Weight::Background).marker(end, Marker::Disc, Role::Ink, SMALL_MARKER);
+    }
+}
+
+/// Draws the time at which the most reaches the distance.
+fn bound(sketch: &mut Sketch, chart: &Chart, first: &First, role: Role) {
+    let Some(time) = first.until.filter(|time| *time <= 1.0) else { return };
+    let (up, down) = (chart.place(time, first.distance), chart.place(time, 0.0));
+    sketch.part("bound").weight(Weight::Background).line(up, down, Pen::dimension(role));
+    chart.tick(sketch, time, role);
+    sketch.marker(up, Marker::HollowDiamond, role, LARGE_MARKER);
+    let anchor = Anchor::point_toward(down, chart.vector(DVec2::NEG_Y));
+    sketch.label(Label::new("bound", format!("$t = {}$", number(time)), anchor, role));
+}
+
+/// Writes the time of the hit on the axis, where the bound leaves room.
+fn touch(sketch: &mut Sketch, chart: &Chart, first: &First, hit: Enclosure) {
+    let bound = chart.along(sketch, first.until.unwrap_or(0.0));
+    if chart.along(sketch, hit.lo) - bound < sketch.fitted(GAP) {
+        return;
+    }
+    let [up, down] = [first.distance, 0.0].map(|y| chart.place(hit.lo, y));
+    sketch.part("hit").weight(Weight::Background).line(up, down, Pen::extension());
+    chart.tick(sketch, hit.lo, Role::Ink);
+    let anchor = Anchor::point_toward(down, chart.vector(DVec2::NEG_Y));
+    sketch.label(Label::new("hit", format!("${}$", Quantity::within(hit).latex()), anchor, Role::Ink));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::{Contour, Path, Point, Segment};
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::open_text;
+
+    /// A bar that turns towards a box 4 away at the speed `v`: 2 · 1.5 and √2 · 0.5 are added.
+    fn chart(v: f64, algorithm: &str) -> Result<Figure, String> {
+        let text = format!(
+            "shapes.A = {{ kind = 'capsule', points = [[-2, 0], [1, 0]], radius = 0, velocity = [{v}, 1],
+                angular_velocity_rad = 1.5 }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [6, 0],
+                angular_velocity_rad = -0.5 }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = '{algorithm}' }}
+            panels = [{{ view = [0, 0, 4, 3], layers = ['fastest-approach'] }}]"
+        );
+        let scene = open_text("chart", &text).unwrap().scene;
+        let plan = plan(&scene).map_err(|problems| format!("{problems:?}"))?;
+        Ok(draw(&plan, plan.theme, "chart"))
+    }
+
+    /// The points of a path, in its order.
+    fn points(path: &Path) -> Vec<Point> {
+        let Contour::Segments(segments) = &path.contour else { return Vec::new() };
+        let point = |s: &Segment| if let Segment::Move(p) | Segment::Line(p) = *s { Some(p) } else { None };
+        segments.iter().filter_map(point).collect()
+    }
+
+    /// The points of the first path of a part.
+    fn first_of(figure: &Figure, part: &str) -> Vec<Point> {
+        points(paths(&figure.drawing.items, part)[0])
+    }
+
+    #[test]
+    fn the_parts_add_up_and_the_bound_lies_where_they_reach_the_distance() {
+        for algorithm in ["conservative-advancement", "swept-axis"] {
+            let figure = chart(6.0, algorithm).unwrap();
+            let said = labels(&figure);
+            let sum = 6.0 + 3.0 + 0.5 * f64::sqrt(2.0);
+            let numbers = [("v.n", 6.0), ("r.A", 3.0), ("r.B", 0.707), ("d", 4.0), ("bound", 0.412)];
+            for (key, number) in numbers {
+                assert_eq!(said[key].1, number, "{algorithm}: {key}");
+            }
+            let most = first_of(&figure, "most");
+            let bars: Vec<_> = paths(&figure.drawing.items, "part").into_iter().map(points).collect();
+            let height = |bar: &[Point]| (bar[0].y - bar[1].y).abs() / (most[0].y - most[1].y);
+            // A bar is a line and its two ticks.
+            let heights: Vec<f64> = bars.chunks(3).map(|bar| height(&bar[0])).collect();
+            for (height, part) in heights.iter().zip([6.0, 3.0, 0.5 * f64::sqrt(2.0)]) {
+                assert!((height - part / sum).abs() < 1e-9, "{heights:?}");
+            }
+            let bound = first_of(&figure, "bound");
+            let level = first_of(&figure, "level");
+            let share = (bound[0].x - most[0].x) / (most[1].x - most[0].x);
+            assert!((share - 4.0 / sum).abs() < 1e-9 && (bound[0].y - level[0].y).abs() < 1e-9);
+            let on_line = most[0].y + share * (most[1].y - most[0].y);
+            assert!((on_line - level[0].y).abs() < 1e-6, "the line is at {on_line} there, not at {level:?}");
+        }
+    }
+
+    #[test]
+    fn the_bodies_never_come_nearer_than_at_most() {
+        let figure = chart(6.0, "swept-axis").unwrap();
+        let (most, real) = (first_of(&figure, "most"), first_of(&figure, "real"));
+        assert!(real.len() > 10);
+        for p in &real {
+            let share = (p.x - most[0].x) / (most[1].x - most[0].x);
+            let line = most[0].y + share * (most[1].y - most[0].y);
+            // On the page y is down.
+            assert!(p.y >= line - 1e-6, "{p:?} is above the line");
+        }
+        let (end, level) = (real[real.len() - 1], first_of(&figure, "level")[0]);
+        assert!((end.y - level.y).abs() < 1e-3, "at the hit the whole distance is used up");
+    }
+
+    #[test]
+    fn bodies_that_move_apart_take_from_what_turning_adds() {
+        let figure = chart(-6.0, "conservative-advancement").unwrap();
+        let said = labels(&figure);
+        assert_eq!([said["v.n"].1, said["r.A"].1], [-6.0, 3.0]);
+        assert!(!said.contains_key("bound"), "no time is proved free by a bound that is not positive");
+    }
+}
