@@ -44,7 +44,12 @@ fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
         let fault = if message.contains("duplicate key") {
             Fault::DuplicateKey { key: text.get(span.clone()).unwrap_or_default().to_owned() }
         } else {
-            Fault::Syntax { message: format!("not TOML: {}", message.replace('\n', ", ")) }
+            let written = text.get(span.clone()).unwrap_or_default();
+            let quoted = match message.contains("unquoted key") && !written.is_empty() {
+                true => format!("; in quotes a name may have any: \"{written}\""),
+                false => String::new(),
+            };
+            Fault::Syntax { message: format!("not TOML: {}{quoted}", message.replace('\n', ", ")) }
         };
         problems.push(Problem::new(fault, span));
     }
@@ -144,6 +149,14 @@ mod tests {
         assert_eq!(second[0].value, NodeValue::Number(f64::INFINITY));
         assert_eq!(second[1].value, NodeValue::Number(1000.0));
         assert_eq!(&text[second[1].span.clone()], "1_000");
+    }
+
+    #[test]
+    fn a_name_of_other_letters_is_to_be_quoted() {
+        let problems = parse("[shapes.方块]\nkind = 'box'").unwrap_err();
+        let said = problems[0].fault.to_string();
+        assert!(said.ends_with("; in quotes a name may have any: \"方块\""), "{said}");
+        assert!(parse("[shapes.\"方块\"]\nkind = 'box'").is_ok());
     }
 
     #[test]
