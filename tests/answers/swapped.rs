@@ -252,6 +252,27 @@ fn an_overlap_that_no_digits_prove_is_none_either_way_round() {
     }
 }
 
+#[test]
+fn a_body_that_reaches_farther_than_106_bits_leaves_no_false_depth() {
+    // The core of B starts at the origin and runs at 4.8125 degrees under the box, however far it reaches.
+    let depth = -2.410_373_346_131_498;
+    for exponent in [10, 20, 30, 32, 35, 40, 64, 90] {
+        let of = |names: &str| {
+            let found = answer(&format!(
+                r#"{{"shapes": {{"A": {{"kind": "box", "half_extents": [3.5, 1.5], "radius": 3.5, "position": [3.5, 3.5],
+                "angle_deg": 1}}, "B": {{"kind": "capsule", "points": [[2.45e{exponent}, 0], [0, 0]], "radius": 0.375,
+                "angle_deg": 4.8125}}}}, "query": {{"kind": "overlap", "of": {names}}}}}"#
+            ));
+            let bounds = found.get("separation_bounds").expect("bounds").list();
+            [bounds[0].number().unwrap(), bounds[1].number().unwrap()]
+        };
+        for names in [r#"["A", "B"]"#, r#"["B", "A"]"#] {
+            let [lo, hi] = of(names);
+            assert!(lo <= depth && depth <= hi, "1e{exponent}, {names}: {lo} to {hi}");
+        }
+    }
+}
+
 /// The contacts of a pair, the deepest first; None where several edges are as deep.
 fn contacts(a: &Body, b: &Body) -> Option<Vec<ContactPoint>> {
     let asked = query(QueryKind::Contact, a, b);

@@ -35,6 +35,13 @@ pub(crate) struct Found {
     pub(crate) ties: u32,
 }
 
+impl Found {
+    /// Takes the distance for less sure.
+    fn widened(self, by: f64) -> Self {
+        Self { core: self.core.widen(by), ..self }
+    }
+}
+
 /// The feature of B ⊖ A that carries a separation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Contact {
@@ -149,7 +156,9 @@ fn search(pair: &Pair, balls: &BallPair, hint: Option<DifferenceFeature>) -> Fou
     match outside {
         // On the line of an edge but off its end, or properly outside.
         Some(found) if best.gap.is_positive() || (found.core - best.gap).is_positive() => found,
-        _ => through,
+        // Outside or not: a gap is then no bound of how far away the nearest point is.
+        Some(found) => through.widened((found.core - best.gap).magnitude()),
+        None => through.widened(farther(balls, best.facing, best.gap)),
     }
 }
 
@@ -188,7 +197,17 @@ fn widest_edge(
             return;
         };
         match (measured.gap - leader.gap).sign() {
-            Some(1) => (best, ties, highest) = (Some(measured), counts, measured.gap.radius),
+            Some(1) => {
+                // What could not be told from the old leader may be above the new one too.
+                let rise = (measured.gap.value - leader.gap.value).hi * (1.0 - 2.0 * f64::EPSILON);
+                let above = (highest - rise).next_up();
+                best = Some(measured);
+                if above <= measured.gap.radius {
+                    (ties, highest) = (counts, measured.gap.radius);
+                } else {
+                    highest = above;
+                }
+            }
             Some(-1) => {}
             _ => {
                 ties += counts;
