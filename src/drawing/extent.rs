@@ -196,7 +196,7 @@ impl Text {
             let (x, y) = (self.origin.x + placed.x, self.origin.y + placed.y);
             Rect { x0: x + x0, y0: y + y0, x1: x + x1, y1: y + y1 }
         });
-        ink.fold(self.bounds(), Rect::union).grown(self.halo.map_or(0.0, |h| h.width))
+        ink.fold(self.bounds(), Rect::union).grown(self.halo.as_ref().map_or(0.0, |h| h.width))
     }
 }
 
@@ -265,7 +265,7 @@ mod tests {
         // The tail of `j` begins left of its line, the hat of A too.
         for markup in ["j", r"$\hat{A}$", "$f$", r"$\vec v$", r"$\frac{1}{2}$", "Wide, plain words", " "] {
             let line = Arc::new(typeset(markup, Style::regular(16.0)).unwrap());
-            let halo = Some(Halo { paint, width: 2.5 });
+            let halo = Some(Halo::plain(paint, 2.5));
             let text = Text {
                 line,
                 origin: Point::new(30.0, 40.0),

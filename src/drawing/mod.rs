@@ -14,6 +14,7 @@ mod steps;
 use std::sync::Arc;
 
 pub use offset::Offset;
+pub(crate) use paint::blend;
 pub use paint::{Cap, Color, Halo, Paint, Pattern, PatternKind, Role, Stroke};
 pub use path::{Contour, Path, Segment};
 pub use shown::{Shown, Step};

@@ -83,7 +83,7 @@ impl Role {
 }
 
 /// An sRGB colour, 8 bits a channel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Color {
     /// Red.
     pub r: u8,
@@ -149,6 +149,22 @@ impl Paint {
     pub const fn with_opacity(self, opacity: f64) -> Self {
         Self { opacity, ..self }
     }
+
+    /// What is seen of it on a colour: blended in sRGB, as every renderer of ours does.
+    pub(crate) fn over(&self, under: Color) -> Color {
+        blend(self.color, self.opacity, under)
+    }
+}
+
+/// `over` at `opacity`, from 0 to 1, on `under`: blended in sRGB, as every renderer of ours does.
+pub(crate) fn blend(over: Color, opacity: f64, under: Color) -> Color {
+    let mix = |o: u8, u: u8| {
+        let value = (opacity * f64::from(o) + (1.0 - opacity) * f64::from(u)).round().clamp(0.0, 255.0);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255")]
+        let byte = value as u8;
+        byte
+    };
+    Color { r: mix(over.r, under.r), g: mix(over.g, under.g), b: mix(over.b, under.b) }
 }
 
 /// How the ends of an open line, and of dashes, look.
@@ -207,10 +223,26 @@ pub enum PatternKind {
 }
 
 /// A wider copy of the glyphs behind them, that keeps them readable on lines.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Halo {
-    /// The halo's colour, mostly the background's.
+    /// The halo's colour: the background's, under the see-through `areas`.
     pub paint: Paint,
+    /// The areas that the text lies on, the lowest first: `paint` has their colours blended on the page's.
+    pub areas: Vec<Paint>,
     /// How far it reaches beyond the glyphs, in page pixels.
     pub width: f64,
+}
+
+impl Halo {
+    /// A halo of one colour that reaches `width` page pixels beyond the glyphs.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Color, Halo, Paint, Role};
+    /// let halo = Halo::plain(Paint::role(Role::Background, Color::hex(0xFFFFFF)), 2.5);
+    /// assert_eq!((halo.width, halo.areas.len()), (2.5, 0));
+    /// ```
+    #[must_use]
+    pub const fn plain(paint: Paint, width: f64) -> Self {
+        Self { paint, areas: Vec::new(), width }
+    }
 }

@@ -28,6 +28,12 @@ impl Shown {
         self.since <= step && self.until.is_none_or(|until| step < until)
     }
 
+    /// Whether every step that shows `other` shows it.
+    pub(crate) fn holds(self, other: Self) -> bool {
+        let ends = self.until.is_none_or(|until| other.until.is_some_and(|other| other <= until));
+        self.since <= other.since && ends
+    }
+
     /// With numbers that stand for names in a list, of which there are `more` before now; 1 stands for none.
     pub(crate) fn after(self, more: usize) -> Self {
         let after = |number: usize| if number > 1 { number + more } else { number };

@@ -212,7 +212,7 @@ impl Changes {
     }
 
     fn color(&mut self, what: &str, old: &Paint, new: &Paint, name: &str) {
-        let role = |p: &Paint| p.role.map_or("", |role| role.name());
+        let role = |p: &Paint| p.role.map_or("a tint", |role| role.name());
         if old.role != new.role {
             self.add(format!("colour of {} → of {}", role(old), role(new)), name);
         } else if old.color != new.color {

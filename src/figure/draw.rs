@@ -13,7 +13,7 @@ use super::fault::{Fault, Problem};
 use super::handle::Handle;
 use super::lettering::{Lettering, lettered};
 use super::page::Page;
-use super::placement::{LabelFault, Labelled, faults};
+use super::placement::{LabelFault, Labelled, faults, tint};
 use super::plan::Plan;
 use super::runs::Run;
 use super::steps::{Scope, numbered};
@@ -171,6 +171,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         Problem::new(Fault::LabelClash(fault), span)
     }));
     let steps = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
+    tint(&mut items);
     let drawing = Drawing {
         width: plan.page.width,
         height: plan.page.height,

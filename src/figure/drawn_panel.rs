@@ -193,9 +193,12 @@ fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
                 one.items.push(Item::Path(Path::filled(disc, theme.paint(Role::Muted))));
             }
         }
-        let halo = Some(Halo { paint: theme.paint(Role::Background), width: HALO });
+        let halo = Some(Halo::plain(theme.paint(Role::Background), HALO));
         one.items.extend(
-            label.lines.iter().flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo))),
+            label
+                .lines
+                .iter()
+                .flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo.clone()))),
         );
         let asked = requests.iter().find(|r| (r.part, r.label.key) == (label.part, label.key));
         let now = asked.map_or(Shown::ALWAYS, |request| request.shown);

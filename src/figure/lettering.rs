@@ -63,11 +63,12 @@ pub(crate) fn lettered(
     if line.tints.is_empty() {
         return vec![text(Arc::clone(line), 0.0, role, halo)];
     }
-    // The halo of a stretch would cover the end of the one before it, so that of the whole line comes first.
+    // The halo of a stretch would cover the end of the one before it, so that of the whole line comes first,
+    // with letters that are not seen.
     let halo = halo.map(|halo| Text {
         line: Arc::clone(line),
         origin,
-        paint: halo.paint,
+        paint: halo.paint.with_opacity(0.0),
         halo: Some(halo),
         shown: Shown::ALWAYS,
     });

@@ -41,7 +41,7 @@ fn dashed(contour: Contour, role: Role, dash: &[f64]) -> Item {
 
 fn label(markup: &str, x: f64, y: f64, role: Role) -> Item {
     let line = Arc::new(typeset(markup, Style::regular(16.0)).unwrap());
-    let halo = Some(Halo { paint: paint(Role::Background), width: 2.5 });
+    let halo = Some(Halo::plain(paint(Role::Background), 2.5));
     Item::Text(Text { line, origin: Point::new(x, y), paint: paint(role), halo, shown: Shown::ALWAYS })
 }
 

@@ -182,7 +182,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-2.0, -1.2, 10.4, 8.0];
+    let view = [-2.0, -2.5, 10.6, 7.8];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     for panel in &panels {
         // (2, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
@@ -210,10 +210,7 @@ fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next(
         panels[1].through((5.0, 0.0), (1.0, 2.0)),
     ];
     // ‖v‖ is √85, 13/√5, 35/√85 and 3, and w · v/‖v‖ is 5/√85, 5/√5 and 25/√85: ever larger.
-    for number in ["9.22", "5.81", "3.8", "3"] {
-        assert!(f.says(&format!(r"$\|v\| = {number}$")), "{number}");
-    }
-    for number in ["0.542", "2.24", "2.71"] {
-        assert!(f.says(&format!("at least ${number}$")), "{number}");
+    for number in [r"\le 9.22", r"\le 5.81", r"\le 3.8", "= 3", r"\ge 0.542", r"\ge 2.24", r"\ge 2.71"] {
+        assert!(f.says(&format!("${number}$")), "{number}");
     }
 }

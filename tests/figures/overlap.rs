@@ -257,8 +257,8 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         one.polygon(A, &[(-4.0, -3.0), (-2.0, -3.5), (1.0, 0.5), (-3.0, 2.0)]).is_some(),
         one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (8.0, 2.5), (3.0, 6.0)]).is_some(),
         one.line(Now, (-2.0, -3.5), (1.0, 0.5)).is_some(),
-        f.says("overlap $= 3.7$") && f.says("gap $= 1.6$"),
-        f.says("$n = (0.8, -0.6)$") && f.says("$n = (0.6, 0.8)$"),
+        f.says("overlap $= 0.5 - (-3.2) = 3.7$") && f.says("gap $= 2.6 - 1 = 1.6$"),
+        f.says("along $n = (0.8, -0.6)$") && f.says("along $n = (0.6, 0.8)$"),
         f.says("$0$") && f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
     ];
     // Along (4, −3)/5 A spans −3.6 to 0.5, where its edge lies, and B −3.2 to 4.9.

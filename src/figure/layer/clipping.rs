@@ -188,10 +188,11 @@ fn both_edges(sketch: &mut Sketch, found: &Clipping, left: [DVec2; 2], options: 
     let [p, q] = found.reference;
     sketch.part("incident").line(left[0], left[1], Pen::highlighted(found.body.other().into()).width(EDGE));
     let beside = Anchor::middle(left[0], left[1]);
-    let word = Label::new("incident", "incident edge", beside, found.body.other().into());
+    // One word: beside a slanted line a longer one stands farther off.
+    let word = Label::new("incident", "incident", beside, found.body.other().into());
     sketch.label(word.rank(Rank::Word).size(Size::Note));
     sketch.part("reference").line(p, q, Pen::highlighted(role).width(EDGE));
-    let word = Label::new("reference", "reference edge", Anchor::middle(p, q), role);
+    let word = Label::new("reference", "reference", Anchor::middle(p, q), role);
     sketch.label(word.rank(Rank::Word).size(Size::Note));
     let [least, most] = READABLE.map(|px| sketch.px(px));
     // Clear of the depths, which are at the incident edge's ends.

@@ -45,6 +45,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "\"edge 1\"",
             about: "its label, as markup",
         },
+        OptionSpec {
+            name: "arrow",
+            takes: Takes::Flag,
+            default: "false",
+            about: "an edge as a vector, counter-clockwise about its body",
+        },
     ],
     labels: &[
         LabelKey { key: "feature.A", about: "at an emphasised edge or vertex of A" },
@@ -209,6 +215,7 @@ fn arc(at: DVec2, radius: f64, start: f64, turn: f64) -> Form {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Now);
     let pen = Pen::highlighted(role);
+    let arrow = options.flag("arrow", false);
     let mut labelled = Vec::new();
     let asked = options.counts("edge").is_some() || options.counts("vertex").is_some();
     let run = context.separation_at(context.time).filter(|_| !asked);
@@ -217,7 +224,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("feature", side));
         let anchor = match form {
             Form::Line(from, to) => {
-                sketch.line(from, to, pen);
+                if arrow {
+                    sketch.arrow(from, to, pen)
+                } else {
+                    sketch.line(from, to, pen)
+                };
                 Anchor::Beside { from: to, to: from, offset: ON_LINE }
             }
             Form::Round(outline, at, out) => {

@@ -111,18 +111,26 @@ fn choice(sketch: &mut Sketch, context: &Context, next: &Merged) {
     if let Some(other) = next.other {
         let side = next.taken.other();
         let pen = Pen::vector(side.into()).opacity(REJECTED);
-        sketch.part("rejected").arrow(next.at, next.at + other, pen);
+        arrow(sketch.part("rejected"), side, (next.at, next.at + other), pen);
         let anchor = Anchor::tip(next.at, next.at + other);
         sketch.label(Label::new(key(side), name(context, side), anchor, side.into()));
     }
     let role = Role::from(next.taken);
-    sketch.part("chosen").arrow(next.at, own, Pen::highlighted(role));
+    arrow(sketch.part("chosen"), next.taken, (next.at, own), Pen::highlighted(role));
     sketch.label(Label::new(key(next.taken), name(context, next.taken), Anchor::tip(next.at, own), role));
     if next.other.is_some() {
         let label = Label::new("less", "turns less", Anchor::middle(next.at, own), role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     sketch.part("reached").marker(next.at, Marker::Diamond, Role::Now, MARKER);
+}
+
+/// Draws a body's edge as a vector, B's cased as in B ⊖ A.
+fn arrow(sketch: &mut Sketch, side: Side, (from, to): (DVec2, DVec2), pen: Pen) {
+    match side {
+        Side::A => sketch.arrow(from, to, pen),
+        Side::B => sketch.cased_arrow(from, to, pen),
+    };
 }
 
 /// The key of the label of a body's next edge.

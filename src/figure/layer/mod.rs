@@ -10,6 +10,7 @@ mod arc;
 mod axes;
 mod axis_gaps;
 mod bounds;
+mod bracket;
 mod chart;
 mod clamp;
 mod clipping;
@@ -158,6 +159,7 @@ pub static LAYERS: &[Layer] = &[
     arc::LAYER,
     projection::LAYER,
     simplex::LAYER,
+    bracket::LAYER,
     polytope::LAYER,
     edge_normals::LAYER,
     edge_fan::LAYER,

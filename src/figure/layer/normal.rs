@@ -81,6 +81,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     unit_vector(sketch, (from, *n), length, Label::new(key, letter, Anchor::point(from), role));
 }
 
+/// How long a unit vector is drawn where the scene does not say, world units.
+pub(super) fn unit_length(sketch: &Sketch) -> f64 {
+    if sketch.is_legible(LENGTH) { LENGTH } else { sketch.px(FITTED) }
+}
+
 /// Draws a unit vector `n` from a point, one unit long or as long as the scene says, with its label; where it
 /// is not one long, the label says so. Returns its tip.
 pub(super) fn unit_vector(
@@ -90,7 +95,7 @@ pub(super) fn unit_vector(
     Label { lines, role, key, .. }: Label,
 ) -> DVec2 {
     let to_scale = given.is_some() || sketch.is_legible(LENGTH);
-    let tip = from + n * given.unwrap_or(if to_scale { LENGTH } else { sketch.px(FITTED) });
+    let tip = from + n * given.unwrap_or_else(|| unit_length(sketch));
     sketch.part("normal").arrow(from, tip, Pen::vector(role));
     let factor = given.unwrap_or(LENGTH);
     let say = |text: &String| if to_scale { scaled(factor, text) } else { format!("{text} (not to scale)") };

@@ -16,7 +16,7 @@ use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
 use super::half_extents::beside;
-use super::normal::unit_vector;
+use super::normal::{unit_length, unit_vector};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Distance of the axis from the bodies, page pixels.
@@ -58,6 +58,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "begin.B", about: "where B begins along the axis, with values" },
         LabelKey { key: "zero", about: "0 of the axis, with values" },
         LabelKey { key: "n", about: "the axis" },
+        LabelKey { key: "axis", about: "what the axis is along, with values" },
         LabelKey {
             key: "gap",
             about: "gap from where A ends to where B begins; overlap or depth, where B begins before that",
@@ -122,11 +123,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
     let values = options.flag("values", false);
-    let n = if values { format!("$n = ({}, {})$", number(t.n.x), number(t.n.y)) } else { "$n$".to_owned() };
+    let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
+    if values {
+        let along = format!("along $n = ({}, {})$", number(t.n.x), number(t.n.y));
+        let label = Label::new("axis", along, beyond.clone(), Role::Muted);
+        sketch.label(label.rank(Rank::Measure).size(Size::Note));
+    }
     // Of a round body's vertex there is no edge to show n at.
-    if edge(sketch, context, &t, &n).is_none() {
-        let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
-        sketch.part("axis").label(Label::new("n", n, beyond, Role::Muted));
+    if edge(sketch, context, &t).is_none() && !values {
+        sketch.part("axis").label(Label::new("n", "$n$", beyond, Role::Muted));
     }
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
         let track = sketch.px(track);
@@ -140,10 +145,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let pen = Pen::highlighted(options.role(body.into()));
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
-    measure(sketch, &t, at);
+    measure(sketch, &t, values, at);
     if values {
         numbers(sketch, &t, down, at);
-        zero(sketch, (first, last), down, at);
+        zero(sketch, (first, last), (down, far), at);
     }
 }
 
@@ -157,12 +162,22 @@ fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -
     }
 }
 
-/// Marks on the axis from where its numbers are counted, if that is in reach.
-fn zero(sketch: &mut Sketch, (first, last): (f64, f64), down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
+/// Marks on the axis from where its numbers are counted, below the origin, if that is in reach.
+fn zero(
+    sketch: &mut Sketch,
+    (first, last): (f64, f64),
+    (down, far): (DVec2, f64),
+    at: impl Fn(f64, f64) -> DVec2,
+) {
     if !(first..=last).contains(&0.0) {
         return;
     }
     let tick = sketch.px(ZERO);
+    let (lo, hi) = sketch.visible();
+    if far > 0.0 && lo.cmple(DVec2::ZERO).all() && hi.cmpge(DVec2::ZERO).all() {
+        sketch.part("shadow-of-origin").weight(Weight::Light);
+        sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::extension());
+    }
     sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
     let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, -tick), -down), Role::Ink);
     sketch.label(label.rank(Rank::Measure).size(Size::Note));
@@ -178,9 +193,9 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
         .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
 }
 
-/// Draws the edge whose normal the axis is, thick, with n square to it at its middle; `None` where the axis
-/// is of no edge.
-fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, n: &str) -> Option<()> {
+/// Draws the edge whose normal the axis is, thick, with n square to it outside of its middle; `None` where the
+/// axis is of no edge.
+fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
     let (side, Feature::Edge(index)) = t.source else { return None };
     let body = context.body(side)?;
     let [i, j] = body.shape.edge_ends(index)?;
@@ -188,8 +203,13 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, n: &str) -> Option<(
     let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
     let (p, q) = (p + out, q + out);
     let middle = 0.5 * (p + q);
-    sketch.part("edge").line(p, q, Pen::highlighted(side.into())).right_angle(middle, q - middle, t.n);
-    unit_vector(sketch, (middle, t.n), None, Label::new("n", n, Anchor::point(middle), Role::Ink));
+    // n points from A to B: away from an edge of A, and up to one of B.
+    let (from, outward) = match side {
+        Side::A => (middle, t.n),
+        Side::B => (middle - t.n * unit_length(sketch), -t.n),
+    };
+    sketch.part("edge").line(p, q, Pen::highlighted(side.into())).right_angle(middle, q - middle, outward);
+    unit_vector(sketch, (from, t.n), None, Label::new("n", "$n$", Anchor::point(middle), Role::Ink));
     Some(())
 }
 
@@ -214,8 +234,9 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
     (down, far(down))
 }
 
-/// Draws what the test measures: from A's upper end to B's lower one.
-fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
+/// Draws what the test measures: from A's upper end to B's lower one, with both where their `values` are
+/// written.
+fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(MEASURE);
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
     sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
@@ -225,7 +246,11 @@ fn measure(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
         true => "depth $=",
         false => "gap $=",
     };
-    let mut lines = vec![format!("{word} {}$", number(t.gap.abs()))];
+    // Subtracted so that what is left is positive.
+    let [more, less] = if t.gap < 0.0 { [t.a.hi, t.b.lo] } else { [t.b.lo, t.a.hi] };
+    let minus = if less < 0.0 { format!("- ({})", number(less)) } else { format!("- {}", number(less)) };
+    let terms = if values { format!(" {} {minus} =", number(more)) } else { String::new() };
+    let mut lines = vec![format!("{word}{terms} {}$", number(t.gap.abs()))];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
@@ -270,7 +295,7 @@ mod tests {
             for (key, end) in [("end.A", a.hi), ("begin.B", b.lo)] {
                 assert!((labels[key].1 - end).abs() < 0.006, "axis {axis}: {:?} is not {end}", labels[key]);
             }
-            assert!(labels["n"].0.starts_with("$n = ("), "{:?}", labels["n"]);
+            assert!(labels["axis"].0.starts_with("along $n = ("), "{:?}", labels["axis"]);
             assert_eq!(labels["zero"].1, 0.0, "both intervals hold 0, or lie beside it");
             let (label, number) = labels.remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");

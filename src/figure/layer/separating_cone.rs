@@ -26,7 +26,10 @@ use super::half_extents::beside;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Radius of the cone, page pixels; less where B ⊖ A is near.
-const RADIUS: f64 = 84.0;
+const RADIUS: f64 = 120.0;
+
+/// Radius of the arc of the cone's angle, in parts of the cone's: its number stands between it and the rim.
+const ANGLE: f64 = 0.5;
 
 /// The share of the way to B ⊖ A that the cone's radius takes at most, and its least radius, page pixels.
 const FREE: (f64, f64) = (0.86, 48.0);
@@ -158,7 +161,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
     sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
     let degrees = number((end - start) * (180.0 / PI));
-    let anchor = Anchor::Arc { center: origin, radius, start, sweep: end - start };
+    let (radius, sweep) = (ANGLE * radius, end - start);
+    let arc = Outline::arc(origin, radius, start, sweep);
+    sketch.part("angle").weight(Weight::Light).stroke(&arc, Pen::dimension(role));
+    let anchor = Anchor::Arc { center: origin, radius, start, sweep };
     let label = Label::new("cone", format!("${degrees}°$"), anchor, role);
     sketch.label(label.size(Size::Note));
 }

@@ -19,7 +19,7 @@ const FILL: f64 = 0.12;
 /// How far beside v the direction of the search is drawn, page pixels: clear of both heads.
 const BESIDE: f64 = 10.0;
 /// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
-const SEARCH: f64 = 44.0;
+const SEARCH: f64 = 26.0;
 /// How far beside v its distance from the origin is measured, page pixels: clear of v's head.
 const LEAST: f64 = 16.0;
 /// How far a supporting line reaches past what it supports, page pixels.
@@ -67,7 +67,7 @@ pub(super) fn has_simplexes(context: &Context) -> bool {
 }
 
 /// A simplex or polytope that the algorithm told.
-struct Step {
+pub(super) struct Step {
     /// Its vertices, in configuration space.
     vertices: Vec<DVec2>,
     /// Its point closest to the origin, v; `None` where the origin lies in it.
@@ -77,39 +77,57 @@ struct Step {
     /// Vertices of the step before that it does without.
     dropped: Vec<DVec2>,
     /// With what it comes.
-    cue: Option<Cue>,
+    pub(super) cue: Option<Cue>,
 }
 
-/// The step that the scene wants; else the last.
-fn shown(context: &Context, options: &Options) -> Option<Step> {
+impl Step {
+    /// What it proves of the distance of B ⊖ A, without the bodies' radii: at least that of the supporting
+    /// line through w, at most that of v. `None` where the origin lies in the simplex.
+    pub(super) fn bracket(&self) -> Option<[f64; 2]> {
+        let v = self.closest?;
+        let most = v.length();
+        Some([self.next.map_or(most, |w| w.dot(v) / most).clamp(0.0, most), most])
+    }
+}
+
+/// All steps that the algorithm told.
+pub(super) fn steps(context: &Context) -> Vec<Step> {
     let run = context.run();
-    let all: Vec<(&Vec<DVec2>, Option<DVec2>)> = run
+    let updated = |event: &Event| match event {
+        Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => Some(()),
+        _ => None,
+    };
+    let told: Vec<(&Vec<DVec2>, Option<DVec2>)> = run
         .told(|event| match event {
             Event::SimplexUpdated { vertices, closest, .. } => Some((vertices, Some(*closest))),
             Event::PolytopeExpanded { vertices, .. } => Some((vertices, None)),
             _ => None,
         })
         .collect();
+    let none = Vec::new();
+    let step = |(i, (cue, ())): (usize, (Cue, ()))| {
+        let &(vertices, closest) = told.get(i)?;
+        let after = told.get(i + 1).map_or(&none, |(after, _)| *after);
+        let before = i.checked_sub(1).and_then(|i| told.get(i)).map_or(&none, |(before, _)| *before);
+        Some(Step {
+            vertices: vertices.clone(),
+            closest: closest.filter(|v| *v != DVec2::ZERO),
+            next: after.iter().find(|w| !vertices.contains(w)).copied(),
+            dropped: before.iter().filter(|w| !vertices.contains(w)).copied().collect(),
+            cue: Some(cue),
+        })
+    };
+    run.cues(updated).enumerate().filter_map(step).collect()
+}
+
+/// The step that the scene wants; else the last.
+fn shown(context: &Context, options: &Options) -> Option<Step> {
+    let mut all = steps(context);
     let index = match options.number("step") {
         Some(step) => (0..all.len()).find(|&i| number_of(i + 1) == step)?,
         None => all.len().checked_sub(1)?,
     };
-    let updated = |event: &Event| {
-        matches!(event, Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. }).then_some(())
-    };
-    let cue = run.cues(updated).nth(index).map(|(cue, ())| cue);
-    let &(vertices, closest) = all.get(index)?;
-    let next =
-        all.get(index + 1).and_then(|(after, _)| after.iter().find(|w| !vertices.contains(w)).copied());
-    let before = index.checked_sub(1).and_then(|i| all.get(i)).into_iter().flat_map(|(before, _)| *before);
-    let dropped = before.filter(|w| !vertices.contains(w)).copied().collect();
-    Some(Step {
-        vertices: vertices.clone(),
-        closest: closest.filter(|v| *v != DVec2::ZERO),
-        next,
-        dropped,
-        cue,
-    })
+    Some(all.swap_remove(index))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -154,7 +172,8 @@ fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, val
     let reach = sketch.px(SEARCH).min(0.5 * v.length());
     let (from, tip) = (v + beside, v + beside - u * reach);
     sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("search", "$-v$", Anchor::middle(tip, from), Role::Ink).rank(Rank::Word));
+    let along = Label::new("search", "along $-v$", Anchor::point_toward(tip, side - u), Role::Ink);
+    sketch.label(along.rank(Rank::Word).size(Size::Note));
     // Beyond the simplex too, whose edge the line lies on where the search ends.
     let supported = vertices.iter().filter(|p| (**p - w).dot(u).abs() <= ON_LINE * v.length());
     let reached = supported.chain([&w, &foot]).map(|p| p.dot(side));
@@ -163,6 +182,9 @@ fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, val
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
     sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
     sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
+    if next.is_some() && vertices.len() == 2 {
+        sketch.part("right-angle").right_angle(v, -side * past, -u * past);
+    }
     if values && next.is_some() && w.dot(u) > 0.0 {
         least(sketch, foot, side);
     }

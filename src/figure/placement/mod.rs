@@ -17,8 +17,8 @@
 //!
 //! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
 //! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them,
-//! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong. All their
-//! numbers are [`weights`].
+//! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong, [`tinted`]
+//! gives a halo the colour of what lies under it. All their numbers are [`weights`].
 
 mod anywhere;
 mod candidates;
@@ -34,6 +34,7 @@ mod rest;
 mod seeker;
 mod solve;
 mod things;
+mod tinted;
 mod weights;
 mod worth;
 
@@ -53,6 +54,7 @@ pub(crate) use faults::faults;
 pub(crate) use leader::Leader;
 pub(crate) use solve::{Ground, place};
 pub(crate) use things::{Thing, things};
+pub(crate) use tinted::tint;
 
 /// A label whose text is set and whose place is sought.
 #[derive(Clone, Debug)]

@@ -85,7 +85,7 @@ impl Sketch<'_> {
             let (from, to) = (Point::new(origin.x, y), Point::new(origin.x + words.width, y));
             self.keep_off(Cover::Stroke { from, to, half: 0.5 });
         }
-        let halo = Some(Halo { paint: self.paint(Role::Background), width: HALO });
+        let halo = Some(Halo::plain(self.paint(Role::Background), HALO));
         let paint = self.word_paint(role);
         self.push(Item::Text(Text {
             line: Arc::clone(&words.line),

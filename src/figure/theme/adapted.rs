@@ -4,9 +4,9 @@
 //! Who writes two blues for A and B means nothing against the arrows, which the house draws in a blue of its
 //! own: that colour is ours to choose, and the nearest one that readers can tell from the two is taken.
 
-use crate::drawing::{Color, Role};
+use crate::drawing::{Color, Role, blend};
 
-use super::contrast::{blend, contrast};
+use super::contrast::contrast;
 use super::fitness::{AREAS, LINE_CONTRAST, SPEAKING, TEXT_CONTRAST, apart};
 use super::nearest::{nearest, readable};
 use super::vision::worst_difference;

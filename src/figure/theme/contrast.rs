@@ -32,14 +32,3 @@ pub fn contrast(a: Color, b: Color) -> f64 {
     let (a, b) = (luminance(a), luminance(b));
     (a.max(b) + 0.05) / (a.min(b) + 0.05)
 }
-
-/// `over` at `opacity` on `under`, blended in sRGB as every renderer of ours does.
-pub(super) fn blend(over: Color, opacity: f64, under: Color) -> Color {
-    let mix = |o: u8, u: u8| {
-        let value = (opacity * f64::from(o) + (1.0 - opacity) * f64::from(u)).round().clamp(0.0, 255.0);
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0 … 255")]
-        let byte = value as u8;
-        byte
-    };
-    Color { r: mix(over.r, under.r), g: mix(over.g, under.g), b: mix(over.b, under.b) }
-}

@@ -13,9 +13,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt;
 
-use crate::drawing::{Color, Drawing, Item, Role};
+use crate::drawing::{Color, Drawing, Item, Role, blend};
 
-use super::contrast::{blend, contrast};
+use super::contrast::contrast;
 use super::nearest::nearest;
 use super::vision::worst_difference;
 use super::{Side, Theme, index};

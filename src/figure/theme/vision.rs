@@ -77,8 +77,8 @@ fn seen(color: Color, vision: Vision) -> Lab<D65, f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::Role;
-    use crate::figure::theme::contrast::{blend, contrast};
+    use crate::drawing::{Role, blend};
+    use crate::figure::theme::contrast::contrast;
     use crate::figure::theme::{Side, THEMES, Theme, nearest::readable};
 
     /// Every theme, and the dark side of those that have one.

@@ -331,7 +331,7 @@ const OVERHANGING: [&str; 2] = ["j", r"$\hat{A}$"];
 #[test]
 fn all_ink_of_a_text_is_as_see_through_as_its_group() {
     for markup in OVERHANGING {
-        let halo = Some(Halo { paint: Paint::role(Role::Muted, Color::hex(0x40_40_40)), width: 2.5 });
+        let halo = Some(Halo::plain(Paint::role(Role::Muted, Color::hex(0x40_40_40)), 2.5));
         let mut group = Group::new("ghost");
         group.opacity = 0.5;
         group.items = vec![text(markup, (50.0, 60.0), halo)];
@@ -367,7 +367,7 @@ fn no_ink_of_a_text_leaves_its_clip() {
 
 #[test]
 fn a_halo_is_the_ink_and_what_lies_within_reach() {
-    let halo = Some(Halo { paint: BLACK, width: 5.0 });
+    let halo = Some(Halo::plain(BLACK, 5.0));
     let seen = Seen::of(vec![text("l", (50.0, 60.0), halo)], (100.0, 100.0), 1.0);
     let plain = Seen::of(vec![text("l", (50.0, 60.0), None)], (100.0, 100.0), 1.0);
     // The letter is an upright bar of area w h, so the halo adds 2 · 5 (w + h) and a disc.

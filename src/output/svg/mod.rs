@@ -11,6 +11,7 @@ pub(super) mod read;
 pub(super) mod steps;
 mod style;
 mod text;
+mod tint;
 
 use std::collections::BTreeMap;
 

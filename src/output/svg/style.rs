@@ -9,7 +9,8 @@ use std::collections::BTreeSet;
 use super::super::number;
 use super::super::xml::Xml;
 use super::Document;
-use crate::drawing::{Cap, Color, Dark, Drawing, Item, Paint, Role, Stroke};
+use super::tint::{self, Tints, hex};
+use crate::drawing::{Cap, Color, Dark, Drawing, Halo, Item, Paint, Role, Stroke};
 use crate::typeset::Glyph;
 
 /// A property that takes a colour.
@@ -61,13 +62,16 @@ pub(super) struct Used {
     fill_opacity: f64,
     /// The roles whose words have a colour of their own, with that colour.
     words: Vec<(Role, Color)>,
+    /// What halos lie on.
+    tints: Tints,
 }
 
 impl Used {
     /// All that a drawing uses.
     pub(super) fn by(drawing: &Drawing) -> Self {
         let words = drawing.words.clone();
-        let mut used = Self { fill_opacity: drawing.fill_opacity, words, ..Self::default() };
+        let tints = Tints::on(drawing.background.color, drawing.fill_opacity);
+        let mut used = Self { fill_opacity: drawing.fill_opacity, words, tints, ..Self::default() };
         used.paint(Property::Fill, Some(&drawing.background).filter(|_| !drawing.is_transparent()));
         used.items(&drawing.items);
         used
@@ -85,9 +89,12 @@ impl Used {
                     self.paint(Property::Stroke, path.pattern.as_ref().map(|p| &p.paint));
                 }
                 Item::Text(text) => {
-                    self.paint(Property::of_words(&text.paint, &self.words), Some(&text.paint));
-                    let halo = text.halo.as_ref().map(|h| &h.paint);
-                    self.paint(Property::Halo, halo);
+                    let seen = Some(&text.paint).filter(|paint| paint.opacity > 0.0);
+                    self.paint(Property::of_words(&text.paint, &self.words), seen);
+                    if let Some(halo) = &text.halo {
+                        self.tints.add(halo);
+                        self.paint(Property::Halo, Some(&halo.paint).filter(|_| halo.areas.is_empty()));
+                    }
                     let inked = text.line.glyphs.iter().map(|g| g.glyph);
                     self.glyphs.extend(inked.filter(|g| !g.outline().segments.is_empty()));
                 }
@@ -110,6 +117,7 @@ impl Document {
         for &(role, property, [r, g, b]) in &used.paints {
             self.rule(&mut sheet, role, property, Color { r, g, b }, used.fill_opacity);
         }
+        used.tints.plain(&mut sheet, &self.prefix, None);
         sheet.push('}');
         if let Some(dark) = dark {
             sheet.push_str("@media (prefers-color-scheme:dark){");
@@ -119,8 +127,10 @@ impl Document {
                     self.rule(&mut sheet, role, property, color, dark.fill_opacity);
                 }
             }
+            used.tints.plain(&mut sheet, &self.prefix, Some(dark));
             sheet.push('}');
         }
+        used.tints.mixed(&mut sheet, &self.prefix, dark);
         self.xml.start("style");
         self.xml.text(&sheet);
         self.xml.end();
@@ -186,6 +196,17 @@ pub(super) fn class_attribute(xml: &mut Xml, prefix: &str, roles: &[(Property, O
     });
 }
 
+/// The class attribute of a halo: that of the page's colour, or of the areas that it lies on.
+pub(super) fn halo_class(xml: &mut Xml, prefix: &str, halo: &Halo, fill_opacity: f64) {
+    match tint::word(halo, fill_opacity) {
+        Some(word) => xml.attribute_by("class", |out| tint::push_class(out, prefix, &word)),
+        None if halo.areas.is_empty() => {
+            class_attribute(xml, prefix, &[(Property::Halo, halo.paint.role)]);
+        }
+        None => {}
+    }
+}
+
 /// A colour attribute, and the opacity where it is not 1.
 pub(super) fn paint(xml: &mut Xml, property: Property, paint: &Paint) {
     let names: &[(&str, &str)] = match property {
@@ -228,15 +249,5 @@ fn short_hex(out: &mut String, color: Color) {
     if digits.chunks(2).all(|pair| pair[0] == pair[1]) {
         out.truncate(start + 1);
         out.extend(digits.iter().step_by(2));
-    }
-}
-
-/// Appends a colour as `#rrggbb`.
-fn hex(out: &mut String, color: Color) {
-    const DIGITS: &[u8; 16] = b"0123456789abcdef";
-    out.push('#');
-    for channel in [color.r, color.g, color.b] {
-        out.push(char::from(DIGITS[usize::from(channel >> 4)]));
-        out.push(char::from(DIGITS[usize::from(channel & 15)]));
     }
 }

@@ -1,7 +1,8 @@
 //! Text of an SVG: outlines written once, used where they stand.
 //!
 //! A line is a group of `<use>` elements in thousandths of an em, a group for each size. Where it has a halo,
-//! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled.
+//! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled if its letters
+//! are seen.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,13 +47,16 @@ impl Document {
         };
         let id = self.new_id("t");
         self.xml.start("g");
-        style::class_attribute(&mut self.xml, &self.prefix, &[(Property::Halo, halo.paint.role)]);
+        style::halo_class(&mut self.xml, &self.prefix, halo, self.fill_opacity);
         style::paint(&mut self.xml, Property::Halo, &halo.paint);
         self.xml.start("g");
         self.xml.attribute("id", &id);
         self.line(&text.line, text.origin, Some(halo));
         self.xml.end();
         self.xml.end();
+        if text.paint.opacity == 0.0 {
+            return;
+        }
         self.xml.start("use");
         self.xml.attribute_by("xlink:href", |out| {
             out.push('#');

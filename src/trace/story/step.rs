@@ -124,8 +124,19 @@ pub(crate) fn title(event: &Event, of: usize, names: &Names) -> String {
             format!("The normal of {} of {}", part(*feature), names.quoted(*side))
         }
         Event::SeparatingAxisFound { .. } => "A separating axis".to_owned(),
-        Event::SimplexUpdated { .. } => "The simplex".to_owned(),
-        Event::PolytopeExpanded { .. } => "The polytope".to_owned(),
+        Event::SimplexUpdated { vertices, closest, .. } => {
+            let what = match vertices.len() {
+                1 => "A vertex",
+                2 => "An edge",
+                _ => "A triangle",
+            };
+            if *closest == DVec2::ZERO {
+                format!("{what} that holds the origin")
+            } else {
+                format!("{what}: at most {} away", number(closest.length()))
+            }
+        }
+        Event::PolytopeExpanded { nearest, .. } => format!("A polytope: at least {} deep", number(*nearest)),
         Event::RayClipped { .. } => "The ray".to_owned(),
         Event::Advanced { step, .. } => match of {
             advanced::APART => format!("Step {step}: how far apart"),

@@ -182,6 +182,10 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("graph" | "fastest-approach", "s_1" | "d") => separation(scene, 0.0).separation,
         // EPA knows the cores only.
         ("polytope", "d") => core_depth(context),
+        // GJK too.
+        ("bracket", "met") => {
+            separation(scene, time).separation + a.unwrap().shape.radius + b.unwrap().shape.radius
+        }
         ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
         ("arc", "theta") => a.unwrap().spin.degrees().abs(),
         ("arc", "r") => reach(a.unwrap()),

@@ -1,0 +1,265 @@
+//! The halo of a text has the colour of what lies under it: on a filled body a pale rim looks like a sticker.
+//!
+//! A halo covers the lines that cross its text. Where all of the text lies on a see-through area, that area
+//! goes on over the halo; where it lies across an area's edge, no one colour fits, and the halo has the
+//! page's. Areas that are opaque are marks; those of the page's colour hide what is below them.
+
+use std::f64::consts::PI;
+
+use crate::drawing::{Contour, Halo, Item, Paint, Path, Point, Rect, Role, Segment, Shown, Text};
+use crate::typeset::UNITS_PER_EM;
+
+use super::polyline::Polyline;
+
+/// The turn of a piece of an arc, radians, 36 to a circle: its line is 2 px off on a circle of 500.
+const PIECE: f64 = PI / 18.0;
+/// The most areas that a halo shows through itself: three are A, B and B ⊖ A.
+const MOST_AREAS: usize = 3;
+/// The most pairs of a text and a point of an area's line that are looked at: a hundred times a figure's.
+/// Beyond, halos keep the page's colour.
+const MOST_PAIRS: usize = 5_000_000;
+
+/// How far a text may reach over an area's line and still lie on it, page pixels: what its box has more than
+/// its ink at a slanted line.
+const OVER: f64 = 2.0;
+
+/// A filled area that was drawn.
+struct Area {
+    /// Its line; none where it is of several pieces.
+    line: Option<Polyline>,
+    /// The box of its line.
+    bounds: Rect,
+    /// What its group is cut off at.
+    clip: Option<Rect>,
+    /// Its colour.
+    paint: Paint,
+    /// The steps that show it.
+    shown: Shown,
+}
+
+/// How a text lies to an area.
+enum Lies {
+    /// All of it on the area.
+    On,
+    /// No part of it on the area.
+    Off,
+    /// Across its line.
+    Across,
+}
+
+/// Gives the halos of a drawing, in painting order, the colours of the areas that their texts lie on.
+pub(crate) fn tint(items: &mut [Item]) {
+    let (texts, points) = items.iter().map(size).fold((0, 0), |all, one| (all.0 + one.0, all.1 + one.1));
+    if texts.saturating_mul(points) <= MOST_PAIRS {
+        walk(items, (None, 1.0), &mut Vec::new());
+    }
+}
+
+/// Texts with a halo in an item, and points of its areas' lines.
+fn size(item: &Item) -> (usize, usize) {
+    match item {
+        Item::Group(group) => {
+            group.items.iter().map(size).fold((0, 0), |all, one| (all.0 + one.0, all.1 + one.1))
+        }
+        Item::Path(Path { fill: Some(_), contour: Contour::Segments(segments), .. }) => (0, segments.len()),
+        Item::Path(_) => (0, 1),
+        Item::Text(text) => (usize::from(text.halo.is_some()), 0),
+    }
+}
+
+/// Goes through the items of a group of this clip and opacity, of which `areas` were drawn before.
+fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Vec<Area>) {
+    for item in items {
+        match item {
+            Item::Group(group) => {
+                let clip = match (clip, group.clip) {
+                    (Some(a), Some(b)) => Some(a.intersection(b).unwrap_or_default()),
+                    (a, b) => a.or(b),
+                };
+                walk(&mut group.items, (clip, opacity * group.opacity), areas);
+            }
+            Item::Path(path) => areas.extend(area(path, clip, opacity)),
+            Item::Text(text) => {
+                let Some(rect) = ink(text) else { continue };
+                let shown = text.shown;
+                let Some(halo) = text.halo.as_mut().filter(|h| h.paint.role == Some(Role::Background)) else {
+                    continue;
+                };
+                lay(halo, under(&rect, shown, areas));
+            }
+        }
+    }
+}
+
+/// The area of a path, if it is one that can be seen under a text.
+fn area(path: &Path, clip: Option<Rect>, opacity: f64) -> Option<Area> {
+    let paint = path.fill?;
+    let paint = paint.with_opacity(paint.opacity * opacity);
+    let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || paint.role == Some(Role::Background));
+    let bounds = path.contour.bounds().filter(|_| is_seen)?;
+    let line = points(&path.contour).and_then(Polyline::closed);
+    Some(Area { line, bounds, clip, paint, shown: path.shown })
+}
+
+/// Points along a contour of one piece without Bézier curves, of which our areas have none.
+fn points(contour: &Contour) -> Option<Vec<Point>> {
+    let segments = match contour {
+        Contour::Circle { center, radius } => return Some(arc(*center, *radius, 0.0, 2.0 * PI)),
+        Contour::Segments(segments) => segments,
+    };
+    let mut points = Vec::new();
+    for (i, segment) in segments.iter().enumerate() {
+        match *segment {
+            Segment::Move(p) if i == 0 => points.push(p),
+            Segment::Line(p) => points.push(p),
+            Segment::Arc { center, radius, start, sweep } => points.extend(arc(center, radius, start, sweep)),
+            Segment::Close => {}
+            Segment::Move(_) | Segment::Quad(..) | Segment::Cubic(..) => return None,
+        }
+    }
+    Some(points)
+}
+
+/// Points along an arc.
+fn arc(center: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
+    let mut shares = vec![0.0];
+    while let Some(&last) = shares.last().filter(|&&last| last < 1.0) {
+        shares.push((last + PIECE / sweep.abs()).min(1.0));
+    }
+    let at = |share: f64| start + sweep * share;
+    let on =
+        |angle: f64| Point::new(center.x + radius * libm::cos(angle), center.y + radius * libm::sin(angle));
+    shares.into_iter().map(|share| on(at(share))).collect()
+}
+
+/// The box of a text's ink, less what it may reach over a line; none where it has none.
+fn ink(text: &Text) -> Option<Rect> {
+    let Point { x, y } = text.origin;
+    let glyphs = text.line.glyphs.iter().map(|placed| {
+        let unit = placed.size / UNITS_PER_EM;
+        let [x0, y0, x1, y1] = placed.glyph.outline().bounds.map(|v| f64::from(v) * unit);
+        Rect::new(
+            Point::new(x + placed.x + x0, y + placed.y + y0),
+            Point::new(x + placed.x + x1, y + placed.y + y1),
+        )
+    });
+    glyphs.reduce(Rect::union).map(|ink| ink.grown(-OVER.min(0.4 * ink.width()).min(0.4 * ink.height())))
+}
+
+/// The areas under a text of this box and these steps, the lowest first; none where no one colour is.
+fn under(rect: &Rect, shown: Shown, areas: &[Area]) -> Vec<Paint> {
+    let mut found = Vec::new();
+    for area in areas {
+        let hides = area.paint.role == Some(Role::Background);
+        match lies(rect, area) {
+            Lies::Off => {}
+            Lies::On if hides => found.clear(),
+            Lies::On if area.shown.holds(shown) && found.len() < MOST_AREAS => found.push(area.paint),
+            Lies::Across if hides => {}
+            Lies::On | Lies::Across => return Vec::new(),
+        }
+    }
+    found
+}
+
+/// How a text of this box lies to an area.
+fn lies(rect: &Rect, area: &Area) -> Lies {
+    let Some(bounds) = area.bounds.intersection(area.clip.unwrap_or(area.bounds)) else { return Lies::Off };
+    if bounds.intersection(*rect).is_none() {
+        return Lies::Off;
+    }
+    match &area.line {
+        _ if bounds.union(*rect) != bounds => Lies::Across,
+        Some(line) if line.crosses(rect) => Lies::Across,
+        Some(line) if line.contains(rect.center()) => Lies::On,
+        Some(_) => Lies::Off,
+        None => Lies::Across,
+    }
+}
+
+/// Lays areas over a halo.
+fn lay(halo: &mut Halo, areas: Vec<Paint>) {
+    halo.paint.color = areas.iter().fold(halo.paint.color, |under, area| area.over(under));
+    halo.areas = areas;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawing::Color;
+    use crate::figure::theme::THEMES;
+    use crate::figure::{Figure, draw, plan};
+    use crate::scene::open_text;
+
+    /// Two boxes, the names pinned, drawn in a theme.
+    fn drawn(labels: &str, theme: usize) -> Figure {
+        let text = format!(
+            "shapes.A = {{ kind = 'aabb', half_extents = [3, 2] }}
+            shapes.B = {{ kind = 'circle', radius = 2, position = [2, 1] }}
+            query = {{ kind = 'separation', of = ['A', 'B'] }}
+            panels = [{{ view = [-4, -3, 5, 4], layers = ['shapes'] }}]
+            {labels}"
+        );
+        let scene = open_text("halo", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        draw(&plan, &THEMES[theme], "halo")
+    }
+
+    /// The halo of the label of a key.
+    fn halo(items: &[Item], key: &str) -> Option<Halo> {
+        items.iter().find_map(|item| match item {
+            Item::Group(group) if group.name == format!("label-{key}") => {
+                group.items.iter().find_map(|item| match item {
+                    Item::Text(text) => text.halo.clone(),
+                    _ => None,
+                })
+            }
+            Item::Group(group) => halo(&group.items, key),
+            _ => None,
+        })
+    }
+
+    #[test]
+    fn a_halo_has_the_colours_of_the_areas_that_its_text_lies_on_in_every_theme() {
+        for (i, theme) in THEMES.iter().enumerate() {
+            let figure = drawn("labels.A = { at = [-100, 50] }\nlabels.B = { at = [-20, 20] }", i);
+            let [a, b] = ["A", "B"].map(|key| halo(&figure.drawing.items, key).unwrap());
+            let page = theme.color(Role::Background);
+            let fill = |role| theme.paint(role).with_opacity(theme.fill_opacity);
+            assert_eq!(a.areas, [fill(Role::A)], "{}", theme.name);
+            assert_eq!(a.paint.color, fill(Role::A).over(page), "{}", theme.name);
+            assert_eq!(b.areas, [fill(Role::A), fill(Role::B)], "{}: B lies over A", theme.name);
+            assert_eq!(b.paint.color, fill(Role::B).over(fill(Role::A).over(page)), "{}", theme.name);
+        }
+    }
+
+    #[test]
+    fn beside_an_area_and_across_its_line_a_halo_has_the_colour_of_the_page() {
+        let white = Color::hex(0xFF_FF_FF);
+        // Beside both, then on A's left edge.
+        for labels in ["labels.A = { at = [-190, 50] }", "labels.A = 'a long name', at = [-140, 60]"] {
+            let labels = labels.replace("'a long name', at", "{ text = 'a long name', at");
+            let labels = if labels.ends_with('}') { labels } else { format!("{labels} }}") };
+            let halo = halo(&drawn(&labels, 0).drawing.items, "A").unwrap();
+            assert_eq!((halo.paint.color, halo.areas.len()), (white, 0), "{labels}");
+        }
+    }
+
+    #[test]
+    fn what_covers_the_page_again_takes_away_what_is_below() {
+        let square = |fill: Paint| {
+            let at = |x, y| Point::new(x, y);
+            let corners = [at(0.0, 0.0), at(90.0, 0.0), at(90.0, 90.0), at(0.0, 90.0)];
+            area(&Path::filled(Contour::polygon(&corners), fill), None, 1.0)
+        };
+        let tint = Paint::role(Role::A, Color::hex(0)).with_opacity(0.5);
+        let page = Paint::role(Role::Background, Color::hex(0xFF_FF_FF));
+        let rect = Rect::new(Point::new(10.0, 10.0), Point::new(40.0, 20.0));
+        let areas: Vec<Area> = [tint, page, tint].into_iter().filter_map(square).collect();
+        assert_eq!(under(&rect, Shown::ALWAYS, &areas[..1]), [tint]);
+        assert_eq!(under(&rect, Shown::ALWAYS, &areas[..2]), []);
+        assert_eq!(under(&rect, Shown::ALWAYS, &areas), [tint]);
+        let late = Area { shown: Shown { since: 3, until: None }, ..square(tint).unwrap() };
+        assert_eq!(under(&rect, Shown { since: 2, until: None }, &[late]), [], "not yet there");
+    }
+}
