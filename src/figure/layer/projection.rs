@@ -193,8 +193,8 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
         .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
 }
 
-/// Draws the edge whose normal the axis is, thick, with n square to it outside of its middle; `None` where the
-/// axis is of no edge.
+/// Draws the edge whose normal the axis is, thick, with n square to it outside of its middle; `None` where
+/// the axis is of no edge.
 fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
     let (side, Feature::Edge(index)) = t.source else { return None };
     let body = context.body(side)?;

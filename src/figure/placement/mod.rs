@@ -17,8 +17,8 @@
 //!
 //! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
 //! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them,
-//! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong, [`tinted`]
-//! gives a halo the colour of what lies under it. All their numbers are [`weights`].
+//! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong. All
+//! their numbers are [`weights`]. [`tinted`] gives a halo the colour of what lies under it.
 
 mod anywhere;
 mod candidates;

@@ -1,8 +1,8 @@
 //! Text of an SVG: outlines written once, used where they stand.
 //!
 //! A line is a group of `<use>` elements in thousandths of an em, a group for each size. Where it has a halo,
-//! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled if its letters
-//! are seen.
+//! the group is drawn twice: first stroked wide in the halo's colour, then, by reference, filled if its
+//! letters are seen.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
