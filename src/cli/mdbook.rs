@@ -109,11 +109,22 @@ fn colors(mail: &Mail) -> Result<Colors, String> {
 fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status {
     let takes = if mail.renderer == PAGES { Takes::Element } else { Takes::Image };
     let (root, src, renderer) = (mail.root.clone(), mail.src.clone(), mail.renderer.clone());
+    let code = mail.code.clone();
     let mut pages = mail.pages();
-    let read: Vec<Found> = pages.iter().map(|page| read(&root, &src, &page.path, page.content)).collect();
+    let wanted = |place: &Place| code.is_some() || !matches!(place.what, What::Link(_));
+    let read: Vec<Found> =
+        pages.iter().map(|page| read((&root, &src), &page.path, page.content, wanted)).collect();
     let orders = orders(&read);
     let kept = Kept::open(&root, &renderer);
-    let desk = Desk { takes, colors, kept, own_themes: OwnThemes::default(), ink: console.ink() };
+    let desk = Desk {
+        takes,
+        colors,
+        kept,
+        own_themes: OwnThemes::default(),
+        ink: console.ink(),
+        code: code.as_deref(),
+        src: &src,
+    };
     let (mut status, mut any_live) = (Status::Done, false);
     let mut served = Vec::with_capacity(orders.len());
     let mut pictures = BTreeMap::new();
@@ -149,11 +160,11 @@ fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status
     )
 }
 
-/// What of a page is ours, and where it stands in the page's file.
-fn read(root: &Path, src: &Path, path: &Path, content: &str) -> Found {
+/// What of a page is ours and wanted, and where it stands in the page's file.
+fn read((root, src): (&Path, &Path), path: &Path, content: &str, wanted: impl Fn(&Place) -> bool) -> Found {
     let below = src.join(path);
     let file = root.join(&below);
-    let places = places(content);
+    let places: Vec<Place> = places(content).into_iter().filter(wanted).collect();
     let text = if places.is_empty() { None } else { std::fs::read_to_string(&file).ok() };
     let lines = places.iter().map(|place| line_in_file(content, text.as_deref()?, place.line)).collect();
     Found { name: below.display().to_string(), file, places, lines }

@@ -170,6 +170,26 @@ fn values_are_those_of_the_answer() {
 }
 
 #[test]
+fn links_out_of_the_book_lead_to_where_its_code_is_shown() {
+    let folder = folder_with("circles.toml", CIRCLES);
+    let page = "See [`a.rs`](../../src/a.rs), [two](two.md) and `[b](../../b.rs)`.\n\n\
+                {{#tracefig circles.toml}}\n\n| [c](../../c.rs#L7) |\n|---|\n| [d](https://d.org/../e) |\n";
+    let built = |table: Value| {
+        let config = json!({"book": {"src": ""}, "preprocessor": {"tracefig": table}});
+        page_in(folder.path(), page, "html", &config)
+    };
+    let text = |ran: &Ran| contents(&came_back(ran)["items"]).remove(0);
+    assert!(text(&built(json!({}))).contains("[`a.rs`](../../src/a.rs)"), "without the key they stay");
+    let text = text(&built(json!({"code": "https://x.org/it/blob/main/docs/guide/"})));
+    let at = "https://x.org/it/blob/main/";
+    assert!(text.starts_with(&format!("See [`a.rs`]({at}src/a.rs), [two](two.md) and `[b](../../b.rs)`.")));
+    assert!(text.ends_with(&format!("| [c]({at}c.rs#L7) |\n|---|\n| [d](https://d.org/../e) |\n")), "{text}");
+    let ran = built(json!({"code": "https://x.org"}));
+    assert_eq!(ran.code, Some(1));
+    assert!(ran.err.contains("leads above `code`") && ran.err.contains("--> page.md:1"), "{}", ran.err);
+}
+
+#[test]
 fn what_is_wrong_is_told_with_the_line_of_the_page() {
     let fence = "# One\n\n```tracefig\ntitle = \"x\"\n[shapes.A]\nkind = \"circel\"\n```\n";
     let told = refused(fence);

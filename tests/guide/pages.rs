@@ -89,16 +89,16 @@ fn the_summary_lists_every_page_once() {
     assert_eq!(listed, there);
 }
 
-#[test]
-fn the_guide_is_drawn_whole() {
+/// The texts of pages as the preprocessor leaves them, with more in its table.
+fn built(pages: &[(PathBuf, String)], more: (&str, &str)) -> Vec<String> {
     let page = |(path, text): &(PathBuf, String)| {
         let path = path.strip_prefix(src()).unwrap();
         json!({"Chapter": {"content": text, "sub_items": [], "path": path}})
     };
-    let pages = all();
     let items: Vec<Value> = pages.iter().map(page).collect();
     let config = fs::read_to_string(src().with_file_name("book.toml")).unwrap();
-    let config: Value = toml::from_str(&config).unwrap();
+    let mut config: Value = toml::from_str(&config).unwrap();
+    config["preprocessor"]["tracefig"][more.0] = json!(more.1);
     let context = json!({"root": src().parent().unwrap(), "renderer": "html", "config": config});
     let mut command = tracefig();
     command.arg("mdbook").stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -110,6 +110,35 @@ fn the_guide_is_drawn_whole() {
     writing.join().unwrap();
     assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
     let book: Value = serde_json::from_slice(&ran.stdout).unwrap();
+    let text = |item: &Value| item["Chapter"]["content"].as_str().unwrap().to_owned();
+    book["items"].as_array().unwrap().iter().map(text).collect()
+}
+
+#[test]
+fn links_to_code_of_a_published_guide_lead_to_files_of_the_repository() {
+    let code = "https://example.org/it/blob/main/";
+    let linked: Vec<(PathBuf, String)> =
+        all().into_iter().map(|(path, text)| (path, text.replace("{{#tracefig", "{{#include"))).collect();
+    let texts = built(&linked, ("code", &format!("{code}guide")));
+    let (mut led, root) = (0, src().join("../.."));
+    for (text, (path, _)) in texts.iter().zip(&linked) {
+        let (prose, _) = parted(text);
+        for target in prose.split("](").skip(1).map(|part| part.split(')').next().unwrap()) {
+            if let Some(file) = target.strip_prefix(code) {
+                assert!(root.join(file).exists(), "{}: {target}", path.display());
+                led += 1;
+            }
+            let below = path.strip_prefix(src()).unwrap().components().count();
+            assert!(!target.starts_with(&"../".repeat(below)), "{}: {target}", path.display());
+        }
+    }
+    assert!(led >= 30, "{led} links to code");
+}
+
+#[test]
+fn the_guide_is_drawn_whole() {
+    let pages = all();
+    let texts = built(&pages, ("", ""));
     let asked: usize = pages
         .iter()
         .map(|(_, text)| {
@@ -118,12 +147,7 @@ fn the_guide_is_drawn_whole() {
             prose.matches("\n{{#tracefig ").count() + fenced.count()
         })
         .sum();
-    let drawn: usize = book["items"]
-        .as_array()
-        .unwrap()
-        .iter()
-        .map(|item| item["Chapter"]["content"].as_str().unwrap().matches("<figure class=\"tracefig").count())
-        .sum();
+    let drawn: usize = texts.iter().map(|text| text.matches("<figure class=\"tracefig").count()).sum();
     assert_eq!(drawn, asked);
     assert!(drawn >= 60, "{drawn} figures");
 }

@@ -19,6 +19,7 @@ use super::super::unplanned::Unplanned;
 use super::attributes::Attributes;
 use super::colors::Colors;
 use super::kept::Kept;
+use super::links::address;
 use super::markdown::{Place, What};
 
 /// Width of the page of figures that say none, page pixels: that of mdBook's text, so that letters have the
@@ -46,6 +47,10 @@ pub(crate) struct Desk<'d> {
     pub(crate) own_themes: OwnThemes,
     /// How messages are written.
     pub(crate) ink: Ink,
+    /// The address of the book's folder where its repository is shown.
+    pub(crate) code: Option<&'d str>,
+    /// The folder of the pages, from that of the book.
+    pub(crate) src: &'d Path,
 }
 
 /// A place of a page, with what it takes to draw it.
@@ -91,11 +96,19 @@ impl Desk<'_> {
         let served = match &order.place.what {
             What::Backslash => Ok(Served::words(String::new())),
             What::Wrong(told) => Err(order.told(told)),
+            What::Link(to) => self.link(order, to).map(Served::words),
             What::Value { path, name } => self.value(order, path, name).map(Served::words),
             What::Scene { attributes, text } => self.figure(order, None, (attributes, text)),
             What::File { path, attributes } => self.figure(order, Some(path), (attributes, "")),
         };
         served.unwrap_or_else(|messages| Served { messages, ..Served::default() })
+    }
+
+    /// The target of a link: an address for what lies outside the book.
+    fn link(&self, order: &Order, to: &str) -> Result<String, String> {
+        let Some(code) = self.code else { return Ok(to.to_owned()) };
+        let led = address(code, self.src, Path::new(order.name), to).map_err(|told| order.told(&told))?;
+        Ok(led.unwrap_or_else(|| to.to_owned()))
     }
 
     /// The text of a value of a file's answer.

@@ -18,6 +18,8 @@ pub(crate) struct Mail {
     pub(crate) renderer: String,
     /// The theme file that figures of the book have, from its folder.
     pub(crate) theme: Option<String>,
+    /// The address of the book's folder where its repository is shown.
+    pub(crate) code: Option<String>,
     /// The scripts that the pages load besides those of mdBook, from the book's folder.
     pub(crate) scripts: Vec<PathBuf>,
     /// The book.
@@ -47,12 +49,13 @@ impl Mail {
         let root = PathBuf::from(text("/root").ok_or_else(unlike)?);
         let src = PathBuf::from(text("/config/book/src").unwrap_or("src"));
         let theme = text("/config/preprocessor/tracefig/theme").map(str::to_owned);
+        let code = text("/config/preprocessor/tracefig/code").map(str::to_owned);
         let scripts = context.pointer("/config/output/html/additional-js").and_then(Value::as_array);
         let scripts = scripts.into_iter().flatten().filter_map(Value::as_str).map(PathBuf::from).collect();
         if list(&book).is_none() {
             return Err(unlike());
         }
-        Ok(Self { root, src, renderer, theme, scripts, book })
+        Ok(Self { root, src, renderer, theme, code, scripts, book })
     }
 
     /// The pages with a file, in the order of the book.

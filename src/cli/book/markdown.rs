@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use pulldown_cmark::{CodeBlockKind, Event, Options, Parser, Tag};
+use pulldown_cmark::{CodeBlockKind, Event, LinkType, Options, Parser, Tag};
 
 /// The word before a fenced scene.
 const FENCE: &str = "tracefig";
@@ -53,6 +53,8 @@ pub(crate) enum What {
         /// The value's name, with its digits.
         name: String,
     },
+    /// The target of a link.
+    Link(String),
     /// What was meant for us and is none of these.
     Wrong(String),
     /// The backslash before what is not meant for us.
@@ -99,6 +101,9 @@ fn fences(page: &str) -> (Vec<Place>, Vec<Range<usize>>) {
                     found.push(place(page, range, What::Scene { attributes, text }));
                 }
             }
+            Event::Start(Tag::Link { link_type: LinkType::Inline, dest_url, .. }) => {
+                found.extend(target(page, range, &dest_url));
+            }
             Event::Code(_) => code.push(range),
             Event::Html(text) | Event::InlineHtml(text) if text.trim_start().starts_with("<!--") => {
                 code.push(range);
@@ -107,6 +112,12 @@ fn fences(page: &str) -> (Vec<Place>, Vec<Range<usize>>) {
         }
     }
     (found, code)
+}
+
+/// The place of a link's target; `None` where it is not written as it is.
+fn target(page: &str, link: Range<usize>, to: &str) -> Option<Place> {
+    let start = link.start + page[link].rfind(&format!("]({to}"))? + 2;
+    Some(place(page, start..start + to.len(), What::Link(to.to_owned())))
 }
 
 /// The place at a word that asks for something.
@@ -161,6 +172,16 @@ mod tests {
 
     fn found(page: &str) -> Vec<(usize, What)> {
         places(page).into_iter().map(|place| (place.line, place.what)).collect()
+    }
+
+    #[test]
+    fn targets_of_links_have_their_place() {
+        let page = "A [`a(b).rs`](../a.rs \"(../a.rs\") and `[x](y)`\n\n\
+                    | t |\n|---|\n| [b](<b c.rs>) [d](d.rs#L1) |\n";
+        let places = places(page);
+        let texts: Vec<&str> = places.iter().map(|place| &page[place.range.clone()]).collect();
+        assert_eq!(texts, ["../a.rs", "d.rs#L1"]);
+        assert!(matches!(&places[1].what, What::Link(to) if to == "d.rs#L1"));
     }
 
     fn file(path: &str, attributes: &str) -> What {

@@ -3,12 +3,13 @@
 //! A page says ```` ```tracefig ```` before a scene, `{{#tracefig FILE}}` for one in a file, and
 //! `{{=FILE VALUE}}` for a number of its answer. [`markdown`] finds them, [`figures`] draws them, [`colors`]
 //! lets them follow the book's theme, [`kept`] has those of the last build, [`runtime`] is what those need
-//! that are live, and [`mail`] is how the book comes and goes.
+//! that are live, [`links`] are the addresses of code, and [`mail`] is how the book comes and goes.
 
 pub(crate) mod attributes;
 pub(crate) mod colors;
 pub(crate) mod figures;
 pub(crate) mod kept;
+pub(crate) mod links;
 pub(crate) mod mail;
 pub(crate) mod markdown;
 pub(crate) mod places;
