@@ -8,6 +8,7 @@
 use crate::drawing::{Offset, Point, Rect};
 
 use super::polyline::Polyline;
+use super::rect::nearest_in;
 use super::weights::Places;
 
 /// The search for a pole ends at steps of this, page pixels: what no eye sees.
@@ -83,7 +84,15 @@ fn room_at(p: Point, area: &Polyline, avoid: &[&Polyline], panel: &Rect) -> f64 
     let edge = (p.x - panel.x0).min(panel.x1 - p.x).min(p.y - panel.y0).min(panel.y1 - p.y);
     let own = if area.contains(p) { distance_within(area, p, edge) } else { -distance(area, p) };
     avoid.iter().fold(own.min(edge), |room, other| {
-        if other.contains(p) { room.min(-distance(other, p)) } else { distance_within(other, p, room) }
+        let away = (p - nearest_in(&other.bounds(), p)).square();
+        // What is farther off than another line is, and does not hold the point, changes nothing.
+        if away > 0.0 && (room <= 0.0 || away >= room * room) {
+            room
+        } else if other.contains(p) {
+            room.min(-distance(other, p))
+        } else {
+            distance_within(other, p, room)
+        }
     })
 }
 
