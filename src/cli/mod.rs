@@ -33,6 +33,8 @@ mod outputs;
 mod parallel;
 mod partition;
 mod project;
+mod qti;
+mod questions;
 mod regular;
 mod render;
 mod report;
@@ -150,6 +152,7 @@ static COMMANDS: &[Command] = &[
     row::<describe::Describe>("describe", "Tell a figure in words: its alternative text, short and long"),
     row::<mdbook::Mdbook>("mdbook", "Draw the scenes in the pages of a book, as mdBook builds it"),
     row::<moodle::Moodle>("moodle", "Write exercises as questions for a Moodle course, in one file"),
+    row::<qti::Qti>("qti", "Write exercises as items of QTI 2.1 for a learning platform, in one package"),
     row::<report::Report>("report", "Measure speed against error, as tables and plots"),
     row::<list::List>("list", "Print what a scene may say: kinds, algorithms, layers, fields, errors"),
     row::<completions::Completions>("completions", "Print completions for a shell"),

@@ -1,39 +1,17 @@
 //! Moodle XML: questions whose answer is a number, for the question bank of a course.
 //!
 //! Each question holds its figures, as PNG, so that the one file is all that is imported. Texts are plain:
-//! a site needs no filter for formulas to show them.
+//! a site needs no filter for formulas to show them. What is written is what Moodle's own import reads, field
+//! by field (`question/format/xml/format.php`, `question/format.php`).
 
 use super::base64::base64;
-use super::embedded::image;
+use super::question::{Numerical, push_words, short, small_image};
 use super::xml::Xml;
-use super::{IMAGE, Options, OutputError, PngEffort};
+use super::{IMAGE, OutputError};
 use crate::drawing::Drawing;
 
-/// Characters of a name; the columns of a question bank hold 255.
-const NAME: usize = 200;
 /// Where the files of a text lie.
 const FILES: &str = "@@PLUGINFILE@@/";
-
-/// A question whose answer is a number, in plain words.
-#[derive(Clone, Debug)]
-pub struct Numerical<'d> {
-    /// What the teacher finds it by.
-    pub name: String,
-    /// What is given and asked, a paragraph each.
-    pub asks: Vec<String>,
-    /// The figure below the question; it must not show the answer.
-    pub figure: &'d Drawing,
-    /// The answer.
-    pub answer: f64,
-    /// How far from the answer a number may lie that counts as right.
-    pub tolerance: f64,
-    /// What the student reads after the answer, a paragraph each.
-    pub told: Vec<String>,
-    /// The way to the answer, step by step.
-    pub way: Vec<String>,
-    /// The figure that shows the answer.
-    pub solved: &'d Drawing,
-}
 
 /// Categories of questions, as one file.
 #[derive(Debug)]
@@ -73,7 +51,9 @@ impl Quiz {
     /// ```
     pub fn category(&mut self, name: &str) {
         // A single slash would part a category from one within it.
-        let name = short(name).replace('/', "//");
+        let name = kept_words(name).replace('/', "//");
+        // A name that begins with a dollar sign may be one of a context; one within the top is none.
+        let name = if name.starts_with('$') { format!("top/{name}") } else { name };
         self.of_type("category");
         self.worded("category", &name);
         self.xml.end();
@@ -102,7 +82,7 @@ impl Quiz {
     pub fn add(&mut self, question: &Numerical<'_>) -> Result<(), OutputError> {
         let Numerical { name, asks, figure, answer, tolerance, told, way, solved } = question;
         self.of_type("numerical");
-        self.worded("name", &short(name));
+        self.worded("name", &kept_words(name));
         self.figured("questiontext", &html(asks, &[], figure), figure)?;
         self.figured("generalfeedback", &html(told, way, solved), solved)?;
         self.element("defaultgrade", "1");
@@ -155,7 +135,7 @@ impl Quiz {
 
     /// Writes an element of HTML with its figure.
     fn figured(&mut self, name: &'static str, html: &str, figure: &Drawing) -> Result<(), OutputError> {
-        let image = image(figure, &Options { png: PngEffort::Small, ..Options::default() })?;
+        let image = small_image(figure)?;
         self.xml.start(name);
         self.xml.attribute("format", "html");
         self.element("text", html);
@@ -170,9 +150,19 @@ impl Quiz {
     }
 }
 
-/// Cuts a name to what a question bank keeps.
-fn short(name: &str) -> String {
-    name.chars().take(NAME).collect()
+/// A name of which nothing is lost: a question bank cuts it, and takes away all that looks like an element,
+/// which is all from a `<` on that no blank follows.
+fn kept_words(name: &str) -> String {
+    let mut parts = name.split('<');
+    let mut kept = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        kept.push('<');
+        if !part.starts_with(char::is_whitespace) {
+            kept.push(' ');
+        }
+        kept.push_str(part);
+    }
+    short(&kept)
 }
 
 /// The name of the figure of a text, among the files of that text.
@@ -183,34 +173,13 @@ fn file_name() -> String {
 /// Paragraphs, the figure below them, and numbered steps.
 fn html(paragraphs: &[String], steps: &[String], figure: &Drawing) -> String {
     let mut html = Xml::default();
-    for paragraph in paragraphs {
-        html.start("p");
-        html.text(paragraph);
-        html.end();
-    }
-    html.start("p");
-    html.start("img");
-    html.attribute("src", &format!("{FILES}{}", file_name()));
-    html.attribute("alt", &figure.title);
-    html.attribute("class", "img-fluid");
-    html.number("width", figure.width.round());
-    html.number("height", figure.height.round());
-    html.end();
-    html.end();
-    if !steps.is_empty() {
-        html.start("ol");
-        for step in steps {
-            html.start("li");
-            html.text(step);
-            html.end();
-        }
-        html.end();
-    }
+    push_words(&mut html, paragraphs, steps, (figure, &format!("{FILES}{}", file_name())));
     html.finish()
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::question::NAME;
     use super::super::samples::everything;
     use super::*;
 
@@ -230,7 +199,8 @@ mod tests {
             let found = parsed.descendants().rfind(|node| node.has_tag_name(name)).unwrap();
             found.descendants().filter_map(|node| node.text()).find(|text| !text.trim().is_empty()).unwrap()
         };
-        assert_eq!(text("category"), nasty.replace('/', "//"));
+        let kept = "a < b/c & \"d\" < /p>< script>alert(1)< /script> ]]>";
+        assert_eq!(text("category"), kept.replace('/', "//"));
         assert_eq!((text("name").len(), text("answer"), text("tolerance")), (NAME, "0", "0.0000005"));
         for (part, elements) in [("questiontext", 3), ("generalfeedback", 5)] {
             let html = format!("<div>{}</div>", text(part));
@@ -239,6 +209,16 @@ mod tests {
             let words: Vec<_> = html.descendants().filter_map(|node| node.text()).collect();
             assert!(words.contains(&nasty) && html.descendants().any(|n| n.attribute("alt") == Some(nasty)));
         }
-        assert!(!image(figure, &Options::default()).unwrap().windows(6).any(|bytes| bytes == b"answer"));
+        assert!(!small_image(figure).unwrap().windows(6).any(|bytes| bytes == b"answer"));
+    }
+
+    #[test]
+    fn a_category_is_no_context_and_its_name_keeps_what_follows_a_less_than() {
+        let mut quiz = Quiz::new();
+        quiz.category("$course$");
+        quiz.category("hits at t<1");
+        let file = quiz.finish();
+        assert!(file.contains("<text>top/$course$</text>"), "{file}");
+        assert!(file.contains("<text>hits at t&lt; 1</text>"), "{file}");
     }
 }

@@ -20,6 +20,7 @@ mod live_book;
 mod mdbook;
 mod moodle;
 mod project;
+mod qti;
 mod readme;
 mod render;
 mod render_jsonl;

@@ -8,7 +8,7 @@ use serde_json::Value;
 use crate::{CIRCLES, folder_with, run, tracefig};
 
 /// Two circles 1 apart whose every text tells of the answer, 1 m and the normal.
-fn exercise() -> String {
+pub(crate) fn exercise() -> String {
     let told = "title = \"They are {=d} apart\"\nheadline = \"It is {=d}\"";
     let circles = CIRCLES.replace("title = \"Two circles\"", told);
     let exercise = "ask = [\"d\", \"n.x\"]\nlength_unit = \"m\"";
