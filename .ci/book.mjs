@@ -37,6 +37,8 @@ async function opened(file, about, options = {}) {
     const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
     page.on("request", (request) => request.url().startsWith("file:") || fail(about, `asks for ${request.url()}`));
     page.on("pageerror", (error) => fail(about, error.stack));
+    // The page to be printed asks for that at once.
+    await page.addInitScript(() => { globalThis.print = () => {}; });
     await page.goto(pathToFileURL(file).href);
     return page;
 }
@@ -78,6 +80,31 @@ async function drag(page, figure, about) {
     }
     await page.mouse.up();
     await judge(page, figure, `${about}, dragged`);
+}
+
+// A body can be taken by any of its points: the first that has one under no handle moves with the pointer.
+async function dragBody(page, figure, about) {
+    const spot = await figure.evaluate((root) => {
+        for (const shape of root.querySelectorAll("[data-held] *")) {
+            const { left, top, width, height } = shape.getBoundingClientRect();
+            for (let i = 1; i < 40; i++) {
+                const [x, y] = [left + (width * (i % 8)) / 8, top + (height * Math.floor(i / 8)) / 5];
+                if (document.elementFromPoint(x, y)?.closest("[data-held]")) return [x, y];
+            }
+        }
+        return root.querySelector("[data-held]") && [];
+    });
+    if (!spot) return;
+    if (spot.length === 0) return fail(about, "has no body that can be taken by its points");
+    const bodies = () => figure.$$eval("[data-held] *", (all) => all.map((shape) => shape.outerHTML).join(""));
+    const before = await bodies();
+    await page.mouse.move(...spot);
+    await page.mouse.down();
+    for (let i = 1; i <= 10; i++) await page.mouse.move(spot[0] + 3 * i, spot[1]);
+    await frame(page);
+    await frame(page);
+    await page.mouse.up();
+    if ((await bodies()) === before) fail(about, "a body that is held by one of its points does not move");
 }
 
 async function judge(page, figure, about) {
@@ -126,6 +153,7 @@ async function dragged(file, about) {
     await frame(page);
     if (page.url() !== url) fail(about, "an arrow key turns the page under a handle");
     else if ((await value()) === from) fail(about, `arrow keys leave the value at ${from}`);
+    await dragBody(page, figure, about);
     await themes(page, about);
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => globalThis.axe.run({ include: [[".tracefig-live"]] }));
