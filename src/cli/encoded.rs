@@ -1,4 +1,4 @@
-//! A drawing as files: one for each format that is asked for, or one for each step.
+//! A drawing as files: one for each format that is asked for, or one for each picture of a figure in time.
 
 use std::sync::Arc;
 
@@ -6,9 +6,9 @@ use tracefig::drawing::Drawing;
 use tracefig::drift::{fingerprint, metadata, text_chunk};
 use tracefig::output::{Format, Options, OutputError};
 
-use super::in_steps::apart;
+use super::apart::apart;
+use super::in_time::InTime;
 use super::jobs::{Planned, Target};
-use super::step_files::StepFiles;
 use super::timings::Timings;
 
 /// One file, ready to be written.
@@ -34,7 +34,7 @@ fn stamped(drawing: Drawing, hash: &str, facts: &str) -> Drawing {
 /// says of each what is asked of its format, and its hash; `encode` makes a file of the whole.
 pub(crate) fn encode_all<'p>(
     mut drawing: Drawing,
-    (planned, steps): (&'p [Planned], Option<StepFiles>),
+    (planned, in_time): (&'p [Planned], Option<InTime>),
     facts: &str,
     (asked, encode): (
         impl Fn(&Planned) -> (Options, String),
@@ -47,11 +47,11 @@ pub(crate) fn encode_all<'p>(
         let format = planned.format;
         let (options, hash) = asked(planned);
         let refused = |error| (planned, error);
-        if let Some(steps) = apart(&drawing, planned, steps) {
-            for step in steps {
-                let drawing = stamped(step.drawing, &fingerprint(&hash, &step.key), facts);
+        if let Some(pictures) = apart(&drawing, planned, in_time) {
+            for one in pictures {
+                let drawing = stamped(one.drawing, &fingerprint(&hash, &one.key), facts);
                 let bytes = format.encode(&drawing, &options).map_err(refused)?;
-                made.push((Some(Arc::new(drawing)), (bytes, options, format, step.target)));
+                made.push((Some(Arc::new(drawing)), (bytes, options, format, one.target)));
             }
         } else {
             drawing = stamped(drawing, &hash, facts);

@@ -9,7 +9,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drift::{Stamp, facts, fingerprint, restamped};
 use tracefig::figure::theme;
-use tracefig::figure::{Fault, Figure, draw, draw_in_steps, plan, plan_in};
+use tracefig::figure::{Fault, Figure};
 use tracefig::output::{FORMATS, INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
@@ -19,7 +19,9 @@ use super::atomic_file::Wait;
 use super::encoded::{Encoded, encode_all};
 use super::encoding::{cant_encode, figure_id, warn};
 use super::failure::Failure;
+use super::in_motion::{MotionOptions, planned as planned_for};
 use super::in_steps::StepOptions;
+use super::in_time::InTime;
 use super::inputs::{find, shown};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
@@ -71,6 +73,9 @@ pub(crate) struct Files {
     /// Whether figures are drawn in steps.
     #[command(flatten)]
     steps: StepOptions,
+    /// Whether figures play.
+    #[command(flatten)]
+    motion: MotionOptions,
     /// Colours of a theme file that readers can't tell apart are warnings, not errors
     #[arg(long)]
     allow_similar: bool,
@@ -161,8 +166,9 @@ impl Files {
     /// What the command line says of all scenes.
     fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
         let (formats, themes, variants, seeds) = (&self.format, &self.theme, &self.variant, &self.seed);
-        let steps = self.steps.files();
-        Flags { output, formats, themes, scale: self.scale, steps, variants, seeds }
+        let steps = self.steps.files().map(InTime::Steps);
+        let in_time = if self.motion.is_asked() { Some(InTime::Motion) } else { steps };
+        Flags { output, formats, themes, scale: self.scale, in_time, variants, seeds }
     }
 
     /// Whether a scene is to come from standard input.
@@ -230,7 +236,7 @@ impl Files {
         job.files.iter().all(|planned| {
             let Target::File(path) = &planned.target else { return false };
             let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            if job.settings.steps_apart(planned.format) {
+            if job.settings.are_apart(planned.format) {
                 return false;
             }
             let hash = self.hash(planned, &file, theme, &self.options(job, planned));
@@ -302,11 +308,8 @@ impl Files {
         timings: &mut Timings,
     ) -> Result<Vec<Encoded>, Failure> {
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
-        let plan = match own.or(job.settings.themes.first()) {
-            Some(theme) => plan_in(scene, &theme.theme),
-            None => plan(scene),
-        };
-        let plan = plan.map_err(refuse)?;
+        let (in_time, theme) = (job.settings.in_time, own.or(job.settings.themes.first()));
+        let plan = planned_for(scene, theme.map(|chosen| &chosen.theme), in_time).map_err(refuse)?;
         timings.lap("plan");
         let mut files: Vec<Encoded> = Vec::new();
         // The formats of a theme follow one another and share a drawing.
@@ -316,10 +319,14 @@ impl Files {
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             // Texts are set and views fitted for the sizes of one theme; those of the house have the same.
             let other = (theme.text, theme.strokes) != (plan.theme.text, plan.theme.strokes);
-            let planned_anew = if other { Some(plan_in(scene, theme).map_err(refuse)?) } else { None };
+            let planned_anew = match other {
+                true => Some(planned_for(scene, Some(theme), in_time).map_err(refuse)?),
+                false => None,
+            };
             let plan = planned_anew.as_ref().unwrap_or(&plan);
-            let make = if job.settings.steps.is_some() { draw_in_steps } else { draw };
-            let Figure { drawing, warnings, .. } = make(plan, theme, &figure_id(job, first));
+            let id = figure_id(job, first);
+            let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;
+            let Figure { drawing, warnings, .. } = drawn;
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings).into());
@@ -347,7 +354,7 @@ impl Files {
                 Some(live) => live.page(drawing, (job, file), &planned.target, chosen),
                 None => planned.format.encode(drawing, options),
             };
-            let same_theme = (same_theme, job.settings.steps);
+            let same_theme = (same_theme, in_time);
             let made = encode_all(drawing, same_theme, &facts, (asked, encode), timings);
             let made = made.map_err(|(planned, error)| cant_encode(file, planned, &error, ink))?;
             files.extend(made);
@@ -372,8 +379,10 @@ impl Files {
 
     /// What is asked of the format of a file.
     fn options(&self, job: &Job, planned: &Planned) -> Options {
-        let steps = self.steps.in_one(job.settings.steps, planned.format);
-        Options { scale: job.settings.scale, png: self.effort(), steps }
+        let (in_time, format) = (job.settings.in_time, planned.format);
+        let steps = self.steps.in_one(in_time, format);
+        let motion = self.motion.in_one(in_time, format, self.steps.hold);
+        Options { scale: job.settings.scale, png: self.effort(), steps, motion }
     }
 
     /// How a PNG is packed.

@@ -8,10 +8,10 @@ use std::sync::Arc;
 use tracefig::output::Format;
 use tracefig::scene::Variant;
 
+use super::in_time::InTime;
 use super::inputs::{Input, Located, shown};
 use super::outputs::{Kept, one_name};
 use super::settings::{Destination, Projects, Settings};
-use super::step_files::PART;
 use super::unplanned::Unplanned;
 
 /// Where a file goes.
@@ -78,10 +78,11 @@ pub(crate) fn bound_file(jobs: &[Job]) -> Option<(&Path, &'static Format)> {
     else {
         return None;
     };
-    let bound = |Settings { destination, steps, .. }: &Settings| {
-        let holds = match steps {
+    let bound = |Settings { destination, in_time, .. }: &Settings| {
+        let holds = match in_time {
             None => format.has_sheets() || format.has_slides(),
-            Some(steps) => format.has_slides() && !steps.are_apart(format),
+            Some(InTime::Steps(files)) => format.has_slides() && !files.are_apart(format),
+            Some(InTime::Motion) => false,
         };
         holds && matches!(destination, Destination::File(_))
     };
@@ -109,7 +110,7 @@ fn apart(jobs: &[Job]) -> Result<(), Unplanned> {
     let to_stdout = jobs.iter().flat_map(|j| &j.files).filter(|f| f.target == Target::Stdout).count();
     let apart = jobs.iter().any(|job| {
         let to_stdout = |file: &&Planned| file.target == Target::Stdout;
-        job.files.iter().filter(to_stdout).any(|file| job.settings.steps_apart(file.format))
+        job.files.iter().filter(to_stdout).any(|file| job.settings.are_apart(file.format))
     });
     if to_stdout > 1 || apart {
         let message = "standard output takes one file: give one scene, one `--format` and at most one \
@@ -179,8 +180,8 @@ fn target(scene: &Located, settings: &Settings, parts: [Option<&str>; 3], extens
         }
     };
     let mut name = stem;
-    let steps = settings.steps.map(|_| PART);
-    for part in parts.into_iter().flatten().chain(steps).chain([extension]) {
+    let in_time = settings.in_time.map(|in_time| in_time.parts()[0]);
+    for part in parts.into_iter().flatten().chain(in_time).chain([extension]) {
         name.push(".");
         name.push(part);
     }
@@ -282,7 +283,7 @@ mod tests {
             scale: None,
             variants: &[],
             seeds: &[],
-            steps: None,
+            in_time: None,
         };
         let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())

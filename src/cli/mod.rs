@@ -6,6 +6,7 @@
 //! of scenes is read no further.
 
 mod answering;
+mod apart;
 mod atomic_file;
 mod book;
 mod check;
@@ -18,7 +19,9 @@ mod failure;
 mod files;
 mod gallery;
 mod handout;
+mod in_motion;
 mod in_steps;
+mod in_time;
 mod inputs;
 mod jobs;
 mod lines;

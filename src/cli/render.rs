@@ -50,7 +50,7 @@ pub(crate) struct Render {
     /// page lists them
     #[arg(long, value_name = "shared", num_args = 0..=1, require_equals = true,
         default_missing_value = "alone", value_parser = Live::of_word,
-        conflicts_with_all = ["jsonl", "skip_unchanged", "steps"])]
+        conflicts_with_all = ["jsonl", "skip_unchanged", "in_time"])]
     live: Option<Live>,
     /// How figures are put onto sheets.
     #[command(flatten)]

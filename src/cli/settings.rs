@@ -9,6 +9,7 @@ use tracefig::output::{FORMATS, Format, format};
 use tracefig::scene::limits::MAX_SCALE;
 use tracefig::scene::{CanvasDefaults, Fault, Spanned, Variant};
 
+use super::in_time::InTime;
 use super::inputs::{Input, shown};
 use super::project::{OpenProject, nearest_file, real};
 use super::step_files::StepFiles;
@@ -34,8 +35,8 @@ pub(crate) struct Flags<'c> {
     pub(crate) variants: &'c [Variant],
     /// Numbers of variants of exercises; none are the scenes themselves.
     pub(crate) seeds: &'c [Seeds],
-    /// What steps become; none where it does not ask for them.
-    pub(crate) steps: Option<StepFiles>,
+    /// How figures are shown in time; none where it does not ask for that.
+    pub(crate) in_time: Option<InTime>,
 }
 
 /// Where files go.
@@ -70,8 +71,8 @@ pub(crate) struct Settings {
     pub(crate) variants: Vec<Variant>,
     /// Which variants by number; `None` is the scene itself.
     pub(crate) seeds: Vec<Option<usize>>,
-    /// What the steps of a figure become; none draws the finished figure alone.
-    pub(crate) steps: Option<StepFiles>,
+    /// How figures are shown in time; none draws the finished figure alone.
+    pub(crate) in_time: Option<InTime>,
     /// The page of scenes that do not say otherwise.
     pub(crate) canvas: CanvasDefaults,
     /// The theme of that page, where it is a file.
@@ -97,9 +98,12 @@ impl Settings {
         let destination = destination(flags.output, known.output);
         let asked: Vec<_> = flags.formats.iter().filter_map(|name| format(name)).collect();
         let formats_asked = !asked.is_empty();
+        let in_time = flags.in_time.or(known.steps.map(InTime::Steps));
+        let of_time = in_time.map(InTime::own_formats).unwrap_or_default();
         let mut formats = match (&destination, formats_asked) {
             (Destination::File(path), _) => vec![format_of(path, &asked)?],
             (_, true) => asked,
+            (_, false) if !of_time.is_empty() => of_time,
             (_, false) if known.formats.is_empty() => usual_formats(),
             (_, false) => known.formats,
         };
@@ -118,7 +122,7 @@ impl Settings {
             scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
             variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
             seeds: Seeds::all(flags.seeds),
-            steps: flags.steps.or(known.steps),
+            in_time,
             page_theme: known.page_theme,
             canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
             project: project.map(|project| project.file.clone()),
@@ -131,9 +135,9 @@ impl Settings {
         self.themes.iter().find(|chosen| Some(chosen.name.as_str()) == name)
     }
 
-    /// Whether each step of a figure becomes a file of its own in a format.
-    pub(crate) fn steps_apart(&self, format: &Format) -> bool {
-        self.steps.is_some_and(|files| files.are_apart(format))
+    /// Whether each picture of a figure in time becomes a file of its own in a format.
+    pub(crate) fn are_apart(&self, format: &Format) -> bool {
+        self.in_time.is_some_and(|in_time| in_time.are_apart(format))
     }
 
     /// The folder of a scene's files within the output folder; `below` is where the scene was found below

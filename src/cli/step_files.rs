@@ -3,8 +3,6 @@
 use tracefig::output::Format;
 use tracefig::scene::STEP_FILES;
 
-/// The part of a file's name that says that it holds steps.
-pub(crate) const PART: &str = "steps";
 /// How many files the steps of a figure become.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepFiles {

@@ -4,6 +4,7 @@
 //! circle stays a circle and an arc an arc, so that each format can choose its own way to say them.
 
 mod extent;
+mod motion;
 mod offset;
 mod paint;
 mod path;
@@ -13,6 +14,7 @@ mod steps;
 
 use std::sync::Arc;
 
+pub use motion::MotionFrame;
 pub use offset::Offset;
 pub(crate) use paint::blend;
 pub use paint::{Cap, Color, Halo, Paint, Pattern, PatternKind, Role, Stroke};
@@ -92,6 +94,8 @@ pub struct Drawing {
     pub items: Vec<Item>,
     /// The steps in which the figure comes about, the first one first; none where it has none.
     pub steps: Vec<Step>,
+    /// The pictures that lead to the figure where it plays; none where it does not.
+    pub motion: Vec<MotionFrame>,
 }
 
 impl Drawing {

@@ -235,7 +235,13 @@ fn change(old: &[u8], rendered: Rendered<'_>, shown: Shown) -> (Change, Option<V
         (Ok(a), Ok(b)) => match (a.rows(rendered.scale), b.rows(rendered.scale)) {
             (Err(Unread::TooMuch(too_much)), _) => return (Change::NotOurs(too_much), None),
             (Ok(old_rows), Ok(new_rows)) => {
-                if let Some(compared) = compared(old_rows, new_rows, shown)
+                let compared = compared(old_rows, new_rows, shown);
+                // What such a file shows later is not read.
+                let is_later = rendered.format.holds_motion();
+                if is_later && compared.as_ref().is_some_and(|compared| compared.drift.is_none()) {
+                    return (Change::Bytes { at: first_other_byte(old, new) }, None);
+                }
+                if let Some(compared) = compared
                     && let Some(change) = picture_change(&a, &b, compared.drift, lines(old, new))
                 {
                     return (change, compared.triptych);

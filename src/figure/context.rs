@@ -54,6 +54,8 @@ pub(crate) struct Context<'f> {
     pub(crate) time: f64,
     /// The algorithm's step that the panel shows, from 1.
     pub(crate) step: Option<usize>,
+    /// The moment, in [0, 1], that other panels show while this one stands still, in a figure that plays.
+    pub(crate) now: Option<f64>,
     /// The algorithm runs of the figure so far, to which the layers add.
     pub(crate) runs: &'f Runs,
 }

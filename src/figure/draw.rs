@@ -189,6 +189,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         hash: String::new(),
         items,
         steps,
+        motion: Vec::new(),
     };
     Figure { drawing, panels, insets, handles, warnings, share }
 }
@@ -230,6 +231,11 @@ impl Panels {
             scopes.push(Scope { items: begin..items.len(), cues, base, shows_bodies });
             panels.push(labelled);
         }
+        let in_the_world = |handle: &Handle| plan.panels[handle.panel].source.space != Space::Configuration;
+        let same = |a: &Handle, b: &Handle| (a.body, a.grip, a.vertex) == (b.body, b.grip, b.vertex);
+        // What is held in the world is held there.
+        let world: Vec<Handle> = handles.iter().copied().filter(in_the_world).collect();
+        handles.retain(|handle| in_the_world(handle) || !world.iter().any(|other| same(handle, other)));
         Self { items, scopes, labelled: panels, insets, handles, points, share }
     }
 

@@ -1,6 +1,7 @@
 //! A panel to groups of a display list: what its layers draw, its inset, its labels at their places.
 
 use crate::drawing::{Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke};
+use crate::scene::Space;
 
 use super::cue::Cue;
 use super::handle::Handle;
@@ -11,6 +12,7 @@ use super::panel::PanelPlan;
 use super::placement::{Ground, Labelled, Leader, Placed, Sought, place, things};
 use super::plan::Plan;
 use super::playhead::given;
+use super::question::keeps_the_difference;
 use super::sketch::{Anchor, Request, Size, Sketched};
 use super::text::{Wording, plain};
 use super::theme::Theme;
@@ -119,7 +121,10 @@ pub(super) fn draw_panel(
     let index = panels.len();
     let panel = &plan.panels[index];
     let ((sketched, sought), enlarged) = sought(sheet, index, inset);
-    if given(&panel.source, plan.scene).is_some() {
+    // At a step of a sweep without turning B ⊖ A is where it was at the start.
+    let is_step = panel.moment.step.is_some() && panel.source.space == Space::Configuration;
+    let stands = is_step && keeps_the_difference(plan.scene.query.kind);
+    if stands || given(&panel.source, plan.scene).is_some() {
         handles.extend(sketched.holds.iter().filter_map(|hold| hold.on_page(&sketched.frame, index)));
     }
     let series = earlier(plan, index).map(|i| &panels[i]);

@@ -51,6 +51,11 @@ pub enum Fault {
         /// How the answer turned out, or what the case is.
         why: &'static str,
     },
+    /// A note: the figure was to play, and none of its panels does.
+    NothingPlays {
+        /// What the case is, as "no body moves".
+        why: &'static str,
+    },
     /// A warning: the list of a panel's layers is empty, and so is the panel.
     NoLayers,
     /// A layer that shows another space than its panel.
@@ -140,6 +145,7 @@ impl Fault {
             Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
+            | Self::NothingPlays { .. }
             | Self::NoValue { .. } => Severity::Note,
             Self::NoLayers | Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
             _ => Severity::Error,
@@ -156,6 +162,7 @@ impl Explain for Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
+            Self::NothingPlays { .. } => codes::NOTHING_PLAYS.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
@@ -171,6 +178,7 @@ impl Explain for Fault {
         match self {
             Self::Scene(fault) => fault.help(),
             Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
+            Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
             Self::TextDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
@@ -219,6 +227,7 @@ impl fmt::Display for Fault {
             }
             Self::NoValue { value, why } => write!(f, "a dash stands for `{{={value}}}`: {why}"),
             Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
+            Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::UnsuitedLayer { layer, shows } => {
                 write!(f, "the layer `{layer}` shows {shows}, and the panel another space")

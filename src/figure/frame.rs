@@ -10,6 +10,9 @@
 use crate::drawing::{Point, Rect};
 use crate::geometry::{DVec2, Pose};
 
+/// What a panel shows, its smallest and largest coordinates in its own space; `None` where it shows nothing.
+pub(crate) type Extent = Option<(DVec2, DVec2)>;
+
 /// Where a panel's space lies on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {

@@ -8,7 +8,7 @@ use crate::scene::{Panel, Scene};
 
 use super::context::{Context, Moment};
 use super::cue::Cue;
-use super::frame::Frame;
+use super::frame::{Extent, Frame};
 use super::inset::Inset;
 use super::layer::{LabelKey, Layer, Options};
 use super::lettering::Lettering;
@@ -32,6 +32,11 @@ pub(crate) struct PanelPlan<'s> {
     pub(crate) title: Option<Lettering>,
     /// Where its space lies on the page.
     pub(crate) frame: Frame,
+    /// What it shows besides what it draws, its smallest and largest coordinates: where bodies are on their
+    /// way in a figure that plays.
+    pub(crate) reach: Extent,
+    /// The moment, in [0, 1], that other panels show while this one stands still, in a figure that plays.
+    pub(crate) now: Option<f64>,
 }
 
 /// A layer of a panel with its options, checked.
@@ -58,7 +63,7 @@ impl PanelPlan<'_> {
     /// What the panel's layers may know.
     pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
         let Moment { time, step } = self.moment;
-        Context { scene, space: &self.source.space, time, step, runs }
+        Context { scene, space: &self.source.space, time, step, now: self.now, runs }
     }
 
     /// The labels that the panel's layers can write, whether the answer has something for them or not.

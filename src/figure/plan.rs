@@ -134,7 +134,7 @@ fn resolve<'s>(
     let runs = Runs::of(scene);
     let measures = Measures::of(&scene.canvas, theme.text);
     let mut warnings = Vec::new();
-    let (all, mut panels) = panels_of(scene, &runs, &measures, (&mut problems, &mut warnings));
+    let (all, mut panels) = panels_of(scene, &runs, &measures, &[], (&mut problems, &mut warnings));
     let first = panels.first().map(|panel| panel.context(scene, &runs));
     let on_page = first.as_ref().map(|first| (first, &measures));
     let mut set =
@@ -191,14 +191,19 @@ fn resolve<'s>(
     Err(problems)
 }
 
-/// Whether all panels of a scene can be, and those that can: one that can't be is left out and told.
-fn panels_of<'s>(
+/// Whether all panels of a scene can be, and those that can: one that can't be is left out and told. In
+/// `moments` some of them may have another moment than the scene says.
+pub(super) fn panels_of<'s>(
     scene: &'s Scene,
     runs: &Runs,
     measures: &Measures,
+    moments: &[Option<f64>],
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> (bool, Vec<PanelPlan<'s>>) {
-    let sheets = default_picture::sheets(scene, runs, problems);
+    let mut sheets = default_picture::sheets(scene, runs, problems);
+    for (sheet, time) in sheets.iter_mut().zip(moments) {
+        time.iter().for_each(|time| sheet.pin(*time));
+    }
     let count = sheets.len();
     let title_width = Layout::title_width(measures, count, scene.canvas.columns);
     let before = std::mem::take(problems);
@@ -213,7 +218,7 @@ fn panels_of<'s>(
 }
 
 /// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
-fn say(
+pub(super) fn say(
     (scene, theme): (&Scene, &Theme),
     runs: &Runs,
     panels: &[PanelPlan],

@@ -60,7 +60,7 @@ impl<'s> Resolver<'_, 's> {
         let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
         let space = source.space.clone();
-        let context = Context { scene, space: &space, time: moment.time, step: moment.step, runs };
+        let context = Context { scene, space: &space, time: moment.time, step: moment.step, now: None, runs };
         let (mut layers, mut unwritten, mut silent) = (Vec::new(), Vec::new(), Vec::new());
         for (i, spec) in source.layers.iter().flatten().enumerate() {
             match self.layer(&context, spec, ours) {
@@ -90,7 +90,16 @@ impl<'s> Resolver<'_, 's> {
             title.value = said;
         }
         let frame = Frame::fit(None, DVec2::ZERO, DVec2::ONE, Rect::default());
-        Some(PanelPlan { source: without(source, &silent), moment, layers, unwritten, title, frame })
+        Some(PanelPlan {
+            source: without(source, &silent),
+            moment,
+            layers,
+            unwritten,
+            title,
+            frame,
+            reach: None,
+            now: None,
+        })
     }
 
     /// The panel's moment; `None`, with the reason told, where no answer can have it.
@@ -98,7 +107,7 @@ impl<'s> Resolver<'_, 's> {
         let (scene, runs) = (self.scene, self.runs);
         let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
         let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
-        let context = Context { scene, space: &panel.space, time: own, step: None, runs };
+        let context = Context { scene, space: &panel.space, time: own, step: None, now: None, runs };
         context.moment(&when.value).or_else(|| self.other_moment(&context, when))
     }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::scene::{Scene, StepWords};
-use crate::trace::{self, Event, step};
+use crate::trace::{self, Event, growth, step};
 
 use super::cue::{Cue, Teller};
 use super::describe;
@@ -181,6 +181,12 @@ impl Told {
                 let title = if of_a_moment { step::title_at(cue.asked) } else { title };
                 told(title, describe::sentence(scene, run))
             }
+            Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
+                let all = &run.trace.events;
+                let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
+                let title = growth::title(before, event, after).unwrap_or(title);
+                told(title, step::sentence_of_part(event, cue.part, &names))
+            }
             _ => told(title, step::sentence_of_part(event, cue.part, &names)),
         })
     }
@@ -256,6 +262,47 @@ mod tests {
         assert_eq!(titles("gjk", both), ["The question", "B - A"]);
         // Without the bodies there would be nothing to begin with.
         assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
+    }
+
+    #[test]
+    fn what_a_search_replaced_is_shown_until_then_and_the_figure_is_as_if_it_had_not_been() {
+        let text = |b: &str, algorithm: &str, space: &str, layer: &str| {
+            format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-3, 0], [3, -2], [1, 2]] }}
+                shapes.B = {{ kind = 'polygon', vertices = {b} }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = '{algorithm}' }}
+                panels = [{{ space = '{space}', layers = [{{ layer = {layer} }}] }}]"
+            )
+        };
+        let apart = "[[2, 5], [6, 2], [5, 5]]";
+        let inside = "[[-1, 0], [4, -1], [2, 3], [-2, 2]]";
+        let cases = [
+            (text(apart, "gjk", "configuration", "'simplex'"), ", step = 4"),
+            (text(inside, "gjk", "configuration", "'polytope'"), ", step = 3"),
+            (text(apart, "separating-axes", "world", "'projection'"), ", axis = 4"),
+        ];
+        for (text, which) in cases {
+            let scene = open_text("s", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let whole = draw_in_steps(&plan, plan.theme, "f").drawing;
+            assert!(whole.takes_away(), "{text}");
+            let titles: Vec<&str> = whole.steps.iter().map(|step| step.title.as_str()).collect();
+            let unlike =
+                titles.iter().all(|title| titles.iter().filter(|other| *other == title).count() == 1);
+            assert!(unlike, "{titles:?}");
+            let named = text.replace(" }] }]", &format!("{which} }}] }}]"));
+            let scene = open_text("s", &named).unwrap().scene;
+            let one = crate::figure::plan(&scene).unwrap();
+            let (now, alone) = (draw(&plan, plan.theme, "f"), draw(&one, one.theme, "f"));
+            let items = |figure: crate::figure::Figure| {
+                let mut items = figure.drawing.items;
+                let always = |shown: &mut crate::drawing::Shown| *shown = crate::drawing::Shown::ALWAYS;
+                items.iter_mut().for_each(|item| item.for_each_shown(&always));
+                items
+            };
+            assert_eq!(now.panels[0].frame, alone.panels[0].frame);
+            assert!(items(now) == items(alone), "{named}");
+        }
     }
 
     #[test]

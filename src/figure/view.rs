@@ -7,7 +7,7 @@ use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
 use crate::scene::{Problem, Scene, Space};
 
-use super::frame::Frame;
+use super::frame::{Extent, Frame};
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Page, Want, room};
 use super::panel::PanelPlan;
@@ -21,8 +21,13 @@ use super::theme::Theme;
 /// one pass, 5 after two, 1 after three; a label has 40 of room.
 const PASSES: usize = 2;
 
-/// What a panel without a `view` shows, its smallest and largest coordinates in its own space.
-type Extent = Option<(DVec2, DVec2)>;
+/// What holds both.
+pub(super) fn union(a: Extent, b: Extent) -> Extent {
+    match (a, b) {
+        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+        (a, b) => a.or(b),
+    }
+}
 
 /// Gives every panel its frame on a page that suits what they show, and says what their layers draw there.
 ///
@@ -59,7 +64,12 @@ pub(super) fn fit(
 /// # Errors
 ///
 /// When they draw more than a figure may show.
-fn sketch(scene: &Scene, runs: &Runs, theme: &Theme, panels: &[PanelPlan]) -> Result<Vec<Sketched>, Problem> {
+pub(super) fn sketch(
+    scene: &Scene,
+    runs: &Runs,
+    theme: &Theme,
+    panels: &[PanelPlan],
+) -> Result<Vec<Sketched>, Problem> {
     let (mut points, mut painted) = (0_usize, 0.0);
     let mut all = Vec::with_capacity(panels.len());
     for panel in panels {
@@ -74,7 +84,7 @@ fn sketch(scene: &Scene, runs: &Runs, theme: &Theme, panels: &[PanelPlan]) -> Re
 }
 
 /// The pose of the body in whose frame a panel shows; `None` for other panels.
-fn pose(scene: &Scene, panel: &PanelPlan) -> Option<Pose> {
+pub(super) fn pose(scene: &Scene, panel: &PanelPlan) -> Option<Pose> {
     match panel.source.space {
         Space::Body(i) => scene.shapes.get(i).map(|(_, body)| body.pose_at(panel.moment.time)),
         Space::World | Space::Configuration => None,
@@ -103,7 +113,7 @@ fn extents(panels: &[PanelPlan], sketched: &[Sketched], guesses: &[Extent]) -> V
     let drawn = |panel: &PanelPlan| {
         let free = panels.iter().zip(sketched).filter(|(other, _)| other.source.view.is_none());
         let same = free.filter(|(other, _)| other.source.space == panel.source.space);
-        same.filter_map(|(_, s)| s.extent).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+        same.map(|(other, s)| union(s.extent, other.reach)).fold(None, union)
     };
     panels
         .iter()

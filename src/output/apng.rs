@@ -8,8 +8,9 @@
 //! Source: *Portable Network Graphics (PNG) Specification, Third Edition*, W3C 2025, section 11.3.8.
 
 use super::hold::holds;
+use super::motion::played;
 use super::png::{BRACKET, KEYWORD, READER, encoder};
-use super::{Depends, Format, InSteps, Options, OutputError, PngEffort, Writer, raster};
+use super::{Depends, Format, InMotion, InSteps, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
 /// The row of the table. Its files are read as any viewer of PNG shows them: by the first frame.
@@ -21,6 +22,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
     in_steps: Some(write_steps),
+    in_motion: Some(write_motion),
     bind: None,
     bracket: BRACKET,
     read: Some(READER),
@@ -55,6 +57,12 @@ fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Resul
     animation(&steps.iter().collect::<Vec<_>>(), &times.collect::<Vec<_>>(), ONCE, options)
 }
 
+/// Writes all pictures of a figure that plays, again and again.
+fn write_motion(drawing: &Drawing, options: &Options, in_motion: InMotion) -> Result<Vec<u8>, OutputError> {
+    let (pictures, times) = played(drawing, options, (in_motion, f64::from(MILLISECONDS)))?;
+    animation(&pictures, &times, PLAYS, options)
+}
+
 /// An animation of drawings, each shown for some milliseconds.
 fn animation(
     drawings: &[&Drawing],
@@ -75,8 +83,8 @@ fn animation(
     }
     let refused = |error| OutputError::encoder(&error);
     encoder.set_animated(count, plays).map_err(refused)?;
-    if !first.hash.is_empty() {
-        encoder.add_text_chunk(KEYWORD.to_owned(), first.hash.clone()).map_err(refused)?;
+    if let Some(hash) = drawings.last().map(|last| &last.hash).filter(|hash| !hash.is_empty()) {
+        encoder.add_text_chunk(KEYWORD.to_owned(), hash.clone()).map_err(refused)?;
     }
     let mut writer = encoder.write_header().map_err(refused)?;
     for (drawing, time) in drawings.iter().zip(times) {

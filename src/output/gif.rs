@@ -12,8 +12,9 @@ use std::collections::BTreeMap;
 use gif::{AnyExtension, DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
 use super::hold::holds;
+use super::motion::played;
 use super::{
-    Bracket, Depends, Format, InSteps, Options, OutputError, Pixel, Reader, Stamped, Writer, raster,
+    Bracket, Depends, Format, InMotion, InSteps, Options, OutputError, Pixel, Reader, Stamped, Writer, raster,
 };
 use crate::drawing::Drawing;
 
@@ -27,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     write: Writer::Sequence(write),
     bind: None,
     in_steps: Some(write_steps),
+    in_motion: Some(write_motion),
     bracket: Bracket { begins: &[b"GIF89a".as_slice()], ends: &[b"\x3b".as_slice()] },
     // Its colours are those nearest to the drawing's, so files are compared byte by byte.
     read: Some(Reader { stamp, picture: None }),
@@ -43,6 +45,8 @@ const MOST_COLORS: usize = 256;
 const MOST_PART: usize = 255;
 /// Hundredths of a second that a frame of a motion is shown, and the last one.
 const FRAMES: [u16; 2] = [8, 150];
+/// What a second has of the unit of times.
+const HUNDREDTHS: u16 = 100;
 /// Opacity from which on a dot is drawn: there is all or nothing.
 const OPAQUE: u8 = 128;
 
@@ -66,6 +70,12 @@ fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Resul
     let steps: Vec<Drawing> = (1..=drawing.steps.len()).map(|step| drawing.at_step(step)).collect();
     let times = holds(drawing, in_steps).into_iter().map(|time| u16::try_from(time / 10).unwrap_or(u16::MAX));
     animation(&steps.iter().collect::<Vec<_>>(), &times.collect::<Vec<_>>(), Repeat::Finite(0), options)
+}
+
+/// Writes all pictures of a figure that plays, again and again.
+fn write_motion(drawing: &Drawing, options: &Options, in_motion: InMotion) -> Result<Vec<u8>, OutputError> {
+    let (pictures, times) = played(drawing, options, (in_motion, f64::from(HUNDREDTHS)))?;
+    animation(&pictures, &times, Repeat::Infinite, options)
 }
 
 /// An animation of drawings of one size, each shown for some hundredths of a second.
@@ -92,8 +102,8 @@ fn animation(
     if let Repeat::Infinite = repeat {
         encoder.set_repeat(repeat).map_err(refused)?;
     }
-    if !first.hash.is_empty() {
-        let comment = format!("{KEYWORD}{}", first.hash);
+    if let Some(hash) = drawings.last().map(|last| &last.hash).filter(|hash| !hash.is_empty()) {
+        let comment = format!("{KEYWORD}{hash}");
         let parts: Vec<&[u8]> = comment.as_bytes().chunks(MOST_PART).collect();
         encoder.write_raw_extension(AnyExtension(COMMENT), &parts).map_err(refused)?;
     }

@@ -1,6 +1,5 @@
 //! How long an animation shows each step: as long as it takes to read what the step says, and to find it.
 
-use super::InSteps;
 use crate::drawing::{Drawing, Step};
 
 /// Seconds to find what is new in a picture.
@@ -10,6 +9,23 @@ const FIND: f64 = 1.2;
 const WORD: f64 = 0.3;
 /// The least and the most seconds of a step: below, it flashes by; above, a reader thinks that it is over.
 const BOUNDS: [f64; 2] = [1.5, 9.0];
+
+/// How the steps of a figure are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct InSteps {
+    /// Whether the parts of an SVG are fragments of reveal.js.
+    pub fragments: bool,
+    /// Seconds that an animation shows each step; none goes by the length of what a step says.
+    pub hold: Option<f64>,
+}
+
+impl InSteps {
+    /// What tells it apart in the key of a file.
+    pub(super) fn key(self) -> String {
+        let hold = self.hold.map_or_else(|| "read".to_owned(), |seconds| seconds.to_string());
+        format!(" steps fragments={} hold={hold}", self.fragments)
+    }
+}
 
 /// Milliseconds that each step is shown.
 pub(super) fn holds(drawing: &Drawing, in_steps: InSteps) -> Vec<u32> {

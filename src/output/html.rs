@@ -22,6 +22,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(stepper::write),
+    in_motion: None,
     bind: None,
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</html>".as_slice(), b"-->"] },
     // The words around the picture count too, so pages are compared as texts.

@@ -17,6 +17,7 @@ mod item_package;
 mod live_book;
 mod live_page;
 mod moodle;
+mod motion;
 mod number;
 mod page;
 mod page_colors;
@@ -39,10 +40,13 @@ use crate::drawing::Drawing;
 pub(crate) use base64::base64;
 pub use gallery::{Gallery, gallery};
 pub use handout::{Handout, MOST_A_SHEET, PAPERS, Paper};
+pub use hold::InSteps;
 pub use item_package::ItemPackage;
 pub use live_book::live_book_runtime;
 pub use live_page::{LivePage, Module, live_runtime};
 pub use moodle::Quiz;
+use motion::InMotionWriter;
+pub use motion::{InMotion, MOST_DOTS};
 pub use picture::TooMuch;
 pub(crate) use picture::{Picture, Rows, Unread};
 pub(crate) use png::ImageWriter;
@@ -71,6 +75,8 @@ pub struct Format {
     pub write: Writer,
     /// How all steps of a drawing become one file; none where a file has room for one of them only.
     pub(crate) in_steps: Option<InStepsWriter>,
+    /// How all pictures of a drawing that plays become one file; none where a file has room for one only.
+    pub(crate) in_motion: Option<InMotionWriter>,
     /// How it writes several drawings as one file; `None` where a file has room for one of them only.
     pub(crate) bind: Option<Binder>,
     /// How its files begin and end.
@@ -236,8 +242,9 @@ impl Format {
     /// ```
     #[must_use]
     pub fn key(&self, theme: &str, options: &Options) -> String {
-        let Options { scale, png, steps } = options;
-        let page = page_key(self.name, theme) + &steps.map_or_else(String::new, InSteps::key);
+        let Options { scale, png, steps, motion } = options;
+        let plays = motion.map_or_else(String::new, InMotion::key);
+        let page = page_key(self.name, theme) + &steps.map_or_else(String::new, InSteps::key) + &plays;
         match self.depends {
             Depends::Page => page,
             Depends::Pixels => format!("{page} scale={scale}"),
@@ -256,8 +263,8 @@ impl Format {
         self.in_steps.is_some()
     }
 
-    /// A drawing as a file of this format: the finished figure, or all its steps where the options say so and
-    /// [`Format::holds_steps`].
+    /// A drawing as a file of this format: the finished figure, or all its steps or its motion where the
+    /// options say so and [`Format::holds_steps`] or [`Format::holds_motion`].
     ///
     /// # Errors
     ///
@@ -277,6 +284,9 @@ impl Format {
     pub fn encode(&self, drawing: &Drawing, options: &Options) -> Result<Vec<u8>, OutputError> {
         if let (Some(in_steps), Some(write)) = (options.steps, self.in_steps) {
             return write(drawing, options, in_steps);
+        }
+        if let (Some(in_motion), Some(write)) = (options.motion, self.in_motion) {
+            return write(drawing, options, in_motion);
         }
         if drawing.takes_away() {
             return self.encode(&drawing.clone().finished(), &Options { steps: None, ..*options });
@@ -302,29 +312,14 @@ pub struct Options {
     pub png: PngEffort,
     /// How all steps of a figure are written; none writes the finished figure.
     pub steps: Option<InSteps>,
+    /// How the motion of a figure is written; none writes the finished figure.
+    pub motion: Option<InMotion>,
 }
 
 impl Default for Options {
     /// Twice the page's size, packed fast.
     fn default() -> Self {
-        Self { scale: 2.0, png: PngEffort::Fast, steps: None }
-    }
-}
-
-/// How the steps of a figure are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct InSteps {
-    /// Whether the parts of an SVG are fragments of reveal.js.
-    pub fragments: bool,
-    /// Seconds that an animation shows each step; none goes by the length of what a step says.
-    pub hold: Option<f64>,
-}
-
-impl InSteps {
-    /// What tells it apart in the key of a file.
-    fn key(self) -> String {
-        let hold = self.hold.map_or_else(|| "read".to_owned(), |seconds| seconds.to_string());
-        format!(" steps fragments={} hold={hold}", self.fragments)
+        Self { scale: 2.0, png: PngEffort::Fast, steps: None, motion: None }
     }
 }
 

@@ -28,6 +28,13 @@ pub enum OutputError {
         /// Name of the innermost group that it is in.
         group: String,
     },
+    /// An animation would have more than [`super::MOST_DOTS`] dots.
+    TooLong {
+        /// How many pictures it has.
+        pictures: usize,
+        /// How many of that size fit.
+        most: f64,
+    },
     /// The drawings of a sequence differ in size, or there are none.
     Sequence,
     /// The format has no sheets, or there are no figures for them.
@@ -63,6 +70,11 @@ impl fmt::Display for OutputError {
             Self::NotFinite { group, .. } => {
                 write!(f, "the drawing's group `{group}` has a place that is not on any page")
             }
+            Self::TooLong { pictures, most } => write!(
+                f,
+                "{pictures} pictures of that size are more than 2^30 dots: take fewer than {most:.0}, or a \
+                 smaller scale"
+            ),
             Self::Sequence => write!(f, "the drawings of a sequence must have one size"),
             Self::NoSheets => write!(f, "a handout is at least one figure in a format that has sheets"),
             Self::NoSlides => write!(f, "a presentation is at least one figure in a format that has slides"),

@@ -95,6 +95,7 @@ pub(super) fn everything() -> Drawing {
         hash: "00ff".into(),
         items,
         steps: Vec::new(),
+        motion: Vec::new(),
     }
 }
 

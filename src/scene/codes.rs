@@ -45,6 +45,7 @@ codes! {
     UNSUITED_SHAPE = "unsuited-shape",
         "a shape that the query cannot be asked of, as an outline in a separation";
     NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that no answer to the query has";
+    NOTHING_PLAYS = "nothing-plays", "note: a figure that was to play, and no panel of it does";
     NO_LAYERS = "no-layers", "warning: a panel whose list of layers is empty";
     UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";
     UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";

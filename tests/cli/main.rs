@@ -10,6 +10,7 @@ mod habits;
 mod hooks;
 #[path = "../hostile_figures/mod.rs"]
 mod hostile_figures;
+mod in_motion;
 mod in_steps;
 mod inert;
 #[cfg(unix)]

@@ -139,6 +139,7 @@ fn layers() -> Vec<Table> {
         names: names(&mut tracefig::figure::layer::LAYERS.iter().map(|l| l.name)),
         finds: is_name,
         other_meanings: &[
+            ("frame", "cli/in_time.rs", "a picture of a figure that plays"),
             ("shapes", "cli/list.rs", "a topic of `list`"),
             ("axes", "figure/theme/strokes.rs", "a kind of line"),
             ("grid", "figure/theme/strokes.rs", "a kind of line"),

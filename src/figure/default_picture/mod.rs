@@ -35,7 +35,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::collision::{Answer, Outcome};
-use crate::scene::{self, LayerSpec, Panel, Scene, Space, Value, panels_of_text};
+use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When, panels_of_text};
 use crate::trace::Event;
 
 use super::fault::Problem;
@@ -141,6 +141,14 @@ pub(crate) struct Sheet<'s> {
     pub(crate) panel: Cow<'s, Panel>,
     /// Whether the layers are ours: one that the answer has nothing for is then left out in silence.
     pub(crate) ours: bool,
+}
+
+impl Sheet<'_> {
+    /// Shows another moment than the scene says.
+    pub(crate) fn pin(&mut self, time: f64) {
+        let span = self.panel.span.clone();
+        self.panel.to_mut().when = Some(Spanned { value: When::Time(time), span });
+    }
 }
 
 /// The panels of a scene, those that it leaves out filled in; in `problems`, a panel whose layers are not

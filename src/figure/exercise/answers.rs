@@ -197,7 +197,7 @@ pub(super) fn solved(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<Str
 
 /// What is known of a scene at the moment of its query.
 fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
-    Context { scene, space: &Space::World, time: scene.query.time, step: None, runs }
+    Context { scene, space: &Space::World, time: scene.query.time, step: None, now: None, runs }
 }
 
 /// The sentences of the trace that a reader works through, as markup.

@@ -18,7 +18,8 @@ use crate::scene::When;
 
 use super::edge_cues::EdgeCues;
 use super::half_extents::ON_LINE;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade};
+use super::held;
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, number_of};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
 const THIN: (f64, f64) = (1.0, 0.75);
@@ -167,6 +168,12 @@ fn when(context: &Context, options: &Options) -> Option<f64> {
     Some(context.moment(&options.when("at")?)?.time)
 }
 
+/// A point inside of B ⊖ A.
+fn middle(found: &Difference) -> DVec2 {
+    let points = found.outline().sampled();
+    points.iter().sum::<DVec2>() / number_of(points.len().max(1))
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.word("at", "") == STEPS {
         steps(sketch, context, options);
@@ -174,6 +181,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let time = when(context, options).unwrap_or(context.difference_time());
     let Some(found) = difference(context, time) else { return };
+    held::difference(sketch, context, middle(&found));
     if !options.flag("built", true) {
         unbuilt(sketch.since(None), context, options, &found);
         return;

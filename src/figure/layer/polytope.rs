@@ -14,7 +14,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
-use super::simplex::has_simplexes;
+use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
@@ -59,6 +59,16 @@ struct Step {
     beyond: Option<DVec2>,
 }
 
+/// What an event tells of a polytope.
+fn told(event: &Event) -> Option<Step> {
+    let Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } = event else {
+        return None;
+    };
+    let ends = [vertices.get(*edge)?, vertices.get((edge + 1) % vertices.len())?].map(|p| *p);
+    let beyond = (*beyond > 0.0).then_some(*support);
+    Some(Step { vertices: vertices.clone(), edge: ends, distance: *nearest, normal: *normal, beyond })
+}
+
 /// The step that the scene wants, else the last, and with what it comes.
 fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
     let run = context.run();
@@ -67,12 +77,9 @@ fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
     let wanted = options.number("step").unwrap_or(number_of(cues.len()));
     let mut step = 0;
     run.find_told(|event| match event {
-        Event::PolytopeExpanded { vertices, nearest, edge, normal, support, beyond } => {
+        Event::PolytopeExpanded { .. } => {
             step += 1;
-            let ends = [vertices.get(*edge)?, vertices.get((edge + 1) % vertices.len())?].map(|p| *p);
-            let beyond = (*beyond > 0.0).then_some(*support);
-            let found =
-                Step { vertices: vertices.clone(), edge: ends, distance: *nearest, normal: *normal, beyond };
+            let found = told(event)?;
             let cue = cues.get(step - 1).map(|(cue, ())| *cue);
             (number_of(step) == wanted).then_some((found, cue))
         }
@@ -83,11 +90,30 @@ fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((step, cue)) = shown(context, options) else { return };
     sketch.since(cue);
+    draw_step(sketch, &step, options);
+    if options.number("step").is_some() {
+        return;
+    }
+    // Of the search only the end stays: each polytope before it goes when the next one comes.
+    let run = context.run();
+    let all: Vec<(Cue, Step)> = run.cues(told).collect();
+    let mut vertices = 0;
+    for ((from, before), (to, _)) in all.iter().zip(all.iter().skip(1)) {
+        vertices += before.vertices.len();
+        if vertices > MOST_PASSING {
+            break;
+        }
+        sketch.passing([*from, *to], |sketch| draw_step(sketch, before, options));
+    }
+}
+
+/// Draws one step.
+fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
-    supporting_line(sketch, &step, foot);
+    supporting_line(sketch, step, foot);
     sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
     for &vertex in &step.vertices {
         sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);

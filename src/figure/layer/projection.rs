@@ -10,6 +10,7 @@
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
@@ -74,6 +75,9 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// The most axes that come and go, as many as the eye could follow.
+const MOST_PASSING: usize = 40;
+
 /// An axis that the algorithm tested.
 #[derive(Clone, Copy)]
 struct Tested {
@@ -89,17 +93,20 @@ struct Tested {
     gap: f64,
 }
 
+/// What an event tells of an axis.
+fn told(event: &Event) -> Option<Tested> {
+    match *event {
+        Event::AxisTested { axis, source, interval_a, interval_b, gap } => {
+            Some(Tested { n: axis, source, a: interval_a, b: interval_b, gap })
+        }
+        _ => None,
+    }
+}
+
 /// The tested axis that the scene wants; else the one of the largest measure.
 fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let run = context.run();
-    let all: Vec<Tested> = run
-        .told(|event| match *event {
-            Event::AxisTested { axis, source, interval_a, interval_b, gap } => {
-                Some(Tested { n: axis, source, a: interval_a, b: interval_b, gap })
-            }
-            _ => None,
-        })
-        .collect();
+    let all: Vec<Tested> = run.told(told).collect();
     match options.number("axis") {
         Some(k) => all.iter().enumerate().find(|(i, _)| number_of(i + 1) == k).map(|(_, t)| *t),
         None => all.into_iter().max_by(|s, t| s.gap.total_cmp(&t.gap)),
@@ -111,13 +118,30 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(context.cue(
         |event| matches!(*event, Event::AxisTested { axis, source, .. } if (axis, source) == (t.n, t.source)),
     ));
+    draw_axis(sketch, (context, options), &t);
+    if options.number("axis").is_some() {
+        return;
+    }
+    // Only the axis that decides stays: each other goes when the next one is tested.
+    let run = context.run();
+    let all: Vec<(Cue, Tested)> = run.cues(told).take(MOST_PASSING).collect();
+    let ends = all.iter().skip(1).map(|(cue, _)| *cue).chain([run.end()]);
+    for ((from, other), to) in all.iter().zip(ends) {
+        if (other.n, other.source) != (t.n, t.source) && *from != to {
+            sketch.passing([*from, to], |sketch| draw_axis(sketch, (context, options), other));
+        }
+    }
+}
+
+/// Draws one axis, with the shadows on it.
+fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &Tested) {
     let points: Vec<DVec2> = context
         .sides()
         .into_iter()
         .filter_map(|s| context.outline(s, context.time))
         .flat_map(|outline| outline.sampled())
         .collect();
-    let (down, far) = beside_bodies(sketch, context, &t, &points);
+    let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let past = sketch.px(PAST);
     let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -130,7 +154,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }
     // Of a round body's vertex there is no edge to show n at.
-    if edge(sketch, context, &t).is_none() && !values {
+    if edge(sketch, context, t).is_none() && !values {
         sketch.part("axis").label(Label::new("n", "$n$", beyond, Role::Muted));
     }
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
@@ -145,9 +169,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let pen = Pen::highlighted(options.role(body.into()));
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
-    measure(sketch, &t, values, at);
+    measure(sketch, t, values, at);
     if values {
-        numbers(sketch, &t, down, at);
+        numbers(sketch, t, down, at);
         zero(sketch, (first, last), (down, far), at);
     }
 }

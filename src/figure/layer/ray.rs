@@ -1,11 +1,13 @@
 //! The ray along the relative velocity against B ⊖ A: it enters when the bodies touch.
 //!
 //! It is the origin's way over t in [0, 1] as seen from B ⊖ A: in a panel of a later moment it starts behind
-//! the origin. Where a body turns, B ⊖ A changes on the way, and there is no such ray.
+//! the origin. In a figure that plays, a dot is where the origin has come to.
+//!
+//! Where a body turns, B ⊖ A changes on the way, and there is no such ray.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
@@ -82,6 +84,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.since(context.answered());
         sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
+    }
+    if let Some(now) = context.now {
+        sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
 }
 

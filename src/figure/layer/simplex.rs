@@ -90,6 +90,10 @@ impl Step {
     }
 }
 
+/// The most vertices of the steps before the last that come and go: as many as the eye could follow, and few
+/// beside what a figure may draw.
+pub(super) const MOST_PASSING: usize = 500;
+
 /// All steps that the algorithm told.
 pub(super) fn steps(context: &Context) -> Vec<Step> {
     let run = context.run();
@@ -133,6 +137,24 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(step) = shown(context, options) else { return };
     sketch.since(step.cue);
+    draw_step(sketch, &step, options);
+    if options.number("step").is_some() {
+        return;
+    }
+    // Of the search only the end stays: each step before it goes when the next one comes.
+    let mut vertices = 0;
+    for pair in steps(context).windows(2) {
+        let (Some(from), Some(to)) = (pair[0].cue, pair[1].cue) else { break };
+        vertices += pair[0].vertices.len();
+        if vertices > MOST_PASSING {
+            break;
+        }
+        sketch.passing([from, to], |sketch| draw_step(sketch, &pair[0], options));
+    }
+}
+
+/// Draws one step.
+fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
     let role = options.role(Role::Now);
     if step.vertices.len() > 1 {
         let wash = (step.vertices.len() > 2).then(|| Wash::faint(role, FILL));
@@ -152,7 +174,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
         let text = if values { format!(r"$\|v\| = {}$", number(v.length())) } else { "$v$".to_owned() };
         sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
-        search(sketch, v, &step, values);
+        search(sketch, v, step, values);
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);

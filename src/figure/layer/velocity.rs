@@ -113,6 +113,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
                 known,
             },
         );
+        held::closing_velocity(sketch, context, (v * scale, scale));
         return;
     }
     for side in options.of(&moving(context)) {

@@ -93,7 +93,8 @@ fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Ve
 
 /// The area of a path, if it is one that can be seen under a text.
 fn area(path: &Path, clip: Option<Rect>, opacity: f64) -> Option<Area> {
-    let paint = path.fill?;
+    // What a step takes away does not lie under what stays.
+    let paint = path.fill.filter(|_| path.shown.until.is_none())?;
     let paint = paint.with_opacity(paint.opacity * opacity);
     let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || paint.role == Some(Role::Background));
     let bounds = path.contour.bounds().filter(|_| is_seen)?;

@@ -1,7 +1,8 @@
 //! Construction lines end where they meet the line that they lie on: dashes over an outline look like dirt.
 //!
 //! A tangent of a polygon lies on one of its edges, the line that carries an edge on that edge. What lies
-//! there is cut out of the dashed line; a line that it only crosses stays crossed.
+//! there is cut out of the dashed line; a line that it only crosses stays crossed. What a step takes away is
+//! cut by nothing and cuts nothing, as it is not in the finished figure.
 
 use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Segment};
 
@@ -59,6 +60,7 @@ fn collect(items: &[Item], unbroken: &mut Vec<Straight>, dashed: &mut usize) {
     for item in items {
         match item {
             Item::Group(group) => collect(&group.items, unbroken, dashed),
+            Item::Path(path) if path.shown.until.is_some() => {}
             Item::Path(path) if dashed_line(path).is_some() => *dashed += 1,
             Item::Path(path) if path.stroke.as_ref().is_some_and(|s| s.dash.is_empty()) => {
                 unbroken.extend(straight_pieces(&path.contour));
@@ -108,7 +110,7 @@ fn cut_all(items: &mut Vec<Item>, unbroken: &[Straight]) {
                 kept.push(Item::Group(group));
             }
             Item::Path(path) => {
-                match dashed_line(&path) {
+                match dashed_line(&path).filter(|_| path.shown.until.is_none()) {
                     Some(line) => kept.extend(pieces_of(line, unbroken).into_iter().map(|[from, to]| {
                         Item::Path(Path { contour: Contour::line(from, to), ..path.clone() })
                     })),

@@ -1,4 +1,4 @@
-//! Which event a mark comes with: a layer says it before it draws.
+//! Which event a mark comes with, and which takes it away: a layer says it before it draws.
 
 use crate::drawing::{Item, Shown};
 use crate::figure::cue::Cue;
@@ -43,5 +43,22 @@ impl Sketch<'_> {
         let since = cue.into().map_or(1, |cue| self.cues.number(cue));
         self.cues.now = Shown { since, until: None };
         self
+    }
+
+    /// What `draw` draws comes with one event and goes with another: only steps between them show it. The
+    /// finished figure has none of it, so labels do not keep off it, nothing of it has a label or a handle,
+    /// and a panel makes no room for it. It is the last that its layer draws.
+    pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
+        let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
+        let extent = self.extent;
+        self.since(from);
+        self.cues.now.until = Some(self.cues.number(to));
+        draw(self);
+        self.obstacles.truncate(kept[0]);
+        self.requests.truncate(kept[1]);
+        self.unnamed.truncate(kept[2]);
+        self.holds.truncate(kept[3]);
+        self.extent = extent;
+        self.since(None);
     }
 }

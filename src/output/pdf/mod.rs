@@ -34,6 +34,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(write_steps),
+    in_motion: None,
     bind: Some(Binder::Sheets(write_sheets)),
     bracket: Bracket {
         begins: &[b"%PDF-".as_slice()],

@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Packing,
     write: Writer::One(write),
     in_steps: None,
+    in_motion: None,
     bind: None,
     bracket: BRACKET,
     read: Some(READER),

@@ -28,6 +28,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Packing,
     write: Writer::One(write),
     in_steps: Some(write_steps),
+    in_motion: None,
     bind: Some(Binder::Slides(bound)),
     bracket: Bracket { begins: &[zip::BEGINS], ends: &[zip::ENDS] },
     // Its parts are packed, so files are compared byte by byte.

@@ -38,6 +38,7 @@ impl Seen {
             hash: String::new(),
             items,
             steps: Vec::new(),
+            motion: Vec::new(),
         };
         let pixels = rasterize(&drawing, scale).unwrap();
         let dark = |pixel: &[u8]| 1.0 - f64::from(pixel[0]) / 255.0;

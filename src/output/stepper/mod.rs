@@ -2,8 +2,8 @@
 //!
 //! The list is of radio buttons, so it works without a script: the style sheet reads which one is on as the
 //! number `--step`, and what a step does not show has opacity 0 by arithmetic with it. A script of some lines
-//! adds buttons and keys; the page names its hash, and no other script runs there. On paper and in a reader
-//! without style sheets the whole figure stands.
+//! adds buttons and keys; the page names its hash, and no other script runs there. An address that ends in
+//! `#step-3` opens at that step. On paper and in a reader without style sheets the whole figure stands.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -31,7 +31,11 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     let mut out = page::head(drawing, &format!("; script-src 'sha256-{hash}'"));
     out.push_str(STYLE);
     push_rules(&mut out, drawing);
-    out.push_str("</style>\n</head>\n<body>\n<main>\n<figure>\n");
+    out.push_str("</style>\n</head>\n<body>\n<main>\n");
+    let [of_title, of_desc] = drawing.languages_of_words();
+    page::open(&mut out, "h1", of_title);
+    escape(&mut out, &drawing.title);
+    out.push_str("</h1>\n<figure>\n");
     out.push_str(&document_in_steps(drawing, Sheet::Inside, Some(in_steps)));
     out.push_str("</figure>\n<nav hidden aria-label=\"Steps\">");
     for (by, sign, name) in BUTTONS {
@@ -41,13 +45,13 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     let last = drawing.steps.len();
     for (number, step) in (1..).zip(&drawing.steps) {
         let on = if number == last { " checked" } else { "" };
-        let _ = write!(out, "<li><label><input type=\"radio\" name=\"step\" value=\"{number}\"{on}> ");
+        let _ = write!(out, "<li id=\"step-{number}\"><label><input type=\"radio\" name=\"step\" ");
+        let _ = write!(out, "value=\"{number}\"{on}> ");
         escape(&mut out, &step.title);
         out.push_str("<span>");
         escape(&mut out, &step.sentences.join(" "));
         out.push_str("</span></label></li>\n");
     }
-    let [_, of_desc] = drawing.languages_of_words();
     out.push_str("</ol>\n</fieldset>\n");
     page::open(&mut out, "p", of_desc);
     escape(&mut out, &drawing.desc);
@@ -62,6 +66,12 @@ fn push_rules(out: &mut String, drawing: &Drawing) {
     let _ = writeln!(out, "main{{--step:{last}}}");
     for step in 1..last {
         let _ = writeln!(out, "main:has([name=step][value=\"{step}\"]:checked){{--step:{step}}}");
+        // Without a script: until the list says otherwise.
+        let _ = writeln!(
+            out,
+            "main:not([data-script]):has([value=\"{last}\"]:checked):has(#step-{step}:target)\
+             {{--step:{step}}}"
+        );
     }
     let _ = writeln!(out, "@media print{{main{{--step:{last}!important}}}}");
     let mut used = BTreeSet::new();

@@ -4,8 +4,10 @@ const tell=()=>{const i=now();said.textContent=`${i+1} / ${steps.length}: ${step
 bar.querySelectorAll("button").forEach(b=>b.disabled=Number(b.value)<0?i===0:i===steps.length-1)};
 const go=i=>{steps[Math.max(0,Math.min(steps.length-1,i))].checked=true;tell()};
 const keys={ArrowLeft:-1,PageUp:-1,ArrowRight:1,PageDown:1,Home:-1/0,End:1/0};
-bar.hidden=false;
+bar.hidden=false;document.querySelector("main").dataset.script="";
 bar.addEventListener("click",e=>{if(e.target.value)go(now()+Number(e.target.value))});
 steps.forEach(s=>s.addEventListener("change",tell));
 addEventListener("keydown",e=>{if(!(e.key in keys)||e.altKey||e.ctrlKey||e.metaKey||e.shiftKey)return;e.preventDefault();go(now()+keys[e.key])});
-tell();
+const linked=()=>{const i=/^#step-(\d+)$/.exec(location.hash);if(i)go(i[1]-1);else tell()};
+addEventListener("hashchange",linked);
+linked();

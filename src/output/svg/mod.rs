@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(steps::write),
+    in_motion: None,
     bind: None,
     // Editors write a declaration or a comment before it, and comments after it.
     bracket: Bracket { begins: &[b"<".as_slice()], ends: &[b"</svg>".as_slice(), b"/>", b"-->"] },

@@ -56,7 +56,8 @@ impl Document {
         }
     }
 
-    /// Opens the groups of what some steps show, and says how many: a fragment either comes or goes.
+    /// Opens the groups of what some steps show, and says how many: a fragment either comes or goes. What is
+    /// there from the start does not come.
     fn open_groups(&mut self, shown: Shown, in_steps: InSteps) -> usize {
         self.xml.start("g");
         self.xml.attribute(SINCE, &shown.since.to_string());
@@ -67,14 +68,42 @@ impl Document {
         if !in_steps.fragments {
             return 1;
         }
-        // Fragments count from 0, and the first step is there before them.
-        let index = |step: usize| step.saturating_sub(2).to_string();
-        self.xml.attribute("class", "fragment");
-        self.xml.attribute("data-fragment-index", &index(shown.since));
-        let Some(until) = shown.until else { return 1 };
-        self.xml.start("g");
-        self.xml.attribute("class", "fragment fade-out");
-        self.xml.attribute("data-fragment-index", &index(until));
-        2
+        let comes = (shown.since > 1).then_some(("fragment", shown.since));
+        let goes = shown.until.map(|until| ("fragment fade-out", until));
+        for (group, (class, step)) in (1..).zip(comes.into_iter().chain(goes)) {
+            if group > 1 {
+                self.xml.start("g");
+            }
+            self.xml.attribute("class", class);
+            // Fragments count from 0, and the first step is there before them.
+            self.xml.attribute("data-fragment-index", &step.saturating_sub(2).to_string());
+        }
+        if comes.is_some() && goes.is_some() { 2 } else { 1 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::output::samples::everything;
+
+    #[test]
+    fn a_fragment_comes_goes_or_does_both_and_what_is_there_from_the_start_only_goes() {
+        let opened = |since: usize, until: Option<usize>| {
+            let mut drawing = everything();
+            drawing.items.truncate(1);
+            drawing.items[0].for_each_shown(&|shown| *shown = Shown { since, until });
+            let in_steps = InSteps { fragments: true, ..InSteps::default() };
+            let text = String::from_utf8(write(&drawing, &Options::default(), in_steps).unwrap()).unwrap();
+            assert_eq!(text.matches("<g").count(), text.matches("</g>").count(), "{text}");
+            let begin = text.find("<g data-step").unwrap();
+            text[begin..].split_inclusive('>').take(2).map(str::trim).collect::<String>()
+        };
+        let come = "class=\"fragment\" data-fragment-index=\"1\">";
+        let go = "class=\"fragment fade-out\" data-fragment-index=\"3\">";
+        let at = |since: usize| format!("<g data-step=\"{since}\" data-until=\"5\" opacity=\"0\"");
+        assert!(opened(3, None).starts_with(&format!("<g data-step=\"3\" {come}")));
+        assert!(opened(3, Some(5)).starts_with(&format!("{} {come}<g {go}", at(3))));
+        assert!(opened(1, Some(5)).starts_with(&format!("{} {go}", at(1))));
     }
 }

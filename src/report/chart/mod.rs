@@ -111,6 +111,7 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
         hash: String::new(),
         items: artist.items,
         steps: Vec::new(),
+        motion: Vec::new(),
     })
 }
 

@@ -4,6 +4,7 @@
 //! them. A step of an advancement opens a paragraph.
 
 mod clip;
+pub(crate) mod growth;
 mod motion;
 pub(crate) mod step;
 mod words;

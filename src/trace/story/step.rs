@@ -203,12 +203,12 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, names: &Names) -> Strin
             (advanced::APART, _) => {
                 format!("They are {} apart along {}.", number(*separation), point(*normal))
             }
-            (_, Some(next)) => format!(
-                "They close in at {}, at most {} with the turning: nothing touches before t = {}.",
-                number(*closing_speed),
-                number(*bound),
-                number(*next)
-            ),
+            (_, Some(next)) => {
+                let turning = format!(", at most {} with the turning", number(*bound));
+                let turning = if bound == closing_speed { "" } else { turning.as_str() };
+                let (speed, next) = (number(*closing_speed), number(*next));
+                format!("They close in at {speed}{turning}: nothing touches before t = {next}.")
+            }
             (_, None) => "It stops here.".to_owned(),
         },
         _ => sentence(event, names),

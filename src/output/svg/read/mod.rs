@@ -104,6 +104,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         hash: String::new(),
         items,
         steps: Vec::new(),
+        motion: Vec::new(),
         id: prefix.clone(),
     };
     Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style") })

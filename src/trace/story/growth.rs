@@ -1,0 +1,91 @@
+//! What is new in a simplex or polytope: the vertices that it has and the one before had not, and those that
+//! it does without.
+
+use super::words::point;
+use crate::geometry::DVec2;
+use crate::trace::Event;
+
+/// The vertices of a simplex or polytope; `None` of another event.
+fn vertices(event: &Event) -> Option<&[DVec2]> {
+    match event {
+        Event::SimplexUpdated { vertices, .. } | Event::PolytopeExpanded { vertices, .. } => Some(vertices),
+        _ => None,
+    }
+}
+
+/// Whether two events are of one kind.
+fn alike(a: &Event, b: &Event) -> bool {
+    std::mem::discriminant(a) == std::mem::discriminant(b)
+}
+
+/// What a step is called that ends with a simplex or polytope, among the events `before` and `after` it:
+/// "Begin at (9, 2)", "Add (5, 0), drop (9, 2)", "Add (1, 3): no vertex is beyond". `None` of another event.
+#[must_use]
+pub(crate) fn title(before: &[Event], event: &Event, after: &[Event]) -> Option<String> {
+    let now = vertices(event)?;
+    let last = before.iter().rev().find_map(vertices);
+    let begins = !before.iter().any(|earlier| alike(earlier, event));
+    let title = match (event, last) {
+        (Event::PolytopeExpanded { .. }, _) if begins => format!("{} vertices around the origin", now.len()),
+        (_, None) if now.len() == 1 => format!("Begin at {}", point(now[0])),
+        (_, None) => format!("Begin with {} vertices", now.len()),
+        (_, Some(last)) => changed(last, now),
+    };
+    let is_last = !after.iter().any(|later| vertices(later).is_some());
+    let is_found = match event {
+        Event::SimplexUpdated { closest, .. } => *closest != DVec2::ZERO,
+        Event::PolytopeExpanded { beyond, .. } => *beyond <= 0.0,
+        _ => false,
+    };
+    Some(if is_last && is_found { format!("{title}: no vertex is beyond") } else { title })
+}
+
+/// What came and what went.
+fn changed(last: &[DVec2], now: &[DVec2]) -> String {
+    let lacks = |of: &[DVec2], all: &[DVec2]| -> Vec<String> {
+        all.iter().filter(|p| !of.contains(p)).map(|&p| point(p)).collect()
+    };
+    let said = |verb: &str, points: Vec<String>| {
+        (!points.is_empty()).then(|| format!("{verb} {}", points.join(" and ")))
+    };
+    let parts: Vec<String> =
+        said("add", lacks(last, now)).into_iter().chain(said("drop", lacks(now, last))).collect();
+    let text = parts.join(", ");
+    let mut letters = text.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => "Nothing new".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn simplex(vertices: &[[f64; 2]]) -> Event {
+        let closest = DVec2::from(vertices[0]);
+        Event::SimplexUpdated {
+            vertices: vertices.iter().map(|&p| p.into()).collect(),
+            closest,
+            direction: -closest,
+        }
+    }
+
+    #[test]
+    fn a_title_says_what_came_and_what_went_and_where_the_search_ends() {
+        let all = [
+            simplex(&[[9.0, 2.0]]),
+            simplex(&[[9.0, 2.0], [-1.0, 7.0]]),
+            simplex(&[[-1.0, 7.0], [5.0, 0.0]]),
+        ];
+        let titles: Vec<_> = (0..3).filter_map(|k| title(&all[..k], &all[k], &all[k + 1..])).collect();
+        assert_eq!(
+            titles,
+            ["Begin at (9, 2)", "Add (-1, 7)", "Add (5, 0), drop (9, 2): no vertex is beyond"]
+        );
+        assert_eq!(title(&[], &Event::Finished { outcome: "apart" }, &[]), None);
+        // The last simplex of a search that goes on with a polytope holds the origin.
+        let held = simplex(&[[0.0, 0.0]]);
+        assert_eq!(title(&all[..1], &held, &[]).unwrap(), "Add (0, 0), drop (9, 2)");
+    }
+}
