@@ -196,17 +196,15 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
         one.circle(A, (8.25, -1.5), 1.0).is_some_and(dashed),
         one.any_line((-8.25 + x, 1.5 + y), (8.25 + x, -1.5 + y)),
         one.any_line((-8.25 - x, 1.5 - y), (8.25 - x, -1.5 - y)),
-        one.line(Now, (-8.25, 1.5), (-1.65, 0.3)).is_some(),
-        one.arrow(Ink, (-8.25, 1.5), (8.25, -1.5)),
+        one.along(A, (-8.25, 1.5), (8.25, -1.5)),
         one.marker(Ink, (-0.85, -0.3)),
-        f.says("$v_A$"),
-        f.says("$t = 0.4$"),
         f.says("$A$ at $t = 0.4$") && f.says("$A$ at $t = 0$") && f.says("$A$ at $t = 1$"),
     ];
     let two = look(&f, 1, view);
     shows![
         two.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_none()),
+        two.along(A, (-8.25, 1.5), (-1.65, 0.3)),
         two.marker(Ink, (-0.85, -0.3)),
         two.head(Ink, (-0.05, -0.9)),
         two.text_near("$p$", (-0.85, -0.3), 40.0),

@@ -226,7 +226,9 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         late.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_none()),
         late.marker(Ink, (-0.85, -0.3)),
         late.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
-        f.says("overlap 1.5") && f.says("first touch, $t = 0.4$"),
+        f.says("1.5")
+            && f.says("Short step, to $t = 0.5$: the second frame finds an overlap of 1.5, late")
+            && f.says("first touch, $t = 0.4$"),
         never.circle(A, (8.25, -1.5), 1.0).is_some_and(|p| p.fill.is_some()),
         never.line(Translation, (7.45, -0.9), (3.45, 2.1)).is_some(),
         f.says("apart by 5"),
