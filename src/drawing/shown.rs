@@ -28,10 +28,9 @@ impl Shown {
         self.since <= step && self.until.is_none_or(|until| step < until)
     }
 
-    /// Whether every step that shows `other` shows it.
-    pub(crate) fn holds(self, other: Self) -> bool {
-        let ends = self.until.is_none_or(|until| other.until.is_some_and(|other| other <= until));
-        self.since <= other.since && ends
+    /// Whether it is seen in the last step that shows `other`.
+    pub(crate) fn outlasts(self, other: Self) -> bool {
+        other.until.map_or(self.until.is_none(), |end| self.at(end.saturating_sub(1)))
     }
 
     /// With numbers that stand for names in a list, of which there are `more` before now; 1 stands for none.

@@ -1,8 +1,8 @@
 //! The halo of a text has the colour of what lies under it: on a filled body a pale rim looks like a sticker.
 //!
-//! A halo covers the lines that cross its text. Where all of the text lies on a see-through area, that area
-//! goes on over the halo; where it lies across an area's edge, no one colour fits, and the halo has the
-//! page's. Areas that are opaque are marks; those of the page's colour hide what is below them.
+//! A halo covers the lines that cross its text, and the see-through areas under the text's middle go on over
+//! it: of a text across an area's edge the middle decides, as no one colour fits. Areas that are opaque are
+//! marks; those of the page's colour hide what is below them.
 
 use std::f64::consts::PI;
 
@@ -13,38 +13,22 @@ use super::polyline::Polyline;
 
 /// The turn of a piece of an arc, radians, 36 to a circle: its line is 2 px off on a circle of 500.
 const PIECE: f64 = PI / 18.0;
-/// The most areas that a halo shows through itself: three are A, B and B ⊖ A.
-const MOST_AREAS: usize = 3;
+/// The most areas that a halo shows through itself: four are A, B, B ⊖ A and a sector.
+const MOST_AREAS: usize = 4;
 /// The most pairs of a text and a point of an area's line that are looked at: a hundred times a figure's.
 /// Beyond, halos keep the page's colour.
 const MOST_PAIRS: usize = 5_000_000;
 
-/// How far a text may reach over an area's line and still lie on it, page pixels: what its box has more than
-/// its ink at a slanted line.
-const OVER: f64 = 2.0;
-
 /// A filled area that was drawn.
 struct Area {
-    /// Its line; none where it is of several pieces.
-    line: Option<Polyline>,
-    /// The box of its line.
-    bounds: Rect,
+    /// Its line.
+    line: Polyline,
     /// What its group is cut off at.
     clip: Option<Rect>,
     /// Its colour.
     paint: Paint,
     /// The steps that show it.
     shown: Shown,
-}
-
-/// How a text lies to an area.
-enum Lies {
-    /// All of it on the area.
-    On,
-    /// No part of it on the area.
-    Off,
-    /// Across its line.
-    Across,
 }
 
 /// Gives the halos of a drawing, in painting order, the colours of the areas that their texts lie on.
@@ -80,12 +64,12 @@ fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Ve
             }
             Item::Path(path) => areas.extend(area(path, clip, opacity)),
             Item::Text(text) => {
-                let Some(rect) = ink(text) else { continue };
+                let Some(middle) = ink(text).map(Rect::center) else { continue };
                 let shown = text.shown;
                 let Some(halo) = text.halo.as_mut().filter(|h| h.paint.role == Some(Role::Background)) else {
                     continue;
                 };
-                lay(halo, under(&rect, shown, areas));
+                lay(halo, under(middle, shown, areas));
             }
         }
     }
@@ -97,9 +81,8 @@ fn area(path: &Path, clip: Option<Rect>, opacity: f64) -> Option<Area> {
     let paint = path.fill.filter(|_| path.shown.until.is_none())?;
     let paint = paint.with_opacity(paint.opacity * opacity);
     let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || paint.role == Some(Role::Background));
-    let bounds = path.contour.bounds().filter(|_| is_seen)?;
-    let line = points(&path.contour).and_then(Polyline::closed);
-    Some(Area { line, bounds, clip, paint, shown: path.shown })
+    let line = points(&path.contour).filter(|_| is_seen).and_then(Polyline::closed)?;
+    Some(Area { line, clip, paint, shown: path.shown })
 }
 
 /// Points along a contour of one piece without Bézier curves, of which our areas have none.
@@ -133,7 +116,7 @@ fn arc(center: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
     shares.into_iter().map(|share| on(at(share))).collect()
 }
 
-/// The box of a text's ink, less what it may reach over a line; none where it has none.
+/// The box of a text's ink; none where it has none.
 fn ink(text: &Text) -> Option<Rect> {
     let Point { x, y } = text.origin;
     let glyphs = text.line.glyphs.iter().map(|placed| {
@@ -144,37 +127,29 @@ fn ink(text: &Text) -> Option<Rect> {
             Point::new(x + placed.x + x1, y + placed.y + y1),
         )
     });
-    glyphs.reduce(Rect::union).map(|ink| ink.grown(-OVER.min(0.4 * ink.width()).min(0.4 * ink.height())))
+    glyphs.reduce(Rect::union)
 }
 
-/// The areas under a text of this box and these steps, the lowest first; none where no one colour is.
-fn under(rect: &Rect, shown: Shown, areas: &[Area]) -> Vec<Paint> {
+/// The areas under the middle of a text in the last step that shows it, the lowest first; none where they are
+/// too many.
+fn under(middle: Point, shown: Shown, areas: &[Area]) -> Vec<Paint> {
     let mut found = Vec::new();
-    for area in areas {
-        let hides = area.paint.role == Some(Role::Background);
-        match lies(rect, area) {
-            Lies::Off => {}
-            Lies::On if hides => found.clear(),
-            Lies::On if area.shown.holds(shown) && found.len() < MOST_AREAS => found.push(area.paint),
-            Lies::Across if hides => {}
-            Lies::On | Lies::Across => return Vec::new(),
+    for area in areas.iter().filter(|area| area.shown.outlasts(shown) && area.holds(middle)) {
+        if area.paint.role == Some(Role::Background) {
+            found.clear();
+        } else if found.len() < MOST_AREAS {
+            found.push(area.paint);
+        } else {
+            return Vec::new();
         }
     }
     found
 }
 
-/// How a text of this box lies to an area.
-fn lies(rect: &Rect, area: &Area) -> Lies {
-    let Some(bounds) = area.bounds.intersection(area.clip.unwrap_or(area.bounds)) else { return Lies::Off };
-    if bounds.intersection(*rect).is_none() {
-        return Lies::Off;
-    }
-    match &area.line {
-        _ if bounds.union(*rect) != bounds => Lies::Across,
-        Some(line) if line.crosses(rect) => Lies::Across,
-        Some(line) if line.contains(rect.center()) => Lies::On,
-        Some(_) => Lies::Off,
-        None => Lies::Across,
+impl Area {
+    /// Whether a point lies on it, as far as it is seen.
+    fn holds(&self, p: Point) -> bool {
+        self.clip.is_none_or(|clip| clip.contains(p)) && self.line.contains(p)
     }
 }
 
@@ -235,14 +210,13 @@ mod tests {
     }
 
     #[test]
-    fn beside_an_area_and_across_its_line_a_halo_has_the_colour_of_the_page() {
-        let white = Color::hex(0xFF_FF_FF);
-        // Beside both, then on A's left edge.
-        for labels in ["labels.A = { at = [-190, 50] }", "labels.A = 'a long name', at = [-140, 60]"] {
-            let labels = labels.replace("'a long name', at", "{ text = 'a long name', at");
-            let labels = if labels.ends_with('}') { labels } else { format!("{labels} }}") };
-            let halo = halo(&drawn(&labels, 0).drawing.items, "A").unwrap();
-            assert_eq!((halo.paint.color, halo.areas.len()), (white, 0), "{labels}");
+    fn across_the_line_of_an_area_the_middle_of_the_text_decides() {
+        // A's left edge is 290 px left of B's pole: the name is 90 px wide.
+        for (x, areas) in [(-200, 1), (-280, 1), (-310, 0), (-390, 0)] {
+            let name = format!("labels.A = {{ text = 'a long name', at = [{x}, 60] }}");
+            let halo = halo(&drawn(&name, 0).drawing.items, "A").unwrap();
+            assert_eq!(halo.areas.len(), areas, "{x}");
+            assert_eq!(halo.paint.color == Color::hex(0xFF_FF_FF), areas == 0, "{x}");
         }
     }
 
@@ -255,12 +229,15 @@ mod tests {
         };
         let tint = Paint::role(Role::A, Color::hex(0)).with_opacity(0.5);
         let page = Paint::role(Role::Background, Color::hex(0xFF_FF_FF));
-        let rect = Rect::new(Point::new(10.0, 10.0), Point::new(40.0, 20.0));
+        let at = Point::new(10.0, 10.0);
         let areas: Vec<Area> = [tint, page, tint].into_iter().filter_map(square).collect();
-        assert_eq!(under(&rect, Shown::ALWAYS, &areas[..1]), [tint]);
-        assert_eq!(under(&rect, Shown::ALWAYS, &areas[..2]), []);
-        assert_eq!(under(&rect, Shown::ALWAYS, &areas), [tint]);
-        let late = Area { shown: Shown { since: 3, until: None }, ..square(tint).unwrap() };
-        assert_eq!(under(&rect, Shown { since: 2, until: None }, &[late]), [], "not yet there");
+        assert_eq!(under(at, Shown::ALWAYS, &areas[..1]), [tint]);
+        assert_eq!(under(at, Shown::ALWAYS, &areas[..2]), []);
+        assert_eq!(under(at, Shown::ALWAYS, &areas), [tint]);
+        let of = |since, until| Shown { since, until };
+        let late = [Area { shown: of(3, None), ..square(tint).unwrap() }];
+        assert_eq!(under(at, of(2, None), &late), [tint], "there in the finished figure");
+        assert_eq!(under(at, of(1, Some(3)), &late), [], "the text is gone when it comes");
+        assert_eq!(under(at, of(1, Some(4)), &late), [tint]);
     }
 }
