@@ -1,9 +1,10 @@
 //! A picture inside another text: as an element of the page, or as the address of an image.
 
 use super::super::base64::base64;
-use super::{Drawing, OutputError, Sheet, document, identifier};
+use super::{Drawing, OutputError, Sheet, document, identifier, inside_page};
 
 /// The picture as an element for the middle of an HTML page, in one line, so that Markdown takes it as it is.
+/// A reader finds and copies its words.
 /// All ids and classes begin with the drawing's id: two pictures of one page must differ in it.
 ///
 /// # Errors
@@ -20,7 +21,12 @@ use super::{Drawing, OutputError, Sheet, document, identifier};
 /// ```
 pub fn inline(drawing: &Drawing) -> Result<String, OutputError> {
     super::super::validity::page(drawing)?;
-    Ok(document(drawing, Sheet::Inside).trim_end().replace('\n', " "))
+    Ok(in_one_line(&inside_page(drawing, None)))
+}
+
+/// A document as one line.
+fn in_one_line(document: &str) -> String {
+    document.trim_end().replace('\n', " ")
 }
 
 /// The picture as the address of an image, `data:` and all of it, for texts whose readers take no element.
@@ -37,7 +43,8 @@ pub fn inline(drawing: &Drawing) -> Result<String, OutputError> {
 /// assert!(address.starts_with("data:image/svg+xml;base64,PHN2Zy"));
 /// ```
 pub fn data_uri(drawing: &Drawing) -> Result<String, OutputError> {
-    let text = inline(drawing)?;
+    super::super::validity::page(drawing)?;
+    let text = in_one_line(&document(drawing, Sheet::Inside));
     Ok(format!("data:image/svg+xml;base64,{}", base64(text.as_bytes())))
 }
 

@@ -12,6 +12,7 @@ pub(super) mod steps;
 mod style;
 mod text;
 mod tint;
+mod words;
 
 use std::collections::BTreeMap;
 
@@ -73,6 +74,18 @@ pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
 
 /// The whole document as text, with its steps marked where that is asked for.
 pub(super) fn document_in_steps(drawing: &Drawing, sheet: Sheet, in_steps: Option<InSteps>) -> String {
+    written(drawing, sheet, in_steps).finish()
+}
+
+/// The picture as an element of a page, whose words a reader finds and copies.
+pub(super) fn inside_page(drawing: &Drawing, in_steps: Option<InSteps>) -> String {
+    let mut document = written(drawing, Sheet::Inside, in_steps);
+    document.found_words(drawing);
+    document.finish()
+}
+
+/// A document with all that is seen, its root still open.
+fn written(drawing: &Drawing, sheet: Sheet, in_steps: Option<InSteps>) -> Document {
     let prefix = identifier(&drawing.id);
     let used = style::Used::by(drawing);
     let mut document = Document {
@@ -98,7 +111,7 @@ pub(super) fn document_in_steps(drawing: &Drawing, sheet: Sheet, in_steps: Optio
         document.xml.end();
     }
     document.items(&drawing.items);
-    document.xml.finish()
+    document
 }
 
 /// Letters, digits, `-` and `_`, a letter first: what an id, a class and a selector may be without escapes.
@@ -132,6 +145,11 @@ struct Document {
 }
 
 impl Document {
+    /// The document, whole.
+    fn finish(self) -> String {
+        self.xml.finish()
+    }
+
     /// The root element, the words of the drawing and its metadata.
     fn open(&mut self, drawing: &Drawing) {
         let (title, desc) = (self.new_id("title"), self.new_id("desc"));

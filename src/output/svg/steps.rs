@@ -58,7 +58,7 @@ impl Document {
 
     /// Opens the groups of what some steps show, and says how many: a fragment either comes or goes. What is
     /// there from the start does not come.
-    fn open_groups(&mut self, shown: Shown, in_steps: InSteps) -> usize {
+    pub(super) fn open_groups(&mut self, shown: Shown, in_steps: InSteps) -> usize {
         self.xml.start("g");
         self.xml.attribute(SINCE, &shown.since.to_string());
         if let Some(until) = shown.until {
