@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Stdio;
 
 use serde_json::{Value, json};
+use tracefig::live::Live;
 
 use crate::{src, tracefig};
 
@@ -150,4 +151,18 @@ fn the_guide_is_drawn_whole() {
     let drawn: usize = texts.iter().map(|text| text.matches("<figure class=\"tracefig").count()).sum();
     assert_eq!(drawn, asked);
     assert!(drawn >= 60, "{drawn} figures");
+    let live: usize = texts.iter().map(|text| same_live(text)).sum();
+    assert!(live >= 24, "{live} live figures");
+}
+
+/// How many live figures a page has; each must draw the picture that stands there.
+fn same_live(text: &str) -> usize {
+    let parts = text.split("<div class=\"tracefig-live\">").skip(1);
+    let same = |part: &str| {
+        let (figure, rest) = part.split_once("<script type=\"application/json\">").unwrap();
+        let request = rest.split_once("</script>").unwrap().0;
+        let frame = Live::open(request).unwrap().draw().unwrap();
+        assert!(figure.ends_with(&format!("{}</figure>", frame.svg)), "{}", &request[..200]);
+    };
+    parts.map(same).count()
 }
