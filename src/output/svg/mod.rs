@@ -195,11 +195,14 @@ impl Document {
     /// An id that no other element has: the prefix, the name, and a number where the name was given before.
     fn new_id(&mut self, name: &str) -> String {
         let mut name = identifier(name);
-        if let Some(&count) = self.ids.get(&name) {
+        if let Some(&last) = self.ids.get(&name) {
             // All numbers up to the last one given are taken.
             let numbered = |count: usize| format!("{name}-{count}");
-            let count = (count + 1..).find(|&count| !self.ids.contains_key(&numbered(count)));
-            let (count, own) = (count.unwrap_or(0), numbered(count.unwrap_or(0)));
+            let mut count = last + 1;
+            while self.ids.contains_key(&numbered(count)) {
+                count += 1;
+            }
+            let own = numbered(count);
             self.ids.insert(name, count);
             name = own;
         }
