@@ -202,7 +202,9 @@ pub(super) fn panels_of<'s>(
 ) -> (bool, Vec<PanelPlan<'s>>) {
     let mut sheets = default_picture::sheets(scene, runs, problems);
     for (sheet, time) in sheets.iter_mut().zip(moments) {
-        time.iter().for_each(|time| sheet.pin(*time));
+        if let Some(time) = time {
+            sheet.pin(*time);
+        }
     }
     let count = sheets.len();
     let title_width = Layout::title_width(measures, count, scene.canvas.columns);

@@ -145,16 +145,20 @@ pub(crate) fn title(event: &Event, of: usize, names: &Names) -> String {
         Event::AxisSwept { .. } => "An axis that parts them".to_owned(),
         Event::ClosestApproachFound { .. } => "The closest approach".to_owned(),
         Event::ExpectationCompared { .. } => "What was expected".to_owned(),
-        Event::MotionBounded { .. } => match of {
-            turned::FARTHEST => "The farthest vertex",
-            turned::ARC => "Its arc",
-            _ => "The bound",
-        }
-        .to_owned(),
+        Event::MotionBounded { .. } => of_turn(of).to_owned(),
         Event::EdgesFaced { .. } => "The edges that face".to_owned(),
         Event::EdgeCut { .. } => "Cut off".to_owned(),
         Event::ContactFound { .. } => "A point of contact".to_owned(),
         Event::Finished { .. } => "The answer".to_owned(),
+    }
+}
+
+/// What a step is called that ends with a part of a motion bound.
+fn of_turn(of: usize) -> &'static str {
+    match of {
+        turned::FARTHEST => "The farthest vertex",
+        turned::ARC => "Its arc",
+        _ => "The bound",
     }
 }
 
