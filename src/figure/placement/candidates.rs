@@ -86,8 +86,20 @@ pub(super) fn is_in_view(anchor: &Anchor, frame: &Frame, w: &Places) -> bool {
     if page.iter().any(|p| !(p.x.is_finite() && p.y.is_finite())) {
         return false;
     }
-    let covered = bounds(page);
-    covered.is_none_or(|r| r.intersection(frame.panel.grown(w.gap)).is_some())
+    let view = frame.panel.grown(w.gap);
+    let near = bounds(page.clone()).is_none_or(|r| r.intersection(view).is_some());
+    near && (page.len() < 2 || comes_into(anchor, page, &view))
+}
+
+/// Whether a line or an area comes into a view, and not only the box around it.
+fn comes_into(anchor: &Anchor, page: Vec<Point>, view: &Rect) -> bool {
+    match anchor {
+        // The line may be moved aside.
+        Anchor::Beside { .. } => true,
+        Anchor::Inside { .. } => Polyline::closed(page)
+            .is_none_or(|line| line.square_from(view, f64::INFINITY) <= 0.0 || line.contains(view.center())),
+        _ => Polyline::open(page).is_none_or(|line| line.square_from(view, f64::INFINITY) <= 0.0),
+    }
 }
 
 /// Where what a label belongs to lies on the page: the same for the same thing in another panel of a series.
@@ -344,6 +356,13 @@ mod tests {
         assert!(!is_in_view(&Anchor::point(DVec2::new(12.0, 1.0)), &frame, W));
         assert!(is_in_view(&Anchor::tip(DVec2::ONE, DVec2::new(30.0, 1.0)), &frame, W), "its tail is");
         assert!(is_in_view(&Anchor::Corner(Corner::Top), &frame, W));
+        let triangle = |x: f64, y: f64| {
+            let area = [(0.0, 0.0), (30.0, -30.0), (30.0, 0.0), (0.0, 0.0)];
+            Anchor::Inside { area: area.map(|(dx, dy)| DVec2::new(x + dx, y + dy)).to_vec() }
+        };
+        assert!(is_in_view(&triangle(1.0, 5.0), &frame, W));
+        assert!(is_in_view(&triangle(-15.0, 12.0), &frame, W), "the view is within");
+        assert!(!is_in_view(&triangle(-8.0, 32.0), &frame, W), "only the box around it is in view");
     }
 
     #[test]

@@ -53,7 +53,7 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
     {
         return Some(leader);
     }
-    let at = own.nearest(rect.center());
+    let at = own.aim(rect.center());
     let near = nearest_in(rect, at);
     let u = (near - at).unit()?;
     let clear = if own.clear() > 0.0 { own.clear() + w.leader_room } else { 0.0 };
@@ -128,6 +128,17 @@ mod tests {
         let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
         assert_eq!((places.len(), far.len()), (3, 2), "what no leader reaches is no place");
         assert!(far.iter().all(|line| line.length() <= 40.0 && (line.from - at).length() > 4.5));
+    }
+
+    #[test]
+    fn a_leader_to_a_short_line_ends_on_the_line_and_at_neither_end_of_it() {
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        for kind in [Kind::Length, Kind::Line] {
+            let ends = vec![Point::new(0.0, 0.0), Point::new(20.0, 0.0)];
+            let things = Things::among(&[], Thing::new(kind, ends, 0.0), &panel);
+            let line = leader(&things, &about(Point::new(60.0, -20.0), (30.0, 12.0)), W).unwrap();
+            assert!(line.from.x > 4.0 && line.from.x < 16.0, "{kind:?}: {line:?}");
+        }
     }
 
     #[test]

@@ -31,6 +31,8 @@ pub(super) const ALIKE: f64 = 0.75;
 /// Things that are nowhere farther from each other than this look like one, page pixels: a marker's radius.
 /// What stands at one of them stands at all.
 const ONE: f64 = 4.5;
+/// The part of a line, from its start, on which a leader line may end: clear of what marks its ends.
+const MIDDLE: (f64, f64) = (0.3, 0.7);
 /// How many points of a thing are looked at to see whether it lies within another one; an outline that has
 /// more is smooth between them.
 const LOOKS: usize = 24;
@@ -236,6 +238,18 @@ impl Thing {
     /// The point of its line that is nearest to a point of the page.
     pub(super) fn nearest(&self, p: Point) -> Point {
         self.line.nearest(p)
+    }
+
+    /// Where a leader line from a point of the page ends on it: of a line between two points not near those,
+    /// where markers and heads are.
+    pub(super) fn aim(&self, p: Point) -> Point {
+        match (self.kind, self.line.points()) {
+            (Kind::Length | Kind::Line, &[from, to]) => {
+                let inner = [MIDDLE.0, MIDDLE.1].map(|part| from + (to - from) * part);
+                Polyline::open(inner.to_vec()).map_or_else(|| self.nearest(p), |line| line.nearest(p))
+            }
+            _ => self.nearest(p),
+        }
     }
 
     /// Whether a name stands inside it where it can.
