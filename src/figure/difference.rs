@@ -92,6 +92,26 @@ impl Difference {
         (edge.from + out, edge.to + out)
     }
 
+    /// How far a point of configuration space is outside, at least: the signed distance from the line of its
+    /// farthest edge; negative inside.
+    #[must_use]
+    pub(crate) fn outside(&self, p: DVec2) -> f64 {
+        let from_core = match self.center {
+            Some(center) if self.edges.is_empty() => p.distance(center),
+            _ => self.edges.iter().map(|e| e.normal.dot(p - e.from)).fold(f64::NEG_INFINITY, f64::max),
+        };
+        from_core - self.radius
+    }
+
+    /// The mean of the core's vertices, in configuration space.
+    #[must_use]
+    pub(crate) fn middle(&self) -> DVec2 {
+        #[expect(clippy::cast_precision_loss, reason = "a count of edges is far below 2^53")]
+        let count = self.edges.len().max(1) as f64;
+        let sum = self.edges.iter().map(|e| e.from).sum::<DVec2>();
+        self.center.filter(|_| self.edges.is_empty()).unwrap_or(sum / count)
+    }
+
     /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot.
     #[must_use]
     pub(crate) fn joint(&self) -> Option<DVec2> {

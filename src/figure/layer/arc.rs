@@ -258,7 +258,9 @@ fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'stat
 /// vertex has a dimension line over its whole length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
     let theta = if sector {
-        format!(r"$\theta = {}°$", number(t.sweep.abs().to_degrees()))
+        // In radians too, by which r is multiplied.
+        let (degrees, radians) = (number(t.sweep.abs().to_degrees()), number(t.sweep.abs()));
+        format!(r"$\theta = {degrees}° = {radians}$ rad")
     } else {
         r"$\theta$".to_owned()
     };

@@ -17,6 +17,7 @@ mod clipping;
 mod closest;
 mod contact;
 mod coordinates;
+mod cores;
 mod difference;
 mod edge_cues;
 mod edge_fan;
@@ -50,6 +51,7 @@ mod separation;
 mod shapes;
 mod simplex;
 mod spin;
+mod step_numbers;
 mod support;
 mod sweep;
 #[cfg(test)]

@@ -2,7 +2,8 @@
 //! n in which the search looks past that edge, and the vertex w that it finds there and that splits the edge.
 //!
 //! The dashed line is the supporting line of B ⊖ A along n: nothing of B ⊖ A is beyond it. At the last step
-//! it is the line of the nearest edge itself, so that no way out is shorter, and the search stops.
+//! it is the line of the nearest edge itself, so that no way out is shorter, and the search stops. Of rounded
+//! bodies it looks at the cores alone.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -14,6 +15,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::cores::{cores, radii, radii_in_words};
 use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
@@ -39,6 +41,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the direction in which it looks for a vertex" },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
+        LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
     fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
@@ -89,8 +92,9 @@ fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((step, cue)) = shown(context, options) else { return };
+    cores(sketch, context);
     sketch.since(cue);
-    draw_step(sketch, &step, options);
+    draw_step(sketch, context, &step, options);
     if options.number("step").is_some() {
         return;
     }
@@ -103,12 +107,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if vertices > MOST_PASSING {
             break;
         }
-        sketch.passing([*from, *to], |sketch| draw_step(sketch, before, options));
+        sketch.passing([*from, *to], |sketch| draw_step(sketch, context, before, options));
     }
 }
 
 /// Draws one step.
-fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
+fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Options) {
+    let rounded = radii(context) > 0.0;
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));
@@ -121,7 +126,10 @@ fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
     sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
     sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, Pen::highlighted(Role::Translation));
     let beside = Anchor::middle(DVec2::ZERO, foot);
-    let d = format!("$d = {}$", number(step.distance));
+    // Of rounded bodies the depth is more, by their radii.
+    let left =
+        if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
+    let d = format!("$d{left} = {}$", number(step.distance));
     sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
@@ -133,7 +141,8 @@ fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
     } else {
         let [from, to] = step.edge;
         let beside = Anchor::Beside { from, to, offset: 0.0 };
-        let stop = Label::new("stop", "nothing beyond", beside, role);
+        let words = if rounded { "no vertex of the cores beyond" } else { "nothing beyond" };
+        let stop = Label::new("stop", words, beside, role);
         sketch.label(stop.rank(Rank::Word).size(Size::Note));
     }
 }
@@ -177,6 +186,25 @@ mod tests {
         let plan = plan(&scene).unwrap();
         let steps = plan.own_run().events().filter(|e| matches!(e, Event::PolytopeExpanded { .. })).count();
         (draw(&plan, plan.theme, "epa"), steps)
+    }
+
+    #[test]
+    fn of_rounded_bodies_the_cores_are_drawn_and_their_depth_is_less_by_the_radii() {
+        let text = "shapes.A = { kind = 'box', half_extents = [1, 1], radius = 0.25 }
+            shapes.B = { kind = 'box', half_extents = [1, 1], radius = 0.5, position = [1.5, 0.25] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }
+            panels = [{ space = 'configuration', layers = ['difference', 'polytope'] }]";
+        let scene = open_text("epa", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let depth = -plan.own_run().separation().unwrap().separation;
+        let figure = draw(&plan, plan.theme, "epa");
+        let labels = labels(&figure);
+        assert_eq!((depth, labels["d"].1), (1.25, 0.5), "{labels:?}");
+        assert!(
+            labels["d"].0.contains("d - r_1 - r_2 =") && labels["stop"].0.contains("cores"),
+            "{labels:?}"
+        );
+        assert_eq!(paths(&figure.drawing.items, "cores").len(), 1);
     }
 
     #[test]

@@ -1,5 +1,8 @@
 //! One step of GJK or EPA on B ⊖ A: the simplex, its point v closest to the origin, and the vertex w that is
 //! farthest towards the origin and comes next; or the polytope grown around the origin.
+//!
+//! Of rounded bodies GJK sees the cores alone: their difference is drawn inside B ⊖ A, and where the search
+//! ends the radii, which B ⊖ A reaches beyond it.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -11,6 +14,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::cores::{cores, radii, radii_in_words};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
@@ -55,6 +59,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "least", about: "the supporting line's distance from the origin, with values" },
         LabelKey { key: "dropped", about: "a vertex of the step before that is no longer needed" },
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
+        LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
+        LabelKey { key: "r", about: "how far B ⊖ A reaches beyond that, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
     fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
@@ -136,8 +142,9 @@ fn shown(context: &Context, options: &Options) -> Option<Step> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(step) = shown(context, options) else { return };
+    cores(sketch, context);
     sketch.since(step.cue);
-    draw_step(sketch, &step, options);
+    draw_step(sketch, context, &step, options);
     if options.number("step").is_some() {
         return;
     }
@@ -149,12 +156,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if vertices > MOST_PASSING {
             break;
         }
-        sketch.passing([from, to], |sketch| draw_step(sketch, &pair[0], options));
+        sketch.passing([from, to], |sketch| draw_step(sketch, context, &pair[0], options));
     }
 }
 
 /// Draws one step.
-fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
+fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Options) {
     let role = options.role(Role::Now);
     if step.vertices.len() > 1 {
         let wash = (step.vertices.len() > 2).then(|| Wash::faint(role, FILL));
@@ -174,7 +181,11 @@ fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
         sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
         let text = if values { format!(r"$\|v\| = {}$", number(v.length())) } else { "$v$".to_owned() };
         sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
-        search(sketch, v, step, values);
+        let radius = radii(context);
+        search(sketch, v, step, (values, radius > 0.0));
+        if radius > 0.0 && step.next.is_none() {
+            beyond(sketch, context, v, radius);
+        }
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
@@ -182,9 +193,24 @@ fn draw_step(sketch: &mut Sketch, step: &Step, options: &Options) {
     }
 }
 
+/// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the distance
+/// is less than that of v.
+fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
+    let rim = v - v.normalize_or_zero() * radius;
+    sketch.part("radii").dimension(v, rim, LEAST, Pen::dimension(Role::Difference));
+    let text = format!("${} = {}$", radii_in_words(context), number(radius));
+    let anchor = Anchor::Beside { from: v, to: rim, offset: LEAST };
+    sketch.label(Label::new("r", text, anchor, Role::Difference).size(Size::Note));
+}
+
 /// Draws the direction −v beside v, and the supporting line square to it through the vertex that is farthest
 /// that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search ends.
-fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, values: bool) {
+fn search(
+    sketch: &mut Sketch,
+    v: DVec2,
+    Step { vertices, next, .. }: &Step,
+    (values, rounded): (bool, bool),
+) {
     let Some(u) = v.try_normalize() else { return };
     let w = next.unwrap_or(v);
     let (foot, across) = (u * w.dot(u), perp(u));
@@ -211,7 +237,10 @@ fn search(sketch: &mut Sketch, v: DVec2, Step { vertices, next, .. }: &Step, val
         least(sketch, foot, side);
     }
     if next.is_none() {
-        let text = Label::new("stop", "no vertex beyond", Anchor::tip(foot, begin), Role::Muted);
+        // On one side of v are the radii, where there are any.
+        let (words, tip) =
+            if rounded { ("no vertex of the cores beyond", end) } else { ("no vertex beyond", begin) };
+        let text = Label::new("stop", words, Anchor::tip(foot, tip), Role::Muted);
         sketch.label(text.rank(Rank::Word).size(Size::Note));
     }
 }
@@ -231,6 +260,34 @@ mod tests {
     use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
+
+    #[test]
+    fn of_rounded_bodies_the_cores_are_drawn_beyond_whose_vertices_none_is() {
+        for (place, radius) in [("[1.6, 1.5]", 0.3), ("[2.6, 2.2]", 0.3), ("[2.6, 2.2]", 0.0)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-1, 0], [1, 0], [0, 0.8]], radius = {} }}
+                shapes.B = {{ kind = 'box', half_extents = [0.6, 0.6], radius = {radius},
+                    position = {place}, angle_deg = 30 }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
+                panels = [{{ space = 'configuration', layers = ['difference', 'simplex'] }}]",
+                2.0 * radius
+            );
+            let scene = open_text("gjk", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "gjk");
+            let (labels, scale) = (labels(&figure), figure.panels[0].frame.scale);
+            assert_eq!(labels.contains_key("cores"), radius > 0.0, "{labels:?}");
+            assert_eq!(labels["stop"].0.contains("cores"), radius > 0.0, "{labels:?}");
+            assert_eq!(paths(&figure.drawing.items, "cores").len(), usize::from(radius > 0.0));
+            if radius > 0.0 {
+                let drawn = lines(&figure, "radii").into_iter().fold(0.0, f64::max) / scale;
+                assert!(
+                    (drawn - 0.9).abs() < 1e-9 && labels["r"].0.ends_with("= 0.9$"),
+                    "{drawn} {labels:?}"
+                );
+            }
+        }
+    }
 
     #[test]
     fn each_step_encloses_the_distance_and_crosses_out_what_the_one_before_had_and_it_has_not() {

@@ -150,6 +150,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("bounds", "min" | "touching.bottom") => extent(a.unwrap(), time).0.y,
         ("bounds", "max" | "touching.top") => extent(a.unwrap(), time).1.y,
         ("radii", "r") => context.sides().into_iter().find_map(round).unwrap(),
+        ("simplex", "r") => context.sides().into_iter().filter_map(round).sum(),
         ("radii", "r1") => a.unwrap().shape.radius,
         ("radii", "r2") => b.unwrap().shape.radius,
         ("axis-gaps", "h.A.x") => halves(a.unwrap()).x,
@@ -187,7 +188,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
             separation(scene, time).separation + a.unwrap().shape.radius + b.unwrap().shape.radius
         }
         ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
-        ("arc", "theta") => a.unwrap().spin.degrees().abs(),
+        ("arc", "theta") => a.unwrap().spin.radians().abs(),
         ("arc", "r") => reach(a.unwrap()),
         ("arc", "r_q") => first_vertex(a.unwrap()),
         ("arc", "L_q") => a.unwrap().spin.radians().abs() * first_vertex(a.unwrap()),

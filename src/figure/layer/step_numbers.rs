@@ -1,0 +1,91 @@
+//! The numbers of the steps of a difference that is drawn at each of them, t₁, t₂, …: each at its own outline,
+//! where no other one is.
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::difference::Difference;
+use crate::figure::sketch::{Anchor, Label, Rank, Size, Sketch};
+use crate::geometry::DVec2;
+use crate::scene::When;
+
+/// Distance, page pixels, below which numbers of iterations would touch: the earlier one is left out, as the
+/// last never is.
+const NUMBER_GAP: f64 = 14.0;
+
+/// How far an edge that looks level rises over its length at most, page pixels.
+const LEVEL: f64 = 1.0;
+
+/// How far outside all other iterations a number's place is at least, page pixels: seen to be on one outline.
+const CLEAR: f64 = 3.0;
+
+/// Writes the number of each iteration below its lowest vertex, where that is outside of all others; else
+/// where the outline is farthest outside of them. One that is nowhere outside has none, but for the last.
+pub(super) fn step_numbers(sketch: &mut Sketch, context: &Context, all: &[(usize, Difference)]) {
+    let [gap, level, least] = [NUMBER_GAP, LEVEL, CLEAR].map(|px| sketch.px(px));
+    let mut kept: Vec<(usize, DVec2, DVec2)> = Vec::new();
+    for (i, (k, found)) in all.iter().enumerate().rev() {
+        let others = || all.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, other))| other);
+        let clear = |p: DVec2| others().map(|other| other.outside(p)).fold(f64::INFINITY, f64::min);
+        let points = found.outline().sampled();
+        let below = lowest(&points, level).filter(|p| clear(*p) >= least).map(|p| (p, DVec2::NEG_Y));
+        let farthest = || {
+            let place = points.iter().copied().max_by(|p, q| clear(*p).total_cmp(&clear(*q)))?;
+            Some((place, place - found.middle()))
+        };
+        let Some((place, out)) = below.or_else(farthest) else { continue };
+        let apart = kept.iter().all(|(_, other, _)| other.distance(place) >= gap);
+        if kept.is_empty() || (apart && clear(place) >= least) {
+            kept.push((*k, place, out));
+        }
+    }
+    for (k, place, out) in kept.into_iter().rev() {
+        let anchor = Anchor::point_toward(place, out);
+        let label = Label::new("step", format!("$t_{{{k}}}$"), anchor, Role::Difference);
+        sketch.since(context.known(&When::Step(k))).label(label.rank(Rank::Word).size(Size::Small));
+    }
+}
+
+/// The lowest of some points; the middle of the lowest edge where that looks level. `level` is in units of the
+/// space.
+fn lowest(points: &[DVec2], level: f64) -> Option<DVec2> {
+    let bottom = points.iter().copied().min_by(|p, q| p.y.total_cmp(&q.y))?;
+    let same = points.iter().filter(|p| p.y - bottom.y <= level);
+    let (lo, hi) = same.fold((bottom, bottom), |(lo, hi), &p| (lo.min(p), hi.max(p)));
+    Some(0.5 * (lo + hi))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::difference::{difference, thinned};
+    use super::*;
+
+    #[test]
+    fn the_number_of_a_step_stands_at_its_own_outline_and_in_no_other() {
+        let text =
+            "shapes.A = { kind = 'regular-polygon', edges = 5, circumradius = 1.2, velocity = [3.2, 0.4],
+                angular_velocity_deg = 120 }
+            shapes.B = { kind = 'aabb', half_extents = [0.3, 1.5], position = [4, 0.5] }
+            panels = [{ space = 'configuration', time = 0,
+                layers = [{ layer = 'difference', at = 'steps', numbers = true }] }]
+            query = { kind = 'time-of-impact', of = ['A', 'B'], tolerance = 0.01,
+                algorithm = 'conservative-advancement' }";
+        let scene = crate::scene::open_text("steps", text).unwrap().scene;
+        let plan = crate::figure::plan(&scene).unwrap();
+        let panel = &plan.panels[0];
+        let context = panel.context(&scene, &plan.runs);
+        let at = |(k, time)| Some((k, difference(&context, time)?));
+        let steps: Vec<(usize, Difference)> = thinned(&context.steps()).into_iter().filter_map(at).collect();
+        let sketched = panel.sketch(&context, plan.theme);
+        let mut named = 0;
+        for label in sketched.requests.iter().map(|request| &request.label).filter(|l| l.key == "step") {
+            let Anchor::Point { at, .. } = label.anchor else { panic!("{label:?}") };
+            for (k, found) in &steps {
+                let own = label.lines[0] == format!("$t_{{{k}}}$");
+                assert_eq!(found.outside(at).abs() < 1e-9, own, "{label:?} and step {k}");
+                assert!(own || found.outside(at) > 0.0, "{label:?} in step {k}");
+            }
+            named += 1;
+        }
+        assert!(named > 2, "{named}");
+    }
+}
