@@ -10,7 +10,7 @@ use crate::scene::{self, Scene, Variant};
 use super::asked_theme::theme_of;
 use super::budget::Budget;
 use super::default_picture;
-use super::describe::{sentence, sentence_markup};
+use super::describe::Account;
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::layer::{LAYERS, is_key};
@@ -21,7 +21,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, across, caption_of_words, check_texts, label_key, spoken};
+use super::text::{Across, Block, Language, across, caption_of_words, check_texts, label_key, spoken};
 use super::theme::{self, Theme};
 use super::view;
 
@@ -146,9 +146,10 @@ fn resolve<'s>(
     let (alt, title) = (said(&scene.alt), said(&scene.title));
     if let Some(ours) = exercise::caption(scene, &runs, &measures, &mut problems) {
         caption = ours;
-    } else if scene.panels.is_empty() && scene.caption.is_none() {
+    } else if scene.panels.is_empty() && scene.caption.is_none() && Language::of(scene).is_own() {
         let run = runs.own(scene, scene.query.time);
-        caption = caption_of_words(&measures, sentence(scene, &run), &sentence_markup(scene, &run));
+        let account = Account::of(scene, &runs, &run);
+        caption = caption_of_words(&measures, account.sentence(), &account.sentence_markup());
     }
     let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let layout = Layout {

@@ -57,7 +57,11 @@ pub(super) static ROOT: TableRows = TableRows {
     fields: &[
         may("title", Holds::Text, "title of the figure, for those who do not see it"),
         may("alt", Holds::Text, "short alternative text; default: the title and the answer, in English"),
-        may("lang", Holds::Text, "language of the texts, as \"de\": numbers follow it; default: not said"),
+        may(
+            "lang",
+            Holds::Text,
+            "language of the texts, as \"de\": numbers and labels follow it; default: not said",
+        ),
         may("headline", Holds::Text, "the claim of the figure, a sentence above the panels"),
         may("caption", Holds::Text, "caption below the figure"),
         must(

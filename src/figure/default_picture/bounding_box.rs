@@ -10,6 +10,6 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| matches!(case.run.answer, Answer::Bounds(_)),
     panels: r#"
 [[panels]]
-layers = ["shapes", "bounds", { layer = "half-extents", style = "bar", role = "a" }]
+layers = ["shapes", "bounds", { layer = "half-extents", style = "bar" }]
 "#,
 };

@@ -13,7 +13,7 @@ pub(super) const PICTURE: Picture = Picture {
 layers = [
   { layer = "shapes", centers = true },
   { layer = "half-extents", style = "dimension" },
-  { layer = "clamp", role = "a", show = ["V", "clamped", "Bc", "D"] },
+  { layer = "clamp", show = ["V", "clamped", "Bc", "D"] },
   { layer = "separation", style = "dimension", offset = 16 },
 ]
 "#,

@@ -40,6 +40,7 @@ use crate::trace::Event;
 
 use super::fault::Problem;
 use super::runs::{Run, Runs};
+use super::text::Language;
 
 /// A row of the table of pictures.
 pub struct Picture {
@@ -189,9 +190,15 @@ fn filled<'s>(panel: &'s Panel, scene: &Scene, rows: &[&Picture], problems: &mut
     Sheet { panel: Cow::Owned(Panel { layers, ..panel.clone() }), ours: true }
 }
 
-/// The panels of a picture for the bodies of a scene; what goes wrong with them is told at `at`.
+/// The panels of a picture for the bodies of a scene, their titles in its language; what goes wrong with them is told at `at`.
 fn panels(picture: &Picture, scene: &Scene, at: &Range<usize>) -> Vec<Panel> {
     let mut panels = panels_of_text(picture.panels, at);
+    let language = Language::of(scene);
+    for panel in &mut panels {
+        let said = |title: &mut Spanned<String>| title.value = language.words(&title.value);
+        panel.title.iter_mut().for_each(said);
+        panel.title.take_if(|title| title.value.is_empty());
+    }
     for layer in panels.iter_mut().filter_map(|panel| panel.layers.as_mut()).flatten() {
         name_bodies(layer, scene);
     }

@@ -16,6 +16,7 @@ use crate::typeset::{self, Style, TypesetError, typeset};
 use super::decimal::Decimal;
 use super::fill::fill;
 use super::fold::folds;
+use super::language::Language;
 use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.
@@ -51,12 +52,13 @@ impl Wording<'_> {
         let text = given.and_then(|(_, o)| o.text.as_ref());
         let place = text.map_or_else(|| origin.clone(), |t| t.span.clone());
         let own = text.map(|t| vec![t.value.clone()]);
-        let lines = own.as_ref().unwrap_or(&label.lines);
+        let is_given = own.is_some() || label.is_given;
+        let ours = || Language::of(self.context.scene).lines(label.key, &label.lines);
+        let lines = &own.unwrap_or_else(|| if is_given { label.lines.clone() } else { ours() });
         if lines.iter().all(String::is_empty) {
             return Ok(None);
         }
         let style = Style::regular((self.type_size)(label.size));
-        let is_given = own.is_some() || label.is_given;
         let decimal = Decimal::of(self.context.scene);
         let mut set = |line: &String| {
             if !is_given {

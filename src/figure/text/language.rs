@@ -1,0 +1,234 @@
+//! The words that labels and default pictures have of themselves, in the language of the scene.
+//!
+//! A scene without `lang` is taken for English. In a language that no column of the table is of there are no
+//! words of ours at all: what has a formula keeps that, and what is a word alone is left out.
+
+use crate::scene::Scene;
+
+/// The languages of the columns after the second one, by their ISO 639 code.
+const LANGUAGES: [&str; 3] = ["de", "fr", "es"];
+
+/// The language in which the words are written in the layers.
+const OWN: &str = "en";
+
+/// The column for languages that no other column is of.
+const WORDLESS: usize = 1;
+
+/// What stands in our words for a name or for the rest of a formula.
+const STAR: char = '*';
+
+/// Rows that are said of a body at another place: alone in labels that have a name too, which may be any word.
+const OF_GHOSTS: usize = 3;
+
+/// Labels that are a name and nothing else.
+const NAMES: [&str; 6] = ["A", "B", "a", "b", "context", "difference"];
+/// Labels that have a name, beside words of ours.
+const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
+
+/// Our words: in English, without words, and in each of [`LANGUAGES`].
+const WORDS: [[&str; 5]; 46] = [
+    ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
+    ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
+    ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
+    ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
+    ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
+    ["distance $=*", "$d =*", "Abstand $=*", "distance $=*", "distancia $=*"],
+    ["gap $=*", "$*", "Lücke $=*", "écart $=*", "hueco $=*"],
+    ["overlap $=*", "$*", "Überlappung $=*", "recouvrement $=*", "solapamiento $=*"],
+    ["expected $*", "$*", "erwartet $*", "attendu $*", "esperado $*"],
+    ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
+    ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],
+    ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
+    ["clamped $*", "$*", "begrenzt $*", "$* borné", "$* limitado"],
+    ["as far as $p$", "", "so weit wie $p$", "aussi loin que $p$", "tan lejos como $p$"],
+    ["* (not to scale)", "*", "* (nicht maßstäblich)", "* (hors échelle)", "* (no a escala)"],
+    ["* turned about *", "", "* um * gedreht", "* tourné autour de *", "* girado alrededor de *"],
+    ["* moved around *", "", "* um * geschoben", "* déplacé autour de *", "* movido alrededor de *"],
+    ["from *", "*", "von *", "de *", "de *"],
+    ["vertex *", "*", "Ecke *", "sommet *", "vértice *"],
+    ["edge *", "*", "Kante *", "arête *", "arista *"],
+    ["reference edge", "", "Referenzkante", "arête de référence", "arista de referencia"],
+    ["incident edge", "", "anliegende Kante", "arête incidente", "arista incidente"],
+    ["no contact", "", "kein Kontakt", "pas de contact", "sin contacto"],
+    ["dropped", "", "verworfen", "écarté", "descartado"],
+    ["no vertex beyond", "", "keine Ecke dahinter", "aucun sommet au-delà", "ningún vértice más allá"],
+    [
+        "no vertex of the cores beyond",
+        "",
+        "keine Ecke der Kerne dahinter",
+        "aucun sommet des noyaux au-delà",
+        "ningún vértice de los núcleos más allá",
+    ],
+    ["nothing beyond", "", "nichts dahinter", "rien au-delà", "nada más allá"],
+    ["without radii", "", "ohne Radien", "sans rayons", "sin radios"],
+    ["new estimate", "", "neue Schätzung", "nouvelle estimation", "nueva estimación"],
+    ["estimate", "", "Schätzung", "estimation", "estimación"],
+    ["closest point", "", "nächster Punkt", "point le plus proche", "punto más cercano"],
+    ["tangent", "", "Tangente", "tangente", "tangente"],
+    ["start", "", "Anfang", "début", "inicio"],
+    ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],
+    ["fastest approach", "", "schnellste Annäherung", "approche la plus rapide", "acercamiento más rápido"],
+    ["World", "", "Welt", "Monde", "Mundo"],
+    [
+        "Configuration space",
+        "",
+        "Konfigurationsraum",
+        "Espace des configurations",
+        "Espacio de configuración",
+    ],
+    [
+        "Configuration space, last step",
+        "",
+        "Konfigurationsraum, letzter Schritt",
+        "Espace des configurations, dernière étape",
+        "Espacio de configuración, último paso",
+    ],
+    [
+        "Configuration space, every step",
+        "",
+        "Konfigurationsraum, jeder Schritt",
+        "Espace des configurations, chaque étape",
+        "Espacio de configuración, cada paso",
+    ],
+    ["Step *", "*", "Schritt *", "Étape *", "Paso *"],
+    ["From the start to the end", "", "Vom Anfang zum Ende", "Du début à la fin", "Del principio al fin"],
+    [
+        "The arc of the farthest point",
+        "",
+        "Der Bogen des fernsten Punkts",
+        "L’arc du point le plus éloigné",
+        "El arco del punto más lejano",
+    ],
+    [
+        "Clipped at the reference edge's ends",
+        "",
+        "An den Enden der Referenzkante beschnitten",
+        "Coupé aux bouts de l’arête de référence",
+        "Recortado en los extremos de la arista de referencia",
+    ],
+    ["Points of contact", "", "Kontaktpunkte", "Points de contact", "Puntos de contacto"],
+    ["min $=*", "$\\min =*", "min $=*", "min $=*", "mín $=*"],
+    ["max $=*", "$\\max =*", "max $=*", "max $=*", "máx $=*"],
+];
+
+/// The language of the words of ours in a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Language {
+    /// The column of [`WORDS`].
+    column: usize,
+}
+
+impl Language {
+    /// The language of a scene; English where it does not say.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        scene.lang.as_ref().map_or(Self { column: 0 }, |lang| Self::of_tag(&lang.value))
+    }
+
+    /// The language of a tag, as `de` or `pt-BR`.
+    fn of_tag(tag: &str) -> Self {
+        let language = tag.split('-').next().unwrap_or("").to_ascii_lowercase();
+        let known = LANGUAGES.iter().position(|known| *known == language);
+        let column = if language == OWN { 0 } else { known.map_or(WORDLESS, |i| WORDLESS + 1 + i) };
+        Self { column }
+    }
+
+    /// Whether it is the one in which whole sentences of ours are written.
+    pub(crate) fn is_own(self) -> bool {
+        self.column == 0
+    }
+
+    /// The lines of a label of ours, as markup; none where it has words alone, which the language has not.
+    pub(super) fn lines(self, key: &str, lines: &[String]) -> Vec<String> {
+        if self.is_own() || NAMES.contains(&key) {
+            return lines.to_vec();
+        }
+        let rows = if NAMES_OF_GHOSTS.contains(&key) { &WORDS[..OF_GHOSTS] } else { &WORDS[..] };
+        lines.iter().map(|line| self.said(rows, line)).filter(|line| !line.is_empty()).collect()
+    }
+
+    /// Words of ours that are no label's, as the title of a panel; empty where the language has none.
+    pub(crate) fn words(self, english: &str) -> String {
+        self.said(&WORDS, english)
+    }
+
+    /// What is written in English, as a row has it; as it is where no row is of it.
+    fn said(self, rows: &[[&str; 5]], english: &str) -> String {
+        let found = rows.iter().find_map(|row| Some((row, taken(row[0], english)?)));
+        let Some((row, parts)) = found else { return english.to_owned() };
+        let mut said = row[self.column].to_owned();
+        for part in parts {
+            said = said.replacen(STAR, &part.replace(STAR, "\u{0}"), 1);
+        }
+        said.replace('\u{0}', "*")
+    }
+}
+
+/// What stands in a text for the stars of a pattern, at most two; `None` where it does not follow the pattern.
+fn taken<'t>(pattern: &str, text: &'t str) -> Option<Vec<&'t str>> {
+    let Some((before, after)) = pattern.split_once(STAR) else {
+        return (text == pattern).then(Vec::new);
+    };
+    let rest = text.strip_prefix(before)?;
+    let Some((between, end)) = after.split_once(STAR) else {
+        return Some(vec![rest.strip_suffix(after)?]);
+    };
+    let (first, second) = rest.strip_suffix(end)?.rsplit_once(between)?;
+    Some(vec![first, second])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::default_picture::PICTURES;
+    use crate::scene::panels_of_text;
+    use crate::typeset::{Style, typeset};
+
+    fn label(tag: &str, key: &str, line: &str) -> String {
+        Language::of_tag(tag).lines(key, &[line.to_owned()]).concat()
+    }
+
+    #[test]
+    fn a_label_has_the_words_of_its_language_and_the_formula_of_all() {
+        let cases = [
+            ("en-GB", "at $t = 0.5$", "at $t = 0.5$"),
+            ("de", "at $t = 0.5$", "bei $t = 0.5$"),
+            ("fr-CH", "$A$ at $t = 0.5$", "$A$ à $t = 0.5$"),
+            ("es", "crate pushed out", "crate apartado"),
+            ("zh", "at $t = 0.5$", "$t = 0.5$"),
+            ("zh", "depth $d = 2$", "$d = 2$"),
+            ("zh", "crate pushed out", "crate"),
+        ];
+        for (tag, line, expected) in cases {
+            assert_eq!(label(tag, "d", line), expected, "{tag}");
+        }
+        assert_eq!(label("de", "A'", "crate pushed out"), "crate hinausgeschoben");
+        assert_eq!(label("zh", "incident", "incident edge"), "");
+        assert_eq!(label("de", "copy", "*b moved around box*"), "*b um box* geschoben");
+    }
+
+    #[test]
+    fn a_body_whose_name_is_a_word_of_ours_keeps_it() {
+        for key in ["A", "B'", "context"] {
+            assert_eq!(label("de", key, "tangent"), "tangent", "{key}");
+        }
+        assert_eq!(label("de", "tangent", "tangent"), "Tangente");
+    }
+
+    #[test]
+    fn every_title_of_a_default_picture_and_every_word_can_be_said_and_set() {
+        let german = Language::of_tag("de");
+        let panels = PICTURES.iter().flat_map(|row| panels_of_text(row.panels, &(0..0)));
+        for title in panels.filter_map(|panel| panel.title) {
+            assert_ne!(german.words(&title.value), title.value);
+        }
+        for row in WORDS {
+            let stars = row.map(|said| said.matches(STAR).count());
+            assert!(stars[2..].iter().all(|count| *count == stars[0]), "{row:?}");
+            for said in row {
+                let markup = said.replace(STAR, " 2 ").replace("$=", "${} =");
+                let whole = if markup.matches('$').count() % 2 == 1 { format!("{markup}$") } else { markup };
+                assert!(typeset(&whole, Style::regular(16.0)).is_ok(), "{whole}");
+            }
+        }
+    }
+}
