@@ -6,7 +6,7 @@ use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Po
 
 use crate::scene::{Background, Space, Variant};
 
-use super::describe;
+use super::describe::{self, Account};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
 use super::fault::{Fault, Problem};
@@ -279,7 +279,9 @@ fn short(plan: &Plan, run: &Run) -> String {
     match (&plan.alt, plan.scene.variant) {
         (Some(alt), _) => alt.clone(),
         (None, Variant::Question) => title.map_or_else(|| "A question.".to_owned(), sentence),
-        (None, Variant::Figure | Variant::Key) => describe::short(plan.scene, title, run),
+        (None, Variant::Figure | Variant::Key) => {
+            describe::short(title, &Account::of(plan.scene, &plan.runs, run))
+        }
     }
 }
 
@@ -290,7 +292,7 @@ fn description(plan: &Plan, run: &Run) -> String {
         Some(question) => {
             format!("{question} {}", describe::shown(plan.scene, &panels)).trim_end().to_owned()
         }
-        None => describe::long(plan.scene, run, &panels),
+        None => describe::long((plan.scene, run), &Account::of(plan.scene, &plan.runs, run), &panels),
     };
     let headline = plan.headline.words.as_deref().map(sentence);
     let caption = plan.caption.words.clone().filter(|_| plan.caption.lines() == 0);

@@ -52,7 +52,7 @@ use crate::scene::Scene;
 #[cfg(test)]
 use layer::{LAYERS, Shows};
 
-pub(crate) use describe::sentence;
+pub(crate) use describe::Account;
 pub use draw::{Figure, draw, draw_after, draw_in_steps};
 pub use fault::{Fault, off_page};
 pub use frame::Frame;

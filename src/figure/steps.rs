@@ -8,7 +8,7 @@ use crate::scene::{Scene, StepWords};
 use crate::trace::{self, Event, growth, step};
 
 use super::cue::{Cue, Teller};
-use super::describe;
+use super::describe::Account;
 use super::runs::{Run, Runs, tells_difference};
 
 /// Items of a page that share their cues: a panel and its title.
@@ -179,7 +179,10 @@ impl Told {
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
                 let title = if of_a_moment { step::title_at(cue.asked) } else { title };
-                told(title, describe::sentence(scene, run))
+                let beside =
+                    |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
+                let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
+                told(title, Account::beside(scene, run, other).sentence())
             }
             Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
                 let all = &run.trace.events;

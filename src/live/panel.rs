@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::figure::{Figure, Frame, Plan, handles_json, sentence};
+use crate::figure::{Account, Figure, Frame, Plan, handles_json};
 use crate::geometry::DVec2;
 use crate::scene::{Severity, Solution};
 
@@ -30,7 +30,7 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
     let steps =
         draws.drawing.steps.iter().map(|step| json!({ "title": step.title, "sentences": step.sentences }));
     let said = json!({
-        "sentence": sentence(plan.scene, &run),
+        "sentence": Account::of(plan.scene, &plan.runs, &run).sentence(),
         "answer": Solution::of(plan.scene).json(),
         "notes": notes,
         "handles": handles_json(&draws.handles, plan.scene),

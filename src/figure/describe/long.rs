@@ -11,10 +11,10 @@ use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
 
 use super::number::{point, value};
-use super::result::sentence;
+use super::result::Account;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
-pub(crate) fn long(scene: &Scene, run: &Run, panels: &[&Panel]) -> String {
+pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[&Panel]) -> String {
     let mut text = String::new();
     for &index in &scene.query.of {
         if let Some((name, body)) = scene.shapes.get(index) {
@@ -22,7 +22,7 @@ pub(crate) fn long(scene: &Scene, run: &Run, panels: &[&Panel]) -> String {
         }
     }
     text.push_str(&bystanders(scene));
-    let _ = write!(text, "{} ", sentence(scene, run));
+    let _ = write!(text, "{} ", told.sentence());
     text.push_str(&steps(scene, run));
     text.push_str(&shown(scene, panels));
     text.trim_end().to_owned()

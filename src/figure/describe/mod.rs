@@ -11,5 +11,5 @@ mod result;
 mod short;
 
 pub(crate) use long::{long, shown};
-pub(crate) use result::{sentence, sentence_markup};
+pub(crate) use result::Account;
 pub(crate) use short::short;

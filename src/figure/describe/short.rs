@@ -1,14 +1,13 @@
-//! The short text: one sentence.
+//! The short text: a sentence or two.
 
-use crate::figure::runs::Run;
-use crate::scene::Scene;
+use super::result::Account;
 
-use super::result::{result, sentence};
-
-/// One sentence for `alt`: the title in plain words, and the result of `run` with its number.
-pub(crate) fn short(scene: &Scene, title: Option<&str>, run: &Run) -> String {
-    match title {
-        Some(title) => format!("{title}: {}", result(scene, run)),
-        None => sentence(scene, run),
+/// A text for `alt`: the title in plain words, and the result that is `told` with its number.
+pub(crate) fn short(title: Option<&str>, told: &Account) -> String {
+    let Some(title) = title else { return told.sentence() };
+    if title.trim_end().ends_with(['.', '!', '?', '…', ':', ';']) {
+        format!("{} {}", title.trim_end(), told.sentence())
+    } else {
+        format!("{title}: {}", told.result())
     }
 }

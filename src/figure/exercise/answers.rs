@@ -13,6 +13,10 @@ use super::quantities::{Askable, Measure, askable, in_words};
 
 /// Where the class writes a number.
 const BLANK: &str = "____________";
+/// The unit of lengths where a scene names none, and the same of one.
+const UNITS: &str = "units";
+/// One of [`UNITS`].
+const UNIT: &str = "unit";
 /// A share of a unit of the third digit: what is rounded to three digits is right.
 const HALF_A_UNIT: f64 = 0.5;
 /// Digits after the first one of an answer that is given to three.
@@ -103,7 +107,8 @@ impl Asked {
         let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
         let text = rounded(self.lo, self.hi);
         let sign = if text.parse() == Ok(value) { "=" } else { r"\approx" };
-        let answer = format!("Answer: ${symbol} {sign} {}$ {}", in_math(&text), self.unit);
+        let unit = if text == "1" && self.unit == UNITS { UNIT } else { &self.unit };
+        let answer = format!("Answer: ${symbol} {sign} {}$ {unit}", in_math(&text));
         let answer = answer.trim_end();
         if !self.is_proved {
             return format!("{answer}.");
@@ -131,7 +136,7 @@ fn what(row: &Askable, scene: &Scene) -> String {
 fn unit(row: &Askable, exercise: &Exercise) -> String {
     let given = |unit: &Option<Spanned<String>>| unit.as_ref().map(|unit| unit.value.clone());
     match row.measure {
-        Measure::Length => given(&exercise.length_unit).unwrap_or_else(|| "units".to_owned()),
+        Measure::Length => given(&exercise.length_unit).unwrap_or_else(|| UNITS.to_owned()),
         Measure::Time => given(&exercise.time_unit).unwrap_or_default(),
         Measure::Degrees => "°".to_owned(),
         Measure::Pure => String::new(),

@@ -100,7 +100,7 @@ pub fn sentence(event: &Event, names: &Names) -> String {
         Event::AxisSwept { from, to, owner, normal } => swept([*from, *to], &names.quoted(*owner), *normal),
         Event::ClosestApproachFound { at, separation, bounds, normal, .. } => {
             let apart = format!("{} apart along {}", number(*separation), point(*normal));
-            closest_approach(names, &moment(at, names), &apart, [*separation, bounds.lo])
+            closest_approach(names, (at.time, &moment(at, names)), &apart, [*separation, bounds.lo])
         }
         Event::ExpectationCompared { size, separation, time, normal_deg, points } => {
             compared(names, *size, [*separation, *time, *normal_deg], *points)

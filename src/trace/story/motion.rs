@@ -48,13 +48,21 @@ pub(super) fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String 
 
 pub(super) fn closest_approach(
     names: &Names,
-    when: &str,
+    (time, when): (f64, &str),
     apart: &str,
     [separation, least]: [f64; 2],
 ) -> String {
+    // At the ends of the motion nothing says that they do not come nearer before or after it.
+    let ends = if time <= 0.0 {
+        ", where the motion begins"
+    } else if time >= 1.0 {
+        ", where the motion ends"
+    } else {
+        ""
+    };
     let (reached, proved) = (number(separation), number(least));
     let than = if proved == reached { String::new() } else { format!(" than {proved}") };
-    format!("{} come closest at {when}: {apart}, and never less{than}.", names.all())
+    format!("{} come closest at {when}{ends}: {apart}, and never less{than}.", names.all())
 }
 
 /// How far someone else's answer is off: lengths in world units and in units of S ε.
