@@ -20,6 +20,7 @@ mod fault;
 mod frame;
 mod handle;
 mod inset;
+mod language;
 pub mod layer;
 mod lettering;
 mod limits;

@@ -13,6 +13,7 @@ use super::default_picture;
 use super::describe::Account;
 use super::exercise;
 use super::fault::{Fault, Problem};
+use super::language::Language;
 use super::layer::{LAYERS, is_key};
 use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
@@ -21,7 +22,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, Language, across, caption_of_words, check_texts, label_key, spoken};
+use super::text::{Across, Block, across, caption_of_words, check_texts, label_key, spoken};
 use super::theme::{self, Theme};
 use super::view;
 

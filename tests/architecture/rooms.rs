@@ -129,6 +129,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/limits", &["scene"]),
     ("figure/question", &["collision"]),
     ("figure/name", &["typeset"]),
+    ("figure/language", &["scene"]),
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/playhead", &["geometry", "scene", "figure/question"]),
@@ -197,6 +198,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/budget",
             "figure/context",
             "figure/fault",
+            "figure/language",
             "figure/lettering",
             "figure/name",
             "figure/page",
@@ -227,7 +229,10 @@ pub(crate) const ROOMS: &[Row] = &[
         "figure/describe",
         &["geometry", "trace", "collision", "scene", "figure/question", "figure/runs", "figure/text"],
     ),
-    ("figure/default_picture", &["trace", "collision", "scene", "figure/fault", "figure/runs"]),
+    (
+        "figure/default_picture",
+        &["trace", "collision", "scene", "figure/fault", "figure/language", "figure/runs"],
+    ),
     (
         "figure/exercise",
         &[

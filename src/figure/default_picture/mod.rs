@@ -39,8 +39,8 @@ use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When, p
 use crate::trace::Event;
 
 use super::fault::Problem;
+use super::language::Language;
 use super::runs::{Run, Runs};
-use super::text::Language;
 
 /// A row of the table of pictures.
 pub struct Picture {

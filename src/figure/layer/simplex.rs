@@ -197,7 +197,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
 /// is less than that of v.
 fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
     let rim = v - v.normalize_or_zero() * radius;
-    sketch.part("radii").dimension(v, rim, LEAST, Pen::dimension(Role::Difference));
+    sketch.part("beyond").dimension(v, rim, LEAST, Pen::dimension(Role::Difference));
     let text = format!("${} = {}$", radii_in_words(context), number(radius));
     let anchor = Anchor::Beside { from: v, to: rim, offset: LEAST };
     sketch.label(Label::new("r", text, anchor, Role::Difference).size(Size::Note));
@@ -280,7 +280,7 @@ mod tests {
             assert_eq!(labels["stop"].0.contains("cores"), radius > 0.0, "{labels:?}");
             assert_eq!(paths(&figure.drawing.items, "cores").len(), usize::from(radius > 0.0));
             if radius > 0.0 {
-                let drawn = lines(&figure, "radii").into_iter().fold(0.0, f64::max) / scale;
+                let drawn = lines(&figure, "beyond").into_iter().fold(0.0, f64::max) / scale;
                 assert!(
                     (drawn - 0.9).abs() < 1e-9 && labels["r"].0.ends_with("= 0.9$"),
                     "{drawn} {labels:?}"

@@ -11,7 +11,6 @@ mod decimal;
 mod digits;
 mod fill;
 mod fold;
-mod language;
 mod number;
 mod overrides;
 mod plain;
@@ -24,7 +23,6 @@ pub(crate) use caption::{
     Across, Block, across, caption_of_words, named, paragraphs, set, spoken, with_powers,
 };
 pub(crate) use fill::filled;
-pub(crate) use language::Language;
 pub(crate) use number::{in_math, in_words, number, rounded};
 pub(crate) use overrides::label_key;
 pub use plain::plain;

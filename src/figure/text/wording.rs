@@ -5,6 +5,7 @@ use std::ops::Range;
 use crate::figure::budget::Budget;
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
+use crate::figure::language::Language;
 use crate::figure::lettering::{role_words, unknown, with_markers};
 use crate::figure::name::Name;
 use crate::figure::placement::Sought;
@@ -16,7 +17,6 @@ use crate::typeset::{self, Style, TypesetError, typeset};
 use super::decimal::Decimal;
 use super::fill::fill;
 use super::fold::folds;
-use super::language::Language;
 use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.

@@ -21,7 +21,7 @@ const STAR: char = '*';
 const OF_GHOSTS: usize = 3;
 
 /// Labels that are a name and nothing else.
-const NAMES: [&str; 6] = ["A", "B", "a", "b", "context", "difference"];
+const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
 /// Labels that have a name, beside words of ours.
 const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
 
@@ -138,7 +138,7 @@ impl Language {
     }
 
     /// The lines of a label of ours, as markup; none where it has words alone, which the language has not.
-    pub(super) fn lines(self, key: &str, lines: &[String]) -> Vec<String> {
+    pub(crate) fn lines(self, key: &str, lines: &[String]) -> Vec<String> {
         if self.is_own() || NAMES.contains(&key) {
             return lines.to_vec();
         }
