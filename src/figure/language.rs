@@ -26,7 +26,7 @@ const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
 const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
-const WORDS: [[&str; 5]; 46] = [
+const WORDS: [[&str; 5]; 51] = [
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
@@ -47,8 +47,13 @@ const WORDS: [[&str; 5]; 46] = [
     ["from *", "*", "von *", "de *", "de *"],
     ["vertex *", "*", "Ecke *", "sommet *", "vértice *"],
     ["edge *", "*", "Kante *", "arête *", "arista *"],
-    ["reference edge", "", "Referenzkante", "arête de référence", "arista de referencia"],
-    ["incident edge", "", "anliegende Kante", "arête incidente", "arista incidente"],
+    ["reference", "", "Referenz", "référence", "referencia"],
+    ["incident", "", "anliegend", "incidente", "incidente"],
+    ["distance", "", "Abstand", "distance", "distancia"],
+    ["at most", "", "höchstens", "au plus", "a lo sumo"],
+    ["in fact", "", "wirklich", "en fait", "en realidad"],
+    ["hit at $t*", "$t*", "Treffer bei $t*", "contact à $t*", "contacto en $t*"],
+    ["at most $*", "$\\le *", "höchstens $*", "au plus $*", "a lo sumo $*"],
     ["no contact", "", "kein Kontakt", "pas de contact", "sin contacto"],
     ["dropped", "", "verworfen", "écarté", "descartado"],
     ["no vertex beyond", "", "keine Ecke dahinter", "aucun sommet au-delà", "ningún vértice más allá"],
@@ -202,7 +207,7 @@ mod tests {
             assert_eq!(label(tag, "d", line), expected, "{tag}");
         }
         assert_eq!(label("de", "A'", "crate pushed out"), "crate hinausgeschoben");
-        assert_eq!(label("zh", "incident", "incident edge"), "");
+        assert_eq!(label("zh", "incident", "incident"), "");
         assert_eq!(label("de", "copy", "*b moved around box*"), "*b um box* geschoben");
     }
 

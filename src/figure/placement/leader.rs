@@ -8,7 +8,7 @@ use crate::drawing::{Offset, Point, Rect};
 
 use super::Candidate;
 use super::rect::nearest_in;
-use super::things::Things;
+use super::things::{Thing, Things};
 use super::weights::Places;
 
 /// Length of a leader line beyond which it is a fault, page pixels.
@@ -53,7 +53,14 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
     {
         return Some(leader);
     }
-    let at = own.aim(rect.center());
+    // The middle of a line where that is near enough, else the nearest point of it.
+    let aimed = straight(own, rect, own.aim(rect.center()), w);
+    let long = aimed.is_some_and(|line| line.length() > LONGEST);
+    if long { straight(own, rect, own.nearest(rect.center()), w) } else { aimed }
+}
+
+/// The leader line from a point of a thing; none where it would not be seen.
+fn straight(own: &Thing, rect: &Rect, at: Point, w: &Places) -> Option<Leader> {
     let near = nearest_in(rect, at);
     let u = (near - at).unit()?;
     let clear = if own.clear() > 0.0 { own.clear() + w.leader_room } else { 0.0 };
@@ -113,7 +120,7 @@ pub(super) fn is_far(things: &Things, rect: &Rect, w: &Places) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::rect::about;
-    use super::super::things::{Kind, Thing};
+    use super::super::things::Kind;
     use super::*;
 
     const W: &Places = &Places::TUNED;
