@@ -17,7 +17,8 @@ const WORDLESS: usize = 1;
 /// What stands in our words for a name or for the rest of a formula.
 const STAR: char = '*';
 
-/// Rows that are said of a body at another place: alone in labels that have a name too, which may be any word.
+/// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
+/// word.
 const OF_GHOSTS: usize = 3;
 
 /// Labels that are a name and nothing else.
@@ -168,7 +169,8 @@ impl Language {
     }
 }
 
-/// What stands in a text for the stars of a pattern, at most two; `None` where it does not follow the pattern.
+/// What stands in a text for the stars of a pattern, at most two; `None` where it does not follow the
+/// pattern.
 fn taken<'t>(pattern: &str, text: &'t str) -> Option<Vec<&'t str>> {
     let Some((before, after)) = pattern.split_once(STAR) else {
         return (text == pattern).then(Vec::new);

@@ -190,7 +190,8 @@ fn filled<'s>(panel: &'s Panel, scene: &Scene, rows: &[&Picture], problems: &mut
     Sheet { panel: Cow::Owned(Panel { layers, ..panel.clone() }), ours: true }
 }
 
-/// The panels of a picture for the bodies of a scene, their titles in its language; what goes wrong with them is told at `at`.
+/// The panels of a picture for the bodies of a scene, their titles in its language; what goes wrong with
+/// them is told at `at`.
 fn panels(picture: &Picture, scene: &Scene, at: &Range<usize>) -> Vec<Panel> {
     let mut panels = panels_of_text(picture.panels, at);
     let language = Language::of(scene);

@@ -1,5 +1,5 @@
-//! The difference of the cores of rounded bodies, which is all that GJK and EPA look at: B ⊖ A is that, grown by
-//! both radii.
+//! The difference of the cores of rounded bodies, which is all that GJK and EPA look at: B ⊖ A is that,
+//! grown by both radii.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;

@@ -193,8 +193,8 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
 }
 
-/// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the distance
-/// is less than that of v.
+/// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the
+/// distance is less than that of v.
 fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
     let rim = v - v.normalize_or_zero() * radius;
     sketch.part("beyond").dimension(v, rim, LEAST, Pen::dimension(Role::Difference));

@@ -1,5 +1,5 @@
-//! The numbers of the steps of a difference that is drawn at each of them, t₁, t₂, …: each at its own outline,
-//! where no other one is.
+//! The numbers of the steps of a difference that is drawn at each of them, t₁, t₂, …: each at its own
+//! outline, where no other one is.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -45,8 +45,8 @@ pub(super) fn step_numbers(sketch: &mut Sketch, context: &Context, all: &[(usize
     }
 }
 
-/// The lowest of some points; the middle of the lowest edge where that looks level. `level` is in units of the
-/// space.
+/// The lowest of some points; the middle of the lowest edge where that looks level. `level` is in units of
+/// the space.
 fn lowest(points: &[DVec2], level: f64) -> Option<DVec2> {
     let bottom = points.iter().copied().min_by(|p, q| p.y.total_cmp(&q.y))?;
     let same = points.iter().filter(|p| p.y - bottom.y <= level);
