@@ -294,14 +294,16 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
         let world = look(&f, i, [-6.0, -3.3, 5.0, 3.1]);
-        let conf = look(&f, 3 + i, [-1.0, -6.1, 10.6, 2.1]);
+        let conf = look(&f, 3 + i, [-2.6, -6.1, 9.8, 2.1]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
             world.along(Translation, p, q),
             conf.along(Translation, (0.0, 0.0), (q.0 - p.0, q.1 - p.1)),
         ];
-        assert_eq!(f.texts.iter().filter(|(text, _)| text == said).count(), 2, "{said} in both spaces");
+        // Of the last one the picture of the world has no room.
+        let times = f.texts.iter().filter(|(text, _)| text == said).count();
+        assert_eq!(times, if i < 2 { 2 } else { 1 }, "{said} in both spaces");
         // B's edges keep their directions, A's have turned with it.
         for (k, &from) in b.iter().enumerate() {
             let to = b[(k + 1) % 4];

@@ -4,7 +4,7 @@
 use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Size, Sketch, Weight};
 use crate::geometry::DVec2;
 
 use super::number_of;
@@ -75,7 +75,8 @@ impl<'c> Chart<'c> {
         for (key, name, end, toward) in ends {
             sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
             let anchor = Anchor::point_toward(end, toward);
-            sketch.label(Label::new(key, name, anchor, Role::Muted));
+            let size = if name.starts_with('$') { Size::Point } else { Size::Note };
+            sketch.label(Label::new(key, name, anchor, Role::Muted).size(size));
         }
     }
 

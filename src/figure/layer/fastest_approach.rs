@@ -58,6 +58,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "bound", about: "the time until which nothing can touch" },
         LabelKey { key: "hit", about: "the time of the hit" },
         LabelKey { key: "most", about: "the line of the fastest approach" },
+        LabelKey { key: "sum", about: "the most in a unit of time" },
+        LabelKey { key: "touch", about: "the end of that curve" },
         LabelKey { key: "real", about: "the curve of how near they come in fact" },
     ],
     needs: "a first step of an advancement: a question for the first contact of bodies that are apart",
@@ -140,7 +142,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let chart = Chart::new(sketch, context, ROOM, (least, DVec2::new(1.0, most)));
     sketch.since(context.known(&When::Bound));
     wedges(sketch, &chart, &parts, &first);
-    chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "nearer by")]);
+    chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "nearer by, at time $t$")]);
     level(sketch, context, &chart, &first);
     if real {
         fact(sketch.since(context.answered()), &chart, &nearer, hit);
@@ -174,6 +176,9 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     let anchor = Anchor::point_toward(end, chart.vector(DVec2::NEG_Y));
     sketch.label(Label::new("unit", "$1$", anchor, Role::Ink));
     let top = chart.place(1.0, first.bound);
+    let sum = format!("${}$", number(first.bound));
+    let anchor = Anchor::point_toward(top, chart.vector(DVec2::Y));
+    sketch.part("sum").label(Label::new("sum", sum, anchor, Role::Ink));
     sketch.part("most").weight(Weight::Background).line(corner, top, Pen::vector(Role::Ink));
     let label = Label::new("most", "at most", Anchor::middle(corner, top), Role::Ink);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
@@ -201,6 +206,8 @@ fn fact(sketch: &mut Sketch, chart: &Chart, nearer: &[DVec2], hit: Option<Enclos
     sketch.label(label.rank(Rank::Word).size(Size::Note));
     if let (Some(&end), Some(_)) = (curve.last(), hit) {
         sketch.part("touch").weight(Weight::Background).marker(end, Marker::Disc, Role::Ink, SMALL_MARKER);
+        let anchor = Anchor::point_toward(end, chart.vector(DVec2::new(1.0, -1.0)));
+        sketch.label(Label::new("touch", "touch", anchor, Role::Ink).rank(Rank::Word).size(Size::Note));
     }
 }
 
@@ -230,7 +237,6 @@ fn touch(sketch: &mut Sketch, chart: &Chart, first: &First, hit: Enclosure) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::drawing::{Contour, Path, Point, Segment};
     use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{Figure, draw, plan};

@@ -167,20 +167,8 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("velocity", "t") => until_hit(scene, time),
         ("ray", "t") => until_hit(scene, 0.0),
         ("projection", "gap") => largest_gap(context),
-        ("fastest-approach", "unit") => 1.0,
-        ("fastest-approach", "hit") => until_hit(scene, 0.0),
-        ("fastest-approach", "v.n") => {
-            let [a, b] = [a, b].map(|body| body.unwrap().velocity);
-            (a - b).dot(*separation(scene, 0.0).normal)
-        }
-        ("fastest-approach", "r.A") => arm(a.unwrap()),
-        ("fastest-approach", "r.B") => arm(b.unwrap()),
-        ("fastest-approach", "bound") => {
-            let [a, b] = [a, b].map(|body| body.unwrap());
-            let found = separation(scene, 0.0);
-            found.separation / ((a.velocity - b.velocity).dot(*found.normal) + arm(a) + arm(b))
-        }
-        ("graph" | "fastest-approach", "s_1" | "d") => separation(scene, 0.0).separation,
+        ("graph", "s_1") => separation(scene, 0.0).separation,
+        ("fastest-approach", key) => return of_the_first_step(scene, key, [a, b]),
         // EPA knows the cores only.
         ("polytope", "d") => core_depth(context),
         // GJK too.
@@ -194,6 +182,23 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("arc", "L_q") => a.unwrap().spin.radians().abs() * first_vertex(a.unwrap()),
         ("frame", "angle") => turned(a.unwrap(), time),
         ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
+        _ => return None,
+    })
+}
+
+/// What the number of a label of the fastest approach must be, from the bodies' velocities and radii.
+fn of_the_first_step(scene: &Scene, key: &str, [a, b]: [Option<&Body>; 2]) -> Option<f64> {
+    let (a, b, found) = (a?, b?, separation(scene, 0.0));
+    let closing = (a.velocity - b.velocity).dot(*found.normal);
+    Some(match key {
+        "unit" => 1.0,
+        "d" => found.separation,
+        "hit" => until_hit(scene, 0.0),
+        "v.n" => closing,
+        "sum" => closing + arm(a) + arm(b),
+        "r.A" => arm(a),
+        "r.B" => arm(b),
+        "bound" => found.separation / (closing + arm(a) + arm(b)),
         _ => return None,
     })
 }
