@@ -181,13 +181,12 @@ fn sign(name: &str) -> Option<&'static str> {
 fn denied(text: &str) -> (String, &str) {
     let text = text.trim_start();
     let mut read = String::new();
-    let rest = match text.strip_prefix('\\') {
-        Some(name) => command(name, &mut read),
-        None => {
-            let (sign, rest) = argument(text);
-            read.push_str(sign);
-            rest
-        }
+    let rest = if let Some(name) = text.strip_prefix('\\') {
+        command(name, &mut read)
+    } else {
+        let (sign, rest) = argument(text);
+        read.push_str(sign);
+        rest
     };
     let struck = if read == "=" { "≠".to_owned() } else { format!("{read}\u{338}") };
     (struck, rest)
