@@ -245,24 +245,21 @@ impl Live {
             Some(step) if step < whole.steps.len() => whole.at_step(step.max(1)),
             _ => whole.finished(),
         };
-        let written = match &self.inline {
-            Some(Inline { words }) => {
-                if let Some(roles) = words {
-                    drawing.words = roles.iter().map(|&role| (role, plan.theme.word_color(role))).collect();
-                    drawing.dark = None;
-                }
-                inline(&drawing)
+        let written = if let Some(Inline { words }) = &self.inline {
+            if let Some(roles) = words {
+                drawing.words = roles.iter().map(|&role| (role, plan.theme.word_color(role))).collect();
+                drawing.dark = None;
             }
-            None => {
-                let key = match &self.look {
-                    Look::Own => plan.theme.name,
-                    Look::Given { key, .. } => key,
-                };
-                let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
-                drawing.hash = text_chunk(&hash);
-                drawing.metadata = metadata(&hash, &facts(&plan));
-                svg_text(&drawing)
-            }
+            inline(&drawing)
+        } else {
+            let key = match &self.look {
+                Look::Own => plan.theme.name,
+                Look::Given { key, .. } => key,
+            };
+            let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
+            drawing.hash = text_chunk(&hash);
+            drawing.metadata = metadata(&hash, &facts(&plan));
+            svg_text(&drawing)
         };
         let svg = written.map_err(|error| match error {
             OutputError::NotFinite { outer, group } => {

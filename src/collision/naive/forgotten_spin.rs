@@ -9,12 +9,17 @@ use crate::geometry::Body;
 
 use super::{Claim, Naive};
 
-pub(super) const NAIVE: Naive = Naive { name: "forgotten-spin", kinds: &[QueryKind::TimeOfImpact], claims };
+pub(super) const NAIVE: Naive = Naive {
+    name: "forgotten-spin",
+    kinds: &[QueryKind::TimeOfImpact],
+    claims: |bodies, _| Some(advance(bodies)),
+};
 
 /// Steps after which it is taken to have come as near as it will.
 const MOST_STEPS: usize = 100;
 
-fn claims([a, b]: [&Body; 2], _: f64) -> Option<Claim> {
+/// The time to which the steps come.
+fn advance([a, b]: [&Body; 2]) -> Claim {
     let mut t = 0.0;
     for _ in 0..MOST_STEPS {
         let found = Pair::at(a, b, t).separation();
@@ -23,14 +28,14 @@ fn claims([a, b]: [&Body; 2], _: f64) -> Option<Claim> {
         }
         let closing = (a.velocity - b.velocity).dot(*found.normal);
         if closing <= 0.0 {
-            return Some(Claim::Miss);
+            return Claim::Miss;
         }
         t += found.separation / closing;
         if t > 1.0 {
-            return Some(Claim::Miss);
+            return Claim::Miss;
         }
     }
-    Some(Claim::Hit(t))
+    Claim::Hit(t)
 }
 
 #[cfg(test)]
