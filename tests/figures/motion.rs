@@ -293,7 +293,7 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-6.0, -3.3, 5.0, 3.1]);
+        let world = look(&f, i, [-5.9, -3.2, 4.7, 3.0]);
         let conf = look(&f, 3 + i, [-2.4, -6.1, 10.6, 2.1]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
