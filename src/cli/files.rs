@@ -319,10 +319,8 @@ impl Files {
             let theme = chosen.map_or(plan.theme, |chosen| &chosen.theme);
             // Texts are set and views fitted for the sizes of one theme; those of the house have the same.
             let other = (theme.text, theme.strokes) != (plan.theme.text, plan.theme.strokes);
-            let planned_anew = match other {
-                true => Some(planned_for(scene, Some(theme), in_time).map_err(refuse)?),
-                false => None,
-            };
+            let planned_anew =
+                if other { Some(planned_for(scene, Some(theme), in_time).map_err(refuse)?) } else { None };
             let plan = planned_anew.as_ref().unwrap_or(&plan);
             let id = figure_id(job, first);
             let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;

@@ -300,7 +300,9 @@ mod tests {
             let items = |figure: crate::figure::Figure| {
                 let mut items = figure.drawing.items;
                 let always = |shown: &mut crate::drawing::Shown| *shown = crate::drawing::Shown::ALWAYS;
-                items.iter_mut().for_each(|item| item.for_each_shown(&always));
+                for item in &mut items {
+                    item.for_each_shown(&always);
+                }
                 items
             };
             assert_eq!(now.panels[0].frame, alone.panels[0].frame);

@@ -122,7 +122,9 @@ fn hash(bytes: &[u8]) -> String {
 /// Opens an element with attributes.
 fn open(xml: &mut Xml, name: &'static str, attributes: &[(&str, &str)]) {
     xml.start(name);
-    attributes.iter().for_each(|(name, value)| xml.attribute(name, value));
+    for (name, value) in attributes {
+        xml.attribute(name, value);
+    }
 }
 
 /// Writes an element with attributes and a text.
@@ -214,7 +216,9 @@ fn manifest(items: &[(String, Vec<String>)]) -> String {
     for (name, files) in items {
         let [item, ..] = &files[..] else { continue };
         open(&mut xml, "resource", &[("identifier", name), ("type", "imsqti_item_xmlv2p1"), ("href", item)]);
-        files.iter().for_each(|file| leaf(&mut xml, "file", &[("href", file)], ""));
+        for file in files {
+            leaf(&mut xml, "file", &[("href", file)], "");
+        }
         xml.end();
     }
     xml.finish()

@@ -45,9 +45,10 @@ fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
             Fault::DuplicateKey { key: text.get(span.clone()).unwrap_or_default().to_owned() }
         } else {
             let written = text.get(span.clone()).unwrap_or_default();
-            let quoted = match message.contains("unquoted key") && !written.is_empty() {
-                true => format!("; in quotes a name may have any: \"{written}\""),
-                false => String::new(),
+            let quoted = if message.contains("unquoted key") && !written.is_empty() {
+                format!("; in quotes a name may have any: \"{written}\"")
+            } else {
+                String::new()
             };
             Fault::Syntax { message: format!("not TOML: {}{quoted}", message.replace('\n', ", ")) }
         };

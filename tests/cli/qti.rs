@@ -80,7 +80,7 @@ fn the_answer_of_an_item_is_that_of_solve_and_its_body_has_no_trace_of_it() {
         let root = item.root_element();
         assert_eq!(root.tag_name().namespace(), Some("http://www.imsglobal.org/xsd/imsqti_v2p1"));
         let answer: f64 =
-            find(root, "correctResponse").descendants().last().unwrap().text().unwrap().parse().unwrap();
+            find(root, "correctResponse").descendants().next_back().unwrap().text().unwrap().parse().unwrap();
         assert!((answer - exact.as_f64().unwrap()).abs() < 1e-14, "{answer} {exact}");
         let equal = find(root, "equal");
         assert_eq!(equal.attribute("toleranceMode"), Some("absolute"));
@@ -95,8 +95,7 @@ fn the_answer_of_an_item_is_that_of_solve_and_its_body_has_no_trace_of_it() {
         );
         for name in ["outcomeIdentifier", "identifier"] {
             let said = feedback.attribute(name).unwrap();
-            let set =
-                root.descendants().filter(|node| node.tag_name().name() == "setOutcomeValue").last().unwrap();
+            let set = root.descendants().rfind(|node| node.tag_name().name() == "setOutcomeValue").unwrap();
             assert!(
                 set.attribute("identifier") == Some(said) || find(set, "baseValue").text() == Some(said),
                 "{said}"

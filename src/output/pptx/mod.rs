@@ -265,7 +265,7 @@ mod tests {
         };
         let (endings, kinds) = (all("Extension"), all("PartName"));
         let mut led_to = BTreeSet::from(["[Content_Types].xml".to_owned()]);
-        for (name, content) in files.iter().filter(|(name, _)| name.ends_with(".rels")) {
+        for (name, content) in files.iter().filter(|(name, _)| name.contains("_rels/")) {
             led_to.insert(name.clone());
             let part = name.replace("_rels/", "").replace(".rels", "");
             let of_part = Document::parse(std::str::from_utf8(content).unwrap()).unwrap();

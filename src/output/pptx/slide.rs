@@ -68,7 +68,9 @@ fn empty(xml: &mut Xml, name: &'static str, attributes: &[(&str, &str)]) {
 
 /// Opens elements, each within the one before.
 fn open_all(xml: &mut Xml, names: &[&'static str]) {
-    names.iter().for_each(|name| xml.start(name));
+    for name in names {
+        xml.start(name);
+    }
 }
 
 /// Closes elements.

@@ -83,7 +83,9 @@ impl Document {
             for of_size in together.chunk_by(|a, b| a.size.total_cmp(&b.size).is_eq()) {
                 self.xml.start("g");
                 self.xml.number("font-size", of_size[0].size);
-                of_size.iter().for_each(|words| self.line_of_words(words));
+                for words in of_size {
+                    self.line_of_words(words);
+                }
                 self.xml.end();
             }
             (0..groups).for_each(|_| self.xml.end());
@@ -118,7 +120,7 @@ mod tests {
             .descendants()
             .filter(|node| node.has_tag_name(("http://www.w3.org/2000/svg", "text")))
             .collect();
-        let said: Vec<&str> = texts.iter().filter_map(|node| node.text()).collect();
+        let said: Vec<&str> = texts.iter().filter_map(roxmltree::Node::text).collect();
         for line in ["distance = ‖D‖ − r = 3/2", "Ærø Ωμέγα Жизнь", "clamped V_x"] {
             assert_eq!(said.iter().filter(|text| **text == line).count(), 1, "{said:?}");
         }

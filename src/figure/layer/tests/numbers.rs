@@ -121,7 +121,6 @@ fn extent(body: &Body, time: f64) -> (DVec2, DVec2) {
 fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64> {
     let (scene, time) = (context.scene, context.time);
     let [a, b] = [Side::A, Side::B].map(|side| context.body(side));
-    let centers = || b.unwrap().pose_at(time).position - a.unwrap().pose_at(time).position;
     let first_box = || context.sides().into_iter().find_map(|s| context.body(s)?.shape.half_extents).unwrap();
     let half = |axis: fn(DVec2) -> f64| match scene.query.kind {
         QueryKind::Bounds => {
@@ -130,8 +129,6 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         }
         _ => axis(first_box()),
     };
-    let halves = |body: &Body| 0.5 * (extent(body, time).1 - extent(body, time).0);
-    let gap = || centers().abs() - halves(a.unwrap()) - halves(b.unwrap());
     let round = |s: Side| context.body(s).filter(|b| b.shape.radius > 0.0).map(|b| b.shape.radius);
     Some(match (layer, key) {
         ("separation" | "closest", "d") => separation(scene, time).separation.abs(),
@@ -153,14 +150,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("simplex", "r") => context.sides().into_iter().filter_map(round).sum(),
         ("radii", "r1") => a.unwrap().shape.radius,
         ("radii", "r2") => b.unwrap().shape.radius,
-        ("axis-gaps", "h.A.x") => halves(a.unwrap()).x,
-        ("axis-gaps", "h.A.y") => halves(a.unwrap()).y,
-        ("axis-gaps", "h.B.x") => halves(b.unwrap()).x,
-        ("axis-gaps", "h.B.y") => halves(b.unwrap()).y,
-        ("axis-gaps", "D.x") => gap().x,
-        ("axis-gaps", "D.y") => gap().y,
-        ("axis-gaps", "centers.x") => centers().x.abs(),
-        ("axis-gaps", "centers.y") => centers().y.abs(),
+        ("axis-gaps", key) => return of_the_axes(key, [a, b], time),
         ("velocity", "t") if *context.space == Space::Configuration => {
             until_hit(scene, context.difference_time())
         }
@@ -176,12 +166,40 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
             separation(scene, time).separation + a.unwrap().shape.radius + b.unwrap().shape.radius
         }
         ("clipping", "d_1" | "d_2") => depth_of(context, usize::from(key == "d_2")),
-        ("arc", "theta") => a.unwrap().spin.radians().abs(),
-        ("arc", "r") => reach(a.unwrap()),
-        ("arc", "r_q") => first_vertex(a.unwrap()),
-        ("arc", "L_q") => a.unwrap().spin.radians().abs() * first_vertex(a.unwrap()),
+        ("arc", key) => return of_the_arc(key, a.unwrap()),
         ("frame", "angle") => turned(a.unwrap(), time),
-        ("arc", "L") => a.unwrap().spin.radians().abs() * reach(a.unwrap()),
+        _ => return None,
+    })
+}
+
+/// What the number of a label of an arc must be, from the body that turns.
+fn of_the_arc(key: &str, body: &Body) -> Option<f64> {
+    let turned = body.spin.radians().abs();
+    Some(match key {
+        "theta" => turned,
+        "r" => reach(body),
+        "L" => turned * reach(body),
+        "r_q" => first_vertex(body),
+        "L_q" => turned * first_vertex(body),
+        _ => return None,
+    })
+}
+
+/// What the number of a label of the gaps along the axes must be, from the extents of both bodies.
+fn of_the_axes(key: &str, [a, b]: [Option<&Body>; 2], time: f64) -> Option<f64> {
+    let (a, b) = (a?, b?);
+    let halves = |body: &Body| 0.5 * (extent(body, time).1 - extent(body, time).0);
+    let centers = (b.pose_at(time).position - a.pose_at(time).position).abs();
+    let gap = centers - halves(a) - halves(b);
+    Some(match key {
+        "h.A.x" => halves(a).x,
+        "h.A.y" => halves(a).y,
+        "h.B.x" => halves(b).x,
+        "h.B.y" => halves(b).y,
+        "D.x" => gap.x,
+        "D.y" => gap.y,
+        "centers.x" => centers.x,
+        "centers.y" => centers.y,
         _ => return None,
     })
 }
