@@ -46,12 +46,25 @@ const BODIES: &str = "[shapes.A]\nkind = 'circle'\nradius = 1\n[shapes.B]\nkind 
 /// Elements that our SVGs are made of.
 const ELEMENTS: &[&str] = &[
     "svg", "title", "desc", "metadata", "style", "defs", "g", "path", "circle", "ellipse", "rect", "line",
-    "use", "clipPath", "pattern",
+    "use", "clipPath", "pattern", "text", "tspan",
 ];
 
 /// Elements of our HTML around the SVG.
-const PAGE: &[&str] =
-    &["html", "head", "meta", "title", "style", "body", "figure", "figcaption", "p", "details", "summary"];
+const PAGE: &[&str] = &[
+    "html",
+    "head",
+    "meta",
+    "title",
+    "style",
+    "body",
+    "figure",
+    "figcaption",
+    "p",
+    "details",
+    "summary",
+    "text",
+    "tspan",
+];
 
 fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))

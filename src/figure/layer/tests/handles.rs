@@ -172,7 +172,7 @@ fn each_handle_names_its_key_in_the_scene() {
 
 #[test]
 fn what_no_layer_draws_can_still_be_changed_by_its_numbers() {
-    let scene = scene("", "separation", "space = 'configuration'\nlayers = ['difference']");
+    let scene = scene("", "separation", "space = 'configuration'\nlayers = ['axes', 'origin']");
     assert_eq!(kinds(&scene), []);
     let json = handles_json(&[], &scene);
     let names: Vec<_> = json.as_array().unwrap().iter().map(|h| h["name"].as_str().unwrap()).collect();

@@ -136,7 +136,7 @@ const OF_THE_HIT: &[&str] = &["ghosts", "contact", "sweep", "ray", "velocity", "
 
 /// Layers that a moment does not change: a constant of the scene, what its author wrote, or what is of
 /// another moment.
-const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach", "expected"];
+const OF_NO_MOMENT: &[&str] = &["axes", "origin", "note", "approach", "expected", "naive"];
 
 /// A layer as a scene asks for it.
 fn asked(layer: &str) -> String {

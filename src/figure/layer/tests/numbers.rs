@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use tracefig_reference::random::Random;
 
+use crate::collision::naive::{self, Claim};
 use crate::collision::{ALGORITHMS, Answer, Outcome, Query, QueryKind, Separation, When as Asked};
 use crate::figure::context::Context;
 use crate::figure::layer::{LAYERS, Shows};
@@ -159,6 +160,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("projection", "gap") => largest_gap(context),
         ("graph", "s_1") => separation(scene, 0.0).separation,
         ("fastest-approach", key) => return of_the_first_step(scene, key, [a, b]),
+        ("naive", _) if line.contains('=') => return claimed(scene, [a, b], time),
         // EPA knows the cores only.
         ("polytope", "d") => core_depth(context),
         // GJK too.
@@ -170,6 +172,15 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("frame", "angle") => turned(a.unwrap(), time),
         _ => return None,
     })
+}
+
+/// What the first method that takes the question claims, where that is a number.
+fn claimed(scene: &Scene, [a, b]: [Option<&Body>; 2], time: f64) -> Option<f64> {
+    match (naive::method("", scene.query.kind)?.claims)([a?, b?], time)? {
+        Claim::Separation(separation, _) => Some(separation),
+        Claim::Hit(time) => Some(time),
+        Claim::Miss | Claim::Nothing => None,
+    }
 }
 
 /// What the number of a label of an arc must be, from the body that turns.
