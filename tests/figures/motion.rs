@@ -102,7 +102,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let w = look(&f, 0, [-6.6, -3.7, 7.9, 3.1]);
+    let w = look(&f, 0, [-6.6, -3.72, 7.9, 3.08]);
     let view = [-6.3, -2.5, 8.2, 3.1];
     let (then, hit) = (look(&f, 2, view), look(&f, 3, view));
     let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 1.6), (-1.4, 0.4)];
