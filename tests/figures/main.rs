@@ -44,3 +44,14 @@ fn figure(stem: &str) -> Figure {
 fn look(figure: &Figure, index: usize, view: [f64; 4]) -> Look<'_> {
     Look { figure, panel: Panel::new(figure.panels[index], view) }
 }
+
+#[test]
+fn every_demo_of_the_article_is_dragged_by_what_its_scene_names() {
+    for name in ["demo-polygons", "demo-obb", "demo-linear-sweep", "demo-angular-sweep"] {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("figures/{name}.toml"));
+        let scene = tracefig::scene::open(&path).unwrap().scene;
+        let plan = tracefig::figure::plan(&scene).unwrap();
+        let handles = tracefig::figure::draw(&plan, plan.theme, name).handles;
+        assert!(handles.len() >= 3, "{name}: {} handles", handles.len());
+    }
+}
