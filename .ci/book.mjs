@@ -8,14 +8,11 @@
 
 import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { pathToFileURL } from "node:url";
 import { gzipSync } from "node:zlib";
+import { launched, require, root } from "./chromium.mjs";
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
-const require = createRequire(join(root, "target/browser/here.js"));
-const { chromium } = require("playwright-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const tracefig = process.env.TRACEFIG ?? join(root, "target/debug/tracefig");
 
@@ -24,13 +21,7 @@ const SAID = 600; // Milliseconds until a figure has said its result: it waits f
 const failures = [];
 const fail = (about, message) => failures.push(`${about}: ${message}`);
 
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: [
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-        "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    ],
-});
+const browser = await launched();
 
 // A page that tells of everything that it must not do.
 async function opened(file, about, options = {}) {

@@ -6,15 +6,12 @@
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { basename, dirname, join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { basename, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { launched, require, root } from "./chromium.mjs";
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const figures = join(root, "figures");
 const work = join(root, "target/browser");
-const require = createRequire(join(work, "here.js"));
-const { chromium } = require("playwright-core");
 const { PNG } = require("pngjs");
 
 // Limits. Measured with Chromium 156 and 19 figures: the mean is 0.119 to 0.206, 0.244 in dark (all along edges: we count
@@ -142,13 +139,7 @@ for (const folder of ["failed", "tried"]) {
     rmSync(join(work, folder), { recursive: true, force: true });
     mkdirSync(join(work, folder), { recursive: true });
 }
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM,
-    args: [
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-        "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    ],
-});
+const browser = await launched();
 const page = await browser.newPage({ viewport: { width: 960, height: 540 }, deviceScaleFactor: 2 });
 let opened = "";
 page.on("request", (request) => request.url() === opened || fail(basename(opened), `asks for ${request.url()}`));

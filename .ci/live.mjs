@@ -8,16 +8,13 @@
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
-import { createRequire } from "node:module";
 import { basename, dirname, join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { pathToFileURL } from "node:url";
+import { launched, require, root } from "./chromium.mjs";
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const figures = join(root, "figures");
 const work = join(root, "target/browser");
 const site = join(work, "site");
-const require = createRequire(join(work, "here.js"));
-const { chromium } = require("playwright-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const tracefig = process.env.TRACEFIG ?? join(root, "target/debug/tracefig");
 
@@ -37,13 +34,7 @@ const pages = readdirSync(site).filter((file) => file.endsWith(".html") && file 
 const stems = pages.map((file) => basename(file, ".html")).filter((stem) => asked.length === 0 || asked.includes(stem));
 run(["render", join(figures, `${stems[0]}.toml`), "--live", "-o", alone]);
 
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: [
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-        "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    ],
-});
+const browser = await launched();
 
 // A page that tells of everything that it must not do.
 async function opened(file, about, options = {}) {

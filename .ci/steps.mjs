@@ -7,15 +7,12 @@
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { createRequire } from "node:module";
-import { basename, dirname, join } from "node:path";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { basename, join } from "node:path";
+import { pathToFileURL } from "node:url";
+import { launched, require, root } from "./chromium.mjs";
 
-const root = dirname(dirname(fileURLToPath(import.meta.url)));
 const work = join(root, "target/browser");
 const pages = join(work, "steps");
-const require = createRequire(join(work, "here.js"));
-const { chromium } = require("playwright-core");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 const tracefig = process.env.TRACEFIG ?? join(root, "target/debug/tracefig");
 
@@ -46,13 +43,7 @@ const files = readdirSync(pages).filter((file) => file.endsWith(".html"));
 const stems = files.map((file) => basename(file, ".steps.html"));
 const chosen = stems.filter((stem) => asked.length === 0 || asked.includes(stem));
 
-const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: [
-        "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-        "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    ],
-});
+const browser = await launched();
 
 // A page that tells of everything that it must not do.
 async function opened(stem, hash = "", options = {}) {
