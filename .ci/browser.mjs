@@ -8,7 +8,7 @@ import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { launched, require, root } from "./chromium.mjs";
+import { launched, require, root, wordsNotFound } from "./chromium.mjs";
 
 const figures = join(root, "figures");
 const work = join(root, "target/browser");
@@ -205,24 +205,15 @@ const fuller = render(themeFile("fuller", `fill_opacity = ${OTHER_OPACITY}\n`), 
 await inline([join(figures, `${TRIED}.svg`)], `:root{--tracefig-fill-opacity:${OTHER_OPACITY}}`);
 judge(`${TRIED} --tracefig-fill-opacity`, await shot(read(fuller)), read(fuller));
 
-// A figure inside a page: every line of its words is found there, and what is found is not seen.
-await open(render("light", "html"));
-const lost = await page.evaluate(() => {
-    const svg = document.querySelector("svg");
-    const lines = Array.from(svg.querySelectorAll("text"), (text) => text.textContent);
-    const found = (line) => {
-        getSelection().removeAllRanges();
-        while (window.find(line)) if (svg.contains(getSelection().anchorNode)) return true;
-        return false;
-    };
-    const lost = lines.length > 3 ? lines.filter((line) => !found(line)) : ["any words"];
-    getSelection().removeAllRanges();
-    return lost;
-});
-for (const line of lost) fail(TRIED, `a search does not find "${line}" in its page`);
-const withWords = await page.locator("svg").screenshot();
-await page.evaluate(() => document.querySelectorAll("svg text").forEach((text) => text.remove()));
-if (!withWords.equals(await page.locator("svg").screenshot())) fail(TRIED, "words for a search are seen");
+// A figure, alone and inside a page: every line of its words is found there, and what is found is not seen.
+for (const file of [join(figures, `${TRIED}.svg`), render("light", "html")]) {
+    await open(file);
+    const lost = await page.evaluate(wordsNotFound);
+    for (const line of lost) fail(basename(file), `a search does not find "${line}"`);
+    const withWords = await page.locator("svg").screenshot();
+    await page.evaluate(() => document.querySelectorAll("svg text").forEach((text) => text.remove()));
+    if (!withWords.equals(await page.locator("svg").screenshot())) fail(basename(file), "words for a search are seen");
+}
 
 await browser.close();
 for (const failure of failures) console.error(`FAILED ${failure}`);

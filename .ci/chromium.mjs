@@ -15,3 +15,19 @@ export const launched = () => require("playwright-core").chromium.launch({
         "--disable-background-networking", "--disable-component-update", "--disable-sync",
     ],
 });
+
+// In the page: the lines of a picture's words that a search does not find in it, or cannot mark.
+export function wordsNotFound() {
+    const svg = document.querySelector("svg");
+    const lines = Array.from(svg.querySelectorAll("text"), (text) => text.textContent);
+    const found = (line) => {
+        getSelection().removeAllRanges();
+        while (window.find(line)) {
+            if (svg.contains(getSelection().anchorNode) && getSelection().toString().trim() === line) return true;
+        }
+        return false;
+    };
+    const lost = lines.length > 3 ? lines.filter((line) => !found(line)) : ["any words"];
+    getSelection().removeAllRanges();
+    return lost;
+}

@@ -10,7 +10,7 @@ import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "nod
 import { gzipSync } from "node:zlib";
 import { basename, dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { launched, require, root } from "./chromium.mjs";
+import { launched, require, root, wordsNotFound } from "./chromium.mjs";
 
 const figures = join(root, "figures");
 const work = join(root, "target/browser");
@@ -139,6 +139,8 @@ async function figure(stem) {
     for (const { id, help, nodes } of violations) fail(stem, `axe: ${id}, ${help}: ${nodes[0].html.slice(0, 200)}`);
     if (await page.isVisible(".reset")) await page.click(".reset");
     await page.waitForTimeout(200);
+    const lost = await page.evaluate(wordsNotFound);
+    for (const line of lost) fail(stem, `a search does not find "${line}"`);
     if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
     await page.close();
     const numbers = [ready, quantile(ms, 0.5), quantile(ms, 0.95)].map((x) => x.toFixed(1).padStart(7));

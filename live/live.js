@@ -273,7 +273,10 @@ class Figure {
         const away = ({ handle: { at } }) => Math.hypot(at[0] * this.scale - x, at[1] * this.scale - y);
         const near = [...this.knobs.values()].filter((knob) => !knob.isGone && away(knob) <= REACH);
         const [nearest] = near.sort((a, b) => away(a) - away(b));
-        const knob = nearest ?? this.bodies.get(event.target.closest("[data-held]"));
+        // Words that can be marked may lie over a body.
+        const under = document.elementsFromPoint(event.clientX, event.clientY);
+        const held = under.map((element) => element.closest("[data-held]")).find(Boolean);
+        const knob = nearest ?? this.bodies.get(held);
         if (!knob) return;
         event.preventDefault();
         knob.grab(event);

@@ -69,7 +69,7 @@ pub enum Change {
         /// The first difference of their texts.
         line: LineDrift,
         /// Largest difference of a colour of their style sheets, in levels of 255; `None` where anything else
-        /// that is read or followed, title, description or rule, is another one.
+        /// that is read, found or followed, title, description, words or rule, is another one.
         sheet: Option<u8>,
     },
     /// The file has more of something than any that we write, so it was not looked at further.
@@ -209,11 +209,12 @@ pub fn what_moved(format: &Format, old: &[u8], new: &[u8]) -> Vec<String> {
         _ => Vec::new(),
     };
     if let (
-        Ok(Picture::Drawing { drawing: old, sheet: old_sheet }),
-        Ok(Picture::Drawing { drawing: new, sheet: new_sheet }),
+        Ok(Picture::Drawing { drawing: old, sheet: old_sheet, found: old_found }),
+        Ok(Picture::Drawing { drawing: new, sheet: new_sheet, found: new_found }),
     ) = (shows(format, old), shows(format, new))
     {
         lines.extend(seen(&old, &new));
+        lines.extend(visible::words("words that are found", &old_found, &new_found));
         if old_sheet != new_sheet {
             lines.push("the style sheet, which pages and dark systems follow, is another one".to_owned());
         }
@@ -273,10 +274,10 @@ fn picture_change(
     match (old, new) {
         (Picture::Image(_), Picture::Image(_)) => Some(drift.map_or(Change::Packing, Change::Pixels)),
         (
-            Picture::Drawing { drawing: a, sheet: old_sheet },
-            Picture::Drawing { drawing: b, sheet: new_sheet },
+            Picture::Drawing { drawing: a, sheet: old_sheet, found: old_found },
+            Picture::Drawing { drawing: b, sheet: new_sheet, found: new_found },
         ) => {
-            let same_words = a.title == b.title && a.desc == b.desc;
+            let same_words = a.title == b.title && a.desc == b.desc && old_found == new_found;
             let sheet = if same_words { sheets_apart(old_sheet, new_sheet) } else { None };
             Some(Change::Picture { pixels: drift, line: line?, sheet })
         }

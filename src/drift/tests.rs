@@ -63,6 +63,26 @@ fn svg(scene: &str) -> Vec<u8> {
     drawn(scene, "light").1
 }
 
+#[test]
+fn words_that_nobody_sees_are_compared_and_may_not_be_shown() {
+    let new = String::from_utf8(svg(SCENE)).unwrap();
+    let at = new.find("<text ").unwrap();
+    let open = at + new[at..].find('>').unwrap();
+    let (old, seen) = (
+        format!("{}>Anything {}", &new[..open], &new[open + 1..]),
+        format!("{} fill=\"red\"{}", &new[..open], &new[open..]),
+    );
+    let told = what_moved(svg_format(), old.as_bytes(), new.as_bytes());
+    says(&told, "words that are found: reads `");
+    says(&told, "was `Anything ");
+    let rendered = Rendered { format: svg_format(), bytes: new.as_bytes(), scale: 1.0 };
+    let State::Changed(change) = compare(Some(old.as_bytes()), rendered) else { panic!("other words") };
+    assert!(change.pixels().is_none() && !change.is_within(255));
+    let State::Changed(change) = compare(Some(seen.as_bytes()), rendered) else { panic!("words in ink") };
+    assert!(matches!(change, Change::Line(_)), "{change:?}");
+    assert_eq!(shown_by(new.replacen(" fill=\"none\"", " fill=\"red\"", 1).as_bytes()), None);
+}
+
 /// What a changed scene makes `check` say of its SVG.
 fn said(changed: &str) -> Vec<String> {
     what_moved(svg_format(), &svg(SCENE), &svg(changed))

@@ -48,10 +48,10 @@ pub(super) fn seen(old: &Drawing, new: &Drawing) -> Vec<String> {
     }
     let mut lines = Vec::new();
     let lang = |drawing: &Drawing| drawing.lang.clone().unwrap_or_default();
-    words("language", &lang(old), &lang(new), &mut lines);
-    words("title", &old.title, &new.title, &mut lines);
+    lines.extend(words("language", &lang(old), &lang(new)));
+    lines.extend(words("title", &old.title, &new.title));
     lines.extend(changes.lines());
-    words("description", &old.desc, &new.desc, &mut lines);
+    lines.extend(words("description", &old.desc, &new.desc));
     limited(lines, MAX_LINES)
 }
 
@@ -91,9 +91,7 @@ fn elements<'d>(items: &'d [Item], within: &str, found: &mut Vec<Element<'d>>) {
 
 fn compare(old: &Element, new: &Element, changes: &mut Changes) {
     let name = new.name.as_str();
-    let mut lines = Vec::new();
-    words("", old.label.unwrap_or_default(), new.label.unwrap_or_default(), &mut lines);
-    for line in lines {
+    if let Some(line) = words("", old.label.unwrap_or_default(), new.label.unwrap_or_default()) {
         changes.add(line, name);
     }
     if old.opacity != new.opacity {
@@ -233,11 +231,11 @@ impl Changes {
     }
 }
 
-fn words(what: &str, old: &str, new: &str, lines: &mut Vec<String>) {
-    if let Some(drift) = text::drift(old, new) {
-        let before = if what.is_empty() { String::new() } else { format!("{what}: ") };
-        lines.push(format!("{before}reads `{}`, was `{}`", drift.actual, drift.expected));
-    }
+/// What became of a text, in words; `None` where it stayed.
+pub(super) fn words(what: &str, old: &str, new: &str) -> Option<String> {
+    let drift = text::drift(old, new)?;
+    let before = if what.is_empty() { String::new() } else { format!("{what}: ") };
+    Some(format!("{before}reads `{}`, was `{}`", drift.actual, drift.expected))
 }
 
 fn hex(Color { r, g, b }: Color) -> String {

@@ -16,7 +16,7 @@ use serde_json::Value;
 use crate::drawing::Drawing;
 use crate::drift::{facts, fingerprint, metadata, text_chunk};
 use crate::figure::{Figure, Plan, draw_after, off_page, plan, plan_in};
-use crate::output::{OutputError, inline, svg_key, svg_text};
+use crate::output::{OutputError, found_words, inline_with, svg_key, svg_with};
 use crate::scene::{SceneFile, open_text};
 
 pub use refusal::Refusal;
@@ -77,6 +77,18 @@ pub struct Live {
     step: Option<usize>,
     /// The picture before, where labels stay as they stood; without what it drew.
     before: Option<Box<Figure>>,
+    /// The words that are found in the picture before, where they stay too.
+    words: Option<String>,
+}
+
+/// What is drawn of a scene.
+struct Drawn {
+    /// What a page gets.
+    frame: Frame,
+    /// The figure, without what it drew.
+    figure: Box<Figure>,
+    /// The words that are found in its picture.
+    words: String,
 }
 
 impl Live {
@@ -106,7 +118,8 @@ impl Live {
     pub fn open(text: &str) -> Result<Self, Refusal> {
         let Request { scene, id, look, inline } = Request::read(text)?;
         let now = State::of(scene)?;
-        Ok(Self { id, look, inline, now, drawn: None, is_drawn: false, step: None, before: None })
+        let (drawn, step, before, words) = (None, None, None, None);
+        Ok(Self { id, look, inline, now, drawn, is_drawn: false, step, before, words })
     }
 
     /// Changes the scene: JSON `[[PATH, VALUE], …]`, where a path is a list of keys and numbers, as
@@ -155,9 +168,11 @@ impl Live {
     /// ```
     pub fn show(&mut self, step: Option<usize>) {
         self.step = step;
+        self.words = None;
     }
 
-    /// Places labels afresh in the next picture: it is that of the scene alone, as a file has it.
+    /// Places labels afresh in the next picture, and the words that are found: it is that of the scene alone,
+    /// as a file has it.
     ///
     /// ```
     /// use serde_json::json;
@@ -174,9 +189,11 @@ impl Live {
     /// ```
     pub fn rest(&mut self) {
         self.before = None;
+        self.words = None;
     }
 
-    /// Draws the scene as it is now; labels rest where they stood in the picture before.
+    /// Draws the scene as it is now; labels rest where they stood in the picture before, and words that are
+    /// found and not seen say what they said there.
     ///
     /// # Errors
     /// Where the scene can't be drawn: it then is again as it was when it was drawn last, if it was.
@@ -194,8 +211,9 @@ impl Live {
     /// ```
     pub fn draw(&mut self) -> Result<Frame, Refusal> {
         match self.frame() {
-            Ok((frame, figure)) => {
-                (self.drawn, self.is_drawn, self.before) = (None, true, Some(figure));
+            Ok(Drawn { frame, figure, words }) => {
+                (self.drawn, self.is_drawn) = (None, true);
+                (self.before, self.words) = (Some(figure), Some(words));
                 Ok(frame)
             }
             Err(refusal) => {
@@ -234,7 +252,7 @@ impl Live {
     }
 
     /// What the scene looks like as it is now.
-    fn frame(&self) -> Result<(Frame, Box<Figure>), Refusal> {
+    fn frame(&self) -> Result<Drawn, Refusal> {
         let plan = self.plan()?;
         let mut figure = Box::new(draw_after(&plan, plan.theme, &self.id, self.before.as_deref()));
         let panel = panel::panel(&plan, &figure);
@@ -245,12 +263,13 @@ impl Live {
             Some(step) if step < whole.steps.len() => whole.at_step(step.max(1)),
             _ => whole.finished(),
         };
-        let written = if let Some(Inline { words }) = &self.inline {
-            if let Some(roles) = words {
+        let words = self.words.clone().unwrap_or_else(|| found_words(&drawing, None));
+        let written = if let Some(Inline { words: colored }) = &self.inline {
+            if let Some(roles) = colored {
                 drawing.words = roles.iter().map(|&role| (role, plan.theme.word_color(role))).collect();
                 drawing.dark = None;
             }
-            inline(&drawing)
+            inline_with(&drawing, &words)
         } else {
             let key = match &self.look {
                 Look::Own => plan.theme.name,
@@ -259,7 +278,7 @@ impl Live {
             let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
             drawing.hash = text_chunk(&hash);
             drawing.metadata = metadata(&hash, &facts(&plan));
-            svg_text(&drawing)
+            svg_with(&drawing, &words)
         };
         let svg = written.map_err(|error| match error {
             OutputError::NotFinite { outer, group } => {
@@ -268,6 +287,6 @@ impl Live {
             }
             other => Refusal::Output(other),
         })?;
-        Ok((Frame { svg, panel }, figure))
+        Ok(Drawn { frame: Frame { svg, panel }, figure, words })
     }
 }

@@ -6,7 +6,7 @@
 //! as what is drawn is for some only there. Nothing is loaded from elsewhere and nothing runs.
 
 use super::live_page;
-use super::svg::{inside_page, read};
+use super::svg::{read, searchable};
 use super::xml::escape;
 use super::{
     Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, page, stepper, validity,
@@ -40,7 +40,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     let [_, of_desc] = drawing.languages_of_words();
     let mut out = page::head(drawing, page::NO_SCRIPT);
     out.push_str("</style>\n</head>\n<body>\n<figure>\n");
-    out.push_str(&inside_page(drawing, None));
+    out.push_str(&searchable(drawing, None));
     page::open(&mut out, "figcaption", of_desc);
     escape(&mut out, &drawing.desc);
     out.push_str("</figcaption>\n</figure>\n</body>\n</html>\n");

@@ -9,7 +9,7 @@ use std::fmt::Write as _;
 use super::base64::base64;
 use super::page_colors::{colored, push_schemes};
 use super::sha256::sha256;
-use super::svg::{Sheet, document};
+use super::svg::searchable;
 use super::xml::escape;
 use super::{OutputError, validity};
 use crate::drawing::Drawing;
@@ -114,7 +114,7 @@ pub(super) fn write(drawing: &Drawing, page: &LivePage<'_>) -> Result<Vec<u8>, O
 /// The figure with what the script needs of it.
 fn push_figure(out: &mut String, drawing: &Drawing, request: &str) {
     out.push_str("<div class=\"tracefig-live\">\n<figure>");
-    out.push_str(document(drawing, Sheet::Inside).trim_end());
+    out.push_str(searchable(drawing, None).trim_end());
     out.push_str("</figure>\n<details class=\"words\"><summary>Description</summary><p>");
     escape(out, &drawing.desc);
     out.push_str("</p></details>\n<script type=\"application/json\">");
@@ -139,7 +139,7 @@ mod tests {
     fn the_picture_of_the_page_is_the_svg_file() {
         let drawing = everything();
         let page = page(&drawing, &ALONE);
-        let file = document(&drawing, Sheet::Inside);
+        let file = searchable(&drawing, None);
         assert!(page.contains(&format!("<figure>{}</figure>", file.trim_end())));
     }
 
@@ -172,8 +172,6 @@ mod tests {
         let said = LivePage { module: Module::Beside("../tracefig-live.js"), ..ALONE };
         let page = page(&everything(), &said);
         assert!(page.contains("<script src=\"../tracefig-live.js\"></script>"));
-        assert!(
-            !page.contains("sha256-") && page.len() < 20_000 + document(&everything(), Sheet::Inside).len()
-        );
+        assert!(!page.contains("sha256-") && page.len() < 20_000 + searchable(&everything(), None).len());
     }
 }

@@ -54,9 +54,10 @@ pub use question::Numerical;
 pub(crate) use raster::Pixel;
 pub use raster::{Pixels, rasterize};
 pub use refusal::OutputError;
+pub(crate) use svg::inline::inline_with;
 pub use svg::inline::{data_uri, inline, short_id};
 pub(crate) use svg::read::sheets_apart;
-pub(crate) use svg::{key as svg_key, text as svg_text};
+pub(crate) use svg::{found_words, key as svg_key, text_with as svg_with};
 
 /// A row in the table of formats.
 #[derive(Clone, Copy, Debug)]

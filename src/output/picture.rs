@@ -30,6 +30,8 @@ pub(crate) enum Picture<'b> {
         drawing: Box<Drawing>,
         /// The style sheet, which other pages and dark systems follow and no image does.
         sheet: String,
+        /// The words that a reader finds in it and nobody sees, one line below the other.
+        found: String,
     },
 }
 

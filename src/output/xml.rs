@@ -70,6 +70,16 @@ impl Xml {
         escape(&mut self.out, text);
     }
 
+    /// Writes an element inside the one that is open, given whole; nothing where the text is empty.
+    pub(super) fn element(&mut self, text: &str) {
+        let text = text.trim_end();
+        if !text.is_empty() {
+            self.end_tag();
+            self.out.push('\n');
+            self.out.push_str(text);
+        }
+    }
+
     /// Closes what is open, and gives the document.
     pub(super) fn finish(mut self) -> String {
         while !self.open.is_empty() {

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 
 use super::base64::base64;
 use super::sha256::sha256;
-use super::svg::inside_page;
+use super::svg::searchable;
 use super::svg::steps::{SINCE, UNTIL};
 use super::xml::escape;
 use super::{InSteps, Options, OutputError, page, validity};
@@ -36,7 +36,7 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     page::open(&mut out, "h1", of_title);
     escape(&mut out, &drawing.title);
     out.push_str("</h1>\n<figure>\n");
-    out.push_str(&inside_page(drawing, Some(in_steps)));
+    out.push_str(&searchable(drawing, Some(in_steps)));
     out.push_str("</figure>\n<nav hidden aria-label=\"Steps\">");
     for (by, sign, name) in BUTTONS {
         let _ = write!(out, "<button type=\"button\" value=\"{by}\" aria-label=\"{name}\">{sign}</button>");

@@ -1,7 +1,7 @@
 //! A picture inside another text: as an element of the page, or as the address of an image.
 
 use super::super::base64::base64;
-use super::{Drawing, OutputError, Sheet, document, identifier, inside_page};
+use super::{Drawing, OutputError, Sheet, document, found_words, identifier, text_with};
 
 /// The picture as an element for the middle of an HTML page, in one line, so that Markdown takes it as it is.
 /// A reader finds and copies its words.
@@ -20,8 +20,12 @@ use super::{Drawing, OutputError, Sheet, document, identifier, inside_page};
 /// assert!(element.contains("id=\"first-title\""));
 /// ```
 pub fn inline(drawing: &Drawing) -> Result<String, OutputError> {
-    super::super::validity::page(drawing)?;
-    Ok(in_one_line(&inside_page(drawing, None)))
+    inline_with(drawing, &found_words(drawing, None))
+}
+
+/// The picture as [`inline`] has it, with the words that are found in it.
+pub(crate) fn inline_with(drawing: &Drawing, words: &str) -> Result<String, OutputError> {
+    Ok(in_one_line(&text_with(drawing, words)?))
 }
 
 /// A document as one line.

@@ -3,7 +3,8 @@
 //! Every id and class begins with the drawing's id, so two figures can be inlined in one page. Colours are
 //! presentation attributes; a style sheet inside `@media` overrides them with custom properties, and is all
 //! that a renderer without CSS variables loses. Circles and arcs are arcs; the outline of a glyph is written
-//! once and used where it stands. Nothing is loaded from elsewhere and nothing runs.
+//! once and used where it stands; words without ink lie over them, to be found and copied. Nothing is loaded
+//! from elsewhere and nothing runs.
 
 mod contour;
 pub(super) mod inline;
@@ -20,6 +21,7 @@ use super::xml::Xml;
 use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Writer, number};
 use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Shown, Stroke};
 use style::Property;
+pub(crate) use words::found_words;
 
 /// The row of the table.
 pub(super) const FORMAT: Format = Format {
@@ -54,8 +56,13 @@ pub(crate) fn key(theme: &str) -> String {
 
 /// The file of a drawing as text.
 pub(crate) fn text(drawing: &Drawing) -> Result<String, OutputError> {
+    text_with(drawing, &found_words(drawing, None))
+}
+
+/// The file of a drawing as text, with the words that are found in it.
+pub(crate) fn text_with(drawing: &Drawing, words: &str) -> Result<String, OutputError> {
     super::validity::page(drawing)?;
-    Ok(document(drawing, Sheet::Inside))
+    Ok(with_words(drawing, None, words))
 }
 
 /// Whether a document has its style sheet.
@@ -67,21 +74,22 @@ pub(super) enum Sheet {
     Absent,
 }
 
-/// The whole document as text.
+/// The whole document as text, without words that are found.
 pub(super) fn document(drawing: &Drawing, sheet: Sheet) -> String {
-    document_in_steps(drawing, sheet, None)
+    written(drawing, sheet, None).xml.finish()
 }
 
-/// The whole document as text, with its steps marked where that is asked for.
-pub(super) fn document_in_steps(drawing: &Drawing, sheet: Sheet, in_steps: Option<InSteps>) -> String {
-    written(drawing, sheet, in_steps).finish()
+/// The whole document as text, whose words a reader finds and copies, with its steps marked where that is
+/// asked for.
+pub(super) fn searchable(drawing: &Drawing, in_steps: Option<InSteps>) -> String {
+    with_words(drawing, in_steps, &found_words(drawing, in_steps))
 }
 
-/// The picture as an element of a page, whose words a reader finds and copies.
-pub(super) fn inside_page(drawing: &Drawing, in_steps: Option<InSteps>) -> String {
+/// The whole document as text, with the words that are found in it.
+fn with_words(drawing: &Drawing, in_steps: Option<InSteps>, words: &str) -> String {
     let mut document = written(drawing, Sheet::Inside, in_steps);
-    document.found_words(drawing);
-    document.finish()
+    document.xml.element(words);
+    document.xml.finish()
 }
 
 /// A document with all that is seen, its root still open.
@@ -145,11 +153,6 @@ struct Document {
 }
 
 impl Document {
-    /// The document, whole.
-    fn finish(self) -> String {
-        self.xml.finish()
-    }
-
     /// The root element, the words of the drawing and its metadata.
     fn open(&mut self, drawing: &Drawing) {
         let (title, desc) = (self.new_id("title"), self.new_id("desc"));

@@ -4,8 +4,9 @@
 //! outside of such groups is always there. Without a page that acts on it the whole figure shows: what a step
 //! took away has opacity 0, which a style sheet overrides.
 
-use super::{Document, Sheet, document_in_steps};
+use super::{Document, searchable};
 use crate::drawing::{Drawing, Item, Shown};
+use crate::output::xml::Xml;
 use crate::output::{InSteps, Options, OutputError, validity};
 
 /// The attribute with the first step that shows a group.
@@ -16,7 +17,7 @@ pub(in crate::output) const UNTIL: &str = "data-until";
 /// Writes a drawing with all its steps.
 pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
     validity::page(drawing)?;
-    Ok(document_in_steps(drawing, Sheet::Inside, Some(in_steps)).into_bytes())
+    Ok(searchable(drawing, Some(in_steps)).into_bytes())
 }
 
 /// Which steps show an item; none where its parts differ.
@@ -48,38 +49,38 @@ impl Document {
                 self.all(together);
                 continue;
             };
-            let groups = self.open_groups(own, in_steps);
+            let groups = open_groups(&mut self.xml, own, in_steps);
             let outer = std::mem::replace(&mut self.shown, own);
             self.all(together);
             self.shown = outer;
             (0..groups).for_each(|_| self.xml.end());
         }
     }
+}
 
-    /// Opens the groups of what some steps show, and says how many: a fragment either comes or goes. What is
-    /// there from the start does not come.
-    pub(super) fn open_groups(&mut self, shown: Shown, in_steps: InSteps) -> usize {
-        self.xml.start("g");
-        self.xml.attribute(SINCE, &shown.since.to_string());
-        if let Some(until) = shown.until {
-            self.xml.attribute(UNTIL, &until.to_string());
-            self.xml.attribute("opacity", "0");
-        }
-        if !in_steps.fragments {
-            return 1;
-        }
-        let comes = (shown.since > 1).then_some(("fragment", shown.since));
-        let goes = shown.until.map(|until| ("fragment fade-out", until));
-        for (group, (class, step)) in (1..).zip(comes.into_iter().chain(goes)) {
-            if group > 1 {
-                self.xml.start("g");
-            }
-            self.xml.attribute("class", class);
-            // Fragments count from 0, and the first step is there before them.
-            self.xml.attribute("data-fragment-index", &step.saturating_sub(2).to_string());
-        }
-        if comes.is_some() && goes.is_some() { 2 } else { 1 }
+/// Opens the groups of what some steps show, and says how many: a fragment either comes or goes. What is
+/// there from the start does not come.
+pub(super) fn open_groups(xml: &mut Xml, shown: Shown, in_steps: InSteps) -> usize {
+    xml.start("g");
+    xml.attribute(SINCE, &shown.since.to_string());
+    if let Some(until) = shown.until {
+        xml.attribute(UNTIL, &until.to_string());
+        xml.attribute("opacity", "0");
     }
+    if !in_steps.fragments {
+        return 1;
+    }
+    let comes = (shown.since > 1).then_some(("fragment", shown.since));
+    let goes = shown.until.map(|until| ("fragment fade-out", until));
+    for (group, (class, step)) in (1..).zip(comes.into_iter().chain(goes)) {
+        if group > 1 {
+            xml.start("g");
+        }
+        xml.attribute("class", class);
+        // Fragments count from 0, and the first step is there before them.
+        xml.attribute("data-fragment-index", &step.saturating_sub(2).to_string());
+    }
+    if comes.is_some() && goes.is_some() { 2 } else { 1 }
 }
 
 #[cfg(test)]

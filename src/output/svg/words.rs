@@ -2,11 +2,14 @@
 //!
 //! A browser finds, marks and copies text by its characters, which outlines do not have. So each line stands
 //! once more as `<text>`, stretched to the width that its outlines take; nothing fills or strokes it. Those
-//! who listen hear the title and the description, and not these parts of them again. A picture that is shown
-//! as an image can't be searched, so only pictures inside a page have them.
+//! who listen hear the title and the description, and not these parts of them again. A picture that a page
+//! holds as an image can't be searched, and goes without.
 
-use super::{Document, number};
+use super::number;
+use super::steps::open_groups;
 use crate::drawing::{Drawing, Item, Shown, Text};
+use crate::output::InSteps;
+use crate::output::xml::Xml;
 
 /// How far apart two stretches of a line may be, in ems of their letters: the width of a wide blank.
 const BLANK: f64 = 0.6;
@@ -65,56 +68,53 @@ fn goes_on(line: &Words, next: &Words) -> bool {
         && gap < BLANK * line.size
 }
 
-impl Document {
-    /// Writes the words of a drawing, those of a step and of a size together.
-    pub(super) fn found_words(&mut self, drawing: &Drawing) {
-        let mut all = Vec::new();
-        collect(&drawing.items, &mut all);
-        if all.is_empty() {
-            return;
-        }
-        self.xml.start("g");
-        self.xml.attribute("aria-hidden", "true");
-        self.xml.attribute("font-family", "sans-serif");
-        self.xml.attribute("pointer-events", "all");
-        for together in all.chunk_by(|a, b| a.shown == b.shown) {
-            let in_steps = self.in_steps.filter(|_| together[0].shown != Shown::ALWAYS);
-            let groups = in_steps.map_or(0, |in_steps| self.open_groups(together[0].shown, in_steps));
-            for of_size in together.chunk_by(|a, b| a.size.total_cmp(&b.size).is_eq()) {
-                self.xml.start("g");
-                self.xml.number("font-size", of_size[0].size);
-                for words in of_size {
-                    self.line_of_words(words);
-                }
-                self.xml.end();
-            }
-            (0..groups).for_each(|_| self.xml.end());
-        }
-        self.xml.end();
+/// The words of a drawing as an element, those of a step and of a size together; empty where it has none.
+pub(crate) fn found_words(drawing: &Drawing, in_steps: Option<InSteps>) -> String {
+    let mut all = Vec::new();
+    collect(&drawing.items, &mut all);
+    if all.is_empty() {
+        return String::new();
     }
+    let mut xml = Xml::default();
+    xml.start("g");
+    xml.attribute("aria-hidden", "true");
+    xml.attribute("font-family", "sans-serif");
+    xml.attribute("pointer-events", "all");
+    for together in all.chunk_by(|a, b| a.shown == b.shown) {
+        let in_steps = in_steps.filter(|_| together[0].shown != Shown::ALWAYS);
+        let groups = in_steps.map_or(0, |in_steps| open_groups(&mut xml, together[0].shown, in_steps));
+        for of_size in together.chunk_by(|a, b| a.size.total_cmp(&b.size).is_eq()) {
+            xml.start("g");
+            xml.number("font-size", of_size[0].size);
+            of_size.iter().for_each(|words| line_of_words(&mut xml, words));
+            xml.end();
+        }
+        (0..groups).for_each(|_| xml.end());
+    }
+    xml.finish()
+}
 
-    /// Writes a line, in tenths of a pixel: what is marked need not be sharper.
-    fn line_of_words(&mut self, Words { text, x: [from, to], y, .. }: &Words) {
-        self.xml.start("text");
-        let tenths = |value: f64| (10.0 * value).round() / 10.0;
-        for (name, value) in [("x", *from), ("y", *y), ("textLength", to - from)] {
-            self.xml.attribute_by(name, |out| number::push(out, tenths(value)));
-        }
-        self.xml.text(text.trim_end());
-        self.xml.end();
+/// Writes a line, in tenths of a pixel: what is marked need not be sharper.
+fn line_of_words(xml: &mut Xml, Words { text, x: [from, to], y, .. }: &Words) {
+    xml.start("text");
+    let tenths = |value: f64| (10.0 * value).round() / 10.0;
+    for (name, value) in [("x", *from), ("y", *y), ("textLength", to - from)] {
+        xml.attribute_by(name, |out| number::push(out, tenths(value)));
     }
+    xml.text(text.trim_end());
+    xml.end();
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Sheet, inside_page};
+    use super::super::{Sheet, document, searchable};
     use crate::output::InSteps;
     use crate::output::samples::everything;
 
     #[test]
     fn every_line_stands_once_without_ink_as_wide_as_its_outlines() {
         let drawing = everything();
-        let page = inside_page(&drawing, None);
+        let page = searchable(&drawing, None);
         let parsed = roxmltree::Document::parse(&page).unwrap();
         let texts: Vec<_> = parsed
             .descendants()
@@ -131,8 +131,8 @@ mod tests {
             assert!(hidden && ink.eq(["none"]), "{:?}", node.text());
             assert!(node.attribute("textLength").unwrap().parse::<f64>().unwrap() > 1.0);
         }
-        let alone = super::super::document(&drawing, Sheet::Inside);
+        let alone = document(&drawing, Sheet::Inside);
         assert!(!alone.contains("<text") && page.len() - alone.len() < alone.len() / 10);
-        assert!(inside_page(&drawing, Some(InSteps::default())).contains("<text"));
+        assert!(searchable(&drawing, Some(InSteps::default())).contains("<text"));
     }
 }

@@ -2,12 +2,14 @@
 //! compared by what is seen.
 //!
 //! Only what the writer beside this folder writes is understood: groups, paths, circles, rectangles, uses of
-//! outlines, clips. A file with anything else, as one that was edited by hand, is none that this reads.
+//! outlines, clips, and words without ink. A file with anything else, as one that was edited by hand, is none
+//! that this reads.
 
 mod effort;
 mod path_data;
 mod size;
 mod style;
+mod words;
 
 use std::collections::BTreeMap;
 
@@ -62,6 +64,9 @@ pub(super) fn picture(bytes: &[u8]) -> Result<Picture<'_>, Unread> {
 /// or has too much of something, which is then told.
 fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Picture<'static>> {
     let root = document.root_element();
+    if root.attribute("fill") != Some("none") || root.has_attribute("stroke") {
+        return None;
+    }
     let prefix = root.attribute("aria-labelledby")?.split_once("-title")?.0.to_owned();
     let text = |name: &str| {
         let node = root.children().find(|n| n.has_tag_name(name));
@@ -77,9 +82,10 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         page: Rect { x0: 0.0, y0: 0.0, x1: number(root, "width")?, y1: number(root, "height")? },
         too_much,
     };
-    let mut items = Vec::new();
+    let (mut items, mut found) = (Vec::new(), None);
     for node in root.children().filter(Node::is_element) {
         match node.tag_name().name() {
+            "g" if words::are_in(node) && found.is_none() => found = Some(words::said(node)?),
             "title" | "desc" | "metadata" | "style" | "defs" => {}
             "rect" if Some(node) == page => {}
             _ => reader.element(node, &Style::default(), Map::default(), &mut items)?,
@@ -107,7 +113,8 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         motion: Vec::new(),
         id: prefix.clone(),
     };
-    Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style") })
+    let found = found.unwrap_or_default();
+    Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style"), found })
 }
 
 /// The largest difference of a colour between two style sheets, in levels of 255; `None` where they differ in
