@@ -273,6 +273,26 @@ fn a_body_that_reaches_farther_than_106_bits_leaves_no_false_depth() {
     }
 }
 
+#[test]
+fn bodies_too_small_for_their_distance_are_as_far_as_they_are_both_ways_round() {
+    // Beside 1e218 the products of the box's edges are below all doubles.
+    for [half, radius] in [["8e-62", "0.5625"], ["8e-62", "0"], ["1e-9", "0.5"]] {
+        for (names, up) in [(r#"["A", "B"]"#, -1.0), (r#"["B", "A"]"#, 1.0)] {
+            let found = answer(&format!(
+                r#"{{"shapes": {{"A": {{"kind": "aabb", "half_extents": [9.5e-14, {half}], "position": [6.0625, 1.03e218]}},
+                "B": {{"kind": "regular-polygon", "edges": 7, "circumradius": 0.75, "radius": {radius},
+                "position": [0.75, 0.75], "angle_deg": 0.75}}}}, "query": {{"kind": "separation", "of": {names}}}}}"#
+            ));
+            let numbers = |key: &str| -> Vec<f64> {
+                found.get(key).unwrap().list().iter().map(|x| x.number().unwrap()).collect()
+            };
+            let (bounds, normal) = (numbers("separation_bounds"), numbers("normal"));
+            assert!(bounds[0] <= 1.03e218 && 1.03e218 <= bounds[1] && bounds[0] > 1.02e218, "{bounds:?}");
+            assert!((normal[1] - up).abs() < 1e-9, "{half}, {radius}, {names}: {normal:?}");
+        }
+    }
+}
+
 /// The contacts of a pair, the deepest first; None where several edges are as deep.
 fn contacts(a: &Body, b: &Body) -> Option<Vec<ContactPoint>> {
     let asked = query(QueryKind::Contact, a, b);

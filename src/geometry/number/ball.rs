@@ -94,7 +94,7 @@ impl Ball {
         }
         let value = self.value.scale(y);
         let radius = self.radius * y.abs() + Dd::ROUNDING * value.hi.abs();
-        Self { value, radius: up(radius) + underflow(value.hi, self.value.hi, y) }
+        Self { value, radius: up(radius) + underflow(value.hi, self.value.hi.abs() + self.radius, y) }
     }
 
     /// x · `factor` for a power of two; widened where it is so small that bits may be lost.
@@ -119,7 +119,7 @@ impl Ball {
         let value = self.value.div(y.value);
         let q = value.hi.abs();
         let radius = (self.radius + q * y.radius * (1.0 + f64::EPSILON)) / least + Dd::ROUNDING * q;
-        Self { value, radius: up(radius) + underflow(q, self.value.hi, 1.0) }
+        Self { value, radius: up(radius) + underflow(q, self.value.hi.abs() + self.radius, 1.0) }
     }
 
     /// √x; of the part of the ball that is not negative.
@@ -214,7 +214,8 @@ fn above(centre: f64, by: f64, factor: f64) -> f64 {
     (centre + (by * (1.0 + 4.0 * f64::EPSILON) * factor).next_up()).next_up()
 }
 
-/// What a product loses where it may have underflowed.
+/// What a product loses where it may have underflowed, its radius too; `a` and `b` are 0 only where a factor
+/// is exactly 0.
 #[inline]
 fn underflow(product: f64, a: f64, b: f64) -> f64 {
     if product.abs() < PRODUCT_FLOOR && a != 0.0 && b != 0.0 { FLOOR } else { 0.0 }
@@ -258,7 +259,7 @@ impl Mul for Ball {
         let value = self.value * y.value;
         let (a, b) = (self.value.hi.abs(), y.value.hi.abs());
         let radius = a * y.radius + b * self.radius + self.radius * y.radius + Dd::ROUNDING * value.hi.abs();
-        Self { value, radius: up(radius) + underflow(value.hi, a, b) }
+        Self { value, radius: up(radius) + underflow(value.hi, a + self.radius, b + y.radius) }
     }
 }
 
@@ -300,6 +301,9 @@ mod tests {
     fn an_underflowed_product_is_not_taken_for_zero() {
         assert_eq!(Ball::product(1e-200, 1e-200).sign(), None);
         assert_eq!(Ball::product(0.0, 1e-200).sign(), Some(0));
+        let vague = Ball::ZERO.widen(1e-200);
+        assert_eq!(((vague * vague).sign(), (vague * Ball::ZERO).sign()), (None, Some(0)));
+        assert_eq!((vague.scale(1e-200).sign(), vague.over(Ball::new(1e200)).sign()), (None, None));
     }
 
     #[test]

@@ -24,6 +24,10 @@ use crate::collision::certified::distance::witnesses::{Carrier, Proved};
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::geometry::{Ball, Side, UnitVector};
 
+/// An edge is taken for the nearest feature only where the distance from it is known better than to this part
+/// of it: the walk to it may have been lost among products that are below all doubles.
+const LOOSE: f64 = f64::EPSILON;
+
 /// What was found, in A's frame and scaled.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Found {
@@ -39,6 +43,11 @@ impl Found {
     /// Takes the distance for less sure.
     fn widened(self, by: f64) -> Self {
         Self { core: self.core.widen(by), ..self }
+    }
+
+    /// Whether hardly more is known than that the bodies are apart, if that.
+    fn is_loose(&self) -> bool {
+        self.core.radius >= LOOSE * self.core.value.hi
     }
 }
 
@@ -87,7 +96,7 @@ fn confirm(pair: &Pair, balls: &BallPair, hint: DifferenceFeature) -> Option<Fou
                 return None;
             }
             let closest = boundary::closest(pair, balls, measured.facing)?;
-            apart(balls, closest)
+            apart(balls, closest).filter(|found| !found.is_loose())
         }
         DifferenceFeature::Vertex(vertices) => {
             let found = vertex(balls, vertices)?;
@@ -113,7 +122,9 @@ fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
         DifferenceFeature::Edge(facing) => {
             let measured = balls.measure(facing);
             let core = measured.gap.widen(closest.beyond.min(farther(balls, facing, measured.gap)));
-            Some(Found { contact: Contact::Edge(measured), core, ties: 1 })
+            let found = Found { contact: Contact::Edge(measured), core, ties: 1 };
+            let start = if found.is_loose() { vertex(balls, facing.start()) } else { None };
+            Some(start.filter(|start| start.core.radius < core.radius).unwrap_or(found))
         }
         DifferenceFeature::Vertex(vertices) => vertex(balls, vertices),
     }
@@ -232,20 +243,52 @@ fn widest_edge(
     })
 }
 
-/// Whether the separation is exactly 0, by the sign of a polynomial.
+/// Whether the separation is exactly 0: by the sign of a polynomial, and a proof that the contact is the
+/// nearest feature.
 fn is_zero(pair: &Pair, balls: &BallPair, found: &Found) -> bool {
     let radius = Ball::exact(pair.radius);
     let squared = |x: Ball| x * x;
-    let polynomial = match found.contact {
-        Contact::Vertex(_, p) => dot(&p, &p) - squared(radius),
+    match found.contact {
+        Contact::Vertex([i, j], p) => {
+            (dot(&p, &p) - squared(radius)).sign() == Some(0)
+                && balls.drop_below(Side::B, j, &p) == 0.0
+                && balls.drop_below(Side::A, i, &reversed(&p)) == 0.0
+        }
         Contact::Edge(measured) => {
             let along = balls.edge(measured.facing.source, measured.facing.edge);
             let [i, j] = measured.facing.start();
             let area = cross(&along, &balls.between(i, j));
-            if radius == Ball::ZERO { area } else { squared(area) - squared(radius) * dot(&along, &along) }
+            let polynomial = if radius == Ball::ZERO {
+                area
+            } else {
+                squared(area) - squared(radius) * dot(&along, &along)
+            };
+            polynomial.sign() == Some(0) && holds_foot(pair, balls, &measured)
         }
-    };
-    polynomial.sign() == Some(0)
+    }
+}
+
+/// Whether the line of an edge of B ⊖ A supports it, and the foot of the origin on that line is certainly a
+/// point of the edge.
+fn holds_foot(pair: &Pair, balls: &BallPair, measured: &MeasuredEdge) -> bool {
+    let DifferenceEdge { source, edge, vertex } = measured.facing;
+    let along = balls.edge(source, edge);
+    let other = source.other();
+    let down = if source == Side::A { measured.normal } else { reversed(&measured.normal) };
+    if measured.partner.is_some() && balls.drop_below(other, vertex, &down) > 0.0 {
+        return false;
+    }
+    // Of parallel edges both ends of the partner are on the line.
+    let ends = measured.partner.map_or([vertex; 2], |k| [k, pair.hull(other).next(k)]);
+    let slopes = [edge, pair.hull(source).next(edge)].map(|k| {
+        ends.map(|l| {
+            let [i, j] = if source == Side::A { [k, l] } else { [l, k] };
+            dot(&along, &balls.between(i, j)).sign()
+        })
+    });
+    let mut slopes = slopes.iter().flatten();
+    slopes.clone().any(|slope| slope.is_some_and(|sign| sign <= 0))
+        && slopes.any(|slope| slope.is_some_and(|sign| sign >= 0))
 }
 
 /// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
