@@ -102,44 +102,45 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let w = look(&f, 0, [-6.6, -3.72, 7.9, 3.08]);
-    let view = [-6.3, -2.5, 8.2, 3.1];
-    let (then, hit) = (look(&f, 2, view), look(&f, 3, view));
+    let view = [-5.9, -3.5, 7.9, 3.3];
+    let (w, then, hit) = (look(&f, 0, view), look(&f, 2, view), look(&f, 3, view));
     let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 1.6), (-1.4, 0.4)];
-    let shape_b = [(-2.0, -1.5), (1.5, -2.0), (2.5, 0.0), (2.0, 1.5), (-2.0, 1.5)];
+    let shape_b = [(-2.0, -1.2), (1.2, -1.7), (2.4, 0.7), (1.0, 1.6), (-2.0, 1.2)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
-    // cos and sin of 0.5, of 0.8 · 0.5, and of both angles at the hit, t = 0.719415441713.
-    let t = 0.719_415_441_713;
-    let [a, a_hit] = [(0.877_582_561_890, 0.479_425_538_604), (0.752_191_049_444, 0.658_945_085_069)]
+    // cos and sin of 0.5, of 0.8 · 0.5, and of both angles at the hit, t = 0.759680666960.
+    let t = 0.759_680_666_960;
+    let [a, a_hit] = [(0.877_582_561_890, 0.479_425_538_604), (0.725_055_969_160, 0.688_689_945_902)]
         .map(|angle| shape_a.map(turned(angle)));
-    let [b, b_hit] = [(0.921_060_994_003, 0.389_418_342_309), (0.838_902_671_237, 0.544_281_460_452)]
+    let [b, b_hit] = [(0.921_060_994_003, 0.389_418_342_309), (0.820_938_015_250, 0.571_017_315_953)]
         .map(|angle| shape_b.map(turned(angle)));
-    let contact = (0.347_526_141_708, 0.389_206_527_665);
+    let contact = (0.393_861_189_478, 0.862_452_320_314);
     shows![
         w.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(|p| p.fill.is_some()),
         w.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(|p| p.fill.is_some()),
         w.along(Translation, (-3.0, 0.0), (3.0, 0.0)),
         w.arrow(Ink, (-3.0, 0.0), (-2.0, 0.0)),
         w.arrow(Ink, (-4.0, 0.0), (0.0, 2.0)),
-        w.arrow(Ink, (5.0, -0.5), (2.0, 0.5)),
-        w.round((-4.0, 0.0), 1.1) && w.round((5.0, -0.5), 1.1),
+        w.arrow(Ink, (5.0, -0.5), (2.0, 1.5)),
+        w.round((-4.0, 0.0), 0.8) && w.round((5.0, -0.5), 0.8),
         then.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(|p| p.fill.is_some()),
-        then.polygon(B, &moved(b, (3.5, 0.0))).is_some_and(|p| p.fill.is_some()),
-        then.along(Translation, (-0.900_397_760, 0.247_089_131), (1.073_750_499, 0.602_754_806)),
+        then.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(|p| p.fill.is_some()),
+        then.along(Translation, (-0.935_756_969, 0.443_352_995), (1.190_576_001, 0.826_436_508)),
         hit.polygon(A, &moved(a_hit, (-4.0 + 4.0 * t, 2.0 * t))).is_some(),
-        hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, t - 0.5))).is_some(),
+        hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, 2.0 * t - 0.5))).is_some(),
         hit.marker(Ink, contact),
-        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.5), each from where it is at the start.
-        hit.curve(A, (-3.586_025_984, -1.758_077_951), contact),
-        hit.curve(B, (3.0, 1.0), contact),
+        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the start.
+        hit.curve(A, (-3.469_855_359, -1.409_566_077), contact),
+        hit.curve(B, (3.0, 0.7), contact),
+        hit.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(dashed),
+        hit.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(dashed),
         f.says("$d = 6$"),
         f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
-        f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
+        f.says(r"$\omega_A = 1$ rad") && f.says(r"$\omega_B = 0.8$ rad"),
         // v·n = (7, 1)·(1, 0), 3 · 1 and 2.5 · 0.8; 6 / 12 = 0.5, and what is left then.
         f.says(r"$v \cdot n = 7$"),
         f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$") && f.says("$12$"),
-        f.says("$t = 0.5$") && f.says("$0.719$"),
-        f.says("2.01 left"),
+        f.says("$t = 0.5$") && f.says("$0.76$"),
+        f.says("2.16 left"),
     ];
 }
 
@@ -151,10 +152,12 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let turned = |(x, y): P| (c * x - s * y, s * x + c * y);
     let p = (4.8, 1.4);
     let q = turned(p);
-    let one = look(&f, 0, [-2.7, -2.9, 5.6, 5.6]);
-    let two = look(&f, 1, [-0.6, -1.15, 5.6, 5.35]);
-    let vertices = [(-2.0, -1.5), (3.0, -1.5), p, (-1.5, 1.4)];
+    let view = [-1.7, -1.6, 5.5, 5.5];
+    let (one, two) = (look(&f, 0, view), look(&f, 1, view));
+    let vertices = [(-0.9, -0.8), (3.4, -0.8), p, (-0.7, 1.0)];
     shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
+    // Half as far out, on the way to p.
+    let [near, far] = [p, q].map(|(x, y)| (0.5 * x, 0.5 * y));
     for panel in [&one, &two] {
         shows![
             panel.any_line((0.0, 0.0), p),
@@ -163,13 +166,10 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
             panel.head(Now, q) || panel.marker(A, q),
             panel.marker(A, p),
             panel.marker(A, q),
+            panel.arc(A, (0.0, 0.0), near, far) && panel.marker(A, near) && panel.marker(A, far),
         ];
     }
-    // The vertex (−2, −1.5) is 2.5 from the origin; in the sector it lies on the way to p.
-    let (near, half) = ((-2.0, -1.5), |(x, y): P| (0.5 * x, 0.5 * y));
     shows![
-        one.arc(A, (0.0, 0.0), near, turned(near)) && one.marker(A, near) && one.marker(A, turned(near)),
-        two.arc(A, (0.0, 0.0), half(p), half(q)) && two.marker(A, half(p)) && two.marker(A, half(q)),
         f.says("$r_q = 2.5$") && f.says(r"$\theta\,r_q = 3$"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
@@ -183,32 +183,34 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 #[test]
 fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-9.5, -2.8, 9.5, 3.0];
-    let b = [(-1.75, -1.5), (0.15, -2.3), (3.9, 2.7), (1.1, 2.3)];
+    let view = [-5.2, -4.45, 5.1, 4.6];
+    let b = [(-5.0, -2.5), (4.6, 0.3), (4.9, 1.95), (-4.7, -0.85)];
     let one = look(&f, 0, view);
-    // The band's edges are 1 from the way, square to (16.5, -3): by (2, 11)/√125.
-    let (x, y) = (2.0 / 125.0_f64.sqrt(), 11.0 / 125.0_f64.sqrt());
-    // After 0.4 of the way the centre (-1.65, 0.3) is 1 from the line 4x - 3y = -2.5, at (-0.85, -0.3).
+    // The band's edges are 1 from the way, square to (4.5, -6.5): by (13, 9)/√250.
+    let (x, y) = (13.0 / 250.0_f64.sqrt(), 9.0 / 250.0_f64.sqrt());
+    // After 0.3 of the way the centre (-0.9, 1.3) is 1 from the line 7x - 24y = -12.5, at (-0.62, 0.34).
     shows![
-        one.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, (-2.25, 3.25), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.circle(A, (-1.65, 0.3), 1.0).is_some_and(dashed),
-        one.circle(A, (8.25, -1.5), 1.0).is_some_and(dashed),
-        one.any_line((-8.25 + x, 1.5 + y), (8.25 + x, -1.5 + y)),
-        one.any_line((-8.25 - x, 1.5 - y), (8.25 - x, -1.5 - y)),
-        one.along(A, (-8.25, 1.5), (8.25, -1.5)),
-        one.marker(Ink, (-0.85, -0.3)),
-        f.says("$A$ at $t = 0.4$") && f.says("$A$ at $t = 0$") && f.says("$A$ at $t = 1$"),
+        one.circle(A, (-0.9, 1.3), 1.0).is_some_and(dashed),
+        one.circle(A, (2.25, -3.25), 1.0).is_some_and(dashed),
+        one.any_line((-2.25 + x, 3.25 + y), (2.25 + x, -3.25 + y)),
+        one.any_line((-2.25 - x, 3.25 - y), (2.25 - x, -3.25 - y)),
+        one.along(A, (-2.25, 3.25), (2.25, -3.25)),
+        one.marker(Ink, (-0.62, 0.34)),
+        f.says("$A$ at $t = 0$") && f.says("first touch, $t = 0.3$"),
+        f.says("next frame,") && f.says("$t = 1$") && f.says("not reached:"),
     ];
     let two = look(&f, 1, view);
     shows![
-        two.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_some()),
-        two.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_none()),
-        two.along(A, (-8.25, 1.5), (-1.65, 0.3)),
-        two.marker(Ink, (-0.85, -0.3)),
-        two.head(Ink, (-0.05, -0.9)),
-        two.text_near("$p$", (-0.85, -0.3), 40.0),
-        f.says("$n$"),
+        two.circle(A, (-0.9, 1.3), 1.0).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, (-2.25, 3.25), 1.0).is_some_and(dashed),
+        two.circle(A, (2.25, -3.25), 1.0).is_some_and(dashed),
+        two.along(A, (-2.25, 3.25), (-0.9, 1.3)),
+        two.marker(Ink, (-0.62, 0.34)),
+        two.head(Ink, (-0.34, -0.62)),
+        two.text_near("$p$", (-0.62, 0.34), 40.0),
+        f.says("$A$ at $t = 0.3$") && f.says("$n$"),
     ];
 }
 
@@ -267,44 +269,44 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 #[test]
 fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     let f = figure("demo-angular-sweep");
-    let b = [(1.0, -0.5), (3.0, -3.0), (4.5, 0.0), (3.0, 2.0)];
-    // A's corners at t = 0, t = 4.554119 / 15.415 and t = 0.460770, 83 degrees on; the closest points then.
+    let b = [(1.4, -0.4), (2.6, -2.4), (3.8, -0.2), (2.4, 2.3)];
+    // A's vertices at t = 0, t = 5 / 10 and t = 0.5 + 1.963385 / 9.754676, 80 degrees on; the closest points.
     let steps: [([P; 4], [P; 2], &str); 3] = [
-        ([(-5.7, 1.0), (-3.3, 1.0), (-3.3, 2.0), (-5.7, 2.0)], [(-3.3, 1.0), b[0]], "$d = 4.55$"),
+        ([(-5.8, 1.0), (-3.4, 1.0), (-3.4, 2.0), (-5.8, 2.0)], [(-3.4, 1.0), b[0]], "$d = 5$"),
         (
             [
-                (-1.273_570_571_400, 0.239_721_880_467),
-                (0.164_757_300_528, 2.160_974_839_563),
-                (-0.635_764_765_763, 2.760_278_119_533),
-                (-2.074_092_637_690, 0.839_025_160_437),
+                (-0.827_627_274_638, 0.720_083_665_296),
+                (0.469_098_259_446, 2.739_614_028_835),
+                (-0.372_372_725_362, 3.279_916_334_704),
+                (-1.669_098_259_446, 1.260_385_971_165),
             ],
-            [(-0.811_871, 0.856_440), b[0]],
-            "$d = 2.26$",
+            [(0.469_098, 2.739_614), (2.310_260, 2.057_702)],
+            "$d = 1.96$",
         ),
         (
             [
-                (1.377_925_357_081, 0.247_635_381_013),
-                (1.672_965_595_809, 2.629_431_186_184),
-                (0.680_550_676_987, 2.752_364_618_987),
-                (0.385_510_438_260, 0.370_568_813_816),
+                (1.302_209_163_095, 0.934_494_271_017),
+                (1.704_091_911_744, 3.300_607_171_184),
+                (0.718_211_536_674, 3.468_058_316_454),
+                (0.316_328_788_025, 1.101_945_416_287),
             ],
-            [(1.377_925, 0.247_635), (1.512_183, 0.140_229)],
-            "$d = 0.172$",
+            [(1.302_209, 0.934_494), (1.822_840, 0.741_668)],
+            "$d = 0.555$",
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-5.9, -3.2, 4.7, 3.0]);
-        let conf = look(&f, 3 + i, [-2.4, -6.1, 10.6, 2.1]);
+        let world = look(&f, i, [-6.3, -2.7, 4.3, 3.7]);
+        let conf = look(&f, 3 + i, [-0.9, -6.0, 9.7, 1.8]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
             world.along(Translation, p, q),
             conf.along(Translation, (0.0, 0.0), (q.0 - p.0, q.1 - p.1)),
         ];
-        // There is no room for the last one but in the title.
-        let times = f.texts.iter().filter(|(text, _)| text == said).count();
-        let titled = f.says(&format!(r"$B \ominus A$ at $t_3$: {said}"));
-        assert_eq!((times, titled), if i < 2 { (2, false) } else { (0, true) }, "{said} in both spaces");
+        let unit =
+            |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
+        assert!((unit(&world) - unit(&conf)).abs() < 0.01, "{} and {}", unit(&world), unit(&conf));
+        assert_eq!(f.texts.iter().filter(|(text, _)| text == said).count(), 2, "{said} in both spaces");
         // B's edges keep their directions, A's have turned with it.
         for (k, &from) in b.iter().enumerate() {
             let to = b[(k + 1) % 4];
@@ -320,5 +322,8 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
             assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A at step {i}");
         }
     }
-    assert!(f.says("Step 2: $t_2 = 0.295$"));
+    shows![
+        f.says("$t_2 = 0 + 5 / 10 = 0.5$") && f.says("$t_3 = 0.5 + 1.96 / 9.75 = 0.701$"),
+        f.says("$0.555 < 0.6$: it stops"),
+    ];
 }

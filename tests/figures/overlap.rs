@@ -210,31 +210,25 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let view = [-9.5, -2.8, 9.5, 3.0];
-    let b = [(-1.75, -1.5), (0.15, -2.3), (3.9, 2.7), (1.1, 2.3)];
+    let view = [-5.2, -4.45, 5.1, 4.6];
+    let b = [(-5.0, -2.5), (4.6, 0.3), (4.9, 1.95), (-4.7, -0.85)];
     let [late, never] = [0, 1].map(|i| look(&f, i, view));
-    for panel in [&late, &never] {
-        shows![
-            panel.polygon(B, &b).is_some(),
-            panel.circle(A, (-8.25, 1.5), 1.0).is_some_and(|p| p.fill.is_none())
-        ];
-    }
-    // B's long edges lie on 4x - 3y = -2.5 and 7.5. Along (4, -3)/5, A's rim touches the one at t = 0.4, is 1.5
-    // beyond it at 0.5, and has left the other 5 behind at 1.
+    let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
+    let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
+    // B's long edges lie on 7x - 24y = -12.5 and 25. Along (7, -24)/25, A's rim touches the one at t = 0.3, is 1.5
+    // beyond it at 0.5, and has left the other 1.75 behind at 1.
     shows![
-        late.circle(A, (0.0, 0.0), 1.0).is_some_and(|p| p.fill.is_some()),
-        late.circle(A, (-1.65, 0.3), 1.0).is_some_and(|p| p.fill.is_none()),
-        late.marker(Ink, (-0.85, -0.3)),
-        late.line(Translation, (0.8, -0.6), (-0.4, 0.3)).is_some(),
-        f.says("1.5")
-            && f.says("Short step, to $t = 0.5$: the second frame finds an overlap of 1.5, late")
-            && f.says("never tested: first touch, $t = 0.4$"),
-        never.circle(A, (8.25, -1.5), 1.0).is_some_and(|p| p.fill.is_some()),
-        never.line(Translation, (7.45, -0.9), (3.45, 2.1)).is_some(),
-        f.says("apart by 5"),
-        never.circle(A, (0.0, 0.0), 1.0).is_some_and(|p| p.fill.is_none()),
-        f.says("never tested: $t = 0.5$"),
-        f.says("frame 1, $t = 0$"),
+        late.polygon(B, &b).is_some() && never.polygon(B, &b).is_some(),
+        // Frames that are tested are solid, moments that are not are dotted.
+        solid(&late, (-2.25, 3.25)) && solid(&late, (0.0, 0.0)) && dotted(&late, (-0.9, 1.3)),
+        late.marker(Ink, (-0.62, 0.34)),
+        late.line(Translation, (0.28, -0.96), (-0.14, 0.48)).is_some(),
+        f.says("1.5") && f.says("not tested: first") && f.says("touch, $t = 0.3$"),
+        solid(&never, (-2.25, 3.25)) && solid(&never, (2.25, -3.25)) && dotted(&never, (0.0, 0.0)),
+        never.line(Translation, (1.97, -2.29), (1.48, -0.61)).is_some(),
+        f.says("1.75 apart"),
+        f.says("not tested: $t = 0.5$"),
+        f.says("frame 1, $t = 0$") && f.says("$A$ in frame 2,"),
     ];
 }
 

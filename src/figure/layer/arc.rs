@@ -30,6 +30,9 @@ const CLEAR: f64 = 3.0;
 /// fits between.
 const BELOW: [f64; 2] = [20.0, 66.0];
 
+/// How far beside the way to p a point counts as lying on it, as a part of p's distance: unseen on a page.
+const ON_THE_WAY: f64 = 1e-3;
+
 /// Opacity of the sector's fill.
 const SECTOR: f64 = 0.06;
 
@@ -57,6 +60,12 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Counts,
             default: "none",
             about: "another vertex, whose shorter arc is drawn too; with sector in p's direction",
+        },
+        OptionSpec {
+            name: "inner",
+            takes: Takes::Point,
+            default: "none",
+            about: "instead of a nearer vertex a point of the body, in the body's frame",
         },
     ],
     labels: &[
@@ -170,8 +179,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// From the body's origin to the vertex whose arc is drawn too, in the world at the start.
+/// From the body's origin to the vertex or point whose arc is drawn too, in the world at the start.
 fn nearer(context: &Context, options: &Options, t: &Turn) -> Option<DVec2> {
+    if let Some(inner) = options.point("inner") {
+        let arm = context.pose(t.side, 0.0)?.vector(inner);
+        return (arm.length() > 0.0).then_some(arm);
+    }
     let &index = options.counts("nearer")?.first()?;
     let (begin, vertex) = (context.pose(t.side, 0.0)?.position, context.vertex(t.side, index, 0.0)?);
     let core = vertex - begin;
@@ -183,10 +196,12 @@ fn nearer(context: &Context, options: &Options, t: &Turn) -> Option<DVec2> {
 /// where the lengths can be compared.
 fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
     let radius = arm.length();
-    let start = if sector { t.start } else { angle_of(arm) };
+    // On the way to p its radii and angle are there already.
+    let ahead = on_circle(DVec2::ZERO, radius, t.start).distance(arm) <= ON_THE_WAY * t.radius;
+    let start = if sector || ahead { t.start } else { angle_of(arm) };
     let [from, to] = [start, start + t.sweep].map(|angle| on_circle(t.center, radius, angle));
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
-    if !sector {
+    if !sector && !ahead {
         for end in [from, to] {
             sketch.part("nearer").weight(Weight::Light).line(t.center, end, Pen::construction());
         }
@@ -199,7 +214,7 @@ fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
         let out = (point - t.center).normalize_or_zero();
         // In the sector on the outer side of its two radii.
         let aside = if key == "q" { -perp(out) } else { perp(out) } * t.sweep.signum();
-        let anchor = Anchor::point_toward(point, if sector { aside } else { out });
+        let anchor = Anchor::point_toward(point, if sector || ahead { aside } else { out });
         sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
     if sector {

@@ -1,5 +1,5 @@
 //! Bodies at another moment or place, dotted: where they hit, where they were, every step between, or pushed
-//! apart.
+//! apart. A moment that counts as much as the panel's, as a frame that a test looks at, may be solid.
 
 use crate::collision::Separation;
 use crate::figure::context::Context;
@@ -50,6 +50,12 @@ pub(super) const LAYER: Layer = Layer {
                 step",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
+        OptionSpec {
+            name: "solid",
+            takes: Takes::Flag,
+            default: "false",
+            about: "as bodies that are there, solid and filled: a frame that a test looks at",
+        },
         OptionSpec {
             name: "path",
             takes: Takes::Flag,
@@ -119,12 +125,12 @@ fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Si
     ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), vec![text]);
 }
 
-/// Draws a body at another moment, if it is elsewhere then.
+/// Draws a body at another moment, if it is elsewhere then or shall be solid.
 fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(time) = when(context, options) else { return };
     sketch.since(context.known(&options.when("at").unwrap_or(When::Hit)));
     let still = context.pose(side, time) == context.pose(side, context.time);
-    if still && options.words("of").is_none() {
+    if still && !options.flag("solid", false) {
         return;
     }
     if let Some(outline) = context.outline(side, time) {
@@ -155,8 +161,12 @@ pub(super) fn ghost(
     lines: Vec<String>,
 ) {
     let role = options.role(side.into());
-    let wash = options.flag("fill", false).then(|| Wash::faint(role, FAINT));
-    sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(Pen::ghost(role)));
+    let (wash, pen) = if options.flag("solid", false) {
+        (Some(Wash::theme(role)), Pen::outline(role))
+    } else {
+        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role))
+    };
+    sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(pen));
     let key = if side == Side::A { "A'" } else { "B'" };
     let label = Label { lines, ..Label::new(key, "", Anchor::inside(outline), role) };
     let label = label.rank(Rank::Name).size(Size::Note);

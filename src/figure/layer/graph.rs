@@ -29,17 +29,31 @@ const NAMED: f64 = 24.0;
 /// The least distance of the numbers of two steps along the axis, page pixels.
 const GAP: f64 = 22.0;
 
+/// The least distance of two steps along the axis that have their times below their numbers, page pixels.
+const VALUE_GAP: f64 = 36.0;
+
+/// Room below for the times, page pixels.
+const VALUE_ROOM: f64 = 16.0;
+
 pub(super) const LAYER: Layer = Layer {
     name: "graph",
     about: "separation against time, with the steps of an advancement",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "lines",
-        takes: Takes::Flag,
-        default: "true",
-        about: "the lines along which the separation could fall at most, to the next step",
-    }],
+    options: &[
+        OptionSpec {
+            name: "lines",
+            takes: Takes::Flag,
+            default: "true",
+            about: "the lines along which the separation could fall at most, to the next step",
+        },
+        OptionSpec {
+            name: "values",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the times, the separations and the speed of the first line",
+        },
+    ],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
         LabelKey { key: "s", about: "the axis of separation" },
@@ -60,6 +74,8 @@ struct Step {
     time: f64,
     /// The separation then.
     separation: f64,
+    /// The most by which s falls in a unit of time, for all the algorithm knows.
+    bound: f64,
     /// When the next one looks.
     next: Option<f64>,
 }
@@ -67,7 +83,9 @@ struct Step {
 /// The steps that the algorithm told.
 fn steps(context: &Context) -> Vec<Step> {
     let told = |event: &Event| match *event {
-        Event::Advanced { at, separation, next, .. } => Some(Step { time: at.time, separation, next }),
+        Event::Advanced { at, separation, bound, next, .. } => {
+            Some(Step { time: at.time, separation, bound, next })
+        }
         _ => None,
     };
     context.run().told(told).collect()
@@ -79,10 +97,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
     let points = separations(context, until);
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
-    let chart = Chart::new(sketch, context, ROOM, (0.0, DVec2::new(until, highest)));
+    let values = options.flag("values", false);
+    let [left, right, below, above] = ROOM;
+    let room = [left, right, if values { below + VALUE_ROOM } else { below }, above];
+    let chart = Chart::new(sketch, context, room, (0.0, DVec2::new(until, highest)));
     chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);
     if options.flag("lines", true) {
-        worst(sketch, (context, &chart), &all);
+        worst(sketch, (context, &chart), &all, values);
     }
     let role = options.role(Role::Translation);
     let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
@@ -91,11 +112,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .part("curve")
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
-    marks(sketch, (context, &chart), &all, role);
+    marks(sketch, (context, &chart), &all, (role, values));
 }
 
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
-fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]) {
+fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], values: bool) {
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
         let look = |k| context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
@@ -104,25 +125,42 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
         let dashed = Pen::construction();
         sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
         if k == 0 {
-            let label = Label::new("worst", "fastest approach", Anchor::middle(from, to), Role::Muted);
-            sketch.label(label.rank(Rank::Word).size(Size::Note));
+            let speed = values.then(|| format!("${}$ in a unit of time", number(step.bound)));
+            let lines = std::iter::once("fastest approach".to_owned()).chain(speed).collect();
+            let label = Label::new("worst", "", Anchor::middle(from, to), Role::Muted);
+            sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1) {
             sketch.since(look(k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
-            if sketch.on_page(up.distance(to)) >= sketch.fitted(NAMED) {
-                let text = format!("$s_{{{}}}$", k + 2);
-                let anchor = Anchor::middle(to, up);
-                sketch.label(Label::new("s_k", text, anchor, Role::Translation).rank(Rank::Word));
-            }
+            left(sketch, (k + 2, then), [to, up], chart.along(sketch, then.time - step.time), values);
         }
     }
 }
 
+/// Names the separation that is left at a step, beside its line from the axis to the curve; where that is too
+/// short, at the curve, if the step is not too near to the one before.
+fn left(sketch: &mut Sketch, (k, step): (usize, &Step), [foot, top]: [DVec2; 2], gap: f64, values: bool) {
+    let high = sketch.on_page(top.distance(foot)) >= sketch.fitted(NAMED);
+    if !high && gap < sketch.fitted(GAP) {
+        return;
+    }
+    let value = if values { format!(" = {}", number(step.separation)) } else { String::new() };
+    let out = DVec2::new(1.0, 1.0);
+    let anchor = if high { Anchor::middle(foot, top) } else { Anchor::point_toward(top, out) };
+    sketch
+        .label(Label::new("s_k", format!("$s_{{{k}}}{value}$"), anchor, Role::Translation).rank(Rank::Word));
+}
+
 /// Marks the steps on the curve, which has a role, and on the axis of time, numbered where there is room.
-fn marks(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], role: Role) {
-    let mut free = f64::NEG_INFINITY;
+fn marks(
+    sketch: &mut Sketch,
+    (context, chart): (&Context, &Chart),
+    all: &[Step],
+    (role, values): (Role, bool),
+) {
+    let (mut free, mut wide) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
         sketch.since(context.known(&When::Step(k)));
         let on_axis = chart.place(step.time, 0.0);
@@ -133,8 +171,14 @@ fn marks(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
         let along = chart.along(sketch, step.time);
         if along >= free {
             free = along + sketch.fitted(GAP);
+            let mut lines = vec![format!("$t_{{{k}}}$")];
+            if values && along >= wide {
+                wide = along + sketch.fitted(VALUE_GAP);
+                lines.push(format!("${}$", number(step.time)));
+            }
             let anchor = Anchor::point_toward(on_axis, DVec2::NEG_Y);
-            sketch.label(Label::new("step", format!("$t_{{{k}}}$"), anchor, Role::Now).size(Size::Note));
+            let label = Label { lines, ..Label::new("step", "", anchor, Role::Now) };
+            sketch.label(label.size(Size::Note));
         }
     }
     if let Some(first) = all.first() {
@@ -153,13 +197,13 @@ mod tests {
     use crate::scene::open_text;
 
     /// A box that turns towards a polygon, with a graph of it.
-    fn graph(algorithm: &str) -> Result<(Figure, Vec<Step>), String> {
+    fn graph(algorithm: &str, values: bool) -> Result<(Figure, Vec<Step>), String> {
         let text = format!(
             "shapes.A = {{ kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
                 angle_deg = 20, angular_velocity_deg = 90 }}
             shapes.B = {{ kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }}
             query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = '{algorithm}' }}
-            panels = [{{ view = [0, 0, 4, 3], layers = ['graph'] }}]"
+            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', values = {values} }}] }}]"
         );
         let scene = open_text("graph", &text).unwrap().scene;
         let plan = plan(&scene).map_err(|problems| format!("{problems:?}"))?;
@@ -169,7 +213,7 @@ mod tests {
 
     #[test]
     fn each_line_of_the_fastest_approach_ends_where_the_next_step_begins_and_is_never_above_the_curve() {
-        let (figure, steps) = graph("conservative-advancement").unwrap();
+        let (figure, steps) = graph("conservative-advancement", false).unwrap();
         assert!(steps.len() > 3);
         let ends = |part: &str| -> Vec<Vec<crate::drawing::Point>> {
             let points = |path: &crate::drawing::Path| match &path.contour {
@@ -199,7 +243,25 @@ mod tests {
     }
 
     #[test]
+    fn values_are_those_of_the_steps_and_only_written_where_they_are_asked_for() {
+        let (figure, steps) = graph("conservative-advancement", true).unwrap();
+        let said = |figure: &Figure, key: &str| -> Vec<String> {
+            let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
+            let lines = placed.filter(|label| label.key == key).flat_map(|label| &label.lines);
+            lines.map(|(_, line)| line.markup.clone()).collect()
+        };
+        let times = said(&figure, "step");
+        assert_eq!(times[..2], ["$t_{1}$", "$0$"]);
+        assert_eq!(times[2..4], ["$t_{2}$".to_owned(), format!("${}$", number(steps[1].time))]);
+        assert!(said(&figure, "worst").contains(&format!("${}$ in a unit of time", number(steps[0].bound))));
+        assert_eq!(said(&figure, "s_k")[0], format!("$s_{{2}} = {}$", number(steps[1].separation)));
+        let (plain, _) = graph("conservative-advancement", false).unwrap();
+        assert_eq!(said(&plain, "s_k")[0], "$s_{2}$");
+        assert!(said(&plain, "step").iter().all(|line| line.starts_with("$t_")));
+    }
+
+    #[test]
     fn an_algorithm_without_steps_has_no_graph() {
-        assert!(graph("swept-axis").is_err());
+        assert!(graph("swept-axis", true).is_err());
     }
 }

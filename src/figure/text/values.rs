@@ -89,6 +89,11 @@ pub(crate) static VALUES: &[Value] = &[
         about: "separation at the panel's step",
         of: |c| step(c, |_, s, _| Some(s)),
     },
+    Value {
+        name: "step.bound",
+        about: "fastest approach at the panel's step, else the first",
+        of: step_bound,
+    },
     told!(
         "centers",
         "distance of two circles' centres",
@@ -160,6 +165,7 @@ static OF_THE_OUTCOME: &[(&str, Asks)] = &[
     ("n.y", |context| context.asks_for_a_hit()),
     ("bound", |context| context.asks_for_a_hit()),
     ("step.next", |context| context.step.is_some()),
+    ("step.bound", |context| context.asks_for_a_hit()),
 ];
 
 /// Whether another answer to the question has the value of that name, where this one lacks it.
@@ -281,6 +287,18 @@ fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Op
     pick(at, separation, next).map(Quantity::exactly)
 }
 
+/// The most by which the bodies come nearer in a unit of time, for all that the panel's step knows; without
+/// one the first.
+fn step_bound(context: &Context) -> Option<Quantity> {
+    let wanted = context.step.unwrap_or(1).checked_sub(1)?;
+    let run = context.run();
+    let mut bounds = run.told(|event| match event {
+        Event::Advanced { bound, .. } => Some(*bound),
+        _ => None,
+    });
+    bounds.nth(wanted).map(Quantity::exactly)
+}
+
 /// What `pick` takes of D.
 fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     context.run().find_told(|event| match event {
@@ -355,13 +373,14 @@ mod tests {
                 let value = |name| VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(&context));
                 let run = plan.own_run();
                 let told = run.events().filter(|e| matches!(e, Event::Advanced { .. })).nth(step - 1);
-                let Some(&Event::Advanced { at, separation, normal, next, .. }) = told else {
+                let Some(&Event::Advanced { at, separation, normal, bound, next, .. }) = told else {
                     panic!("{text}")
                 };
                 let expected = [
                     ("step.time", Some(at.time)),
                     ("step.separation", Some(separation)),
                     ("step.next", next),
+                    ("step.bound", Some(bound)),
                     ("separation", Some(separation)),
                     ("n.x", Some(normal.x)),
                     ("n.y", Some(normal.y)),

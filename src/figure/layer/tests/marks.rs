@@ -82,6 +82,17 @@ fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
 }
 
 #[test]
+fn a_solid_ghost_is_drawn_as_a_body_is_also_at_the_panels_own_moment() {
+    for at in ["'start'", "'hit'"] {
+        let layers = format!("'shapes', {{ layer = 'ghosts', of = 'A', at = {at}, solid = true }}");
+        let figure = figure("", "linear-sweep", &layers);
+        let first = |part| paths(&figure.drawing.items, part)[0].clone();
+        let (body, ghost) = (first("body-A"), first("ghost-A"));
+        assert_eq!((&body.fill, &body.stroke), (&ghost.fill, &ghost.stroke), "{at}");
+    }
+}
+
+#[test]
 fn the_rival_is_the_next_longer_way_out() {
     // B ⊖ A is a box of 4 by 6 with the origin 1 from its left edge, 2.5 from its upper one.
     let text = "shapes.A = { kind = 'box', half_extents = [1, 2] }
@@ -160,6 +171,25 @@ fn points_as_far_as_the_extreme_one_are_marked() {
     let figure = draw(&plan, plan.theme, "marks");
     assert_eq!(paths(&figure.drawing.items, "as-far").len(), 3);
     assert_eq!(labels(&figure)["others"].0, "as far as $p$");
+}
+
+#[test]
+fn an_inner_point_on_the_way_to_the_extreme_one_shares_its_radii_and_its_angle() {
+    // (1.5, 2) is half-way to (3, 4); (0, −1) lies elsewhere, with radii and an angle of its own.
+    for (inner, radii, angles) in [("[1.5, 2]", 0, 1), ("[0, -1]", 2, 2)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[-1, 0], [3, -3], [3, 4]],
+                angular_velocity_rad = 0.5 }}
+             query = {{ kind = 'motion-bound', of = ['A'] }}
+             panels = [{{ layers = [{{ layer = 'arc', inner = {inner} }}] }}]"
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        let count = |part| paths(&figure.drawing.items, part).len();
+        assert_eq!((count("nearer"), count("angle")), (radii, angles), "{inner}");
+        assert!(count("nearer-arc") > 0 && labels(&figure).contains_key("q'"), "{inner}");
+    }
 }
 
 #[test]
