@@ -109,7 +109,8 @@ fn every_figure_is_small() {
         // As committed, metadata and all.
         let svg = path.with_extension("svg").metadata().unwrap().len();
         // A third of it are outlines of letters; headline and coloured caption place some 500 of them.
-        assert!(svg <= 70_000, "{stem}: {svg} bytes");
+        // Another twentieth is the text that is searched.
+        assert!(svg <= 75_000, "{stem}: {svg} bytes");
         // Demos have more edges than the article's figures.
         if !stem.starts_with('0') {
             continue;
