@@ -27,7 +27,7 @@ const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
 const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
-const WORDS: [[&str; 5]; 51] = [
+const WORDS: [[&str; 5]; 54] = [
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
@@ -55,6 +55,7 @@ const WORDS: [[&str; 5]; 51] = [
     ["in fact", "", "wirklich", "en fait", "en realidad"],
     ["hit at $t*", "$t*", "Treffer bei $t*", "contact à $t*", "contacto en $t*"],
     ["at most $*", "$\\le *", "höchstens $*", "au plus $*", "a lo sumo $*"],
+    ["contact *", "*", "Kontakt *", "contact *", "contacto *"],
     ["no contact", "", "kein Kontakt", "pas de contact", "sin contacto"],
     ["dropped", "", "verworfen", "écarté", "descartado"],
     ["no vertex beyond", "", "keine Ecke dahinter", "aucun sommet au-delà", "ningún vértice más allá"],
@@ -72,6 +73,8 @@ const WORDS: [[&str; 5]; 51] = [
     ["closest point", "", "nächster Punkt", "point le plus proche", "punto más cercano"],
     ["tangent", "", "Tangente", "tangente", "tangente"],
     ["start", "", "Anfang", "début", "inicio"],
+    ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
+    ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],
     ["fastest approach", "", "schnellste Annäherung", "approche la plus rapide", "acercamiento más rápido"],
     ["World", "", "Welt", "Monde", "Mundo"],

@@ -24,8 +24,8 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-5.2, -7.2, 6.2, 5.7];
-    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 2.0, y - 0.5), (x + 0.5, y + 2.0)];
+    let view = [-5.2, -6.5, 6.2, 5.6];
+    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.5, y - 0.5), (x, y + 1.5)];
     let a = [(-1.0, 1.0), (-2.0, -2.0), (0.0, -4.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
     // B's lowest vertex (2, 2.5) is 3 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5.
@@ -40,7 +40,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
     // Each vertex of A less a vertex of B seen from b, whichever is farther out.
     let outline =
-        [(0.0, 2.0), (-3.0, 1.5), (-4.0, -1.5), (-2.5, -4.0), (-0.5, -6.0), (2.5, -4.0), (4.0, -1.0)];
+        [(0.0, 2.0), (-2.5, 1.5), (-3.5, -1.5), (-2.0, -3.5), (0.0, -5.5), (3.0, -3.5), (4.0, -1.0)];
     for (i, role) in [B, A, B, A, A, B, A].into_iter().enumerate() {
         let edge = grown.edge(role, outline[i], outline[(i + 1) % 7]);
         assert!(edge.is_some(), "edge {i} of the grown A is {role:?}'s");
@@ -52,19 +52,19 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         grown.polygon(B, &triangle(3.0, 3.5)).is_some_and(dotted),
         grown.marker(B, (3.0, 3.5)),
         grown.line(Translation, (3.0, 3.5), (1.2, 1.1)).is_some(),
-        around((-3.5, 0.0)),
-        around((1.0, -5.0)),
+        around((-3.0, 0.0)),
+        around((1.5, -4.5)),
     ];
-    let conf = look(&f, 2, [-2.7, -2.1, 8.7, 10.8]);
+    let conf = look(&f, 2, [-2.7, -2.9, 8.7, 9.6]);
     edges_wear_their_source(
         &conf,
         &[
             ((3.0, 1.5), B),
-            ((6.0, 2.0), A),
-            ((7.0, 5.0), B),
-            ((5.5, 7.5), A),
-            ((3.5, 9.5), A),
-            ((0.5, 7.5), B),
+            ((5.5, 2.0), A),
+            ((6.5, 5.0), B),
+            ((5.0, 7.0), A),
+            ((3.0, 9.0), A),
+            ((0.0, 7.0), B),
             ((-1.0, 4.5), A),
         ],
     );
@@ -74,8 +74,10 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         f.texts.iter().filter(|(t, _)| t == "$d = 3$").count() == 3,
         f.says(r"$B \ominus A$"),
         f.says("$O$"),
-        conf.text_near("from $A$", (2.0, 8.5), 60.0),
-        conf.text_near("from $B$", (6.25, 6.25), 60.0),
+        // The way that the grown A has it from b, before the half turn.
+        conf.line(Muted, (0.0, 0.0), (-1.8, -2.4)).is_some(),
+        conf.text_near("from $A$", (1.5, 8.0), 60.0),
+        conf.text_near("from $B$", (5.75, 6.0), 60.0),
     ];
 }
 
@@ -132,7 +134,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-5.2, -3.9, 7.2, 7.1]);
+    let world = look(&f, 0, [-6.6, -5.7, 9.2, 8.6]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
@@ -141,7 +143,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-6.4, -6.4, 11.0, 7.8]);
+    let conf = look(&f, 1, [-4.9, -6.2, 10.9, 8.1]);
     edges_wear_their_source(
         &conf,
         &[

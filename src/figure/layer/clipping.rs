@@ -7,7 +7,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
@@ -16,7 +16,7 @@ use crate::trace::Event;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far a plane reaches past the reference edge and past the incident edge, page pixels.
-const PAST: f64 = 30.0;
+const PAST: f64 = 62.0;
 
 /// Width of the edges, page pixels: more than an outline, which lies under them.
 const EDGE: f64 = 4.5;
@@ -26,6 +26,9 @@ const READABLE: [f64; 2] = [24.0, 48.0];
 
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
+
+/// Opacity of the strip between the planes: bodies lie under it.
+const STRIP: f64 = 0.1;
 
 pub(super) const LAYER: Layer = Layer {
     name: "clipping",
@@ -44,6 +47,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the reference edge's normal" },
         LabelKey { key: "d_1", about: "depth of the first contact along the reference edge" },
         LabelKey { key: "d_2", about: "depth of the second contact" },
+        LabelKey { key: "c_1", about: "the first contact, with a depth" },
+        LabelKey { key: "c_2", about: "the second contact, with a depth" },
         LabelKey { key: "no-contact", about: "an end above the reference edge" },
     ],
     needs: "a query for the contact",
@@ -176,8 +181,11 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let past = sketch.px(PAST);
     let low = heights[0].min(heights[1]).min(0.0) - past;
     let high = heights[0].max(heights[1]).max(0.0) + past;
-    for end in found.reference {
-        let (foot, top) = (end + found.normal * low, end + found.normal * high);
+    let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
+    let [[p, q], [s, r]] = ends;
+    let strip = Outline::polygon(&[p, q, r, s]);
+    sketch.part("strip").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, STRIP)), None);
+    for [foot, top] in ends {
         sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
     }
 }
@@ -212,6 +220,9 @@ fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
         let far = if point.over.distance_squared(from) > point.over.distance_squared(to) { from } else { to };
         sketch.part("right-angle").right_angle(point.over, far - point.over, point.at - point.over);
         depth(sketch, point, key, (other, inward), options);
+        let (key, number) = if key == "d_1" { ("c_1", 1) } else { ("c_2", 2) };
+        let label = Label::new(key, format!("contact {number}"), Anchor::point(point.at), other.into());
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for point in found.points.iter().filter(|point| !point.touches) {
         let hollow = if other == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
@@ -243,6 +254,7 @@ fn depth(
 #[cfg(test)]
 mod tests {
     use crate::collision::Answer;
+    use crate::drawing::{Contour, Segment};
     use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::{open_text, solve};
@@ -280,6 +292,35 @@ mod tests {
                 assert!((length - depth).abs() < 1e-9, "{place}: {length} is not {depth}");
                 assert!((labels[key].1 - depth).abs() < 0.006, "{place}: {:?} is not {depth}", labels[key]);
             }
+            let named = ["c_1", "c_2"].map(|key| labels.get(key).map(|label| label.0.clone()));
+            let wanted = [Some("contact 1".to_owned()), (contacts == 2).then(|| "contact 2".to_owned())];
+            assert_eq!(named, wanted, "{place}");
+        }
+    }
+
+    #[test]
+    fn the_strip_is_as_wide_as_the_reference_edge_is_long_and_comes_with_the_planes() {
+        for (show, strips) in [("[]", 0), ("['edges', 'cut']", 0), ("['edges', 'planes']", 1)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2.5, -3], [2, -4], [3, 0], [-3, 2.5]] }}
+                shapes.B = {{ kind = 'box', half_extents = [2, 1], position = [1, 1.5], angle_deg = -20 }}
+                query = {{ kind = 'contact', of = ['A', 'B'] }}
+                panels = [{{ layers = ['shapes', {{ layer = 'clipping', show = {show} }}] }}]"
+            );
+            let scene = open_text("clip", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "clip");
+            let found = paths(&figure.drawing.items, "strip");
+            assert_eq!(found.len(), strips, "{show}");
+            let [Contour::Segments(strip)] = &found.iter().map(|p| &p.contour).collect::<Vec<_>>()[..] else {
+                continue;
+            };
+            let [Segment::Move(p), Segment::Line(q), Segment::Line(r), ..] = strip[..] else {
+                panic!("{strip:?}")
+            };
+            let (along, wide) = ((q - p).length(), (r - q).length());
+            let edge = lines(&figure, "reference")[0];
+            assert!((wide - edge).abs() < 1e-6 && along > wide / 4.0, "{wide} by {along}, {edge}");
         }
     }
 

@@ -2,10 +2,12 @@
 //! apart; where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is
 //! at the origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
+use std::f64::consts::PI;
+
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::{distance_or_depth, number};
 use crate::geometry::DVec2;
 use crate::trace::Event;
@@ -31,11 +33,18 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "of bodies that overlap, where B ⊖ A lies when B is pushed out, dotted",
         },
+        OptionSpec {
+            name: "turned",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the way as the layer \"grown\" has it from its point, and the half turn that takes it here",
+        },
     ],
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "pushed", about: "B ⊖ A when B is pushed out" },
+        LabelKey { key: "turn", about: "the half turn, with turned" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -45,6 +54,10 @@ pub(super) const LAYER: Layer = Layer {
 /// How far a point of the outline may be from the edge that it lies on, in parts of its distance from the
 /// origin: both are rounded a few times.
 const SAME: f64 = 1e-9;
+
+/// Radius of the arc of the half turn, page pixels, and the most of the way that it takes.
+const TURN: f64 = 46.0;
+const SHARE: f64 = 0.6;
 
 /// The nearest point of B ⊖ A.
 pub(super) struct Nearest {
@@ -80,6 +93,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let from = context.estimate();
     let to = from + foot;
     right_angle(sketch, context, from, foot);
+    if options.flag("turned", false) {
+        half_turn(sketch, from, foot);
+    }
     sketch.part("closest");
     if overlap {
         if options.flag("rival", false) {
@@ -96,8 +112,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 
+/// Draws the way from the origin before the half turn, the other way, and an arc arrow from it to the way.
+fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
+    let (start, radius) = (angle_of(-foot), sketch.px(TURN).min(SHARE * foot.length()));
+    sketch.part("unturned").weight(Weight::Light).line(from, from - foot, Pen::dimension(Role::Muted));
+    sketch.part("turn").weight(Weight::Light);
+    sketch.arc_arrow(from, radius, start, PI, Pen::dimension(Role::Ink));
+    let anchor = Anchor::Arc { center: from, radius, start, sweep: PI };
+    let label = Label::new("turn", "half a turn", anchor, Role::Ink);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
 /// Draws B ⊖ A moved by the minimum translation of B, dotted.
-fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
+pub(super) fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
     let Some(found) = difference(context, context.difference_time()) else { return };
     let (outline, role) = (found.outline().moved(by), Role::Difference);
     sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
@@ -146,9 +173,16 @@ fn rival(sketch: &mut Sketch, context: &Context, from: DVec2, least: f64) {
 /// Marks the right angle at the nearest point, where that is on an edge that the way there is square to; at a
 /// vertex it need be square to none.
 fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
-    let Some(found) = difference(context, context.difference_time()) else { return };
+    let found = difference(context, context.difference_time());
+    if let Some(leg) = found.and_then(|found| leg(&found, from, foot)) {
+        sketch.part("right-angle").right_angle(from + foot, leg, -foot);
+    }
+}
+
+/// From the end of the way `foot` along the edge of B ⊖ A that it is square to; `None` where it is to none.
+pub(super) fn leg(found: &Difference, from: DVec2, foot: DVec2) -> Option<DVec2> {
     let (to, size) = (from + foot, foot.length());
-    let leg = found.edges.iter().map(|edge| found.drawn(edge)).find_map(|(p, q)| {
+    found.edges.iter().map(|edge| found.drawn(edge)).find_map(|(p, q)| {
         let along = q - p;
         let share = (to - p).dot(along) / along.length_squared();
         let off = (to - p).perp_dot(along).abs() / along.length();
@@ -158,8 +192,5 @@ fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2)
         } else {
             q - to
         })
-    });
-    if let Some(leg) = leg {
-        sketch.part("right-angle").right_angle(to, leg, -foot);
-    }
+    })
 }

@@ -12,13 +12,13 @@ use crate::figure::sketch::{
 };
 use crate::geometry::{DVec2, Side};
 
-use super::closest::{Nearest, nearest};
+use super::closest::{Nearest, leg, nearest};
 use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How many copies of B go around A at most; more hide it.
-const MOST: usize = 3;
+const MOST: usize = 2;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -105,7 +105,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {
-        distance(sketch.since(context.separation_at(context.time).map(|run| run.end())), context, b);
+        distance(sketch.since(context.separation_at(context.time).map(|run| run.end())), context, &found, b);
     }
     sketch.since(None).part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
@@ -128,7 +128,8 @@ fn edges(sketch: &mut Sketch, found: &Difference, cues: &EdgeCues, turned: impl 
 }
 
 /// Draws B where it touches A with a vertex on the middle of an edge, and gives the places of its point then,
-/// which are on the grown outline.
+/// which are on the grown outline: where it crosses neither the outline's edges that are B's nor the way to
+/// the nearest point, if there are such places.
 fn around(
     sketch: &mut Sketch,
     context: &Context,
@@ -136,12 +137,23 @@ fn around(
     outline_b: &Outline,
     b: DVec2,
 ) -> Vec<DVec2> {
-    let edges: Vec<&Edge> = found.edges.iter().filter(|edge| edge.source == Side::A).collect();
-    let middle = |edge: &&Edge| {
+    let turned = |edge: &Edge| {
         let (from, to) = found.drawn(edge);
-        b - 0.5 * (from + to)
+        (b - from, b - to)
     };
-    let places: Vec<DVec2> = edges.iter().step_by(edges.len().div_ceil(MOST).max(1)).map(middle).collect();
+    let (of_a, of_b): (Vec<&Edge>, Vec<&Edge>) = found.edges.iter().partition(|edge| edge.source == Side::A);
+    let mut taken: Vec<(DVec2, DVec2)> = of_b.into_iter().map(turned).collect();
+    taken.extend(nearest(context).map(|nearest| (b, b - nearest.foot)));
+    let middles: Vec<DVec2> = of_a.into_iter().map(turned).map(|(from, to)| 0.5 * (from + to)).collect();
+    let clear = |place: &DVec2| {
+        let copy = outline_b.moved(*place - b).sampled();
+        let pieces = || copy.iter().zip(copy.iter().cycle().skip(1));
+        !pieces().any(|(&p, &q)| taken.iter().any(|&line| cross((p, q), line)))
+    };
+    let free: Vec<DVec2> = middles.iter().copied().filter(clear).collect();
+    let places = if free.is_empty() { middles } else { free };
+    let step = places.len().div_ceil(MOST).max(1);
+    let places: Vec<DVec2> = places.into_iter().step_by(step).collect();
     sketch.part("copies").weight(Weight::Light);
     for &place in &places {
         sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B)));
@@ -154,11 +166,22 @@ fn around(
     places
 }
 
+/// Whether two straight pieces cross, each with both ends off the other's line.
+fn cross((p, q): (DVec2, DVec2), (r, s): (DVec2, DVec2)) -> bool {
+    let apart = |from: DVec2, to: DVec2, a: DVec2, b: DVec2| {
+        (to - from).perp_dot(a - from) * (to - from).perp_dot(b - from) < 0.0
+    };
+    apart(p, q, r, s) && apart(r, s, p, q)
+}
+
 /// Draws the way from B's point to the nearest point of the grown A: a length, or, from within, the minimum
 /// translation of B.
-fn distance(sketch: &mut Sketch, context: &Context, b: DVec2) {
+fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2) {
     let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
     let (to, role) = (b - foot, Role::Translation);
+    if let Some(leg) = leg(found, DVec2::ZERO, foot) {
+        sketch.part("right-angle").right_angle(to, -leg, foot);
+    }
     sketch.part("distance");
     if overlap {
         sketch.arrow(b, to, Pen::vector(role));

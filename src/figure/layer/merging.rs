@@ -35,8 +35,8 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "step", about: "the edge's number in the order of directions" },
         LabelKey { key: "start", about: "where the first edge begins" },
-        LabelKey { key: "e.A", about: "the next edge of A, mirrored" },
-        LabelKey { key: "e.B", about: "the next edge of B" },
+        LabelKey { key: "e.A", about: "the number of the next edge of A, mirrored" },
+        LabelKey { key: "e.B", about: "the number of the next edge of B" },
         LabelKey { key: "less", about: "beside the edge that is taken" },
     ],
     needs: "the algorithm \"merge\" and bodies with edges, and no more edges than they have",
@@ -81,7 +81,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         );
     }
     if let Some(next) = all.last().filter(|_| !whole) {
-        choice(sketch.since(next.cue), context, next);
+        let count = all.len();
+        let later = merged(context).into_iter().skip(count).position(|edge| edge.taken != next.taken);
+        choice(sketch.since(next.cue), next, [count, count + 1 + later.unwrap_or(0)]);
     }
     if let Some(first) = all.first().filter(|_| before > 0) {
         sketch.since(first.cue);
@@ -105,19 +107,22 @@ fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) {
     }
 }
 
-/// Draws the next edge of either body, and which is taken.
-fn choice(sketch: &mut Sketch, context: &Context, next: &Merged) {
+/// Draws the next edge of either body with its number, first that of the one that is taken.
+fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2]) {
     let own = next.at + next.edge;
+    let named = |side: Side, number: usize, tip: DVec2| {
+        let label = Label::new(key(side), number.to_string(), Anchor::tip(next.at, tip), side.into());
+        label.rank(Rank::Word).size(Size::Note)
+    };
     if let Some(other) = next.other {
-        let side = next.taken.other();
+        let (side, tip) = (next.taken.other(), next.at + other);
         let pen = Pen::vector(side.into()).opacity(REJECTED);
-        arrow(sketch.part("rejected"), side, (next.at, next.at + other), pen);
-        let anchor = Anchor::tip(next.at, next.at + other);
-        sketch.label(Label::new(key(side), name(context, side), anchor, side.into()));
+        arrow(sketch.part("rejected"), side, (next.at, tip), pen);
+        sketch.label(named(side, numbers[1], tip));
     }
     let role = Role::from(next.taken);
     arrow(sketch.part("chosen"), next.taken, (next.at, own), Pen::highlighted(role));
-    sketch.label(Label::new(key(next.taken), name(context, next.taken), Anchor::tip(next.at, own), role));
+    sketch.label(named(next.taken, numbers[0], own));
     if next.other.is_some() {
         let label = Label::new("less", "turns less", Anchor::middle(next.at, own), role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
@@ -136,12 +141,6 @@ fn arrow(sketch: &mut Sketch, side: Side, (from, to): (DVec2, DVec2), pen: Pen) 
 /// The key of the label of a body's next edge.
 fn key(side: Side) -> &'static str {
     if side == Side::A { "e.A" } else { "e.B" }
-}
-
-/// The name of a body's next edge as it runs in B ⊖ A: A's is mirrored.
-fn name(context: &Context, side: Side) -> String {
-    let edge = context.named(side).below("e");
-    if side == Side::A { format!("$-{edge}$") } else { format!("${edge}$") }
 }
 
 #[cfg(test)]
@@ -166,7 +165,16 @@ mod tests {
             let turns = paths(&figure.drawing.items, "turn").len();
             assert_eq!(turns, if choice { 4 } else { 0 }, "{step}");
             assert_eq!(paths(&figure.drawing.items, "straight-on").is_empty(), !choice, "{step}");
-            assert_eq!(labels(&figure).contains_key("less"), !step.starts_with("labels"), "{step}");
+            let labels = labels(&figure);
+            assert_eq!(labels.contains_key("less"), !step.starts_with("labels"), "{step}");
+            // A's mirrored edges are 1, 3 and 5 of seven.
+            let numbers = ["e.A", "e.B"].map(|key| labels.get(key).map(|label| label.0.as_str()));
+            let wanted = match step {
+                "step = 4" => [Some("5"), Some("4")],
+                "step = 1" => [Some("1"), Some("2")],
+                _ => [None, None],
+            };
+            assert_eq!(numbers, wanted, "{step}");
         }
     }
 }

@@ -15,6 +15,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::closest::pushed;
 use super::cores::{cores, radii, radii_in_words};
 use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
@@ -30,17 +31,27 @@ pub(super) const LAYER: Layer = Layer {
     about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
     shows: Shows::Configuration,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "step",
-        takes: Takes::Number,
-        default: "the last",
-        about: "which polytope, from 1",
-    }],
+    options: &[
+        OptionSpec {
+            name: "step",
+            takes: Takes::Number,
+            default: "the last",
+            about: "which polytope, from 1",
+        },
+        OptionSpec {
+            name: "pushed",
+            takes: Takes::Flag,
+            default: "false",
+            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, and where \
+                B ⊖ A lies then, dotted; not of rounded bodies",
+        },
+    ],
     labels: &[
         LabelKey { key: "d", about: "distance of the nearest edge from the origin" },
         LabelKey { key: "n", about: "the direction in which it looks for a vertex" },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
+        LabelKey { key: "pushed", about: "B ⊖ A when B is pushed, with pushed" },
         LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
@@ -124,13 +135,21 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);
     }
     sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
-    sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, Pen::highlighted(Role::Translation));
+    let blue = Pen::highlighted(Role::Translation);
+    let mut lines = Vec::new();
+    if options.flag("pushed", false) && step.beyond.is_none() && !rounded {
+        pushed(sketch, context, -foot);
+        sketch.part("push").arrow_to(foot, DVec2::ZERO, Marker::Origin.reach(MARKER), blue);
+        lines.push(r"$-d\,n$".to_owned());
+    } else {
+        sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, blue);
+    }
     let beside = Anchor::middle(DVec2::ZERO, foot);
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
-    let d = format!("$d{left} = {}$", number(step.distance));
-    sketch.label(Label::new("d", d, beside, Role::Translation));
+    lines.push(format!("$d{left} = {}$", number(step.distance)));
+    sketch.label(Label { lines, ..Label::new("d", "", beside, Role::Translation) });
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
     sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));

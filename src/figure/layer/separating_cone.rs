@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, angle_of, on_circle,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, angle_of, on_circle,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
@@ -64,21 +64,41 @@ const READABLE: [f64; 2] = [24.0, 60.0];
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
+/// The colours of each tangent and of the end of the cone square to it: a pair has one colour.
+const PAIRS: [Role; 2] = [Role::Now, Role::Ink];
+
+/// Width of a tangent, page pixels: less than that of the end of the cone square to it.
+const TANGENT: f64 = 1.25;
+
+/// The words of the option `show`.
+const PARTS: [&str; 2] = ["line", "cone"];
+
 pub(super) const LAYER: Layer = Layer {
     name: "separating-cone",
     about: "the directions that separate the bodies: tangents from O to B ⊖ A, the cone of normals",
     shows: Shows::Configuration,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "names",
-        takes: Takes::Flag,
-        default: "false",
-        about: "names the tangents, and each end of the cone by the tangent that it is square to",
-    }],
+    options: &[
+        OptionSpec {
+            name: "names",
+            takes: Takes::Flag,
+            default: "false",
+            about: "names the line square to n, the tangents, and each end of the cone by the tangent that it \
+                is square to",
+        },
+        OptionSpec {
+            name: "show",
+            takes: Takes::Words(&PARTS),
+            default: "all",
+            about: "which parts: the direction of the greatest gap with the line square to it, or the tangents \
+                with the cone",
+        },
+    ],
     labels: &[
         LabelKey { key: "cone", about: "the cone's angle" },
         LabelKey { key: "n", about: "the direction of the greatest gap" },
         LabelKey { key: "gap", about: "the greatest gap" },
+        LabelKey { key: "line", about: "the line through O square to that direction, with names" },
         LabelKey { key: "t_1", about: "the tangent to the left of B ⊖ A, with names" },
         LabelKey { key: "t_2", about: "the tangent to the right of B ⊖ A, with names" },
         LabelKey { key: "n_1", about: "the end of the cone square to the first tangent, with names" },
@@ -131,35 +151,52 @@ fn cone(context: &Context) -> Option<Cone> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(cone) = cone(context) else { return };
+    let Some(found) = cone(context) else { return };
     let role = options.role(Role::Translation);
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = context.estimate();
-    let radius = sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)));
-    square(sketch, &cone, origin, role);
+    let [line, turned] = PARTS.map(|part| options.shows("show", part, true));
+    let names = options.flag("names", false);
+    if line {
+        square(sketch, &found, origin, (role, names));
+    }
+    if turned {
+        fan(sketch, &found, origin, (role, names));
+    }
+    // As long as what it is compared with.
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    let length = if line { 1.0_f64.max(least).min(most) } else { radius(sketch, &found) };
+    let tip = origin + found.normal * length;
+    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
+}
+
+/// The radius of the cone.
+fn radius(sketch: &Sketch, cone: &Cone) -> f64 {
+    sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)))
+}
+
+/// Draws the cone, and the tangents that its ends are square to.
+fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bool)) {
+    let radius = radius(sketch, cone);
     let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
     let sector = Outline::sector(origin, radius, start, end - start);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
     let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
     let ends = [(cone.tangents[1], start, cone.touching[1]), (cone.tangents[0], end, cone.touching[0])];
-    for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
+    for (((tangent, edge, touching), keys), pair) in ends.into_iter().zip(NAMES).zip(PAIRS) {
         let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
-        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::construction());
-        sketch.part("cone-edge").line(origin, on_circle(origin, radius, edge), Pen::vector(role));
+        let of_cone = on_circle(origin, radius, edge);
+        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(pair).width(TANGENT));
+        sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(pair));
         right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
-        if options.flag("names", false) {
-            let of_cone = on_circle(origin, radius, edge);
-            let ends = [(origin, beyond, Role::Muted), (origin, of_cone, role)];
-            for (key, (from, tip, role)) in keys.into_iter().zip(ends) {
-                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(from, tip), role));
+        if names {
+            for (key, tip) in keys.into_iter().zip([beyond, of_cone]) {
+                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), pair));
             }
         }
     }
-    let [least, most] = READABLE.map(|px| sketch.px(px));
-    let tip = origin + cone.normal * 1.0_f64.max(least).min(most);
-    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
     let degrees = number((end - start) * (180.0 / PI));
     let (radius, sweep) = (ANGLE * radius, end - start);
     let arc = Outline::arc(origin, radius, start, sweep);
@@ -171,7 +208,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// Draws the line through O square to n, and beside B ⊖ A the gap between the two: on the side where a
 /// tangent touches what is nearest, so that nothing stands in between.
-fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, role: Role) {
+fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bool)) {
     let along = perp(cone.normal);
     let [last, first] = cone.touching.map(|p| p - origin);
     let ahead = |p: DVec2| cone.normal.dot(p);
@@ -182,7 +219,13 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, role: Role) {
     let at = |aside: f64, ahead: f64| origin + along * aside + cone.normal * ahead;
     let other = -out * sketch.px(BEHIND);
     sketch.part("square-line").weight(Weight::Light);
-    sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::extension());
+    sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::vector(Role::Ink).width(TANGENT));
+    right_angle(sketch, origin, [angle_of(cone.normal), angle_of(along * -out)]);
+    if names {
+        let anchor = Anchor::tip(origin, at(other, 0.0));
+        let label = Label::new("line", "square to $n$", anchor, Role::Ink);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
     sketch.part("gap-line").weight(Weight::Light);
     sketch.line(at(along.dot(near), cone.gap), at(end + out * tick, cone.gap), Pen::extension());
     let (from, to) = (at(end, 0.0), at(end, cone.gap));
@@ -201,7 +244,7 @@ fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::layer::tests::{labels, lines};
+    use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
@@ -274,6 +317,34 @@ mod tests {
             let (t, n) = (from_origin(tangent), from_origin(end));
             let cosine = (t.dx * n.dx + t.dy * n.dy) / (t.length() * n.length());
             assert!(cosine.abs() < 1e-6, "{end} is not square to {tangent}: {cosine}");
+        }
+    }
+
+    #[test]
+    fn the_line_and_the_cone_can_be_shown_apart_and_each_pair_has_a_colour() {
+        let cases = [("", [1, 1]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 1])];
+        for (show, [line, cone]) in cases {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }}
+                shapes.B = {{ kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration',
+                    layers = [{{ layer = 'separating-cone', names = true{show} }}] }}]"
+            );
+            let scene = open_text("cone", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "cone");
+            let all = labels(&figure);
+            assert_eq!([all.contains_key("line"), all.contains_key("t_1")], [line > 0, cone > 0], "{show}");
+            assert!(all.contains_key("n"), "{show}");
+            let roles = |part: &str| -> Vec<Option<Role>> {
+                let strokes = paths(&figure.drawing.items, part);
+                strokes.iter().filter_map(|p| p.stroke.as_ref()).map(|s| s.paint.role).collect()
+            };
+            assert_eq!(roles("square-line").len(), line, "{show}");
+            let pairs = if cone > 0 { PAIRS.map(Some).to_vec() } else { Vec::new() };
+            assert_eq!(roles("tangent"), pairs, "{show}");
+            assert_eq!(roles("cone-edge"), pairs, "{show}");
         }
     }
 

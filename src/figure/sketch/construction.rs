@@ -4,7 +4,7 @@
 //! there is cut out of the dashed line; a line that it only crosses stays crossed. What a step takes away is
 //! cut by nothing and cuts nothing, as it is not in the finished figure.
 
-use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Segment};
+use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Role, Segment, Stroke};
 
 /// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased
 /// edge. At half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside
@@ -62,12 +62,17 @@ fn collect(items: &[Item], unbroken: &mut Vec<Straight>, dashed: &mut usize) {
             Item::Group(group) => collect(&group.items, unbroken, dashed),
             Item::Path(path) if path.shown.until.is_some() => {}
             Item::Path(path) if dashed_line(path).is_some() => *dashed += 1,
-            Item::Path(path) if path.stroke.as_ref().is_some_and(|s| s.dash.is_empty()) => {
+            Item::Path(path) if path.stroke.as_ref().is_some_and(|s| s.dash.is_empty() && !is_grid(s)) => {
                 unbroken.extend(straight_pieces(&path.contour));
             }
             _ => {}
         }
     }
+}
+
+/// Whether a stroke is the grid's: it is fainter than dashes, which go on over it.
+fn is_grid(stroke: &Stroke) -> bool {
+    stroke.paint.role == Some(Role::Grid)
 }
 
 /// The straight pieces of a contour.
@@ -168,6 +173,7 @@ fn together(dashed: Straight, other: Straight) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::{Color, Paint};
 
     fn straight(from: (f64, f64), to: (f64, f64)) -> Straight {
         Straight { from: Point::new(from.0, from.1), to: Point::new(to.0, to.1) }
@@ -194,5 +200,22 @@ mod tests {
     fn a_line_that_lies_on_another_whole_is_not_drawn() {
         let line = straight((20.0, 20.0), (80.0, 80.0));
         assert!(pieces_of(line, &[straight((0.0, 0.0), (100.0, 100.0))]).is_empty());
+    }
+
+    #[test]
+    fn the_grid_cuts_nothing() {
+        for (role, pieces) in [(Role::Grid, 1), (Role::A, 2)] {
+            let line = |from: (f64, f64), to: (f64, f64), role: Role, dash: Vec<f64>| {
+                let paint = Paint::role(role, Color::hex(0));
+                let contour = Contour::line(Point::new(from.0, from.1), Point::new(to.0, to.1));
+                Item::Path(Path::stroked(contour, Stroke { dash, ..Stroke::solid(paint, 1.5) }))
+            };
+            let mut layer = Group::new("layer");
+            layer.items.push(line((50.0, -50.0), (50.0, 150.0), role, Vec::new()));
+            layer.items.push(line((40.0, 0.0), (60.0, 100.0), Role::Muted, vec![7.0, 4.0]));
+            let mut layers = [layer];
+            end_at_lines(&mut layers);
+            assert_eq!(layers[0].items.len(), 1 + pieces, "{role:?}");
+        }
     }
 }

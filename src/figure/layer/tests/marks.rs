@@ -303,7 +303,7 @@ fn copies_around_a_body_are_moved_and_not_turned() {
     let around = ", copies = false, around = true";
     assert_eq!([copies(around), copies(", copies = false"), copies("")], [2, 0, 4]);
     assert_eq!(paths(&grown(around).drawing.items, "around").len(), 2);
-    assert_eq!(labels(&grown(around))["copy"].0, "$B$ moved around $A$");
+    assert!(labels(&grown(around))["copy"].0.starts_with("$B$ moved around $A$"));
 }
 
 #[test]
