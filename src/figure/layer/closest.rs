@@ -37,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "turned",
             takes: Takes::Flag,
             default: "false",
-            about: "the way as the layer \"grown\" has it from its point, and the half turn that takes it here",
+            about: "the way as \"grown\" has it from its point, and the half turn that takes it here",
         },
     ],
     labels: &[

@@ -83,15 +83,15 @@ pub(super) const LAYER: Layer = Layer {
             name: "names",
             takes: Takes::Flag,
             default: "false",
-            about: "names the line square to n, the tangents, and each end of the cone by the tangent that it \
-                is square to",
+            about: "names the line square to n, the tangents, and each end of the cone by the tangent that \
+                it is square to",
         },
         OptionSpec {
             name: "show",
             takes: Takes::Words(&PARTS),
             default: "all",
-            about: "which parts: the direction of the greatest gap with the line square to it, or the tangents \
-                with the cone",
+            about: "which parts: the direction of the greatest gap with the line square to it, or the \
+                tangents with the cone",
         },
     ],
     labels: &[
