@@ -148,7 +148,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
-    lines.push(format!("$d{left} = {}$", number(step.distance)));
+    lines.insert(0, format!("$d{left} = {}$", number(step.distance)));
     sketch.label(Label { lines, ..Label::new("d", "", beside, Role::Translation) });
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
@@ -187,19 +187,27 @@ fn supporting_line(sketch: &mut Sketch, step: &Step, foot: DVec2) {
 
 #[cfg(test)]
 mod tests {
+    use crate::drawing::{Contour, Point, Segment};
     use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{Figure, draw, plan};
+    use crate::geometry::DVec2;
     use crate::scene::open_text;
     use crate::trace::Event;
 
     /// A step of the polytope of two polygons, and how many steps there are; `step` from 1.
     fn step(step: usize) -> (Figure, usize) {
+        step_with(step, "")
+    }
+
+    /// A step of them with more options of the layer.
+    fn step_with(step: usize, options: &str) -> (Figure, usize) {
         let text = format!(
             "shapes.A = {{ kind = 'polygon',
                 vertices = [[-2, -1.5], [1, -2.5], [2.5, 0], [1, 2], [-1.5, 1]] }}
             shapes.B = {{ kind = 'polygon', vertices = [[0, 0], [4, -1], [5, 2], [2, 4], [-1, 3]] }}
             query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
-            panels = [{{ space = 'configuration', layers = [{{ layer = 'polytope', step = {step} }}] }}]"
+            panels = [{{ space = 'configuration',
+                layers = [{{ layer = 'polytope', step = {step}{options} }}] }}]"
         );
         let scene = open_text("epa", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
@@ -238,6 +246,36 @@ mod tests {
             assert_eq!(labels.contains_key("stop"), k == steps, "step {k}");
             assert_eq!(labels.contains_key("w"), k < steps, "step {k}");
             assert_eq!(paths(&figure.drawing.items, "vertices").len(), k + 2);
+        }
+    }
+
+    #[test]
+    fn the_push_is_as_long_as_the_depth_and_comes_with_the_last_step_alone() {
+        let (_, steps) = step(1);
+        for k in 1..=steps {
+            let (figure, _) = step_with(k, ", pushed = true");
+            let last = usize::from(k == steps);
+            let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
+            assert_eq!(found, [last, 1 - last], "step {k}");
+            let labels = labels(&figure);
+            assert_eq!(labels["d"].0.contains(r"$-d\,n$"), k == steps, "{labels:?}");
+            if k == steps {
+                // Some edge of what is pushed runs through O.
+                let frame = figure.panels[0].frame;
+                let o = frame.page(DVec2::ZERO);
+                let pieces = lines(&figure, "push");
+                let pushed = paths(&figure.drawing.items, "pushed")[0].contour.clone();
+                let Contour::Segments(segments) = pushed else { panic!("{pushed:?}") };
+                let place = |s: &Segment| match *s {
+                    Segment::Move(p) | Segment::Line(p) => Some(p),
+                    _ => None,
+                };
+                let at: Vec<Point> = segments.iter().filter_map(place).collect();
+                let off = |p: Point, q: Point| ((o - p).dx * (q - p).dy - (o - p).dy * (q - p).dx).abs();
+                let ends = at.iter().zip(at.iter().cycle().skip(1));
+                let nearest = ends.map(|(&p, &q)| off(p, q) / (q - p).length()).fold(f64::INFINITY, f64::min);
+                assert!(nearest < 1e-6 && !pieces.is_empty(), "{nearest}");
+            }
         }
     }
 }

@@ -294,6 +294,34 @@ fn the_grown_body_is_as_far_from_the_point_as_the_bodies_from_each_other() {
     // From b to the top edge of A grown by 1: its middle line and two ticks.
     let way = (frame.page(DVec2::new(0.5, 4.0)) - frame.page(DVec2::new(0.5, 2.0))).length();
     assert!(lines(&figure, "distance").iter().any(|line| (line - way).abs() < 1e-9));
+    // Square to that edge.
+    assert_eq!(paths(&figure.drawing.items, "right-angle").len(), 1);
+}
+
+#[test]
+fn the_way_before_the_half_turn_is_as_long_as_after_it_and_the_other_way() {
+    let text = |options: &str| {
+        format!(
+            "shapes.A = {{ kind = 'box', half_extents = [2, 1] }}
+             shapes.B = {{ kind = 'polygon', vertices = [[-1, -1], [1, -1], [0, 2]], position = [0.5, 4] }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ space = 'configuration', layers = [{{ layer = 'closest'{options} }}] }}]"
+        )
+    };
+    let shown = |options: &str| {
+        let scene = open_text("turned.toml", &text(options)).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        draw(&plan, plan.theme, "turned")
+    };
+    assert!(paths(&shown("").drawing.items, "turn").is_empty());
+    let figure = shown(", turned = true");
+    let way = 2.0 * figure.panels[0].frame.scale;
+    assert!((lines(&figure, "unturned")[0] - way).abs() < 1e-9);
+    // B ⊖ A is 2 above O, so the way before is 2 below.
+    let page = |y: f64| figure.panels[0].frame.page(DVec2::new(0.0, y));
+    let Contour::Segments(line) = &paths(&figure.drawing.items, "unturned")[0].contour else { panic!() };
+    assert_eq!(line[..], [Segment::Move(page(0.0)), Segment::Line(page(-2.0))]);
+    assert_eq!(labels(&figure)["turn"].0, "half a turn");
 }
 
 #[test]
