@@ -24,7 +24,7 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-5.2, -6.5, 6.2, 5.6];
+    let view = [-4.8, -6.4, 5.6, 5.6];
     let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.5, y - 0.5), (x, y + 1.5)];
     let a = [(-1.0, 1.0), (-2.0, -2.0), (0.0, -4.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
@@ -55,7 +55,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         around((-3.0, 0.0)),
         around((1.5, -4.5)),
     ];
-    let conf = look(&f, 2, [-2.7, -2.9, 8.7, 9.6]);
+    let conf = look(&f, 2, [-2.4, -2.8, 8.0, 9.6]);
     edges_wear_their_source(
         &conf,
         &[
