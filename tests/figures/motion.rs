@@ -72,10 +72,11 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
     let two = look(&f, 1, [3.6, -0.95, 7.9, 2.42]);
     for panel in [&one, &two] {
         shows![panel.circle(Difference, (8.0, 6.0), 6.25).is_some(), panel.head(Ink, (7.5, 0.0))];
+        shows![panel.marker(Now, (6.25, 0.0))];
     }
     shows![
+        f.says("$v$ $= (7.5, 0)$"),
         one.marker(Ink, (0.0, 0.0)),
-        two.marker(Now, (6.25, 0.0)),
         f.says("first contact, $t = 0.833$"),
         one.marker(B, (3.0, 2.25)),
         one.line(Translation, (0.0, 0.0), (3.0, 2.25)).is_some(),
@@ -259,7 +260,8 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
-        f.says("$n$"),
+        f.says(r"$n \cdot v < 0$"),
+        f.says("$t = 0$") && f.says("$t = 1$"),
         f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
         f.says("$v$ $= (-7.5, -6.25)$"),
         f.says(r"$B \ominus A$"),
@@ -295,8 +297,8 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-6.3, -2.7, 4.3, 3.7]);
-        let conf = look(&f, 3 + i, [-0.9, -6.0, 9.7, 1.8]);
+        let world = look(&f, i, [-6.4, -2.7, 4.5, 3.7]);
+        let conf = look(&f, 3 + i, [-0.9, -6.2, 10.0, 1.9]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),

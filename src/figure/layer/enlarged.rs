@@ -42,11 +42,18 @@ fn framed(context: &Context, options: &Options) -> Option<[DVec2; 2]> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some([lo, hi]) = framed(context, options) else { return };
+    // Of a panel that frames itself the line lies within the view, which would cut it in half.
+    let (least, most, pen) = (sketch.visible().0, sketch.visible().1, DVec2::splat(sketch.px(1.0)));
+    let (lo, hi) = (lo.max(least + pen), hi.min(most - pen));
     let corners = [lo, DVec2::new(hi.x, lo.y), hi, DVec2::new(lo.x, hi.y)];
     let corners = corners.map(|p| context.frame().map_or(p, |pose| pose.point(p)));
     let role = options.role(Role::Muted);
     let outline = Outline::polygon(&corners);
-    sketch.part("around").weight(Weight::Background).area(&outline, None, Some(Pen::dimension(role)));
+    // Lines, and no area of which a label would say that it lies in it.
+    sketch.part("around").weight(Weight::Background);
+    for (i, &corner) in corners.iter().enumerate() {
+        sketch.line(corner, corners[(i + 1) % corners.len()], Pen::dimension(role));
+    }
     let anchor = Anchor::inside(&outline);
     sketch.label(Label::new("enlarged", "", anchor, role).rank(Rank::Word).size(Size::Note));
 }
@@ -73,11 +80,28 @@ mod tests {
         let scene = scene("{ view = [0, -0.5, 2, 1], layers = ['shapes'] }");
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "enlarged");
-        let bounds = paths(&figure.drawing.items, "around")[0].contour.bounds().unwrap();
+        let lines = paths(&figure.drawing.items, "around");
+        let corners = lines.iter().map(|line| line.contour.bounds().unwrap());
+        let bounds = corners.reduce(|a, b| a.union(b)).unwrap();
         let page = |x, y| figure.panels[0].frame.page(DVec2::new(x, y));
         let (lower, upper) = (page(0.0, -0.5), page(2.0, 1.0));
         assert!((bounds.x0 - lower.x).abs() < 1e-9 && (bounds.y1 - lower.y).abs() < 1e-9);
         assert!((bounds.x1 - upper.x).abs() < 1e-9 && (bounds.y0 - upper.y).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_panel_that_frames_itself_shows_the_whole_line() {
+        let scene = scene("{ view = [0, -0.5, 2, 1], layers = [{ layer = 'enlarged', panel = 2 }] }");
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "enlarged");
+        let panel = figure.panels[1].frame.panel;
+        // The first panel has this frame too.
+        let frames = paths(&figure.drawing.items, "around");
+        assert_eq!(frames.len(), 8);
+        for bounds in frames[4..].iter().map(|line| line.contour.bounds().unwrap()) {
+            assert!(bounds.x0 > panel.x0 + 0.5 && bounds.x1 < panel.x1 - 0.5, "{bounds:?} in {panel:?}");
+            assert!(bounds.y0 > panel.y0 + 0.5 && bounds.y1 < panel.y1 - 0.5, "{bounds:?} in {panel:?}");
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! apart. A moment that counts as much as the panel's, as a frame that a test looks at, may be solid.
 
 use crate::collision::Separation;
+use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::{Quantity, number};
@@ -152,6 +153,15 @@ pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String
     if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
+/// Fill and line of a ghost.
+fn look(options: &Options, role: Role) -> (Option<Wash>, Pen) {
+    if options.flag("solid", false) {
+        (Some(Wash::theme(role)), Pen::outline(role))
+    } else {
+        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role))
+    }
+}
+
 /// Draws one ghost and names it by `lines`.
 pub(super) fn ghost(
     sketch: &mut Sketch,
@@ -161,11 +171,7 @@ pub(super) fn ghost(
     lines: Vec<String>,
 ) {
     let role = options.role(side.into());
-    let (wash, pen) = if options.flag("solid", false) {
-        (Some(Wash::theme(role)), Pen::outline(role))
-    } else {
-        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role))
-    };
+    let (wash, pen) = look(options, role);
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(pen));
     let key = if side == Side::A { "A'" } else { "B'" };
     let label = Label { lines, ..Label::new(key, "", Anchor::inside(outline), role) };
@@ -186,9 +192,10 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let kept = before.get(..MOST - 1).unwrap_or(before);
     for ((step, &time), opacity) in (2..).zip(kept).zip(fade(SERIES, kept.len())) {
         sketch.since(context.known(&When::Step(step)));
-        let pen = Pen::ghost(role).opacity(opacity);
+        let (wash, pen) = look(options, role);
         if let Some(outline) = context.outline(side, time) {
-            sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, None, Some(pen));
+            let pen = Some(pen.opacity(opacity));
+            sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
             let label = Label::new("then", then(step, time), Anchor::inside(&outline), role);
             sketch.label(label.rank(Rank::Word).size(Size::Small));
         }

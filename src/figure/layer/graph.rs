@@ -139,10 +139,10 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
     }
 }
 
-/// Names the separation that is left at a step, beside its line from the axis to the curve; where that is too
-/// short, at the curve, if the step is not too near to the one before.
+/// Names the separation that is left at a step, beside its line from the axis to the curve; with its value, or
+/// where that line is too short, at the curve, if the step is not too near to the one before.
 fn left(sketch: &mut Sketch, (k, step): (usize, &Step), [foot, top]: [DVec2; 2], gap: f64, values: bool) {
-    let high = sketch.on_page(top.distance(foot)) >= sketch.fitted(NAMED);
+    let high = !values && sketch.on_page(top.distance(foot)) >= sketch.fitted(NAMED);
     if !high && gap < sketch.fitted(GAP) {
         return;
     }

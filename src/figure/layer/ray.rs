@@ -8,6 +8,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
@@ -44,12 +45,20 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "where both bodies move, A's velocity and then B's reversed, which lead to the same tip",
         },
+        OptionSpec {
+            name: "ends",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes the times of its ends",
+        },
     ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "part.A", about: "velocity of the first body, as a part of it" },
         LabelKey { key: "part.B", about: "velocity of the second body, reversed, as a part of it" },
-        LabelKey { key: "t", about: "time of the hit" },
+        LabelKey { key: "t", about: "time of the hit, along the free way, without its band at the hit" },
+        LabelKey { key: "start", about: "the time where it starts, with ends" },
+        LabelKey { key: "end", about: "the time where it ends, with ends" },
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
     fed: |context, _| {
@@ -82,11 +91,24 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
-        sketch.label(label_of_hit(time, Anchor::middle(from, hit)));
+        let free = options.flag("free", true);
+        sketch.label(label_of_hit(time, if free { Anchor::middle(from, hit) } else { Anchor::point(hit) }));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
+    }
+    if options.flag("ends", false) {
+        ends(sketch, [(from, -v, 0.0), (tip, v, cut)]);
     }
     if let Some(now) = context.now {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
+    }
+}
+
+/// Names the times of both ends, each a place, the way out there, and the time.
+fn ends(sketch: &mut Sketch, ends: [(DVec2, DVec2, f64); 2]) {
+    for (key, (at, out, time)) in ["start", "end"].into_iter().zip(ends) {
+        let anchor = Anchor::point_toward(at, out);
+        let label = Label::new(key, format!("$t = {}$", number(time)), anchor, Role::Muted);
+        sketch.since(None).label(label.rank(Rank::Word).size(Size::Note));
     }
 }
 
@@ -105,5 +127,29 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
         let label = Label::new(key, text(&symbol, way, options), anchor, side.into());
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
         tail += way;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::labels;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn the_ends_of_a_ray_have_their_times_where_they_are_asked_for() {
+        for (options, expected) in [("", [None, None]), (", ends = true", [Some(0.0), Some(1.0)])] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1, velocity = [8, 2] }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [5, 1] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = [{{ layer = 'ray'{options} }}] }}]"
+            );
+            let scene = open_text("ray", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let labels = labels(&draw(&plan, plan.theme, "ray"));
+            let said = ["start", "end"].map(|key| labels.get(key).map(|label| label.1));
+            assert_eq!(said, expected, "{options}");
+        }
     }
 }

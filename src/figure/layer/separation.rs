@@ -24,8 +24,8 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tell
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
 
-/// The least length of a step's separation that is named, page pixels: that of its letters.
-const NAMED: f64 = 24.0;
+/// The least length of a step's separation that is named, page pixels: a shorter one is a blur at the contact.
+const NAMED: f64 = 12.0;
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;

@@ -90,6 +90,10 @@ fn a_solid_ghost_is_drawn_as_a_body_is_also_at_the_panels_own_moment() {
         let (body, ghost) = (first("body-A"), first("ghost-A"));
         assert_eq!((&body.fill, &body.stroke), (&ghost.fill, &ghost.stroke), "{at}");
     }
+    let layers = "{ layer = 'ghosts', of = 'A', at = 'steps', solid = true }";
+    let steps = figure("", "time-of-impact', algorithm = 'conservative-advancement", layers);
+    let ghosts = paths(&steps.drawing.items, "ghost-A");
+    assert!(!ghosts.is_empty() && ghosts.iter().all(|ghost| ghost.fill.is_some()));
 }
 
 #[test]
