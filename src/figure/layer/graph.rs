@@ -139,7 +139,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
     }
 }
 
-/// Names the separation that is left at a step, beside its line from the axis to the curve; with its value, or
+/// Names the separation left at a step, beside its line from the axis to the curve; with its value, or
 /// where that line is too short, at the curve, if the step is not too near to the one before.
 fn left(sketch: &mut Sketch, (k, step): (usize, &Step), [foot, top]: [DVec2; 2], gap: f64, values: bool) {
     let high = !values && sketch.on_page(top.distance(foot)) >= sketch.fitted(NAMED);

@@ -24,7 +24,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tell
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
 
-/// The least length of a step's separation that is named, page pixels: a shorter one is a blur at the contact.
+/// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
 const NAMED: f64 = 12.0;
 
 /// How far the carrier line reaches beyond its edge, world units.
