@@ -2,7 +2,8 @@
 //
 // The pages are drawn into a folder and opened as files. Each shows the committed SVG byte for byte and draws the same;
 // asks for nothing and breaks no policy; says while dragged, by a pointer and by keys, what `tracefig solve` says of the
-// scene that it copies; is again what it was after a reset; and axe finds nothing. Frame times are printed.
+// scene that it copies; is again what it was after a reset; and axe finds nothing. Frame times are printed: on the
+// clock, and the processor time of scripts, in which what else the machine does is not.
 // `TRACEFIG=path` is the binary; names of figures may follow.
 
 import { execFileSync } from "node:child_process";
@@ -84,17 +85,32 @@ async function judge(page, about) {
     }
 }
 
-// Drags a handle along a curve, a pixel or so a frame.
+// Milliseconds of processor time that the scripts of a page have taken so far.
+async function scripted(page) {
+    page.session ??= await page.context().newCDPSession(page);
+    await page.session.send("Performance.enable", { timeDomain: "threadTicks" });
+    const { metrics } = await page.session.send("Performance.getMetrics");
+    return 1000 * metrics.find(({ name }) => name === "ScriptDuration").value;
+}
+
+// Drags a handle along a curve, a pixel or so a frame; the processor time of each.
 async function drag(page, knob) {
     const box = await (await knob.$(".ring")).boundingBox();
     const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
     await page.mouse.move(x, y);
     await page.mouse.down();
+    await frame(page);
+    const frames = [];
+    let before = await scripted(page);
     for (let i = 1; i <= FRAMES; i++) {
         await page.mouse.move(x + 30 * Math.sin(i / 20), y - 20 * Math.sin(i / 12));
         await frame(page);
+        const now = await scripted(page);
+        frames.push(now - before);
+        before = now;
     }
     await page.mouse.up();
+    return frames;
 }
 
 const quantile = (values, share) => {
@@ -110,11 +126,12 @@ async function figure(stem) {
     const { page, ready } = await opened(file, stem);
     if ((await page.locator(".knobs").count()) === 0) {
         await page.close();
-        return [];
+        return { ms: [], cpu: [] };
     }
     await picture(page);
     const knobs = await page.$$(".knob:not(.gone)");
-    for (const knob of knobs.slice(0, 2)) await drag(page, knob);
+    const cpu = [];
+    for (const knob of knobs.slice(0, 2)) cpu.push(...(await drag(page, knob)));
     const { ms } = await page.evaluate(() => globalThis.drawn);
     if (knobs.length > 0) {
         await judge(page, `${stem}, dragged`);
@@ -143,16 +160,24 @@ async function figure(stem) {
     for (const line of lost) fail(stem, `a search does not find "${line}"`);
     if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
     await page.close();
-    const numbers = [ready, quantile(ms, 0.5), quantile(ms, 0.95)].map((x) => x.toFixed(1).padStart(7));
+    const shares = [ms, cpu].flatMap((values) => [quantile(values, 0.5), quantile(values, 0.95)]);
+    const numbers = [ready, ...shares].map((x) => x.toFixed(1).padStart(7));
     const sizes = [html.length, gzipSync(html).length].map((x) => String(x).padStart(8));
     console.log(`${stem.padEnd(26)}${sizes.join("")}${numbers.join(" ")}  ${String(knobs.length).padStart(2)} handles`);
-    return ms;
+    return { ms, cpu };
 }
 
-console.log(`${"figure".padEnd(26)}   bytes      gz  ready  median     p95 ms`);
-const all = [];
-for (const stem of stems) all.push(...(await figure(stem)));
-console.log(`all: median ${quantile(all, 0.5).toFixed(1)}, p95 ${quantile(all, 0.95).toFixed(1)} ms of ${all.length} frames`);
+console.log(`${"figure".padEnd(26)}   bytes      gz  ready  median     p95 median     p95 ms of processor time`);
+const all = { ms: [], cpu: [] };
+for (const stem of stems) {
+    const { ms, cpu } = await figure(stem);
+    all.ms.push(...ms);
+    all.cpu.push(...cpu);
+}
+for (const [about, values] of [["on the clock", all.ms], ["processor time", all.cpu]]) {
+    const [median, most] = [0.5, 0.95].map((share) => quantile(values, share).toFixed(1));
+    console.log(`all, ${about}: median ${median}, p95 ${most} ms of ${values.length} frames`);
+}
 
 // One page with all it needs, and what is left of it without scripts and without a module.
 const bytes = readFileSync(alone);

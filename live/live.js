@@ -180,10 +180,15 @@ class Figure {
         return true;
     }
 
-    // Brings handles and numbers to where the picture has them. Where its elements stayed as they were, no
-    // width is asked for, for which the page would have to be laid out twice in a frame.
+    // Asks how large the picture is shown: not in a frame, which would have to be laid out twice for that.
+    measure() {
+        this.wide = this.picture.size[0];
+        this.scale = this.stage.clientWidth / this.wide;
+    }
+
+    // Brings handles and numbers to where the picture has them; whether its elements stayed as they were.
     shown(stays = false) {
-        if (!stays) this.scale = this.stage.clientWidth / this.picture.size[0];
+        if (this.picture.size[0] !== this.wide) this.measure();
         const seen = new Set();
         const stops = new Set();
         for (const handle of this.info.handles) {
@@ -233,6 +238,7 @@ class Figure {
         this.own ??= this.picture.size[0];
         const asAsked = this.stage.style.width && !phone.matches;
         const width = room < NARROW * this.own && !asAsked ? Math.max(Math.floor(room), 240) : undefined;
+        this.measure();
         if (width === this.room) return this.shown();
         this.room = width;
         this.layOut(width);

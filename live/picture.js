@@ -91,6 +91,25 @@ function treeOf(tags, lines) {
     return top.kids.find((node) => node.name === "svg");
 }
 
+// Which old child each next one goes on as: that of its id, or else, in their order, one of its name that
+// none needs.
+function kindred(old, next) {
+    const known = new Map(old.filter((kid) => kid.id).map((kid) => [kid.id, kid]));
+    const same = (kid) => (known.get(kid.id)?.name === kid.name ? known.get(kid.id) : undefined);
+    const pairs = new Map(next.map((kid) => [kid, same(kid)]));
+    const taken = new Set(pairs.values());
+    const free = old.filter((kid) => !taken.has(kid));
+    let from = 0;
+    for (const kid of next) {
+        if (pairs.get(kid)) continue;
+        const at = free.findIndex((other, i) => i >= from && other.name === kid.name);
+        if (at < 0) continue;
+        pairs.set(kid, free[at]);
+        from = at + 1;
+    }
+    return pairs;
+}
+
 class Picture {
     constructor(svg) {
         this.svg = svg;
@@ -173,8 +192,7 @@ class Picture {
         const alike = old.kids.length === next.kids.length
             && old.kids.every((kid, i) => kid.name === next.kids[i].name && kid.id === next.kids[i].id);
         if (alike) next.kids.forEach((kid, i) => this.morph(old.kids[i], kid, tags));
-        else if (next.kids.every((kid) => kid.id)) this.arrange(old, next, tags);
-        else this.refill(next, tags);
+        else this.arrange(old, next, tags);
     }
 
     dress({ element, tag }, next) {
@@ -191,36 +209,33 @@ class Picture {
         for (const name of before.keys()) if (!now.has(name)) element.removeAttribute(name);
     }
 
-    // Children with ids keep their elements, wherever they stand now.
+    // Children keep their elements: those with an id wherever they stand now, others take that of the next
+    // old one of their name. What is left over goes, what is lacking is written.
     arrange(old, next, tags) {
-        const known = new Map();
-        const wanted = new Map(next.kids.map((kid) => [kid.id, kid.name]));
-        for (const kid of old.kids) {
-            if (kid.id && wanted.get(kid.id) === kid.name) known.set(kid.id, kid);
-            else kid.element.remove();
-        }
+        const kept = kindred(old.kids, next.kids);
+        const stay = new Set(kept.values());
+        for (const kid of old.kids) if (!stay.has(kid)) kid.element.remove();
+        const lacking = next.kids.filter((kid) => !kept.get(kid));
+        const made = this.parsed(lacking, tags);
         let place = next.element.firstChild;
         for (const kid of next.kids) {
-            const before = known.get(kid.id);
-            if (before?.element === place) place = place?.nextSibling ?? null;
-            else {
-                const element = before?.element ?? this.parsed(tags, kid.from, kid.to + 1).firstChild;
-                next.element.insertBefore(element, place);
-            }
+            const before = kept.get(kid);
+            const element = before?.element ?? made.shift();
+            if (element === place) place = place.nextSibling;
+            else next.element.insertBefore(element, place);
             if (before) this.morph(before, kid, tags);
-            else this.bind(kid, place ? place.previousSibling : next.element.lastChild);
+            else this.bind(kid, element);
         }
     }
 
-    // What has neither the old number of children nor ids is written anew.
-    refill(next, tags) {
-        next.element.replaceChildren(...this.parsed(tags, next.from + 1, next.to).childNodes);
-        next.kids.forEach((kid, i) => this.bind(kid, next.element.childNodes[i]));
-    }
-
-    parsed(tags, from, to) {
+    // New elements and texts of nodes; what is to be read is read at once.
+    parsed(nodes, tags) {
         const group = document.createElementNS("http://www.w3.org/2000/svg", "g");
-        group.innerHTML = tags.slice(from, to).join("");
-        return group;
+        const written = nodes.filter(({ kids }) => kids);
+        const texts = written.map(({ from, to }) => tags.slice(from, to + 1).join(""));
+        if (texts.length > 0) group.innerHTML = texts.join("");
+        const elements = [...group.childNodes];
+        const text = (tag) => document.createTextNode(unescaped(tag));
+        return nodes.map(({ kids, tag }) => (kids ? elements.shift() : text(tag)));
     }
 }

@@ -21,7 +21,7 @@ mod visible;
 pub use damage::Damage;
 pub use elements::{Element, elements_in};
 pub use measured::Measured;
-pub use pixels::{PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};
+pub use pixels::{PictureDrift, PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};
 pub use stamp::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
 pub use text::LineDrift;
 
@@ -237,9 +237,8 @@ fn change(old: &[u8], rendered: Rendered<'_>, shown: Shown) -> (Change, Option<V
             (Err(Unread::TooMuch(too_much)), _) => return (Change::NotOurs(too_much), None),
             (Ok(old_rows), Ok(new_rows)) => {
                 let compared = compared(old_rows, new_rows, shown);
-                // What such a file shows later is not read.
-                let is_later = rendered.format.holds_motion();
-                if is_later && compared.as_ref().is_some_and(|compared| compared.drift.is_none()) {
+                // The same pictures, shown longer, or followed by something that can't be read.
+                if compared.as_ref().is_some_and(|found| found.drift.is_none() && !found.play_alike) {
                     return (Change::Bytes { at: first_other_byte(old, new) }, None);
                 }
                 if let Some(compared) = compared

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::{Stamp, shows, text_chunk};
-use crate::output::{Format, IMAGE, ImageWriter, Pixel, Rows};
+use crate::output::{Format, IMAGE, ImageWriter, Later, Pixel, Rows};
 
 /// How the pixels of two images differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,6 +21,21 @@ pub struct PixelDrift {
     /// Left, top, right, bottom of the changed area in pixels, right and bottom not included; `None` where
     /// only the size changed.
     pub area: Option<[u32; 4]>,
+    /// Which pictures differ, of files that play; numbers of pixels are then of all of them together.
+    pub pictures: Option<PictureDrift>,
+}
+
+/// Which pictures of two files that play differ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PictureDrift {
+    /// How many pictures have pixels that differ.
+    pub differ: u32,
+    /// Number of the first of them, from 1.
+    pub first: u32,
+    /// How many pictures were compared.
+    pub of: u32,
+    /// Whether both files have as many pictures, each shown as long.
+    pub play_alike: bool,
 }
 
 /// Channel levels for which a drift says how many pixels would still differ.
@@ -34,6 +49,7 @@ impl PixelDrift {
     /// let (size, beyond) = ((9, 5), [12, 3, 0, 0, 0, 0]);
     /// let drift = PixelDrift {
     ///     expected_size: size, actual_size: size, changed: 12, beyond, worst: 2, area: Some([0, 0, 4, 3]),
+    ///     pictures: None,
     /// };
     /// assert!(drift.under_tolerances().starts_with("pixels beyond a tolerance of 0: 12, 1: 3, 2: 0"));
     /// ```
@@ -43,21 +59,27 @@ impl PixelDrift {
         format!("pixels beyond a tolerance of {}", each.join(", "))
     }
 
-    /// Whether the images have one size and no channel differs by more than `tolerance` levels.
+    /// Whether the images have one size, are played alike, and no channel differs by more than `tolerance`
+    /// levels.
     pub(super) fn is_within(&self, tolerance: u8) -> bool {
-        self.expected_size == self.actual_size && self.worst <= tolerance
+        let play_alike = self.pictures.is_none_or(|pictures| pictures.play_alike);
+        play_alike && self.expected_size == self.actual_size && self.worst <= tolerance
     }
 }
 
 impl fmt::Display for PixelDrift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { expected_size: (w, h), actual_size: (x, y), changed, worst, area, .. } = self;
+        let Self { expected_size: (w, h), actual_size: (x, y), changed, worst, area, pictures, .. } = self;
         if (w, h) != (x, y) {
             write!(f, "expected {w} × {h} pixels, got {x} × {y}; ")?;
         }
         write!(f, "{changed} pixels differ, by {worst} of 255 levels at most")?;
         if let Some([x0, y0, x1, y1]) = area {
             write!(f, ", within x {x0} – {x1}, y {y0} – {y1}")?;
+        }
+        if let Some(PictureDrift { differ, first, of, play_alike }) = pictures {
+            write!(f, "; in {differ} of {of} pictures, number {first} is the first")?;
+            f.write_str(if *play_alike { "" } else { "; they are not played alike" })?;
         }
         Ok(())
     }
@@ -89,11 +111,13 @@ const FADED: u32 = 60;
 /// The colour of a pixel that differs, a pink that no theme has.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
-/// How two pictures differ, or that they do not.
+/// How two files differ, or that they do not.
 pub(super) struct Compared {
     /// How the pixels differ; `None` where all are the same.
     pub(super) drift: Option<PixelDrift>,
-    /// The picture of it, where it was asked for and they differ.
+    /// Whether what they play has as many pictures, each shown as long.
+    pub(super) play_alike: bool,
+    /// The picture of it, where it was asked for and they differ; of files that play, of the first that does.
     pub(super) triptych: Option<Vec<u8>>,
 }
 
@@ -106,10 +130,50 @@ pub(super) enum Shown {
     Yes,
 }
 
-/// Compares two pictures row by row; `None` where one can't be read to its end.
-pub(super) fn compared(mut old: Rows<'_>, mut new: Rows<'_>, shown: Shown) -> Option<Compared> {
+/// Compares two files row by row, and picture by picture where both are of one size and play; `None` where a
+/// picture can't be read to its end.
+pub(super) fn compared<'b>(mut old: Rows<'b>, mut new: Rows<'b>, shown: Shown) -> Option<Compared> {
     let (old_size, new_size) = (old.size(), new.size());
-    let mut found = Found::default();
+    let (mut found, mut triptych) = (Found::default(), None);
+    let mut play_alike = old.pace() == new.pace();
+    let mut pictures = PictureDrift { differ: 0, first: 0, of: 0, play_alike };
+    loop {
+        let before = found.beyond[0];
+        let shown = if triptych.is_none() { shown } else { Shown::No };
+        let picture = rows_compared([&mut old, &mut new], &mut found, shown)?;
+        pictures.of += 1;
+        if found.beyond[0] > before || old_size != new_size {
+            pictures.differ += 1;
+            pictures.first = if pictures.differ == 1 { pictures.of } else { pictures.first };
+            triptych = triptych.or(picture);
+        }
+        // Files of one size are as much work as ours alone.
+        if old_size != new_size {
+            break;
+        }
+        match (old.next_picture(), new.next_picture()) {
+            (Later::Next, Later::Next) => play_alike &= old.pace() == new.pace(),
+            (Later::End, Later::End) => break,
+            _ => {
+                play_alike = false;
+                break;
+            }
+        }
+    }
+    let mut drift = found.drift(old_size, new_size);
+    if let Some(drift) = drift.as_mut().filter(|_| new.pace().is_some()) {
+        drift.pictures = Some(PictureDrift { play_alike, ..pictures });
+    }
+    Some(Compared { drift, play_alike, triptych })
+}
+
+/// Compares a picture of each file, and gives the picture of their difference where it is to be shown.
+fn rows_compared<'b>(
+    [old, new]: [&mut Rows<'b>; 2],
+    found: &mut Found,
+    shown: Shown,
+) -> Option<Option<Vec<u8>>> {
+    let (old_size, new_size) = (old.size(), new.size());
     let mut picture = match shown {
         Shown::Yes => Some(Triptych::new(old_size, new_size)?),
         Shown::No => None,
@@ -126,12 +190,10 @@ pub(super) fn compared(mut old: Rows<'_>, mut new: Rows<'_>, shown: Shown) -> Op
             picture.row(&a, &b)?;
         }
     }
-    let drift = found.drift(old_size, new_size);
-    let triptych = match picture.filter(|_| drift.is_some()) {
-        Some(picture) => Some(picture.rows.finish()?),
-        None => None,
-    };
-    Some(Compared { drift, triptych })
+    match picture {
+        Some(picture) => picture.rows.finish().map(Some),
+        None => Some(None),
+    }
 }
 
 /// What differs in the rows so far.
@@ -167,7 +229,15 @@ impl Found {
         let Self { beyond, worst, area } = *self;
         let changed = beyond[0];
         let differs = changed > 0 || expected_size != actual_size;
-        differs.then_some(PixelDrift { expected_size, actual_size, changed, beyond, worst, area })
+        differs.then_some(PixelDrift {
+            expected_size,
+            actual_size,
+            changed,
+            beyond,
+            worst,
+            area,
+            pictures: None,
+        })
     }
 }
 

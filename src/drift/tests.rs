@@ -224,3 +224,35 @@ fn what_no_eye_sees_is_within_a_tolerance_and_what_is_not_ours_within_none() {
         assert!(matches!(edited, Change::Line(_)) && !edited.is_within(255), "{edited}");
     }
 }
+
+/// An animation of drawings.
+fn played(drawings: &[&Drawing]) -> Vec<u8> {
+    let Writer::Sequence(write) = format("apng").unwrap().write else { panic!("APNG takes drawings") };
+    write(drawings, &Options { scale: 0.5, ..Options::default() }).unwrap()
+}
+
+#[test]
+fn every_picture_of_an_animation_is_compared() {
+    let (a, _) = drawn(SCENE, "light");
+    let (b, _) = drawn(&SCENE.replace("[2, 0], [4, -1]", "[2.5, 0], [4, -1]"), "light");
+    let change = |old: &[&Drawing], new: &[&Drawing]| {
+        let (old, new) = (played(old), played(new));
+        let now = Rendered { format: format("apng").unwrap(), bytes: &new, scale: 0.5 };
+        match compare_and_show(Some(&old), now) {
+            (State::Changed(change), triptych) => (change, triptych.is_some()),
+            other => panic!("{other:?}"),
+        }
+    };
+    let (Change::Pixels(drift), true) = change(&[&a, &a, &a, &b], &[&a, &b, &b, &b]) else { panic!("seen") };
+    assert_eq!(drift.pictures, Some(PictureDrift { differ: 2, first: 2, of: 4, play_alike: true }));
+    assert!(drift.to_string().ends_with("; in 2 of 4 pictures, number 2 is the first"), "{drift}");
+    assert!(drift.is_within(255) && !drift.is_within(drift.worst - 1));
+    // What differs in the first picture alone is half of what differs in the first and the last one.
+    let (Change::Pixels(first), true) = change(&[&a, &a, &a], &[&b, &a, &a]) else { panic!("seen") };
+    let (Change::Pixels(both), true) = change(&[&a, &a, &a], &[&b, &a, &b]) else { panic!("seen") };
+    assert_eq!((2 * first.changed, first.area), (both.changed, both.area));
+    // More pictures are no matter of tolerance, whether the first ones differ or not.
+    let (Change::Pixels(longer), true) = change(&[&a, &a], &[&b, &a, &a]) else { panic!("seen") };
+    assert!(!longer.is_within(255) && longer.to_string().ends_with("they are not played alike"), "{longer}");
+    assert!(matches!(change(&[&a, &a], &[&a, &a, &a]), (Change::Bytes { .. }, false)));
+}

@@ -13,7 +13,7 @@ use super::png::{BRACKET, KEYWORD, READER, encoder};
 use super::{Depends, Format, InMotion, InSteps, Options, OutputError, PngEffort, Writer, raster};
 use crate::drawing::Drawing;
 
-/// The row of the table. Its files are read as any viewer of PNG shows them: by the first frame.
+/// The row of the table. Its files are read picture by picture.
 pub(super) const FORMAT: Format = Format {
     name: "apng",
     about: "animated PNG of a sequence of drawings",

@@ -48,7 +48,7 @@ pub use moodle::Quiz;
 use motion::InMotionWriter;
 pub use motion::{InMotion, MOST_DOTS};
 pub use picture::TooMuch;
-pub(crate) use picture::{Picture, Rows, Unread};
+pub(crate) use picture::{Later, Picture, Rows, Unread};
 pub(crate) use png::ImageWriter;
 pub use question::Numerical;
 pub(crate) use raster::Pixel;

@@ -65,6 +65,28 @@ impl fmt::Display for TooMuch {
     }
 }
 
+/// How a file that plays is played.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pace {
+    /// How many pictures it has.
+    pub(crate) pictures: u32,
+    /// How many times it is played; 0 stands for without end.
+    pub(crate) plays: u32,
+    /// How long a picture is shown, as a fraction of a second; `None` where the file's image is none of them.
+    pub(crate) delay: Option<(u16, u16)>,
+}
+
+/// What comes after a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Later {
+    /// Another picture.
+    Next,
+    /// Nothing: it was the last one.
+    End,
+    /// Something that none of our files has, or nothing that could be read.
+    Unread,
+}
+
 /// The rows of a picture, from the top.
 pub(crate) enum Rows<'b> {
     /// Rows of a page that is being drawn.
@@ -101,6 +123,22 @@ impl Rows<'_> {
         match self {
             Self::Drawn(rows) => rows.size(),
             Self::Read(rows) => rows.size(),
+        }
+    }
+
+    /// How the file plays, and how long it shows this picture; `None` where it does not.
+    pub(crate) fn pace(&self) -> Option<Pace> {
+        match self {
+            Self::Drawn(_) => None,
+            Self::Read(rows) => rows.pace(),
+        }
+    }
+
+    /// Goes on to the next picture, after the last row of the one before.
+    pub(crate) fn next_picture(&mut self) -> Later {
+        match self {
+            Self::Drawn(_) => Later::End,
+            Self::Read(rows) => rows.next_picture(),
         }
     }
 

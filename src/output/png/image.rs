@@ -4,12 +4,12 @@ use std::cell::RefCell;
 use std::io::{self, Cursor, Write};
 use std::rc::Rc;
 
-use super::super::picture::{MOST_A_SIDE, Picture, TooMuch, Unread};
+use super::super::picture::{Later, MOST_A_SIDE, Pace, Picture, TooMuch, Unread};
 use super::super::{MOST_PIXELS, PngEffort, Reader, Stamped};
 use super::raster::Pixel;
 use super::{CHUNK, KEYWORD, encoder};
 
-/// Reads PNG, and of APNG the first frame.
+/// Reads PNG, and APNG whose pictures are whole, as ours are.
 pub(in crate::output) const READER: Reader = Reader { stamp, picture: Some(picture) };
 
 /// Pixels of the largest image that comes in several passes, which has to be in memory to have rows. None of
@@ -66,7 +66,8 @@ impl<'b> Image<'b> {
         if in_passes {
             reader.next_frame(&mut bytes).ok()?;
         }
-        Some(ImageRows { reader, bytes, in_passes, channels, line, size: (width, height), next: 0 })
+        let size = (width, height);
+        Some(ImageRows { reader, bytes, in_passes, channels, line, size, next: 0, picture: 1 })
     }
 }
 
@@ -86,12 +87,41 @@ pub(crate) struct ImageRows<'b> {
     size: (u32, u32),
     /// Number of the next row, from the top.
     next: u32,
+    /// Number of the picture that the rows are of, from 1.
+    picture: u32,
 }
 
 impl ImageRows<'_> {
     /// Width and height of the image in pixels.
     pub(crate) fn size(&self) -> (u32, u32) {
         self.size
+    }
+
+    /// How many pictures the file plays, how often, and how long it shows this one; `None` where it plays
+    /// none.
+    pub(crate) fn pace(&self) -> Option<Pace> {
+        let (info, control) = (self.reader.info(), self.reader.info().animation_control?);
+        let delay = info.frame_control.map(|frame| (frame.delay_num, frame.delay_den));
+        Some(Pace { pictures: control.num_frames, plays: control.num_plays, delay })
+    }
+
+    /// Goes on to the next picture of a file that plays, after the last row of the one before.
+    pub(crate) fn next_picture(&mut self) -> Later {
+        let Some(pace) = self.pace() else { return Later::End };
+        // An image before the first picture, or pictures in several passes: none of ours has them.
+        if pace.delay.is_none() || self.in_passes {
+            return Later::Unread;
+        }
+        if self.picture >= pace.pictures {
+            return Later::End;
+        }
+        // What is read after the last row ends the picture.
+        let is_ended = self.reader.read_row(&mut self.bytes).is_ok_and(|row| row.is_none());
+        if !is_ended || !self.reader.next_frame_info().is_ok_and(|frame| is_whole(frame, self.size)) {
+            return Later::Unread;
+        }
+        (self.picture, self.next) = (self.picture + 1, 0);
+        Later::Next
     }
 
     /// Puts the next row into `row`; `None` after the last one, and where the file is broken.
@@ -112,6 +142,12 @@ impl ImageRows<'_> {
         self.next += 1;
         Some(())
     }
+}
+
+/// Whether a picture takes the place of all of the one before.
+fn is_whole(frame: &png::FrameControl, size: (u32, u32)) -> bool {
+    let is_all = (frame.width, frame.height) == size && (frame.x_offset, frame.y_offset) == (0, 0);
+    is_all && frame.blend_op == png::BlendOp::Source
 }
 
 /// An image that becomes a PNG row by row.

@@ -5,6 +5,8 @@
 //! ```
 //!
 //! drags every body in six directions, so many frames each, and says what each figure does.
+//! `TRACEFIG_FIGURE` is a part of the names of those that are dragged; `TRACEFIG_JUMPS` and `TRACEFIG_FAULTS`
+//! tell each.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -109,6 +111,9 @@ fn drag(scene: &Scene, body: usize, way: (f64, f64), (frames, warm): (usize, boo
         let now = draw_after(&plan, plan.theme, "drag", last.as_ref().filter(|_| warm));
         count.frames += 1;
         count.faults += now.faults().len();
+        if std::env::var("TRACEFIG_FAULTS").is_ok() {
+            now.faults().iter().for_each(|fault| println!("  {k} {fault}"));
+        }
         let then = last.as_ref().map(places).unwrap_or_default();
         for ((panel, key), here) in places(&now) {
             count.labels += here.len();
