@@ -2,7 +2,8 @@
 //
 // Alone, a figure must look as our own PNG of it does, hold nothing that runs, and load nothing. In a page with all the
 // others it must keep every byte of its picture, so no id and no class reaches from one to another. The auto theme and
-// the custom properties are held against PNGs that we draw in the colours in question.
+// the custom properties are held against PNGs that we draw in the colours in question. In a page axe finds nothing, and
+// words are found.
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -206,8 +207,14 @@ await inline([join(figures, `${TRIED}.svg`)], `:root{--tracefig-fill-opacity:${O
 judge(`${TRIED} --tracefig-fill-opacity`, await shot(read(fuller)), read(fuller));
 
 // A figure, alone and inside a page: every line of its words is found there, and what is found is not seen.
+const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
 for (const file of [join(figures, `${TRIED}.svg`), render("light", "html")]) {
     await open(file);
+    if (file.endsWith(".html")) {
+        await page.evaluate(axe);
+        const { violations } = await page.evaluate(() => globalThis.axe.run());
+        for (const { id, nodes } of violations) fail(basename(file), `axe: ${id}: ${nodes[0].html.slice(0, 200)}`);
+    }
     const lost = await page.evaluate(wordsNotFound);
     for (const line of lost) fail(basename(file), `a search does not find "${line}"`);
     const withWords = await page.locator("svg").screenshot();

@@ -1,7 +1,7 @@
 //! `tracefig mdbook`: the scenes of a book's pages, drawn as mdBook builds it.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::io::{self, Read, Write};
+use std::io::{self, BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -28,6 +28,9 @@ use super::{Runs, Status};
 const SUPPORTS: &str = "supports";
 /// The renderer whose pages take elements; all others get images.
 const PAGES: &str = "html";
+
+/// Bytes of a book that are written at once: it has 60 KB a figure.
+const AT_ONCE: usize = 1 << 18;
 
 /// Options of `mdbook`.
 #[derive(Args)]
@@ -91,7 +94,10 @@ impl Runs for Mdbook {
         };
         let status = draw_pages(&mut mail, &colors, console);
         if status == Status::Done {
-            serde_json::to_writer(&mut console.out, &mail.book).map_err(io::Error::from)?;
+            let mut out = BufWriter::with_capacity(AT_ONCE, &mut console.out);
+            serde_json::to_writer(&mut out, &mail.book).map_err(io::Error::from)?;
+            out.flush()?;
+            drop(out);
             console.out.write_all(b"\n")?;
         }
         Ok(status)
@@ -146,7 +152,8 @@ fn draw_pages(mail: &mut Mail, colors: &Colors, console: &mut Console) -> Status
     desk.kept.keep(&pictures);
     // From the end, so that what stands before keeps its place.
     for (page, range, text) in served.into_iter().rev() {
-        pages[page].content.replace_range(range, &text);
+        let content = &mut *pages[page].content;
+        *content = [&content[..range.start], &text, &content[range.end..]].concat();
     }
     if status != Status::Done || !any_live {
         return status;

@@ -39,11 +39,11 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     validity::page(drawing)?;
     let [_, of_desc] = drawing.languages_of_words();
     let mut out = page::head(drawing, page::NO_SCRIPT);
-    out.push_str("</style>\n</head>\n<body>\n<figure>\n");
+    out.push_str("</style>\n</head>\n<body>\n<main>\n<figure>\n");
     out.push_str(&searchable(drawing, None));
     page::open(&mut out, "figcaption", of_desc);
     escape(&mut out, &drawing.desc);
-    out.push_str("</figcaption>\n</figure>\n</body>\n</html>\n");
+    out.push_str("</figcaption>\n</figure>\n</main>\n</body>\n</html>\n");
     Ok(out.into_bytes())
 }
 
@@ -100,5 +100,8 @@ mod tests {
         let page = page(&drawing);
         assert!(page.contains("<svg") && page.contains("A &amp; B&lt;/title&gt;"));
         assert!(!page.contains("<script") && !page.contains("<img"));
+        let (main, rest) = page.split_once("<main>").unwrap();
+        assert!(rest.contains("<svg") && rest.ends_with("</main>\n</body>\n</html>\n"));
+        assert!(main.contains("<html lang=") && main.contains("<title"));
     }
 }

@@ -255,3 +255,34 @@ fn a_book_that_is_built_again_has_the_same_figures_from_what_was_kept() {
     assert!(came_back(&last).to_string().contains("<svg "));
     assert_ne!(last.out, first.out);
 }
+
+#[test]
+fn a_warning_is_told_by_every_build_of_the_place_where_the_scene_is_now() {
+    let folder = folder_with("empty.toml", "");
+    let cache = tempfile::tempdir().unwrap();
+    let built = |above: &str| {
+        let scene = format!("{CIRCLES}[labels]\nA = {{ text = \"far\", at = [900, 0] }}\n");
+        let content = format!("{above}```tracefig\n{scene}```\n");
+        fs::write(folder.path().join("page.md"), &content).unwrap();
+        let chapter = json!({"content": content, "sub_items": [], "path": "page.md"});
+        let context = json!({"root": folder.path(), "renderer": "html", "config": {"book": {"src": ""}}});
+        let mail = json!([context, {"items": [{"Chapter": chapter}]}]).to_string();
+        run_on(mdbook(folder.path()).env("XDG_CACHE_HOME", cache.path()), &mail)
+    };
+    let (first, again, below) = (built(""), built(""), built("A line.\n\n"));
+    assert!(first.code == Some(0) && first.err.starts_with("warning["), "{}", first.err);
+    assert_eq!((&again.out, &again.err), (&first.out, &first.err));
+    let line = |ran: &Ran| {
+        let (_, rest) = ran.err.split_once("page.md:").unwrap();
+        rest.split(':').next().unwrap().parse::<usize>().unwrap()
+    };
+    assert_eq!(line(&below), line(&first) + 2);
+    // The picture with its warning was kept: what lies there is taken.
+    let books = cache.path().join("tracefig/books");
+    let kept = books.read_dir().unwrap().next().unwrap().unwrap().path();
+    let text = fs::read_to_string(&kept).unwrap();
+    assert!(text.contains("warning[") && text.contains("#a3161f"));
+    fs::write(&kept, text.replace("#a3161f", "#a3161e")).unwrap();
+    let taken = built("A line.\n\n");
+    assert!(taken.out.contains("#a3161e") && taken.err == below.err);
+}

@@ -77,10 +77,20 @@ pub(crate) struct Served {
     pub(crate) text: Option<String>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
-    /// The picture, by what it depends on, where the next build need not draw it again.
+    /// The picture, with its messages where it has some, by what it depends on; none where nothing was drawn.
     pub(crate) kept: Option<(String, String)>,
     /// Whether it is a figure that a reader may drag.
     pub(crate) is_live: bool,
+}
+
+/// A scene that was drawn, now or for the last build.
+struct Drawn {
+    /// The picture, as an element or an image in Markdown.
+    picture: String,
+    /// Warnings, ready to be shown.
+    messages: String,
+    /// What it is kept by.
+    key: String,
 }
 
 impl Served {
@@ -139,12 +149,7 @@ impl Desk<'_> {
             file.scene.alt = Some(Spanned { value: alt.clone(), span: 0..0 });
         }
         let own = self.own_theme(order, &attributes, &file, &input)?;
-        let key = self.key(order, &file, own.as_ref());
-        let mut messages = String::new();
-        let picture = match self.kept.get(&key) {
-            Some(picture) => picture.to_owned(),
-            None => self.picture(order, &file, own.as_ref(), &mut messages)?,
-        };
+        let Drawn { picture, messages, key } = self.drawn(order, &file, own.as_ref())?;
         let mut out = String::new();
         let is_live = attributes.live && self.takes == Takes::Element;
         if attributes.source {
@@ -164,9 +169,26 @@ impl Desk<'_> {
         }
         // A blank line ends the element for Markdown.
         let _ = write!(out, "\n{}", order.place.margin.trim_end());
-        // What is told is told by every build.
-        let kept = messages.is_empty().then_some((key, picture));
-        Ok(Served { text: Some(out), messages, kept, is_live })
+        let kept = (key, if messages.is_empty() { picture } else { with_messages(&messages, &picture) });
+        Ok(Served { text: Some(out), messages, kept: Some(kept), is_live })
+    }
+
+    /// A scene as a picture, of the last build where nothing has changed. What is told is told by every
+    /// build, of the place where the scene is now.
+    fn drawn(&self, order: &Order, file: &SceneFile, own: Option<&ChosenTheme>) -> Result<Drawn, String> {
+        let key = self.key(order, file, own);
+        if let Some(picture) = self.kept.get(&key) {
+            return Ok(Drawn { picture: picture.to_owned(), messages: String::new(), key });
+        }
+        // Messages quote the scene, by the lines of its page.
+        let told = format!("{} {:?} {}", file.source.name, self.ink, file.source.text);
+        let of_told = fingerprint(&key, &told);
+        if let Some((messages, picture)) = self.kept.get(&of_told).and_then(parted) {
+            return Ok(Drawn { picture: picture.to_owned(), messages: messages.to_owned(), key: of_told });
+        }
+        let mut messages = String::new();
+        let picture = self.picture(order, file, own, &mut messages)?;
+        Ok(Drawn { picture, key: if messages.is_empty() { key } else { of_told }, messages })
     }
 
     /// A picture as an element of the page, with the style sheet if it is the first.
@@ -306,6 +328,17 @@ fn page_of(file: &Path) -> Result<CanvasDefaults, Box<Refused>> {
             Ok(project(&Source::new("", WIDTH)).map(|project| project.canvas).unwrap_or_default())
         }
     }
+}
+
+/// Messages and a picture as one text.
+fn with_messages(messages: &str, picture: &str) -> String {
+    format!("{}\n{messages}{picture}", messages.len())
+}
+
+/// The messages and the picture of such a text; `None` for any other.
+fn parted(text: &str) -> Option<(&str, &str)> {
+    let (length, rest) = text.split_once('\n')?;
+    rest.split_at_checked(length.parse().ok()?)
 }
 
 /// Appends a figure that a reader may drag, with what its script needs of it, in one line.
