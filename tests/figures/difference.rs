@@ -84,7 +84,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-8.9, -7.8, 9.0, 8.8]);
+    let world = look(&f, 0, [-8.8, -6.8, 8.8, 9.2]);
     shows![
         world.polygon(A, &[(-2.5, -5.0), (5.5, 1.0), (2.5, 5.0), (-5.5, -1.0)]).is_some(),
         world.polygon(B, &[(-1.5, -0.5), (2.5, 2.5), (1.0, 4.5), (-3.0, 1.5)]).is_some(),
@@ -95,16 +95,18 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         // The edges that face each other, 5 and 10 long.
         world.emphasised(B, (-1.5, -0.5), (2.5, 2.5)),
         world.emphasised(A, (2.5, 5.0), (-5.5, -1.0)),
+        world.arrow(B, (-1.5, -0.5), (2.5, 2.5)),
+        world.arrow(A, (2.5, 5.0), (-5.5, -1.0)),
         world.text_near("$b_1$", (-1.5, -0.5), 40.0),
         world.text_near("$b_2$", (2.5, 2.5), 40.0),
-        f.says("$5$") && f.says("$10$"),
+        f.says("$5$ long") && f.says("$10$ long"),
         world.marker(Now, (2.5, 5.0)),
         world.text_near("$a_1$", (2.5, 5.0), 40.0),
         world
             .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-0.2, 6.1), (-4.2, 3.1)])
             .is_some_and(|p| p.fill.is_none()),
     ];
-    let conf = look(&f, 1, [-9.2, -6.6, 8.7, 10.0]);
+    let conf = look(&f, 1, [-9.0, -6.0, 8.6, 10.0]);
     edges_wear_their_source(
         &conf,
         &[
@@ -124,8 +126,10 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.marker(Now, (0.0, -2.5)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$, $5$", (-2.0, -4.0), 60.0),
-        conf.text_near("edge of $A$, $10$", (4.0, 0.5), 60.0),
+        conf.text_near("edge of $B$", (-2.0, -4.0), 60.0),
+        conf.text_near("edge of $A$, turned over", (4.0, 0.5), 80.0),
+        // There it goes the other way.
+        conf.arrow(A, (0.0, -2.5), (8.0, 3.5)),
         // (2.5, 2.5) − (2.5, 5)
         conf.text_near("$b_2 - a_1$", (0.0, -2.5), 60.0),
     ];

@@ -12,11 +12,11 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-2.4, -4.2, 11.6, 5.2]);
-    let a = [(5.0, -1.0), (0.5, 5.0), (-1.2, 3.8), (-2.0, 0.0), (-0.6, -3.2), (1.0, -4.0)];
+    let w = look(&f, 0, [-0.6, -4.4, 11.6, 4.4]);
+    let a = [(5.0, -1.0), (1.1, 4.2), (0.0, 3.4), (-0.4, 0.6), (0.0, -2.4), (1.0, -4.0)];
     let b = [(1.6, 0.2), (5.6, -1.8), (8.6, -1.0), (9.6, 1.7), (6.6, 2.2)];
     // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 15/5 from B's vertex (1.6, 0.2); along the normals
-    // of B's edges there, x + 2y = 2 and 2x − 5y = 2.2, A reaches 8.5/√5 and 19.8/√29 past them.
+    // of B's edges there, x + 2y = 2 and 2x − 5y = 2.2, A reaches 9/√5 and 21/√29 past them.
     let pushed = b.map(|(x, y)| (x + 1.6, y + 1.2));
     let ghost = w.polygon(B, &pushed);
     shows![
@@ -25,7 +25,9 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
         w.arrow(Translation, (1.6, 0.2), (3.2, 1.4)),
         // Halfway from the contact to the edge's far end.
-        w.arrow(Ink, (1.85, 3.2), (2.65, 3.8)),
+        w.arrow(Ink, (2.15, 2.8), (2.95, 3.4)),
+        w.polygon(Muted, &b.map(|(x, y)| (x + 1.8, y - 2.4))).is_some_and(|g| g.fill.is_none()),
+        f.says("$B$ pushed the longer way"),
         w.arrow(Muted, (1.6, 0.2), (3.4, -2.2)),
         f.says("$d = 2$"),
         f.says("$3$, longer"),
@@ -39,7 +41,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-7.6, -4.7, 9.2, 5.7]);
+    let w = look(&f, 0, [-7.0, -4.1, 9.4, 5.7]);
     let px = 1.0 / w.panel.scale;
     let a = [
         (-5.0, 2.0),
@@ -48,7 +50,7 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         (0.0, -1.0),
         (4.0, -2.0),
         (7.0, -1.0),
-        (4.0, 1.0),
+        (4.0, 2.0),
         (3.0, 5.0),
         (0.0, 3.0),
         (-2.0, 4.0),
@@ -57,20 +59,24 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let (below, right) = (-3.0 - 24.0 * px, 7.0 + 24.0 * px);
     shows![
         w.polygon(A, &a).is_some(),
-        w.polygon(Ink, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 5.0), (-5.0, 5.0)]).is_some(),
-        w.marker(Ink, (-5.0, -3.0)),
-        w.marker(Ink, (7.0, 5.0)),
+        w.polygon(Now, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 5.0), (-5.0, 5.0)]).is_some(),
+        w.marker(Now, (-5.0, -3.0)),
+        w.marker(Now, (7.0, 5.0)),
         w.marker(A, (-5.0, 2.0)),
         w.marker(A, (-2.0, -3.0)),
         w.marker(A, (7.0, -1.0)),
         w.marker(A, (3.0, 5.0)),
-        w.marker(Ink, (1.0, 1.0)),
-        w.line(Ink, (1.0, below), (7.0, below)).is_some(),
-        w.line(Ink, (right, 1.0), (right, 5.0)).is_some(),
+        w.marker(Now, (1.0, 1.0)),
+        w.line(Translation, (1.0, below), (7.0, below)).is_some(),
+        w.line(Translation, (right, 1.0), (right, 5.0)).is_some(),
+        // From the centre on.
+        w.any_line((1.0, 1.0), (1.0, below)) && w.any_line((1.0, 1.0), (right, 1.0)),
+        // The others, small.
+        [1, 3, 4, 6, 8, 9, 10].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
-        f.says(r"$x_{\min} = -5$") && f.says(r"$x_{\max} = 7$"),
-        f.says(r"$y_{\min} = -3$") && f.says(r"$y_{\max} = 5$"),
+        f.says(r"{now|$x_{\min} = -5$}") && f.says(r"{now|$x_{\max} = 7$}"),
+        f.says(r"{now|$y_{\min} = -3$}") && f.says(r"{now|$y_{\max} = 5$}"),
         f.says("$c = (1, 1)$"),
         f.says("$h_x = 6$"),
         f.says("$h_y = 4$"),
@@ -80,33 +86,34 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-6.4, -2.7, 10.4, 7.8]);
-    let closest = (5.0, 1.5);
+    let w = look(&f, 0, [-7.0, -2.0, 11.1, 7.1]);
+    let closest = (6.0, 1.0);
     shows![
-        w.polygon(A, &[(-5.0, -1.5), (5.0, -1.5), closest, (-5.0, 1.5)]).is_some(),
-        w.circle(B, (8.0, 5.5), 2.0).is_some(),
-        w.arrow(Ink, (0.0, 0.0), (8.0, 5.5)),
-        w.arrow(Muted, (0.0, 0.0), (8.0, 0.0)),
-        w.arrow(Muted, (0.0, 0.0), (0.0, 5.5)),
-        w.line(A, (0.0, 0.0), (5.0, 0.0)).is_some_and(thick),
-        w.line(A, (0.0, 0.0), (0.0, 1.5)).is_some_and(thick),
-        w.any_line((8.0, 0.0), (8.0, 5.5)),
-        w.any_line((0.0, 5.5), (8.0, 5.5)),
+        w.polygon(A, &[(-6.0, -1.0), (6.0, -1.0), closest, (-6.0, 1.0)]).is_some(),
+        w.circle(B, (9.0, 5.0), 2.0).is_some(),
+        w.arrow_toward(Ink, (0.0, 0.0), (9.0, 5.0)),
+        w.arrow(Muted, (0.0, 0.0), (9.0, 0.0)),
+        w.arrow(Muted, (0.0, 0.0), (0.0, 5.0)),
+        w.line(A, (0.0, 0.0), (6.0, 0.0)).is_some_and(thick),
+        w.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
+        w.any_line((9.0, 0.0), (9.0, 5.0)),
+        w.any_line((0.0, 5.0), (9.0, 5.0)),
         w.marker(A, closest),
-        w.arrow(Translation, closest, (8.0, 5.5)),
-        w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (8, 5.5)$") && f.says("$V_x = 8$") && f.says("$V_y = 5.5$"),
-        f.says("$V_x$ cut to 5") && f.says("$V_y$ cut to 1.5"),
-        f.says("$h_x = 5$") && f.says("$h_y = 1.5$"),
+        w.arrow_toward(Translation, closest, (9.0, 5.0)),
+        w.text_near("closest point of $A$: $B_c$", closest, 100.0),
+        f.says("$V = (9, 5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5$"),
+        f.says("clamp$(V_x, -h_x, h_x) = 6$"),
+        f.says("clamp$(V_y, -h_y, h_y) = 1$"),
+        f.says("$h_x = 6$") && f.says("$h_y = 1$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 2$"),
         f.says("distance") && f.says("$= 3$"),
     ];
-    // Beside D, 28 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
-    let off = 28.0 / w.panel.scale;
+    // Beside D, 40 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
+    let off = 40.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    let rim = (6.8, 3.9);
-    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((8.0, 5.5))),];
+    let rim = (7.8, 3.4);
+    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((9.0, 5.0))),];
 }
 
 #[test]
@@ -130,14 +137,14 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         f.says("$r_2 = 4$"),
         f.says("$p = -2$"),
         f.says("$P = N p = (2, 0)$"),
-        f.says("$N = -(1, 0)$"),
+        f.says("$N = (-1, 0)$"),
     ];
 }
 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.2, -5.5, 17.9, 4.7]);
+    let w = look(&f, 0, [-8.2, -5.4, 16.6, 4.7]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -148,7 +155,6 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
         w.horizontal(B, 2.0, 5.0),
         w.horizontal(Ink, -4.0, 5.0),
         w.vertical(A, -1.0, 1.0),
-        w.vertical(Now, -0.5, 1.0),
         w.vertical(B, -0.5, 2.0),
         w.vertical(Ink, -1.0, 2.0),
         f.says("$h_{A,x} = 4$")
@@ -158,52 +164,54 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
         f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
         f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
+        f.says("{now|$D_x$} $= |c_B - c_A|_x - (h_{A,x} + h_{B,x})$") && f.says("$= 9 - 7 = 2$"),
+        f.says("{now|$D_y$} $= |c_B - c_A|_y - (h_{A,y} + h_{B,y})$") && f.says("$= 3 - 4.5 = -1.5$"),
     ];
 }
 
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-2.5, -2.2, 4.1, 5.5];
-    let vertices = [(-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)];
+    let view = [-3.4, -3.5, 4.2, 7.3];
+    let vertices = [(-1.5, -3.0), (1.5, -3.0), (1.5, 3.0), (-1.5, 3.0)];
     let tilted = vertices.map(turned);
-    let center = turned((3.0, 3.4));
+    let center = turned((3.9, 4.0));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (0.36, 4.52), 0.8).is_some(),
-        world.arrow(Ink, (0.0, 0.0), center),
-        world.arrow(Muted, (0.0, 0.0), turned((3.2, 0.0))),
-        world.any_line((0.0, 0.0), (3.2, 0.0)),
-        f.says("$36.9°$"),
+        world.circle(B, (0.72, 5.54), 1.6).is_some(),
+        world.arrow_toward(Ink, (0.0, 0.0), center),
+        world.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
+        world.any_line((0.0, 0.0), (3.6, 0.0)),
+        f.says("$-36.9°$") && f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-2.3, -2.2, 4.3, 5.5]);
+    let body = look(&f, 1, [-1.8, -4.1, 5.8, 6.7]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (3.0, 3.4), 0.8).is_some(),
-        body.arrow(Muted, (0.0, 0.0), (3.0, 0.0)),
-        body.arrow(Muted, (0.0, 0.0), (0.0, 3.4)),
-        body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
-        body.marker(A, (2.0, 1.0)),
-        body.arrow(Translation, (2.0, 1.0), (3.0, 3.4)),
+        body.circle(B, (3.9, 4.0), 1.6).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (3.9, 4.0)),
+        body.arrow(Muted, (0.0, 0.0), (3.9, 0.0)),
+        body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
+        body.line(A, (0.0, 0.0), (1.5, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 3.0)).is_some_and(thick),
+        body.marker(A, (1.5, 3.0)),
+        body.arrow_toward(Translation, (1.5, 3.0), (3.9, 4.0)),
     ];
     let back = look(&f, 2, view);
-    // Of D = (5, 12)/13 · 2.6 the circle takes 0.8.
-    let (closest, rim) = (turned((2.0, 1.0)), turned((2.0 + 9.0 / 13.0, 1.0 + 21.6 / 13.0)));
-    let off = 44.0 / back.panel.scale / 2.6;
-    let aside = |(x, y): (f64, f64)| (x - off * (center.1 - closest.1), y + off * (center.0 - closest.0));
+    // Of D = (12, 5)/13 · 2.6 the circle takes 1.6.
+    let (closest, rim) = (turned((1.5, 3.0)), turned((1.5 + 12.0 / 13.0, 3.0 + 5.0 / 13.0)));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
         back.along(Translation, closest, rim),
-        // The radius is measured 44 px to the left of the way from A to B.
-        back.along(B, aside(rim), aside(center)),
-        f.says("$V$") && f.says("$V_x = 3$") && f.says("$V_y = 3.4$"),
-        f.says("$h_x = 2$") && f.says("$h_y = 1$") && f.says("$B_c$"),
-        f.says("$D = (1, 2.4)$"),
-        f.says("$r = 0.8$"),
-        f.says("1.8"),
+        // There the radius goes on.
+        back.along(B, rim, center),
+        back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
+        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 4$"),
+        f.says("$h_x = 1.5$") && f.says("$h_y = 3$") && f.says("$B_c$"),
+        f.says("$D = (2.4, 1)$"),
+        f.says("$r = 1.6$"),
+        f.says("1"),
     ];
 }
 
@@ -239,7 +247,7 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 #[test]
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
-    let view = [-7.2, -8.5, 9.4, 6.2];
+    let view = [-1.0, -8.0, 16.2, 7.0];
     let length = |l: &super::seen::Look, p: (f64, f64), q: (f64, f64)| {
         super::seen::distance(l.panel.page(p), l.panel.page(q))
     };
@@ -250,22 +258,22 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     };
     let one = look(&f, 0, view);
     shows![
-        one.polygon(A, &[(-4.0, -3.0), (-2.0, -3.5), (1.0, 0.5), (-3.0, 2.0)]).is_some(),
-        one.polygon(B, &[(-1.0, 4.0), (3.0, 1.0), (8.0, 2.5), (3.0, 6.0)]).is_some(),
-        one.line(Now, (-2.0, -3.5), (1.0, 0.5)).is_some(),
-        f.says("overlap $= 0.5 - (-3.2) = 3.7$") && f.says("gap $= 2.6 - 1 = 1.6$"),
-        f.says("along $n = (0.8, -0.6)$") && f.says("along $n = (0.6, 0.8)$"),
-        f.says("$0$") && f.says("$0.5$") && f.says("$-3.2$") && f.says("$1$") && f.says("$2.6$"),
+        one.polygon(A, &[(5.1, -1.8), (6.5, 3.0), (2.9, 4.0), (1.9, 0.6)]).is_some(),
+        one.polygon(B, &[(5.6, 6.7), (11.6, -1.3), (13.5, 1.5), (9.8, 6.5)]).is_some(),
+        one.line(Now, (5.1, -1.8), (6.5, 3.0)).is_some(),
+        f.says("overlap $= 5.4 - 3.5 = 1.9$") && f.says("gap $= 8.5 - 7 = 1.5$"),
+        f.says("along $n = (0.96, -0.28)$") && f.says("along $n = (0.8, 0.6)$"),
+        f.says("$0$") && f.says("$5.4$") && f.says("$3.5$") && f.says("$7$") && f.says("$8.5$"),
     ];
-    // Along (4, −3)/5 A spans −3.6 to 0.5, where its edge lies, and B −3.2 to 4.9.
-    let across = (0.8, -0.6);
-    has(&one, A, across, 4.1);
-    has(&one, B, across, 8.1);
-    has(&one, Translation, across, 3.7);
-    // Along (3, 4)/5 A spans −4.8 to 1, at its vertex (1, 0.5), and B 2.6, on the edge 3x + 4y = 13, to 6.8.
+    // Along (24, −7)/25 A spans 1.656 to 5.4, where its edge lies, and B 3.5 to 12.54.
+    let across = (0.96, -0.28);
+    has(&one, A, across, 3.744);
+    has(&one, B, across, 9.04);
+    has(&one, Translation, across, 1.9);
+    // Along (4, 3)/5 A spans 1.88 to 7, at its vertex (6.5, 3), and B 8.5, on the edge 4x + 3y = 42.5, to 11.74.
     let two = look(&f, 1, view);
-    assert!(two.line(Now, (-1.0, 4.0), (3.0, 1.0)).is_some());
-    has(&two, A, (0.6, 0.8), 5.8);
-    has(&two, B, (0.6, 0.8), 4.2);
-    has(&two, Translation, (0.6, 0.8), 1.6);
+    assert!(two.line(Now, (5.6, 6.7), (11.6, -1.3)).is_some());
+    has(&two, A, (0.8, 0.6), 5.12);
+    has(&two, B, (0.8, 0.6), 3.24);
+    has(&two, Translation, (0.8, 0.6), 1.5);
 }

@@ -2,12 +2,12 @@
 //! the right (y).
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
-//! on two lanes side by side, and the stretch that they share is measured beside them, with its sign. The
-//! distance of the centres is the last.
+//! on two lanes side by side, and the stretch that they share is hatched across both. The distance of the
+//! centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -22,16 +22,21 @@ const BELOW: f64 = 40.0;
 /// between.
 const BESIDE: f64 = 48.0;
 
-/// From one of two lanes to the other, of x and of y, as a part of the way to the next track: side by side,
-/// not touching; beside the boxes, where a label stands at either end, two bars and not one.
-const LANES: [f64; 2] = [0.28, 0.5];
+/// From one of two lanes to the other, page pixels: two bars and not one, and room for a hatch.
+const LANE: f64 = 18.0;
 
-/// Where the shared stretch is measured, of x and of y, as a part of the way to the next track.
-const SHARED: [f64; 2] = [1.85, 2.6];
+/// How far the hatched stretch reaches past both lanes, page pixels.
+const PAST: f64 = 7.0;
+
+/// From one line of the hatch to the next along the axis, page pixels.
+const HATCH: f64 = 7.0;
+
+/// The most lines of a hatch; more are a grey area on any page.
+const MOST_LINES: usize = 1000;
 
 /// Where the distance of the centres is measured to the right, as a part of the way to the next track: beyond
 /// the label of the shared stretch, of some 110 pixels.
-const LAST: f64 = 5.2;
+const LAST: f64 = 4.2;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -86,6 +91,8 @@ struct Bar {
     pen: Pen,
     /// Where the label stands.
     beside: Beside,
+    /// Whether it is a stretch that is hatched, from the first track to its own, and no line.
+    is_shared: bool,
 }
 
 /// Where the label of a bar stands.
@@ -175,10 +182,15 @@ fn axis(
             sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), Pen::extension());
         }
     }
+    // What is shared lies under the bars that share it.
+    bars.iter().filter(|bar| bar.is_shared).for_each(|bar| hatch(sketch, bar, place));
     for bar in bars {
-        let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
+        let past = if bar.is_shared { sketch.px(PAST) / place.step.abs() } else { 0.0 };
+        let [p, q] = bar.ends.map(|end| place.point(end, bar.track + past));
         let role = bar.pen.role;
-        sketch.part(&part).bar(p, q, 0.0, bar.pen);
+        if !bar.is_shared {
+            sketch.part(&part).bar(p, q, 0.0, bar.pen);
+        }
         // A part of its own, as a label beyond a bar's end must not lie on the bar.
         sketch.part("label");
         let out = place.point(0.0, 1.0) - place.point(0.0, 0.0);
@@ -189,6 +201,25 @@ fn axis(
             Beside::Last => Anchor::point_toward(q, q - p),
         };
         sketch.label(Label::new(bar.key, bar.text, anchor, role));
+    }
+}
+
+/// Hatches a stretch from the first track to the bar's own, and a little past both.
+fn hatch(sketch: &mut Sketch, bar: &Bar, place: &Place) {
+    let (lo, hi) = (bar.ends[0].min(bar.ends[1]), bar.ends[0].max(bar.ends[1]));
+    let past = sketch.px(PAST) / place.step.abs();
+    let (first, last) = (1.0 - past, bar.track + past);
+    let ends = [(lo, first), (hi, first), (hi, last), (lo, last)];
+    let outline = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
+    let pen = bar.pen.width(1.25);
+    sketch.part("shared").area(&outline, None, Some(pen));
+    let (across, pitch) = ((last - first) * place.step.abs(), sketch.px(HATCH));
+    // Each line goes as far along as across.
+    let starts = std::iter::successors(Some(lo - across + pitch), |start| Some(start + pitch));
+    for start in starts.take_while(|start| *start < hi).take(MOST_LINES) {
+        let [p, q] = [start.max(lo), (start + across).min(hi)]
+            .map(|along| place.point(along, first + (along - start) / place.step.abs()));
+        sketch.line(p, q, pen.width(1.0));
     }
 }
 
@@ -211,17 +242,19 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let axis = usize::from(name == 'y');
-    let (lane, shared) = (1.0 + LANES[axis], SHARED[axis]);
-    let (tracks, places) = match (e.gap < 0.0, name) {
-        (true, 'x') => ([1.0, shared, lane, shared + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, shared, lane, LAST], [First, Outward, Last, Outward]),
+    let lane = 1.0 + LANE / [BELOW, BESIDE][axis];
+    let is_overlap = e.gap < 0.0;
+    let (tracks, places) = match (is_overlap, name) {
+        (true, 'x') => ([1.0, lane, lane, lane + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, lane, lane, LAST], [First, Outward, Last, Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
         (false, _) => ([1.0, 1.0, 1.0, LAST - 1.0], [Outward; 4]),
     };
     let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));
-        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], beside: places[i] }
+        let (ends, is_shared) = (ends[i], is_overlap && i == 1);
+        Bar { key: keys[i], text, ends, track: tracks[i], pen: pens[i], beside: places[i], is_shared }
     };
     (0..keys.len()).map(bar).collect()
 }

@@ -88,7 +88,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
     }
     let role = options.role(Role::Ink);
-    sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(1.5)));
+    sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role)));
     if options.flag("touching", true) {
         touching(sketch, last, cue);
     }

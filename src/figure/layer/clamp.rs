@@ -5,7 +5,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
@@ -87,15 +87,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("clamped") {
         kept(sketch.since(at(parts::CUT)), options, &c);
     }
+    // V and D end at the circle's centre: their heads stop short of it, so that they do not lie on each other.
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
-        sketch.since(at(parts::WAY)).part("V").arrow(from, tip, Pen::vector(Role::Ink));
+        sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, MARKER, Pen::vector(Role::Ink));
         let text = valued("V", c.v, options);
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
         let (from, tip) = (c.closest, c.closest + c.d);
-        sketch.since(at(parts::CLOSEST)).part("D").arrow(from, tip, Pen::vector(Role::Translation));
+        sketch.since(at(parts::CLOSEST)).part("D").arrow_to(
+            from,
+            tip,
+            MARKER,
+            Pen::vector(Role::Translation),
+        );
         let seen = context.in_space(c.d) - context.in_space(DVec2::ZERO);
         let text = valued("D", seen, options);
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));

@@ -224,10 +224,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("feature", side));
         let anchor = match form {
             Form::Line(from, to) => {
-                if arrow {
-                    sketch.arrow(from, to, pen)
-                } else {
-                    sketch.line(from, to, pen)
+                match (arrow, side) {
+                    (true, Side::B) if *context.space == Space::Configuration => {
+                        sketch.cased_arrow(from, to, pen)
+                    }
+                    (true, _) => sketch.arrow(from, to, pen),
+                    (false, _) => sketch.line(from, to, pen),
                 };
                 Anchor::Beside { from: to, to: from, offset: ON_LINE }
             }

@@ -32,6 +32,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "the angle by which it is turned, and no second axis",
         },
+        OptionSpec {
+            name: "back",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the angle the other way, from the body's own axis to the world's: how it is turned back",
+        },
     ],
     labels: &[
         LabelKey { key: "angle", about: "the angle by which the body is turned" },
@@ -55,22 +61,23 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             let (from, tip) = (pose.position, pose.point(DVec2::X * length));
             let text = format!("$x$ of {}", context.name(side));
             sketch.label(Label::new("axis", text, Anchor::tip(from, tip), pen.role).rank(Rank::Word));
-            angle(sketch, pose.position, pose.vector(DVec2::X), length);
+            let sweep = angle_of(pose.vector(DVec2::X));
+            let turn = if options.flag("back", false) { (sweep, -sweep) } else { (0.0, sweep) };
+            angle(sketch, pose.position, turn, length);
         }
     }
 }
 
-/// Draws the angle from the world's x axis to the direction of a body's own.
-fn angle(sketch: &mut Sketch, center: DVec2, axis: DVec2, length: f64) {
-    let sweep = angle_of(axis);
+/// Draws the world's x axis and an angle from `start`, both in radians, about a body's origin.
+fn angle(sketch: &mut Sketch, center: DVec2, (start, sweep): (f64, f64), length: f64) {
     let level = center + DVec2::X * length;
     sketch.part("level").weight(Weight::Light).line(center, level, Pen::construction());
     if sweep.abs() < SEEN {
         return;
     }
     let radius = MARK * length;
-    sketch.part("angle").arc_arrow(center, radius, 0.0, sweep, Pen::dimension(Role::Ink).width(1.5));
+    sketch.part("angle").arc_arrow(center, radius, start, sweep, Pen::dimension(Role::Ink).width(1.5));
     let text = format!("${}°$", number(sweep.to_degrees()));
-    let label = Label::new("angle", text, Anchor::Arc { center, radius, start: 0.0, sweep }, Role::Ink);
+    let label = Label::new("angle", text, Anchor::Arc { center, radius, start, sweep }, Role::Ink);
     sketch.label(label.rank(Rank::Measure));
 }

@@ -9,10 +9,15 @@ use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
+use super::closest::longer_way;
+use super::difference::difference;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, part};
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
+
+/// The word for bodies pushed apart by the next longer way out, which is no moment either.
+const RIVAL: &str = "rival";
 
 /// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
@@ -42,13 +47,14 @@ pub(super) const LAYER: Layer = Layer {
                 When::CLOSEST,
                 When::BOUND,
                 SEPARATED,
+                RIVAL,
                 When::START,
                 When::END,
                 STEPS,
             ]),
             default: "\"hit\"",
-            about: "when, or overlapping bodies \"separated\" by the minimum translation, or at every \
-                step",
+            about: "when, or overlapping bodies \"separated\" by the minimum translation, or by the \
+                next longer way out, or at every step",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
         OptionSpec {
@@ -83,11 +89,15 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
         a first step for \"bound\", \
-        a separation for \"separated\", steps for \"steps\"",
+        a separation for \"separated\", another way out for \"rival\", steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
             Some(answer) if answer.separation > 0.0 => Fed::NotHere("the bodies are apart already"),
             answer => Fed::by_the_scene(answer.is_some()),
+        },
+        RIVAL => match (rival(context), separation(context)) {
+            (None, Some(_)) => Fed::NotHere("the bodies are apart already, or have no other way out"),
+            (way, _) => Fed::by_the_scene(way.is_some()),
         },
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
         _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
@@ -108,22 +118,31 @@ fn when(context: &Context, options: &Options) -> Option<f64> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&context.sides()) {
         match options.word("at", When::HIT) {
-            SEPARATED => separated(sketch, context, options, side),
+            SEPARATED => {
+                let way = separation(context).map(|answer| -answer.normal * answer.separation);
+                pushed(sketch, context, options, (side, way));
+            }
+            RIVAL => pushed(sketch, context, options, (side, rival(context))),
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }
     }
 }
 
-/// Draws a body parted from the other by the minimum translation: B by −s n, A by s n.
-fn separated(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
-    let (Some(answer), Some(outline)) = (separation(context), context.outline(side, context.time)) else {
-        return;
-    };
+/// The next longer way out of bodies that overlap, as B goes.
+fn rival(context: &Context) -> Option<DVec2> {
+    let answer = separation(context).filter(|answer| answer.bounds.hi < 0.0)?;
+    let found = difference(context, context.time)?;
+    let way = longer_way(&found, DVec2::ZERO, -answer.separation)?;
+    Some(-way.edge.normal * way.length)
+}
+
+/// Draws a body parted from the other: B by the way, A against it.
+fn pushed(sketch: &mut Sketch, context: &Context, options: &Options, (side, way): (Side, Option<DVec2>)) {
+    let (Some(way), Some(outline)) = (way, context.outline(side, context.time)) else { return };
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
-    let away = answer.normal * answer.separation;
     let text = format!("{} pushed out", context.named(side).primed(0));
-    ghost(sketch, options, side, &outline.moved(if side == Side::A { away } else { -away }), vec![text]);
+    ghost(sketch, options, side, &outline.moved(if side == Side::A { -way } else { way }), vec![text]);
 }
 
 /// Draws a body at another moment, if it is elsewhere then or shall be solid.

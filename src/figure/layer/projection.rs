@@ -144,9 +144,13 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let past = sketch.px(PAST);
-    let (first, last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
-    sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
     let values = options.flag("values", false);
+    let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
+    // Numbers are counted from 0: the axis reaches it where it is in view.
+    if values && sees(sketch, context, DVec2::ZERO) && sees(sketch, context, at(0.0, 0.0)) {
+        (first, last) = (first.min(-past), last.max(past));
+    }
+    sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
     let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
     if values {
         let along = format!("along $n = ({}, {})$", number(t.n.x), number(t.n.y));
@@ -172,7 +176,7 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     measure(sketch, t, values, at);
     if values {
         numbers(sketch, t, down, at);
-        zero(sketch, (first, last), (down, far), at);
+        zero(sketch, context, (first, last), (down, far), at);
     }
 }
 
@@ -186,9 +190,17 @@ fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -
     }
 }
 
+/// Whether a place of the world is in the panel's view.
+fn sees(sketch: &Sketch, context: &Context, place: DVec2) -> bool {
+    let (lo, hi) = sketch.visible();
+    let place = context.in_space(place);
+    lo.cmple(place).all() && hi.cmpge(place).all()
+}
+
 /// Marks on the axis from where its numbers are counted, below the origin, if that is in reach.
 fn zero(
     sketch: &mut Sketch,
+    context: &Context,
     (first, last): (f64, f64),
     (down, far): (DVec2, f64),
     at: impl Fn(f64, f64) -> DVec2,
@@ -197,10 +209,10 @@ fn zero(
         return;
     }
     let tick = sketch.px(ZERO);
-    let (lo, hi) = sketch.visible();
-    if far > 0.0 && lo.cmple(DVec2::ZERO).all() && hi.cmpge(DVec2::ZERO).all() {
+    if far > 0.0 && sees(sketch, context, DVec2::ZERO) {
+        // Dashed, as it is no body's.
         sketch.part("shadow-of-origin").weight(Weight::Light);
-        sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::extension());
+        sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::construction());
     }
     sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
     let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, -tick), -down), Role::Ink);
@@ -285,7 +297,7 @@ fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) 
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::{labels, lines};
+    use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
     use crate::trace::Event;
@@ -301,6 +313,28 @@ mod tests {
             panels = [{{ layers = [{{ layer = "projection", axis = {axis}, values = true }}] }}]
         "#
         )
+    }
+
+    #[test]
+    fn the_axis_reaches_the_shadow_of_the_origin_where_that_is_in_view() {
+        for (from, reaches) in [(-3.0, true), (1.5, false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [5, -1] }}
+                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [8, 0] }}
+                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }}
+                 panels = [{{ view = [{from}, -4, 12, 1],
+                    layers = [{{ layer = 'projection', axis = 2, values = true }}] }}]"
+            );
+            let scene = open_text("axes", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "axes");
+            assert_eq!(labels(&figure).contains_key("zero"), reaches, "from {from}");
+            let ray = paths(&figure.drawing.items, "shadow-of-origin");
+            assert_eq!(!ray.is_empty(), reaches, "from {from}");
+            // From A's shadow, at 4, to B's, at 9: at least, and 4 more to the origin's.
+            let axis = lines(&figure, "axis")[0] / figure.panels[0].frame.scale;
+            assert_eq!(axis > 9.0, reaches, "from {from}: {axis}");
+        }
     }
 
     #[test]

@@ -173,16 +173,19 @@ fn lengths(sketch: &mut Sketch, context: &Context) -> bool {
             continue;
         };
         sketch.part(part("length", side));
-        let text = if here {
+        let lines = if here {
             draw_edge(sketch, side, (from, to), Pen::highlighted(role));
-            format!("edge of {}, ${length}$", context.named(side).primed(0))
+            // B − A takes A's edges with the minus.
+            let turned = if side == Side::A { ", turned over" } else { "" };
+            vec![format!("edge of {}{turned}", context.named(side).primed(0)), format!("${length}$ long")]
         } else {
             sketch.line(from, to, Pen::highlighted(role));
-            format!("${length}$")
+            vec![format!("${length}$ long")]
         };
         // Outside is on the right of from → to, and on the left of to → from.
         let anchor = Anchor::Beside { from: to, to: from, offset: ON_LINE };
-        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Measure).size(Size::Note));
+        let label = Label { lines, ..Label::new(key, "", anchor, role) };
+        sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }
     true
 }

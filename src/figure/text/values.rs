@@ -100,6 +100,8 @@ pub(crate) static VALUES: &[Value] = &[
         Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()
     ),
     told!("radii", "sum of two circles' radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
+    told!("N.x", "x of the article's N, from B to A", Event::PenetrationMeasured { direction, .. } => direction.x),
+    told!("N.y", "y of the article's N, from B to A", Event::PenetrationMeasured { direction, .. } => direction.y),
     told!("p", "the article's p, signed", Event::PenetrationMeasured { p, .. } => *p),
     told!("P.x", "x of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.x),
     told!("P.y", "y of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.y),
@@ -111,6 +113,26 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
     Value { name: "D.x", about: "x of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.x) },
     Value { name: "D.y", about: "y of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.y) },
+    told!(
+        "centers.x",
+        "distance of two AABBs' centres in x",
+        Event::ExtentsCompared { centers: [p, q], .. } => (q.x - p.x).abs()
+    ),
+    told!(
+        "centers.y",
+        "distance of two AABBs' centres in y",
+        Event::ExtentsCompared { centers: [p, q], .. } => (q.y - p.y).abs()
+    ),
+    told!(
+        "halves.x",
+        "sum of two AABBs' half-extents in x",
+        Event::ExtentsCompared { half_extents: [p, q], .. } => p.x + q.x
+    ),
+    told!(
+        "halves.y",
+        "sum of two AABBs' half-extents in y",
+        Event::ExtentsCompared { half_extents: [p, q], .. } => p.y + q.y
+    ),
     told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
     told!(
         "radius",

@@ -116,11 +116,12 @@ fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
     // B's vertex (3, 1) is 2 from A's edge x = 5 and 3 from y = 4; then the bodies change places.
     let a = "vertices = [[0, -9], [5, -9], [5, 4], [0, 4]]";
     let b = "vertices = [[3, 1], [9, 3], [7, 8]]";
-    for (a, b) in [(a, b), (b, a)] {
+    for (a, b, pushed) in [(a, b, [3.0, 4.0]), (b, a, [5.0, 1.0])] {
         let text = format!(
             "shapes.A = {{ kind = 'polygon', {a} }}\nshapes.B = {{ kind = 'polygon', {b} }}
              query = {{ kind = 'separation', of = ['A', 'B'] }}
-             panels = [{{ layers = [{{ layer = 'separation', rival = true }}] }}]"
+             panels = [{{ layers = [{{ layer = 'separation', rival = true }},
+                {{ layer = 'ghosts', of = ['B'], at = 'rival' }}] }}]"
         );
         let scene = open_text("marks.toml", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
@@ -130,6 +131,11 @@ fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
         let ends: Vec<_> = paths(&figure.drawing.items, "rival").into_iter().flat_map(points).collect();
         let at = |p: [f64; 2]| ends.iter().any(|&q| (q - frame.page(DVec2::from(p))).length() < 0.5);
         assert!(at([3.0, 1.0]) && at([3.0, 4.0]), "{ends:?}");
+        // There B just touches A.
+        let ghost = points(paths(&figure.drawing.items, "ghost-B")[0]);
+        let to = frame.page(DVec2::from(pushed));
+        assert!(ghost.iter().any(|&q| (q - to).length() < 0.5), "{ghost:?}");
+        assert_eq!(labels(&figure)["B'"].0, "$B$ pushed out");
     }
 }
 
@@ -237,6 +243,17 @@ fn a_frame_says_the_angle_by_which_the_body_is_turned() {
         assert_eq!(labels(&figure).get("angle").map(|(_, number)| *number), says, "{turn}");
         // Of a body that is not turned it lies on the axis.
         assert_eq!(paths(&figure.drawing.items, "level").len(), usize::from(says.is_some()), "{turn}");
+        let back = self::figure(turn, "linear-sweep", "{ layer = 'frame', angle = true, back = true }");
+        assert_eq!(labels(&back).get("angle").map(|(_, number)| -number), says, "{turn}");
+        // The head is at the other end: it lies on the level line.
+        let head = |figure: &Figure| {
+            let all = paths(&figure.drawing.items, "angle");
+            all.into_iter().find(|path| path.fill.is_some()).map(|path| points(path)[0])
+        };
+        let level =
+            |figure: &Figure, tip: Point| (tip.y - figure.panels[0].frame.page(DVec2::ZERO).y).abs() < 1e-6;
+        assert!(head(&back).is_none_or(|tip| level(&back, tip)), "{turn}");
+        assert!(head(&figure).is_none_or(|tip| !level(&figure, tip)), "{turn}");
     }
 }
 
@@ -271,7 +288,26 @@ fn half_extents_that_overlap_lie_side_by_side_and_share_what_is_negative() {
         whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
     };
     let level: Vec<f64> = bars("axis-x").iter().filter(|[p, q]| p.y == q.y).map(|[p, _]| p.y).collect();
-    assert!(level.len() == 4 && level[0] != level[2] && (level[0] - level[2]).abs() < 12.0, "{level:?}");
+    // Both half-extents on lanes of their own, then the distance of the centres.
+    assert!(level.len() == 3 && (level[0] - level[1] + 18.0).abs() < 1e-9, "{level:?}");
+    let whole: Vec<Point> = points(paths(&figure.drawing.items, "shared")[0]);
+    let [least, most] = [f64::min, f64::max].map(|of| {
+        let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
+        [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
+    });
+    // From 1.5 to 2 of x they share, and 7 px past both lanes.
+    let frame = &figure.panels[0].frame;
+    let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
+    assert!((least[0] - from).abs() < 1e-6 && (most[0] - to).abs() < 1e-6, "{whole:?}");
+    assert!((level[0] - least[1] - 7.0).abs() < 1e-6 && (most[1] - level[1] - 7.0).abs() < 1e-6, "{whole:?}");
+    // Hatched from edge to edge of it, and nowhere else.
+    let hatch: Vec<Point> =
+        paths(&figure.drawing.items, "shared")[1..].iter().flat_map(|p| points(p)).collect();
+    let inside = |p: &Point| {
+        let beyond = [least[0] - p.x, p.x - most[0], least[1] - p.y, p.y - most[1]];
+        beyond.iter().all(|by| *by < 1e-6)
+    };
+    assert!(hatch.len() >= 6 && hatch.iter().all(inside), "{hatch:?}");
     let upright: Vec<f64> = bars("axis-y").iter().filter(|[p, q]| p.x == q.x).map(|[p, _]| p.x).collect();
     assert!(upright.len() == 4 && upright[0] == upright[1] && upright[1] == upright[2], "{upright:?}");
 }
