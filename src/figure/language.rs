@@ -27,7 +27,7 @@ const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
 const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
-const WORDS: [[&str; 5]; 54] = [
+const WORDS: [[&str; 5]; 57] = [
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
