@@ -258,3 +258,55 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     };
     (0..keys.len()).map(bar).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::Point;
+    use crate::figure::layer::tests::{labels, paths, points};
+    use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
+    use crate::scene::open_text;
+
+    #[test]
+    fn half_extents_that_overlap_lie_side_by_side_and_share_what_is_negative() {
+        let text = "shapes.A = { kind = 'aabb', half_extents = [2, 1] }
+             shapes.B = { kind = 'aabb', half_extents = [1, 2], position = [2.5, 4] }
+             query = { kind = 'separation', of = ['A', 'B'], algorithm = 'extents' }
+             panels = [{ layers = ['shapes', 'axis-gaps'] }]";
+        let scene = open_text("marks.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        let labels = labels(&figure);
+        assert_eq!((labels["D.x"].1, labels["D.y"].1), (-0.5, 1.0));
+        let bars = |part| -> Vec<[Point; 2]> {
+            let whole = paths(&figure.drawing.items, part).into_iter().map(points);
+            whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
+        };
+        let level: Vec<f64> = bars("axis-x").iter().filter(|[p, q]| p.y == q.y).map(|[p, _]| p.y).collect();
+        // Both half-extents on lanes of their own, then the distance of the centres.
+        assert!(level.len() == 3 && (level[0] - level[1] + 18.0).abs() < 1e-9, "{level:?}");
+        let whole: Vec<Point> = points(paths(&figure.drawing.items, "shared")[0]);
+        let [least, most] = [f64::min, f64::max].map(|of| {
+            let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
+            [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
+        });
+        // From 1.5 to 2 of x they share, and 7 px past both lanes.
+        let frame = &figure.panels[0].frame;
+        let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
+        assert!((least[0] - from).abs() < 1e-6 && (most[0] - to).abs() < 1e-6, "{whole:?}");
+        assert!(
+            (level[0] - least[1] - 7.0).abs() < 1e-6 && (most[1] - level[1] - 7.0).abs() < 1e-6,
+            "{whole:?}"
+        );
+        // Hatched from edge to edge of it, and nowhere else.
+        let hatch: Vec<Point> =
+            paths(&figure.drawing.items, "shared")[1..].iter().flat_map(|p| points(p)).collect();
+        let inside = |p: &Point| {
+            let beyond = [least[0] - p.x, p.x - most[0], least[1] - p.y, p.y - most[1]];
+            beyond.iter().all(|by| *by < 1e-6)
+        };
+        assert!(hatch.len() >= 6 && hatch.iter().all(inside), "{hatch:?}");
+        let upright: Vec<f64> = bars("axis-y").iter().filter(|[p, q]| p.x == q.x).map(|[p, _]| p.x).collect();
+        assert!(upright.len() == 4 && upright[0] == upright[1] && upright[1] == upright[2], "{upright:?}");
+    }
+}

@@ -87,7 +87,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("clamped") {
         kept(sketch.since(at(parts::CUT)), options, &c);
     }
-    // V and D end at the circle's centre: their heads stop short of it, so that they do not lie on each other.
+    // V and D end at the circle's centre: their heads stop short of it and do not lie on each other.
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, MARKER, Pen::vector(Role::Ink));

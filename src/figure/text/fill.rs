@@ -10,7 +10,8 @@ use crate::typeset::ends_in_formula;
 use super::decimal::Decimal;
 use super::digits::Digits;
 use super::number::{USUAL, in_math, in_words};
-use super::values::{VALUES, another_answer_has, value_of};
+use super::outcome::another_answer_has;
+use super::values::{VALUES, value_of};
 
 /// What stands for a value that this answer lacks and another one has, in words and in formulas.
 const LACKING: [&str; 2] = ["–", r"\text{–}"];

@@ -12,6 +12,7 @@ mod digits;
 mod fill;
 mod fold;
 mod number;
+mod outcome;
 mod overrides;
 mod plain;
 mod quantity;

@@ -100,8 +100,8 @@ pub(crate) static VALUES: &[Value] = &[
         Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()
     ),
     told!("radii", "sum of two circles' radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
-    told!("N.x", "x of the article's N, from B to A", Event::PenetrationMeasured { direction, .. } => direction.x),
-    told!("N.y", "y of the article's N, from B to A", Event::PenetrationMeasured { direction, .. } => direction.y),
+    told!("N.x", "x of the article's N", Event::PenetrationMeasured { direction, .. } => direction.x),
+    told!("N.y", "y of the article's N", Event::PenetrationMeasured { direction, .. } => direction.y),
     told!("p", "the article's p, signed", Event::PenetrationMeasured { p, .. } => *p),
     told!("P.x", "x of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.x),
     told!("P.y", "y of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.y),
@@ -174,29 +174,8 @@ pub(crate) fn value_of(name: &str, context: &Context) -> Option<Quantity> {
     VALUES.iter().find(|value| value.name == name).and_then(|value| (value.of)(context))
 }
 
-/// Whether another answer to the question of a context has a value.
-type Asks = fn(&Context) -> bool;
-
-/// Values that hang on how the answer turns out.
-static OF_THE_OUTCOME: &[(&str, Asks)] = &[
-    ("depth", |context| separation(context).is_some()),
-    ("time", |context| context.asks_for_a_hit()),
-    ("closest.time", |context| context.asks_for_a_hit()),
-    ("closest.separation", |context| context.asks_for_a_hit()),
-    ("n.x", |context| context.asks_for_a_hit()),
-    ("n.y", |context| context.asks_for_a_hit()),
-    ("bound", |context| context.asks_for_a_hit()),
-    ("step.next", |context| context.step.is_some()),
-    ("step.bound", |context| context.asks_for_a_hit()),
-];
-
-/// Whether another answer to the question has the value of that name, where this one lacks it.
-pub(crate) fn another_answer_has(name: &str, context: &Context) -> bool {
-    OF_THE_OUTCOME.iter().any(|(known, asks)| *known == name && asks(context))
-}
-
 /// The bounds of the separation at the panel's moment.
-fn separation(context: &Context) -> Option<Quantity> {
+pub(super) fn separation(context: &Context) -> Option<Quantity> {
     let run = context.separation_at(context.time)?;
     Some(Quantity::separation(run.separation()?))
 }

@@ -11,7 +11,7 @@ mod steps;
 
 use std::collections::BTreeMap;
 
-use crate::drawing::{Contour, Group, Item, Path, Segment};
+use crate::drawing::{Contour, Group, Item, Path, Point, Segment};
 use crate::figure::Figure;
 use crate::figure::panel::PanelPlan;
 use crate::figure::sketch::{Request, Sketched};
@@ -56,6 +56,16 @@ pub(super) fn lines(figure: &Figure, part: &str) -> Vec<f64> {
         Contour::Circle { .. } => None,
     };
     paths(&figure.drawing.items, part).into_iter().filter_map(ends).collect()
+}
+
+/// The points that a path goes through.
+pub(super) fn points(path: &Path) -> Vec<Point> {
+    let Contour::Segments(segments) = &path.contour else { panic!("straight") };
+    let point = |s: &Segment| match *s {
+        Segment::Move(p) | Segment::Line(p) => Some(p),
+        _ => None,
+    };
+    segments.iter().filter_map(point).collect()
 }
 
 /// The paths of the groups of a name, in the order drawn.
