@@ -145,12 +145,11 @@ fn pushed(sketch: &mut Sketch, context: &Context, options: &Options, (side, way)
     ghost(sketch, options, side, &outline.moved(if side == Side::A { -way } else { way }), vec![text]);
 }
 
-/// Draws a body at another moment, if it is elsewhere then or shall be solid.
+/// Draws a body at another moment, if it is elsewhere then.
 fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(time) = when(context, options) else { return };
     sketch.since(context.known(&options.when("at").unwrap_or(When::Hit)));
-    let still = context.pose(side, time) == context.pose(side, context.time);
-    if still && !options.flag("solid", false) {
+    if context.pose(side, time) == context.pose(side, context.time) {
         return;
     }
     if let Some(outline) = context.outline(side, time) {

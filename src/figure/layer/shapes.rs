@@ -37,6 +37,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "true, but false with `of`",
             about: "the bodies that the query is not about, muted",
         },
+        OptionSpec {
+            name: "text",
+            takes: Takes::Lines,
+            default: "its name",
+            about: "lines of the label of each body in this panel",
+        },
     ],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
@@ -78,9 +84,11 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
     let role = options.role(side.into());
     let key = if side == Side::A { "A" } else { "B" };
     let pose = context.pose(side, context.time).filter(|_| center);
-    sketch.part(part("body", side)).label(
-        Label::new(key, context.name(side), Anchor::inside(&outline), role).rank(Rank::Name).size(Size::Name),
-    );
+    let label = Label::new(key, context.name(side), Anchor::inside(&outline), role).rank(Rank::Name);
+    sketch.part(part("body", side)).label(match options.words("text") {
+        Some(lines) => label.given(lines).size(Size::Note),
+        None => label.size(Size::Name),
+    });
     if let Some(Pose { position, .. }) = pose {
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };
         let key = if side == Side::A { "a" } else { "b" };

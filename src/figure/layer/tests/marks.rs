@@ -72,14 +72,13 @@ fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
 }
 
 #[test]
-fn a_solid_ghost_is_drawn_as_a_body_is_also_at_the_panels_own_moment() {
-    for at in ["'start'", "'hit'"] {
-        let layers = format!("'shapes', {{ layer = 'ghosts', of = 'A', at = {at}, solid = true }}");
-        let figure = figure("", "linear-sweep", &layers);
-        let first = |part| paths(&figure.drawing.items, part)[0].clone();
-        let (body, ghost) = (first("body-A"), first("ghost-A"));
-        assert_eq!((&body.fill, &body.stroke), (&ghost.fill, &ghost.stroke), "{at}");
-    }
+fn a_solid_ghost_is_drawn_as_a_body_is_and_a_body_may_say_when_it_is_there() {
+    let layers = "{ layer = 'shapes', text = 'at $t = 0$' }, { layer = 'ghosts', of = 'A', solid = true }";
+    let hit = figure("", "linear-sweep", layers);
+    let first = |part| paths(&hit.drawing.items, part)[0].clone();
+    let (body, ghost) = (first("body-A"), first("ghost-A"));
+    assert_eq!((&body.fill, &body.stroke), (&ghost.fill, &ghost.stroke));
+    assert_eq!(labels(&hit)["A"].0, "at $t = 0$");
     let layers = "{ layer = 'ghosts', of = 'A', at = 'steps', solid = true }";
     let steps = figure("", "time-of-impact', algorithm = 'conservative-advancement", layers);
     let ghosts = paths(&steps.drawing.items, "ghost-A");
