@@ -46,11 +46,12 @@ pub(crate) fn write_whole(path: &Path, bytes: &[u8], wait: Wait) -> io::Result<(
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let mut file = part_in(folder)?;
+    let file = part_in(folder)?;
     if let Ok(old) = path.symlink_metadata() {
         file.as_file().set_permissions(old.permissions())?;
     }
-    file.write_all(bytes)?;
+    // Through the file itself, as an error of the part would say its name.
+    file.as_file().write_all(bytes)?;
     if wait == Wait::ForDisk {
         file.as_file().sync_all()?;
     }
@@ -116,7 +117,15 @@ fn named_part_in(folder: &Path) -> io::Result<NamedTempFile> {
         // As `File::create`: the umask takes away what others may not do.
         builder.permissions(std::fs::Permissions::from_mode(0o666))
     };
-    builder.tempfile_in(folder)
+    builder.tempfile_in(folder).map_err(nameless)
+}
+
+/// An error without the name of the part, which means nothing to whoever asked for a file: what the system
+/// said.
+fn nameless(error: io::Error) -> io::Error {
+    let system = error.get_ref().and_then(std::error::Error::source);
+    let code = system.and_then(|error| error.downcast_ref::<io::Error>()?.raw_os_error());
+    code.map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)
 }
 
 #[cfg(test)]
@@ -137,6 +146,14 @@ mod tests {
         std::fs::create_dir(&place).unwrap();
         assert!(write_whole(&place, b"<svg/>", Wait::No).is_err());
         assert_eq!(names(folder.path()), ["figure.svg"]);
+    }
+
+    #[test]
+    fn an_error_names_no_part() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = write_whole(&folder.path().join("nowhere/figure.svg"), b"<svg/>", Wait::No).unwrap_err();
+        let system = io::Error::from_raw_os_error(error.raw_os_error().unwrap());
+        assert_eq!((error.kind(), error.to_string()), (io::ErrorKind::NotFound, system.to_string()));
     }
 
     #[test]

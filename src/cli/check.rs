@@ -6,24 +6,26 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use tracefig::drawing::Rect;
-use tracefig::drift::report::{Finding, json, tally};
+use tracefig::drift::report::{Finding, advice, json, tally};
 use tracefig::drift::{
     Change, Measured, PixelDrift, Rendered, State, compare_and_show, elements_in, what_moved,
 };
 use tracefig::output::{Format, MOST_BYTES};
-use tracefig::scene::visible;
+use tracefig::scene::{Ink, visible};
 
 use super::atomic_file::{Wait, clear_leftovers, write_whole};
+use super::checked::{Checked, ERROR, ORPHAN};
 use super::console::Console;
 use super::encoded::Encoded;
 use super::files::{Drawn, Files, Plan};
 use super::inputs::shown;
-use super::jobs::{Job, Target, folders_of, inputs_of};
+use super::jobs::{Job, Target, Twins, compared_jobs, folders_of, inputs_of, twins};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
-use super::orphans::orphans;
+use super::orphans::unclaimed;
 use super::parallel::in_order;
 use super::regular::{read_regular, replaceable};
-use super::reports::Places;
+use super::reports::{Places, Reported};
+use super::unchecked::{of_doubtful, of_folders, of_twins};
 use super::unfit::{Unfit, Unfits};
 use super::unplanned::{Unplanned, tell_unplanned};
 use super::written::cant_write;
@@ -41,7 +43,7 @@ pub(crate) struct Check {
     /// Write what changed, is stale or is missing
     #[arg(long)]
     accept: bool,
-    /// Delete orphans: figures of ours whose scene is gone
+    /// Delete orphans: figures of ours that no scene or project file asks for any more
     #[arg(long)]
     prune: bool,
     /// Channel levels (of 255) by which a pixel may differ; SVGs are drawn to be compared
@@ -52,47 +54,8 @@ pub(crate) struct Check {
     json: bool,
 }
 
-/// The state of a file that can't be drawn, read or written.
-const ERROR: &str = "error";
-
-/// The state of a figure without a scene.
-const ORPHAN: &str = "orphan";
-
 /// Where the picture of each figure's differences goes.
 type Pictures = BTreeMap<PathBuf, PathBuf>;
-
-/// What `check` says of a scene.
-struct Checked {
-    /// A finding for each file, in the order of the job.
-    findings: Vec<Finding>,
-    /// What is said on standard error.
-    messages: String,
-    /// What the scene has against its themes, to be said once for all scenes.
-    unfit: Vec<Unfit>,
-    /// Why something could not be checked, the worst of it.
-    status: Status,
-}
-
-impl Checked {
-    /// Nothing is said yet.
-    fn new() -> Self {
-        let (findings, messages, unfit) = (Vec::new(), String::new(), Vec::new());
-        Self { findings, messages, unfit, status: Status::Done }
-    }
-
-    /// Adds a file that could not be checked, and why, which is said.
-    fn fail(&mut self, file: &str, status: Status, message: &str) {
-        self.messages.push_str(message);
-        self.miss(file, status, message);
-    }
-
-    /// Adds a file that could not be checked, and why.
-    fn miss(&mut self, file: &str, status: Status, message: &str) {
-        self.status = self.status.max(status);
-        let details = message.lines().take(1).map(str::to_owned).collect();
-        self.findings.push(Finding { details, ..Finding::new(file, ERROR) });
-    }
-}
 
 impl Runs for Check {
     const MANUAL: Manual = Manual {
@@ -120,115 +83,120 @@ impl Runs for Check {
             let message = "`check` compares files, and a scene from standard input has none: name its file";
             return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
         }
-        let plan = match self.files.plan(None) {
+        let plan = match self.files.plan_by(None, compared_jobs) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        let jobs = &plan.jobs;
-        let pictures = match self.places.planned(jobs, inputs_of(jobs), self.json) {
+        let pictures = match self.places.planned(&plan.jobs, inputs_of(&plan.jobs), self.json) {
             Ok(pictures) => pictures,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        let ink = console.ink();
         clear_leftovers(self.places.folder());
         self.places.clear();
         if self.accept {
-            folders_of(jobs).into_iter().for_each(clear_leftovers);
+            folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
-        let (mut findings, mut unfits, mut status) = (Vec::new(), Unfits::default(), Status::Done);
-        in_order(
-            jobs,
-            self.files.threads(),
-            |job| self.compare_all(job, self.files.draw(job, ink), &pictures),
-            |job, checked| -> io::Result<()> {
-                let mut checked = checked.unwrap_or_else(|| {
-                    let mut bug = Checked::new();
-                    let name = job.input.shown();
-                    bug.fail(
-                        &job.input.name(),
-                        Status::Bug,
-                        &format!("error: {name} was not drawn because of a bug of tracefig\n"),
-                    );
-                    bug
-                });
-                unfits.extend(std::mem::take(&mut checked.unfit));
-                status = status.max(checked.status);
-                self.tell(&checked.findings, &checked.messages, console)?;
-                findings.extend(checked.findings);
-                Ok(())
-            },
-        )?;
-        unfits.tell(console)?;
-        let orphans = self.orphans(&plan);
-        self.tell(&orphans.findings, &orphans.messages, console)?;
-        findings.extend(orphans.findings);
-        status = status.max(orphans.status);
-        let failed = self.places.write(&findings, &mut console.out);
-        Console::message(&failed);
-        self.conclude(&findings, console)?;
-        let settled = |f: &Finding| match f.state {
-            ERROR => false,
-            ORPHAN => self.prune,
-            _ => !f.is_bad() || self.accept,
-        };
-        Ok(match findings.iter().all(settled) {
-            _ if !failed.is_empty() => status.max(Status::Io),
-            true => status,
-            false => status.max(Status::Wrong),
+        let all = self.check_all(&plan, &pictures, console)?;
+        let written = self.places.write(&all.findings, &mut console.out);
+        Console::message(&written.failed);
+        self.conclude(&all, &written, console)?;
+        Ok(match all.findings.iter().all(|finding| self.is_settled(finding)) {
+            _ if !written.failed.is_empty() => all.status.max(Status::Io),
+            true => all.status,
+            false => all.status.max(Status::Wrong),
         })
     }
 }
 
 impl Check {
-    /// The figures without a scene, deleted where that is wanted.
-    fn orphans(&self, plan: &Plan) -> Checked {
-        let mut checked = Checked::new();
-        for path in orphans(plan) {
-            let name = path.display().to_string();
+    /// Compares the figures of all scenes, and looks for those of none; says what it finds on the way.
+    fn check_all(&self, plan: &Plan, pictures: &Pictures, console: &mut Console) -> io::Result<Checked> {
+        let (ink, twins) = (console.ink(), twins(&plan.jobs));
+        let (mut all, mut unfits) = (Checked::new(), Unfits::default());
+        let apart: Vec<&Job> = plan.jobs.iter().filter(|job| !are_among(&twins, job)).collect();
+        in_order(
+            &apart,
+            self.files.threads(),
+            |job| self.compare_all(job, self.files.draw(job, ink), pictures),
+            |job, checked| -> io::Result<()> {
+                let bug = || Checked::bug((&job.input.name(), &job.input.shown()));
+                let mut checked = checked.unwrap_or_else(bug);
+                unfits.extend(std::mem::take(&mut checked.unfit));
+                self.tell(&checked, console)?;
+                all.add(checked);
+                Ok(())
+            },
+        )?;
+        unfits.tell(console)?;
+        for more in [of_twins(&twins), of_folders(plan)] {
+            self.tell(&more, console)?;
+            all.add(more);
+        }
+        let unclaimed = self.unclaimed(plan, all.is_unread, ink);
+        self.tell(&unclaimed, console)?;
+        all.add(unclaimed);
+        Ok(all)
+    }
+
+    /// The figures that no scene gives: orphans, deleted where that is wanted, and those of files that may be
+    /// their scenes. Where not every scene could be read, nothing is called an orphan.
+    fn unclaimed(&self, plan: &Plan, is_unread: bool, ink: Ink) -> Checked {
+        let (mut checked, found) = (Checked::new(), unclaimed(plan));
+        for (scene, figures) in &found.doubtful {
+            checked.add(of_doubtful(scene, figures, ink));
+        }
+        if is_unread && !found.orphans.is_empty() {
+            let count = found.orphans.len();
+            let (figures, stay) = if count == 1 { ("figure", "stays") } else { ("figures", "stay") };
+            checked.messages.push_str(&format!(
+                "note: {count} {figures} without a scene {stay}: not every scene or folder could be read\n"
+            ));
+            return checked;
+        }
+        for orphan in found.orphans {
+            let (name, path) = (orphan.path.display().to_string(), &orphan.path);
             let told = if self.prune {
                 // A link stays, as what it leads to was not asked about.
-                match replaceable(&path).and_then(|()| std::fs::remove_file(&path)) {
-                    Ok(()) => "it had no scene, and was deleted",
+                match replaceable(path).and_then(|()| std::fs::remove_file(path)) {
+                    Ok(()) => orphan.deleted(),
                     Err(error) => {
-                        checked.fail(
-                            &name,
-                            Status::Io,
-                            &format!("error: can't delete {}: {error}\n", shown(&path)),
-                        );
+                        let message = format!("error: can't delete {}: {error}\n", shown(path));
+                        checked.fail(&name, Status::Io, &message);
                         continue;
                     }
                 }
             } else {
-                "it has no scene: bring its scene back, or delete it by `--prune`"
+                orphan.told()
             };
-            checked.findings.push(Finding { details: vec![told.to_owned()], ..Finding::new(&name, ORPHAN) });
+            checked.findings.push(Finding { details: vec![told], ..Finding::new(&name, ORPHAN) });
         }
         checked
     }
 
     /// Says what was found, unless standard output is for a report.
-    fn tell(&self, findings: &[Finding], messages: &str, console: &mut Console) -> io::Result<()> {
-        if !messages.is_empty() {
+    fn tell(&self, checked: &Checked, console: &mut Console) -> io::Result<()> {
+        if !checked.messages.is_empty() {
             console.out.flush()?;
-            Console::message(messages);
+            Console::message(&checked.messages);
         }
         if self.json || self.places.take_stdout() {
             return Ok(());
         }
-        for finding in findings.iter().filter(|f| f.is_bad() && f.state != ERROR) {
+        for finding in checked.findings.iter().filter(|f| f.is_bad() && f.state != ERROR) {
             writeln!(console.out, "{:<9} {}", finding.state, visible(&finding.file))?;
             for line in &finding.details {
                 writeln!(console.out, "          {}", visible(line))?;
             }
             if let Some((path, _)) = &finding.picture {
-                writeln!(console.out, "          {}: expected · difference · actual", visible(path))?;
+                writeln!(console.out, "          {}: on disk · difference · now", visible(path))?;
             }
         }
         Ok(())
     }
 
-    /// Says how many files have each state.
-    fn conclude(&self, findings: &[Finding], console: &mut Console) -> io::Result<()> {
+    /// Says how many files have each state, and what to do about them.
+    fn conclude(&self, all: &Checked, written: &Reported, console: &mut Console) -> io::Result<()> {
+        let findings = &all.findings;
         if self.json {
             return console.out.write_all(json(findings).as_bytes());
         }
@@ -236,7 +204,7 @@ impl Check {
         if self.places.take_stdout() || (console.is_quiet() && is_well) {
             return Ok(());
         }
-        if !is_well {
+        if written.has_page {
             writeln!(console.out, "all of it: {}", shown(&self.places.page()))?;
         }
         let always = ["identical", "changed", "missing"];
@@ -245,8 +213,30 @@ impl Check {
             .filter(|(state, count)| *count > 0 || always.contains(state))
             .map(|(state, count)| format!("{count} {state}"))
             .collect();
-        let accepted = if self.accept { ", accepted" } else { "" };
-        writeln!(console.out, "{}{accepted}", counts.join(", "))
+        writeln!(console.out, "{}{}", counts.join(", "), self.accepted(all))?;
+        let open = findings.iter().filter(|finding| !self.is_settled(finding));
+        let advice = advice(&open.map(|f| Finding::new(&f.file, f.state)).collect::<Vec<_>>());
+        advice.map_or(Ok(()), |advice| writeln!(console.out, "{advice}"))
+    }
+
+    /// Whether a finding is well, or made so by this run.
+    fn is_settled(&self, finding: &Finding) -> bool {
+        match finding.state {
+            ERROR => false,
+            ORPHAN => self.prune,
+            _ => !finding.is_bad() || self.accept,
+        }
+    }
+
+    /// How many of the files that differ were written, in words.
+    fn accepted(&self, all: &Checked) -> String {
+        let differ =
+            all.findings.iter().filter(|f| f.is_bad() && ![ERROR, ORPHAN].contains(&f.state)).count();
+        match all.accepted {
+            _ if !self.accept || differ == 0 => String::new(),
+            count if count == differ => ", accepted".to_owned(),
+            count => format!(", {count} of {differ} accepted"),
+        }
     }
 
     /// Compares all files of a scene.
@@ -257,6 +247,7 @@ impl Check {
             let mut messages = checked.messages.clone();
             messages.extend(drawn.unfit.iter().map(Unfit::message));
             checked.miss(&job.input.name(), drawn.status, &messages);
+            checked.is_unread = drawn.status == Status::Io;
         }
         checked.unfit = drawn.unfit;
         for encoded in &drawn.files {
@@ -315,22 +306,27 @@ impl Check {
                 if let Some(image) = image {
                     let written = std::fs::create_dir_all(self.places.folder())
                         .and_then(|()| write_whole(picture, &image, Wait::No));
-                    if let Err(error) = written {
-                        checked.fail(&name, Status::Io, &cant_write(picture, &error));
+                    match written {
+                        Ok(()) => finding.picture = Some((picture.display().to_string(), image)),
+                        Err(error) => checked.fail(&name, Status::Io, &cant_write(picture, &error)),
                     }
-                    finding.picture = Some((picture.display().to_string(), image));
                 }
             }
         }
-        let differs = state != State::Identical;
+        let (differs, is_counted) = (state != State::Identical, finding.is_bad());
         checked.findings.push(finding);
-        if differs
-            && self.accept
-            && let Err(error) = write_whole(path, &encoded.bytes, self.files.wait())
-        {
-            checked.fail(&name, Status::Io, &cant_write(path, &error));
+        if differs && self.accept {
+            match write_whole(path, &encoded.bytes, self.files.wait()) {
+                Ok(()) => checked.accepted += usize::from(is_counted),
+                Err(error) => checked.fail(&name, Status::Io, &cant_write(path, &error)),
+            }
         }
     }
+}
+
+/// Whether a scene is one of two that would become one file.
+fn are_among(twins: &[Twins<'_>], job: &Job) -> bool {
+    twins.iter().any(|twins| twins.inputs.contains(&&job.input))
 }
 
 /// How a file differs, in numbers.

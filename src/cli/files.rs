@@ -1,6 +1,7 @@
 //! What `render` and `check` share: their options, and a scene's files as bytes.
 
 use std::collections::BTreeSet;
+use std::io;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -22,7 +23,7 @@ use super::failure::Failure;
 use super::in_motion::{MotionOptions, planned as planned_for};
 use super::in_steps::StepOptions;
 use super::in_time::InTime;
-use super::inputs::{find, shown};
+use super::inputs::{Found, find, shown};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
 use super::parallel::threads;
@@ -138,6 +139,8 @@ pub(crate) struct Plan {
     pub(crate) jobs: Vec<Job>,
     /// The folders that were searched for scenes.
     pub(crate) folders: Vec<PathBuf>,
+    /// Folders among them that can't be read, and why.
+    pub(crate) unread: Vec<(PathBuf, io::Error)>,
     /// Whether the scenes are all that the project has.
     pub(crate) is_whole: bool,
     /// What was left alone, in a line; empty where nothing was.
@@ -154,8 +157,9 @@ impl Files {
     pub(crate) fn plan_by(&self, output: Option<&Path>, planner: Planner) -> Result<Plan, Unplanned> {
         let found = find(&self.scenes)?;
         let left_alone = found.left_alone();
-        let jobs = planner(found.scenes, &mut Projects::new(&self.flags(output)))?;
-        Ok(Plan { jobs, folders: found.folders, is_whole: self.scenes.is_empty(), left_alone })
+        let Found { scenes, folders, unread, .. } = found;
+        let jobs = planner(scenes, &mut Projects::new(&self.flags(output)))?;
+        Ok(Plan { jobs, folders, unread, is_whole: self.scenes.is_empty(), left_alone })
     }
 
     /// How scenes of the working directory are drawn.

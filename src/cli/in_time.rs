@@ -26,6 +26,16 @@ impl InTime {
         }
     }
 
+    /// Whether a part of a file's name says that it shows a figure in time.
+    pub(crate) fn is_part(part: &str) -> bool {
+        [Self::Steps(StepFiles::One), Self::Motion].into_iter().any(|in_time| {
+            let [whole, one] = in_time.parts();
+            let number = part.strip_prefix(one).and_then(|after| after.strip_prefix('-'));
+            let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+            part == whole || number.is_some_and(is_number)
+        })
+    }
+
     /// Whether each picture is a file of its own in a format.
     pub(crate) fn are_apart(self, format: &Format) -> bool {
         match self {

@@ -83,17 +83,26 @@ pub(crate) struct Found {
     pub(crate) others: usize,
     /// The folders that were searched, each with those in it.
     pub(crate) folders: Vec<PathBuf>,
+    /// Folders among them that can't be read, and why.
+    pub(crate) unread: Vec<(PathBuf, io::Error)>,
 }
 
 impl Found {
-    /// What was left alone, in a line; empty where nothing was.
+    /// What was left alone, in lines; empty where nothing was.
     pub(crate) fn left_alone(&self) -> String {
-        match self.others {
+        let others = match self.others {
             0 => String::new(),
             1 => "note: 1 file is no scene\n".to_owned(),
             n => format!("note: {n} files are no scenes\n"),
-        }
+        };
+        let unread = |(folder, error)| format!("note: {}\n", unread_folder(folder, error));
+        self.unread.iter().map(|(folder, error)| unread((folder, error))).chain([others]).collect()
     }
+}
+
+/// The words for a folder that can't be read, and why.
+pub(crate) fn unread_folder(folder: &Path, error: &io::Error) -> String {
+    format!("can't read the folder {}: {error}", shown(folder))
 }
 
 /// The scenes of the working directory's project, where none is named: what its file says, else
@@ -151,12 +160,13 @@ fn is_missing_default(argument: &Path) -> bool {
 
 /// Adds the scenes of a folder.
 fn folder(path: &Path, found: &mut Found) -> Result<(), String> {
-    let walked = walk(path).map_err(|e| format!("can't read the folder {}: {e}", shown(path)))?;
+    let walked = walk(path).map_err(|error| unread_folder(path, &error))?;
     if walked.scenes.is_empty() {
         return Err(format!("there is no scene (*.toml, *.json) in the folder {}", shown(path)));
     }
     found.others += walked.others;
     found.folders.extend(walked.folders);
+    found.unread.extend(walked.unread);
     found.scenes.extend(walked.scenes.into_iter().map(|scene| {
         let below = scene.parent().and_then(|folder| folder.strip_prefix(path).ok());
         let below = below.map(Path::to_owned).unwrap_or_default();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use tracefig::output::Format;
-use tracefig::scene::Variant;
+use tracefig::scene::{Variant, visible};
 
 use super::in_time::InTime;
 use super::inputs::{Input, Located, shown};
@@ -56,8 +56,24 @@ pub(crate) type Planner = fn(Vec<Located>, &mut Projects<'_>) -> Result<Vec<Job>
 pub(crate) fn jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
     let jobs = planned(scenes, projects)?;
     apart(&jobs)?;
-    inputs_stay(&jobs)?;
+    inputs_stay(&jobs).map_err(nothing_written)?;
     Ok(jobs)
+}
+
+/// The files of all scenes, to be compared with those on disk: scenes that would become one file, which
+/// [`twins`] tells, are a finding of that file alone.
+pub(crate) fn compared_jobs(
+    scenes: Vec<Located>,
+    projects: &mut Projects<'_>,
+) -> Result<Vec<Job>, Unplanned> {
+    let jobs = planned(scenes, projects)?;
+    inputs_stay(&jobs).map_err(Unplanned::Wrong)?;
+    Ok(jobs)
+}
+
+/// Why a run that was to write files did not.
+fn nothing_written(why: String) -> Unplanned {
+    Unplanned::Wrong(why + "; nothing was written")
 }
 
 /// The files of all scenes, as [`jobs`] gives them, or all of them one file where that has
@@ -67,7 +83,7 @@ pub(crate) fn bound_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> R
     if bound_file(&jobs).is_none() {
         apart(&jobs)?;
     }
-    inputs_stay(&jobs)?;
+    inputs_stay(&jobs).map_err(nothing_written)?;
     Ok(jobs)
 }
 
@@ -112,17 +128,33 @@ fn apart(jobs: &[Job]) -> Result<(), Unplanned> {
         let to_stdout = |file: &&Planned| file.target == Target::Stdout;
         job.files.iter().filter(to_stdout).any(|file| job.settings.are_apart(file.format))
     });
+    let several = several_themes(jobs).unwrap_or_default();
     if to_stdout > 1 || apart {
-        let message = "standard output takes one file: give one scene, one `--format` and at most one \
-                       `--theme`, `--variant` and `--seed`";
-        return Err(Unplanned::Usage(message.to_owned()));
+        return Err(Unplanned::Usage(format!(
+            "standard output takes one file: give one scene, one `--format` and at most one `--theme`, \
+             `--variant` and `--seed`{several}"
+        )));
     }
     if count(|destination| matches!(destination, Destination::File(_))) > 1 {
-        let message = "`-o` names one file: give one scene and at most one `--theme`, `--variant` and \
-                       `--seed`, or a folder";
-        return Err(Unplanned::Usage(message.to_owned()));
+        return Err(Unplanned::Usage(format!(
+            "`-o` names one file: give one scene and at most one `--theme`, `--variant` and `--seed`, or a \
+             folder{several}"
+        )));
     }
-    twins(jobs)
+    match twins(jobs).first() {
+        Some(twins) => Err(nothing_written(twins.to_string())),
+        None => Ok(()),
+    }
+}
+
+/// Where nobody asked for several themes but a project file, what it names, and what chooses one of them.
+fn several_themes(jobs: &[Job]) -> Option<String> {
+    let settings =
+        each_settings(jobs).into_iter().find(|all| all.themes_of_project && all.themes.len() > 1)?;
+    let themes = &settings.themes;
+    let names: Vec<String> = themes.iter().map(|theme| format!("`{}`", visible(&theme.name))).collect();
+    let project = shown(settings.project.as_deref()?);
+    Some(format!("; {project} names {} themes, {}: choose one by `--theme`", names.len(), names.join(", ")))
 }
 
 /// A scene and its files, whatever other scenes there are.
@@ -199,21 +231,33 @@ pub(crate) fn folders_of(jobs: &[Job]) -> BTreeSet<&Path> {
         .collect()
 }
 
-/// Refuses two inputs that would become one file.
-fn twins(jobs: &[Job]) -> Result<(), Unplanned> {
-    let mut first: BTreeMap<PathBuf, &Input> = BTreeMap::new();
+/// Two inputs that would become one file.
+pub(crate) struct Twins<'j> {
+    /// Both, in the order of the run.
+    pub(crate) inputs: [&'j Input; 2],
+    /// The file.
+    pub(crate) path: &'j Path,
+}
+
+impl std::fmt::Display for Twins<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let [a, b] = self.inputs.map(Input::shown);
+        write!(f, "{a} and {b} would both become {}", shown(self.path))
+    }
+}
+
+/// All inputs that would become one file, two by two.
+pub(crate) fn twins(jobs: &[Job]) -> Vec<Twins<'_>> {
+    let (mut first, mut all): (BTreeMap<PathBuf, &Input>, Vec<Twins<'_>>) = (BTreeMap::new(), Vec::new());
     for job in jobs {
         for file in &job.files {
             let Target::File(path) = &file.target else { continue };
             if let Some(other) = first.insert(one_name(path), &job.input) {
-                let (a, b, path) = (other.shown(), job.input.shown(), shown(path));
-                return Err(Unplanned::Wrong(format!(
-                    "{a} and {b} would both become {path}; nothing was written"
-                )));
+                all.push(Twins { inputs: [other, &job.input], path });
             }
         }
     }
-    Ok(())
+    all
 }
 
 /// The settings of the scenes, each once.
@@ -250,16 +294,13 @@ pub(crate) fn inputs_of(jobs: &[Job]) -> Kept {
 }
 
 /// Refuses a file that would replace a scene of the same run.
-fn inputs_stay(jobs: &[Job]) -> Result<(), Unplanned> {
+fn inputs_stay(jobs: &[Job]) -> Result<(), String> {
     let kept = inputs_of(jobs);
     for file in jobs.iter().flat_map(|job| &job.files) {
         if let Target::File(path) = &file.target
             && let Some(what) = kept.what(path)
         {
-            return Err(Unplanned::Wrong(format!(
-                "{} is {what}, and a figure would take its place; nothing was written",
-                shown(path)
-            )));
+            return Err(format!("{} is {what}, and a figure would take its place", shown(path)));
         }
     }
     Ok(())

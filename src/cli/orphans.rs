@@ -1,24 +1,85 @@
-//! Figures without a scene: files of ours in a folder of scenes, whose scene is gone or was renamed.
+//! Figures that no scene gives: files of ours in a folder of figures, whose scene is gone or was renamed, or
+//! which the project file asks for no more.
+//!
+//! An orphan may be deleted, so nothing is called one in doubt: not where a scene or a folder of this run
+//! could not be read, and not where a file of the figure's name lies in the place of its scene, whatever is
+//! wrong with it.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use tracefig::drift::{Stamp, is_triptych};
 use tracefig::output::{MOST_BYTES, format};
+use tracefig::scene::PROJECT_FILE;
 
 use super::files::Plan;
 use super::inputs::Input;
 use super::jobs::{Job, Target, each_settings};
 use super::regular::read_regular;
 use super::settings::Destination;
+use super::unasked::{told, unasked};
 use super::walk::folders;
 
-/// The orphans in the folders that were checked as a whole, by name.
-pub(crate) fn orphans(plan: &Plan) -> Vec<PathBuf> {
+/// A file of ours that no scene gives.
+pub(crate) struct Orphan {
+    /// The file.
+    pub(crate) path: PathBuf,
+    /// What the project file says of it; `None` where it has no scene at all.
+    pub(crate) unasked: Option<String>,
+}
+
+impl Orphan {
+    /// What it is, and what to do about it.
+    pub(crate) fn told(&self) -> String {
+        match &self.unasked {
+            None => "it has no scene: bring its scene back, or delete it by `--prune`".to_owned(),
+            Some(why) => format!("{why}: mend that, or delete it by `--prune`"),
+        }
+    }
+
+    /// What it was, now that it is deleted.
+    pub(crate) fn deleted(&self) -> String {
+        match &self.unasked {
+            None => "it had no scene, and was deleted".to_owned(),
+            Some(why) => format!("{why}: it was deleted"),
+        }
+    }
+}
+
+/// What was found of figures that no scene of the run gives.
+#[derive(Default)]
+pub(crate) struct Unclaimed {
+    /// The orphans, by name.
+    pub(crate) orphans: Vec<Orphan>,
+    /// Files that may be the scene of figures and were not taken for one, each with those figures.
+    pub(crate) doubtful: BTreeMap<PathBuf, Vec<PathBuf>>,
+}
+
+/// The figures in the folders that were checked as a whole that no scene gives.
+pub(crate) fn unclaimed(plan: &Plan) -> Unclaimed {
     let scenes = names_of_files(&plan.jobs);
-    let mut found: Vec<PathBuf> = folders_of_figures(plan).iter().flat_map(|at| files_of_ours(at)).collect();
-    found.retain(|path| !has_scene(path, &scenes));
-    found.sort();
+    let mut figures: Vec<PathBuf> =
+        folders_of_figures(plan).iter().flat_map(|folder| files_of_ours(folder)).collect();
+    figures.sort();
+    let mut found = Unclaimed::default();
+    let mut places = None;
+    for path in figures {
+        let (scene, parts) = scene_of(&path, &scenes);
+        let unasked = match scene {
+            None => None,
+            Some(job) => match unasked_of(job, &parts, &path) {
+                Some(why) => Some(why),
+                None => continue,
+            },
+        };
+        if places.get_or_insert_with(|| real_places(&plan.jobs)).contains(&real(&path)) {
+            continue;
+        }
+        match possible_scene(plan, &path).filter(|_| unasked.is_none()) {
+            Some(scene) => found.doubtful.entry(scene).or_default().push(path),
+            None => found.orphans.push(Orphan { path, unasked }),
+        }
+    }
     found
 }
 
@@ -34,17 +95,25 @@ fn folders_of_figures(plan: &Plan) -> BTreeSet<PathBuf> {
     all
 }
 
-/// Whether a figure has a scene of its name, with or without the name of a theme after it, which may have
-/// dots in it: which themes are asked for differs from run to run.
-fn has_scene(path: &Path, scenes: &BTreeSet<PathBuf>) -> bool {
-    let mut stem = path.with_extension("");
-    while !scenes.contains(&stem) {
-        if stem.extension().is_none() {
-            return false;
+/// The scene of a figure's name, with or without more parts after it, as the name of a theme, which may have
+/// dots in it; and those parts.
+fn scene_of<'j>(path: &Path, scenes: &BTreeMap<PathBuf, &'j Job>) -> (Option<&'j Job>, Vec<String>) {
+    let (mut stem, mut parts) = (path.with_extension(""), Vec::new());
+    loop {
+        if let Some(job) = scenes.get(&stem) {
+            parts.reverse();
+            return (Some(job), parts);
         }
+        let Some(part) = stem.extension() else { return (None, parts) };
+        parts.push(part.to_string_lossy().into_owned());
         stem.set_extension("");
     }
-    true
+}
+
+/// Why the project of a scene does not ask for a figure of it, in words.
+fn unasked_of(job: &Job, parts: &[String], path: &Path) -> Option<String> {
+    let extension = path.extension()?.to_str()?;
+    Some(told(job.settings.project.as_deref()?, &unasked(&job.settings, parts, extension)?))
 }
 
 /// The figures of ours in a folder.
@@ -61,18 +130,59 @@ fn is_ours(path: &Path) -> bool {
         .is_ok_and(|bytes| Stamp::read(format, &bytes).is_some() && !is_triptych(&bytes))
 }
 
+/// The files that the scenes give and that are there, by their one name: a disk that takes `A.svg` and
+/// `a.svg` for one, or a link, may have them under another.
+fn real_places(jobs: &[Job]) -> BTreeSet<PathBuf> {
+    let files = jobs.iter().flat_map(|job| &job.files);
+    let places = files.filter_map(|file| match &file.target {
+        Target::File(path) => path.canonicalize().ok(),
+        Target::Stdout => None,
+    });
+    places.collect()
+}
+
+/// A file by its one name.
+fn real(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
+}
+
+/// The file that lies where the scene of a figure would: of its name, which may end otherwise in capitals, in
+/// a folder that may not be searched.
+fn possible_scene(plan: &Plan, figure: &Path) -> Option<PathBuf> {
+    let folder = figure.parent().unwrap_or(Path::new(""));
+    let mut places: BTreeSet<PathBuf> = BTreeSet::from([folder.to_owned()]);
+    for settings in each_settings(&plan.jobs) {
+        places.extend(settings.folders_of_scenes(folder));
+    }
+    let name = figure.file_stem()?.to_string_lossy().into_owned();
+    let is_of_figure = |path: &PathBuf| {
+        let ends_so = |e: &std::ffi::OsStr| e.eq_ignore_ascii_case("toml") || e.eq_ignore_ascii_case("json");
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+        let after = name.strip_prefix(&stem).filter(|after| after.is_empty() || after.starts_with('.'));
+        path.extension().is_some_and(ends_so)
+            && path.file_name().is_none_or(|name| name != PROJECT_FILE)
+            && after.is_some()
+    };
+    let files = places.iter().flat_map(|place| {
+        let place = if place.as_os_str().is_empty() { Path::new(".") } else { place };
+        place.read_dir().into_iter().flatten().flatten().map(|entry| entry.path())
+    });
+    // Of several the one that has most of the name.
+    files.filter(is_of_figure).max_by_key(|path| path.file_stem().map(std::ffi::OsStr::len))
+}
+
 /// What the files of the scenes are called, without theme and extension: beside the scene and where they go.
-fn names_of_files(jobs: &[Job]) -> BTreeSet<PathBuf> {
-    let mut names = BTreeSet::new();
+fn names_of_files(jobs: &[Job]) -> BTreeMap<PathBuf, &Job> {
+    let mut names = BTreeMap::new();
     for job in jobs {
         let Input::File(scene) = &job.input else { continue };
-        names.insert(scene.with_extension(""));
+        names.insert(scene.with_extension(""), job);
         let folders = job.files.iter().filter_map(|file| match &file.target {
             Target::File(path) => path.parent(),
             Target::Stdout => None,
         });
         let stem = Path::new(scene.file_stem().unwrap_or_default());
-        names.extend(folders.map(|folder| folder.join(stem)));
+        names.extend(folders.map(|folder| (folder.join(stem), job)));
     }
     names
 }

@@ -68,8 +68,12 @@ pub(crate) fn nearest(folder: &Path) -> Result<Option<OpenProject>, Unplanned> {
 pub(crate) fn nearest_file(folder: &Path) -> Option<PathBuf> {
     let folder = real(folder);
     let found = folder.ancestors().map(|above| above.join(PROJECT_FILE)).find(|file| file.is_file())?;
-    let here = real(Path::new(""));
-    Some(found.strip_prefix(here).map(Path::to_owned).unwrap_or(found))
+    Some(near(&found))
+}
+
+/// A path by its name from the working directory, where it lies below that.
+pub(crate) fn near(path: &Path) -> PathBuf {
+    path.strip_prefix(real(Path::new(""))).map_or_else(|_| path.to_owned(), Path::to_owned)
 }
 
 /// A folder by the one name that it has, links resolved.

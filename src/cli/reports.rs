@@ -25,7 +25,7 @@ use super::written::cant_write;
 /// Options of `check` that say where findings go.
 #[derive(Args)]
 pub(crate) struct Places {
-    /// Folder for the images expected · difference · actual of changed figures, and a page that shows all
+    /// Folder for the images on disk · difference · now of changed figures, and a page that shows all
     #[arg(short, long, value_name = "DIR", default_value = "target/tracefig-check")]
     output: PathBuf,
     /// Write the findings as `JUnit` XML; `-` is standard output, a device or a pipe is written into
@@ -139,18 +139,19 @@ impl Places {
         Ok(pictures(jobs, &self.output))
     }
 
-    /// Writes the page, `JUnit` XML and the summary, those that are wanted; what could not be written, each
-    /// in a line.
-    pub(crate) fn write(&self, findings: &[Finding], out: &mut impl Write) -> String {
-        let mut failed = String::new();
+    /// Writes the page, `JUnit` XML and the summary, those that are wanted.
+    pub(crate) fn write(&self, findings: &[Finding], out: &mut impl Write) -> Reported {
+        let (mut failed, mut has_page) = (String::new(), false);
         let mut tell = |path: &Path, written: io::Result<()>| {
             failed.extend(written.err().map(|error| cant_write(path, &error)));
         };
         if findings.iter().any(Finding::is_bad) {
             let page = self.page();
-            match std::fs::create_dir_all(&self.output) {
-                Ok(()) => tell(&page, write_page(&page, &html(findings))),
-                Err(error) => tell(&self.output, Err(error)),
+            let made = std::fs::create_dir_all(&self.output).map_err(|error| (&self.output, error));
+            let written = made.and_then(|()| write_page(&page, &html(findings)).map_err(|e| (&page, e)));
+            has_page = written.is_ok();
+            if let Err((path, error)) = written {
+                tell(path, Err(error));
             }
         }
         if let Some(path) = &self.junit {
@@ -167,8 +168,16 @@ impl Places {
                 || OpenOptions::new().create(true).append(true).open(path)?.write_all(text.as_bytes());
             tell(path, if is_stdout(Some(path)) { out.write_all(text.as_bytes()) } else { append() });
         }
-        failed
+        Reported { failed, has_page }
     }
+}
+
+/// What became of the reports.
+pub(crate) struct Reported {
+    /// What could not be written, each in a line.
+    pub(crate) failed: String,
+    /// Whether there is a page of what differs.
+    pub(crate) has_page: bool,
 }
 
 /// Writes the page of findings, unless somebody else's page is there.

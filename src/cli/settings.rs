@@ -11,7 +11,7 @@ use tracefig::scene::{CanvasDefaults, Fault, Spanned, Variant};
 
 use super::in_time::InTime;
 use super::inputs::{Input, shown};
-use super::project::{OpenProject, nearest_file, real};
+use super::project::{OpenProject, near, nearest_file, real};
 use super::step_files::StepFiles;
 use super::themes::{ChosenTheme, each_once, theme_in};
 use super::unplanned::Unplanned;
@@ -63,8 +63,12 @@ pub(crate) struct Settings {
     pub(crate) formats: Vec<&'static Format>,
     /// Whether the command line says which formats.
     pub(crate) formats_asked: bool,
+    /// The formats that the project file names, where the command line does not say; else none.
+    pub(crate) formats_of_project: Vec<&'static Format>,
     /// Themes; none is each scene's own.
     pub(crate) themes: Vec<ChosenTheme>,
+    /// Whether the project file names them, and the command line does not say.
+    pub(crate) themes_of_project: bool,
     /// Dots of an image for each page pixel.
     pub(crate) scale: f64,
     /// What is drawn of each scene: variants of an exercise, or its figure.
@@ -99,6 +103,7 @@ impl Settings {
         let asked: Vec<_> = flags.formats.iter().filter_map(|name| format(name)).collect();
         let formats_asked = !asked.is_empty();
         let in_time = flags.in_time.or(known.steps.map(InTime::Steps));
+        let formats_of_project = if formats_asked { Vec::new() } else { known.formats.clone() };
         let of_time = in_time.map(InTime::own_formats).unwrap_or_default();
         let mut formats = match (&destination, formats_asked) {
             (Destination::File(path), _) => vec![format_of(path, &asked)?],
@@ -118,6 +123,8 @@ impl Settings {
             destination,
             formats,
             formats_asked,
+            formats_of_project,
+            themes_of_project: flags.themes.is_empty() && !known.themes.is_empty(),
             themes: each_once(themes).map_err(Unplanned::Usage)?,
             scale: flags.scale.or(known.scale).unwrap_or(USUAL_SCALE),
             variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
@@ -153,6 +160,20 @@ impl Settings {
             }
         }
         below.to_owned()
+    }
+}
+
+impl Settings {
+    /// The folders that the scenes of a folder of figures may lie in: itself, and where the project's output
+    /// folder mirrors its folders of scenes, those.
+    pub(crate) fn folders_of_scenes(&self, figures: &Path) -> Vec<PathBuf> {
+        let mut all = vec![figures.to_owned()];
+        if let Destination::Project(output) = &self.destination
+            && let Ok(within) = figures.strip_prefix(output)
+        {
+            all.extend(self.trees.iter().map(|tree| near(tree).join(within)));
+        }
+        all
     }
 }
 

@@ -23,16 +23,25 @@ pub(crate) struct Walked {
     pub(crate) others: usize,
     /// The folders that were searched.
     pub(crate) folders: Vec<PathBuf>,
+    /// The folders among these that can't be read, and why.
+    pub(crate) unread: Vec<(PathBuf, io::Error)>,
 }
 
 /// The scenes of a folder and of those in it.
 ///
 /// # Errors
-/// When the folder itself can't be read; one in it that can't is passed by.
+/// When the folder itself can't be read.
 pub(crate) fn walk(folder: &Path) -> io::Result<Walked> {
     let mut walked = Walked { folders: folders(folder)?, ..Walked::default() };
     for folder in &walked.folders {
-        for path in folder.read_dir().into_iter().flatten().flatten().map(|entry| entry.path()) {
+        let entries = match folder.read_dir() {
+            Ok(entries) => entries,
+            Err(error) => {
+                walked.unread.push((folder.clone(), error));
+                continue;
+            }
+        };
+        for path in entries.flatten().map(|entry| entry.path()) {
             if !may_be_scene(&path) {
                 continue;
             }

@@ -14,6 +14,8 @@ pub enum Damage {
         /// Bytes that are left.
         after: usize,
     },
+    /// The file only says where Git LFS keeps the one that should be here.
+    Pointer,
     /// The file does not begin as one of its format does.
     Other {
         /// Name of the format that its name promises.
@@ -28,6 +30,9 @@ pub enum Damage {
     },
 }
 
+/// What a pointer of Git LFS begins with (*Git LFS Specification*, "The Pointer").
+const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
+
 /// What is wrong with a file of a format, which could not be read; `new` is what it should be. `None` where
 /// it may be one of its format after all.
 pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<Damage> {
@@ -37,6 +42,8 @@ pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<
         Some(Damage::Empty)
     } else if old.len() < new.len() && new.starts_with(old) {
         Some(Damage::CutShort { after: old.len() })
+    } else if old.starts_with(POINTER) {
+        Some(Damage::Pointer)
     } else if !format.bracket.begins.iter().any(|begin| ended.starts_with(begin)) {
         Some(Damage::Other { format: format.name })
     } else if !format.bracket.ends.iter().any(|end| ended.ends_with(end)) {
@@ -54,6 +61,10 @@ impl fmt::Display for Damage {
         match self {
             Self::Empty => f.write_str("the file is empty"),
             Self::CutShort { after } => write!(f, "the file is cut short after {} bytes", grouped(*after)),
+            Self::Pointer => f.write_str(
+                "a Git LFS pointer and not the picture: `git lfs pull` fetches it, in a checkout of CI \
+                 `lfs: true`",
+            ),
             Self::Other { format } => write!(f, "the file is not {}", named(format)),
             Self::Broken { format, at } => {
                 let (name, at) = (named(format), grouped(*at));
@@ -106,6 +117,8 @@ mod tests {
         }
         assert_eq!(said("png", b"<html>not found</html>"), "the file is not a PNG");
         assert_eq!(said("svg", b"version https://git-lfs.example/spec/v1"), "the file is not an SVG");
+        let pointer = b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+        assert!(said("png", pointer).starts_with("a Git LFS pointer and not the picture: `git lfs pull`"));
         let mut broken = new("png");
         broken[2000] = 0xff;
         assert_eq!(said("png", &broken), "the file can't be read as a PNG; it differs from byte 2,000 on");

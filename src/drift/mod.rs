@@ -2,8 +2,8 @@
 //!
 //! A [`Rendered`] file is compared with the bytes that are there. Each [`Format`] says how its files are read
 //! again: an image is compared by its pixels, and so is a page of outlines, which is drawn; other files are
-//! texts, of which the first differing line is said. Where pixels differ there is a picture of *expected ·
-//! difference · actual*. What both files say of themselves (a [`Stamp`]) tells whether the scene changed or
+//! texts, of which the first differing line is said. Where pixels differ there is a picture of *on disk ·
+//! difference · now*. What both files say of themselves (a [`Stamp`]) tells whether the scene changed or
 //! what tracefig makes of it, and which numbers moved; two pages of outlines also tell which of their
 //! elements did.
 
@@ -72,6 +72,11 @@ pub enum Change {
         /// that is read, found or followed, title, description, words or rule, is another one.
         sheet: Option<u8>,
     },
+    /// Texts that only end their lines otherwise: the old one by CR LF, as git may check it out.
+    LineEnds {
+        /// Name of their format.
+        format: &'static str,
+    },
     /// The file has more of something than any that we write, so it was not looked at further.
     NotOurs(TooMuch),
     /// The file is empty, cut short, of another kind or broken.
@@ -113,7 +118,7 @@ impl Change {
     pub fn is_within(&self, tolerance: u8) -> bool {
         match self {
             Self::Pixels(drift) => drift.is_within(tolerance),
-            Self::Packing => tolerance > 0,
+            Self::Packing | Self::LineEnds { .. } => tolerance > 0,
             Self::Picture { pixels, sheet, .. } => {
                 let same = pixels.as_ref().is_none_or(|drift| drift.is_within(tolerance));
                 same && tolerance > 0 && sheet.is_some_and(|levels| levels <= tolerance)
@@ -231,6 +236,9 @@ fn shows<'b>(format: &Format, bytes: &'b [u8]) -> Result<Picture<'b>, Unread> {
 /// How two files that differ do so, and the picture of it where it is to be shown.
 fn change(old: &[u8], rendered: Rendered<'_>, shown: Shown) -> (Change, Option<Vec<u8>>) {
     let (new, read) = (rendered.bytes, |bytes| shows(rendered.format, bytes));
+    if text::are_other_ends(old, new) {
+        return (Change::LineEnds { format: rendered.format.name }, None);
+    }
     match (read(old), read(new)) {
         (Err(Unread::TooMuch(too_much)), _) => return (Change::NotOurs(too_much), None),
         (Ok(a), Ok(b)) => match (a.rows(rendered.scale), b.rows(rendered.scale)) {
@@ -294,6 +302,11 @@ impl std::fmt::Display for Change {
         match self {
             Self::Pixels(drift) | Self::Picture { pixels: Some(drift), .. } => drift.fmt(f),
             Self::Packing => f.write_str("the same pixels in other bytes (packing, or the text inside)"),
+            Self::LineEnds { format } => write!(
+                f,
+                "the same text, but its lines end in CR LF, as `core.autocrlf` of git makes them: a line \
+                 `*.{format} -text` in .gitattributes keeps them"
+            ),
             Self::Picture { pixels: None, line, .. } => write!(f, "the same picture in other bytes; {line}"),
             Self::NotOurs(too_much) => write!(f, "not what tracefig writes: {too_much}"),
             Self::Damaged(damage) => damage.fmt(f),

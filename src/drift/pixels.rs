@@ -71,7 +71,7 @@ impl fmt::Display for PixelDrift {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { expected_size: (w, h), actual_size: (x, y), changed, worst, area, pictures, .. } = self;
         if (w, h) != (x, y) {
-            write!(f, "expected {w} × {h} pixels, got {x} × {y}; ")?;
+            write!(f, "on disk {w} × {h} pixels, now {x} × {y}; ")?;
         }
         write!(f, "{changed} pixels differ, by {worst} of 255 levels at most")?;
         if let Some([x0, y0, x1, y1]) = area {
@@ -241,7 +241,7 @@ impl Found {
     }
 }
 
-/// An image of expected · difference · actual beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the
+/// An image of on disk · difference · now beside one another, in [`TRIPTYCH_FORMAT`]; in the middle the
 /// new image faded, with every pixel that differs marked. `expected` and `actual` are files of one format;
 /// outlines are drawn at `scale` pixels for a page pixel. `None` where a file can't be read as a picture, or
 /// where no pixel differs.
@@ -337,7 +337,7 @@ mod tests {
     fn another_size_is_a_difference() {
         let got = drift(&plain((9, 5), None), &plain((9, 6), None)).unwrap();
         assert_eq!((got.changed, got.area), (0, None));
-        assert!(got.to_string().starts_with("expected 9 × 5 pixels, got 9 × 6"));
+        assert!(got.to_string().starts_with("on disk 9 × 5 pixels, now 9 × 6"));
     }
 
     #[test]

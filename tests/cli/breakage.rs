@@ -70,6 +70,34 @@ const BREAKAGES: &[Breakage] = &[
         says: &["          the file is not a PNG\n"],
     },
     Breakage {
+        name: "a pointer of Git LFS in the place of a PNG",
+        done: |f| {
+            let pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 1234\n";
+            fs::write(f.join("s.png"), pointer).unwrap();
+        },
+        code: 1,
+        says: &["          a Git LFS pointer and not the picture: `git lfs pull` fetches it"],
+    },
+    Breakage {
+        name: "marks of a conflict",
+        done: |f| {
+            change(f, "s.svg", |b| {
+                String::from_utf8(b).unwrap().replacen("<desc", "<<<<<<< HEAD\n<desc", 1).into_bytes()
+            });
+        },
+        code: 1,
+        says: &["column 2: on disk `<<<<<<< HEAD`, now `<desc "],
+    },
+    Breakage {
+        name: "an image of another scale",
+        done: |f| {
+            let half = ["render", "s.toml", "--format", "png", "--scale", "0.5"];
+            assert_eq!(run(tracefig(f).args(half)).code, Some(0));
+        },
+        code: 1,
+        says: &["stale     s.png\n          on disk 480 × ", " pixels, now 960 × "],
+    },
+    Breakage {
         name: "a PNG in the place of an SVG",
         done: |f| fs::rename(f.join("s.png"), f.join("s.svg")).unwrap(),
         code: 1,
@@ -115,7 +143,7 @@ const BREAKAGES: &[Breakage] = &[
             change(f, "s.svg", |b| String::from_utf8(b).unwrap().replace('\n', "\r\n").into_bytes());
         },
         code: 1,
-        says: &["changed   s.svg\n", "the same picture in other bytes"],
+        says: &["changed   s.svg\n          the same text, but its lines end in CR LF", "`*.svg -text` in"],
     },
     Breakage {
         name: "a body that moved",

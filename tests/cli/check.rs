@@ -17,7 +17,7 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
         (ran.code, ran.out.as_str()),
         (
             Some(1),
-            "missing   s.svg\n          there is no such file yet\nmissing   s.png\n          there is no such file yet\nall of it: drift/index.html\n0 identical, 0 changed, 2 missing\n"
+            "missing   s.svg\n          there is no such file yet\nmissing   s.png\n          there is no such file yet\nall of it: drift/index.html\n0 identical, 0 changed, 2 missing\n`tracefig check --accept` writes what is missing; give the same scenes and options\n"
         )
     );
     assert_eq!(names(folder.path()), set(&["drift", "s.toml"]));
@@ -32,7 +32,11 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
     assert!(ran.out.contains("stale     s.svg\n          separation: 1.0 → 2.0\n"), "{}", ran.out);
     assert!(ran.out.contains("pixels beyond a tolerance of 0: "), "{}", ran.out);
     assert!(ran.out.contains("in the changed area: ") && ran.out.contains("body-B"), "{}", ran.out);
-    assert!(ran.out.ends_with("0 identical, 0 changed, 2 stale, 0 missing\n"), "{}", ran.out);
+    assert!(
+        ran.out.contains("\n0 identical, 0 changed, 2 stale, 0 missing\n`tracefig check --accept` writes"),
+        "{}",
+        ran.out
+    );
     let triptych = fs::read(folder.path().join("drift/s.png")).unwrap();
     let width = u32::from_be_bytes(triptych[16..20].try_into().unwrap());
     assert!(width >= 3 * 1920, "{width}");
@@ -110,7 +114,11 @@ fn a_figure_without_a_scene_is_an_orphan() {
         "{}",
         ran.out
     );
-    assert!(ran.out.ends_with("2 identical, 0 changed, 0 missing, 2 orphan\n"), "{}", ran.out);
+    assert!(
+        ran.out.contains("\n2 identical, 0 changed, 0 missing, 2 orphan\n`tracefig check --prune` deletes"),
+        "{}",
+        ran.out
+    );
     // Nothing is deleted, so accepting does not make it good.
     assert_eq!(run(&[&check[..], &["--accept"]].concat()).code, Some(1));
 }
@@ -158,7 +166,7 @@ fn an_svg_is_compared_by_what_it_shows() {
     assert_eq!(ran.code, Some(1));
     assert!(ran.out.contains("colour of a #a6161f → #a3161f"), "{}", ran.out);
     assert!(ran.out.contains(", 8: 0, 16: 0"), "{}", ran.out);
-    assert!(ran.out.contains("drift/s.svg.png: expected · difference · actual"), "{}", ran.out);
+    assert!(ran.out.contains("drift/s.svg.png: on disk · difference · now"), "{}", ran.out);
     assert!(folder.path().join("drift/s.svg.png").exists());
     assert_eq!(check(&["--tolerance", "2"]).code, Some(1));
     assert_eq!(check(&["--tolerance", "8"]).code, Some(0));
@@ -245,4 +253,80 @@ fn what_cannot_be_read_is_no_wrong_figure() {
         // The worst of several is told.
         assert_eq!(ended(&["check", scene, "away.toml"]), Some(74), "{scene}");
     }
+}
+
+#[test]
+fn two_scenes_of_one_name_are_a_finding_and_the_others_are_checked() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    fs::write(here.join("t.toml"), drawn()).unwrap();
+    let ran = |arguments: &[&str]| run(tracefig(here).args(arguments));
+    assert_eq!(ran(&["render", ".", "--format", "svg,png", "--scale", "0.25"]).code, Some(0));
+    fs::copy(here.join("s.toml"), here.join("s.json")).unwrap();
+    fs::remove_file(here.join("t.svg")).unwrap();
+    let before = names(here);
+    let check = ["check", ".", "--scale", "0.25", "-o", "drift", "--prune", "--junit", "junit.xml"];
+    let got = ran(&check);
+    assert_eq!(got.code, Some(1));
+    assert!(got.out.starts_with("missing   ./t.svg\n"), "{}", got.out);
+    assert!(got.out.contains("\n1 identical, 0 changed, 1 missing, 2 error\n"), "{}", got.out);
+    let said =
+        "error: ./s.json and ./s.toml would both become ./s.svg, and 1 more file: rename one of the scenes\n";
+    assert_eq!(got.err, said);
+    let junit = fs::read_to_string(here.join("junit.xml")).unwrap();
+    for name in ["./s.svg", "./s.png"] {
+        let said =
+            format!("name=\"{name}\"><failure message=\"error\">./s.json and ./s.toml would both become");
+        assert!(junit.contains(&said), "{junit}");
+    }
+    let mut after = names(here);
+    assert!(after.remove("drift") && after.remove("junit.xml"));
+    assert_eq!(after, before);
+    // A figure that would take the place of its scene is told without a word of writing.
+    fs::write(here.join("u.json"), drawn()).unwrap();
+    fs::remove_file(here.join("s.json")).unwrap();
+    assert!(!ran(&["check", "."]).err.contains("written"));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn nothing_is_accepted_or_named_that_could_not_be_written() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    let ran = |more: &[&str]| run(tracefig(here).args(["check", "s.toml", "--scale", "0.25"]).args(more));
+    assert_eq!(ran(&["--accept"]).code, Some(0));
+    assert!(ran(&["--accept"]).out.ends_with("2 identical, 0 changed, 0 missing\n"), "nothing to accept");
+    fs::write(here.join("s.toml"), drawn().replace("position = [4, 0]", "position = [5, 0]")).unwrap();
+    // A write past the limit fails, as on a full disk, once the signal is ignored.
+    let script = "trap '' XFSZ; ulimit -f 1; exec \"$0\" check s.toml --scale 0.25 --accept -o drift";
+    let got = run(std::process::Command::new("sh").args(["-c", script, crate::TRACEFIG]).current_dir(here));
+    assert_eq!(got.code, Some(74));
+    assert!(got.out.contains(", 0 of 2 accepted\n"), "{}", got.out);
+    assert!(!got.out.contains("on disk · difference · now") && !got.out.contains("all of it"), "{}", got.out);
+    assert!(
+        !got.err.contains(".part") && got.err.contains("can't write s.svg: File too large"),
+        "{}",
+        got.err
+    );
+    assert_eq!(names(here), set(&["drift", "s.png", "s.svg", "s.toml", "target"]));
+}
+
+#[test]
+fn a_page_that_is_not_there_is_not_named() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    let check = |more: &[&str]| run(tracefig(here).args(["check", "s.toml", "--scale", "0.25"]).args(more));
+    assert_eq!(check(&["--accept"]).code, Some(0));
+    fs::write(here.join("s.toml"), drawn().replace("position = [4, 0]", "position = [5, 0]")).unwrap();
+    // A file in the place of the folder.
+    fs::write(here.join("drift"), "mine").unwrap();
+    let got = check(&["-o", "drift"]);
+    assert_eq!(got.code, Some(74));
+    assert!(!got.out.contains("drift/s.png: ") && !got.out.contains("all of it"), "{}", got.out);
+    // A folder in the place of a figure.
+    fs::remove_file(here.join("s.png")).unwrap();
+    fs::create_dir_all(here.join("s.png/x")).unwrap();
+    let got = check(&["--accept"]);
+    assert_eq!(got.code, Some(74));
+    assert!(got.out.contains("1 stale, 0 missing, 1 error, accepted\n"), "{}", got.out);
 }

@@ -20,6 +20,7 @@ mod live;
 mod live_book;
 mod mdbook;
 mod moodle;
+mod orphans;
 mod project;
 mod qti;
 mod readme;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Finding, escape, tally};
+use super::{Finding, advice, escape, tally};
 use crate::drift::TRIPTYCH_FORMAT;
 use crate::output::base64;
 use crate::scene::visible;
@@ -37,6 +37,9 @@ pub fn html(findings: &[Finding]) -> String {
         let _ = writeln!(out, "<dt>{count} {state}</dt><dd>{}</dd>", meaning(state));
     }
     out.push_str("</dl>\n");
+    if let Some(advice) = advice(findings) {
+        let _ = writeln!(out, "<p>{}</p>", escape(&advice));
+    }
     for finding in findings.iter().filter(|f| f.is_bad()) {
         let name = escape(&visible(&finding.file));
         let _ = writeln!(out, "<section><h2><code>{name}</code>: {}</h2>\n<ul>", finding.state);
@@ -49,9 +52,9 @@ pub fn html(findings: &[Finding]) -> String {
             let _ = writeln!(
                 out,
                 "<figure><img src=\"data:image/{kind};base64,{data}\" \
-                 alt=\"expected, difference and actual image of {name}\">\
-                 <figcaption><span>expected: on disk</span><span>difference: what changed is pink</span>\
-                 <span>actual: drawn now</span></figcaption></figure>"
+                 alt=\"{name}: on disk, the difference, and drawn now\">\
+                 <figcaption><span>on disk</span><span>difference: what changed is pink</span>\
+                 <span>now, as its scene gives it</span></figcaption></figure>"
             );
         }
         out.push_str("</section>\n");
@@ -78,7 +81,9 @@ fn meaning(state: &str) -> &'static str {
         "changed" => "the scene is the one that the file was drawn from, but gives another file now",
         "stale" => "the scene or the options have changed since the file was drawn",
         "missing" => "there is a scene, but no file yet",
-        "orphan" => "there is a file of ours, but no scene that gives it",
+        "orphan" => {
+            "there is a file of ours, but no scene that gives it, or tracefig.toml asks for it no more"
+        }
         _ => "the scene can't be drawn, or a file can't be read or written",
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::{Finding, tally};
+use super::{Finding, advice, tally};
 use crate::scene::visible;
 
 /// Counts, then a table of what is not identical.
@@ -29,6 +29,9 @@ pub fn markdown(findings: &[Finding]) -> String {
         let details: Vec<String> = finding.details.iter().map(|line| code(line)).collect();
         let (file, state) = (code(&finding.file), finding.state);
         let _ = writeln!(out, "| {file} | {state} | {} |", details.join("<br>"));
+    }
+    if let Some(advice) = advice(findings) {
+        let _ = writeln!(out, "\n{advice}");
     }
     out
 }
@@ -60,8 +63,8 @@ mod tests {
             measured: None,
         };
         let text = markdown(&[bad]);
-        assert_eq!(text.lines().count(), 5, "{text}");
-        let row = text.lines().last().unwrap();
+        assert_eq!(text.lines().count(), 7, "{text}");
+        let row = text.lines().nth(4).unwrap();
         let file = "``a`␊\\| `fine.svg` \\| identical \\|␊![p](https://e.example).svg``";
         let detail = "``` title: reads `x`` ![](https://e.example) <img src=x>`, was `\\|` ```";
         assert_eq!(row, format!("| {file} | changed | {detail} |"));

@@ -21,7 +21,7 @@ pub struct Finding {
     pub state: &'static str,
     /// How it differs, line by line.
     pub details: Vec<String>,
-    /// Where the image of expected · difference · actual was written, and its bytes.
+    /// Where the image of on disk · difference · now was written, and its bytes.
     pub picture: Option<(String, Vec<u8>)>,
     /// The difference in numbers, where there are two files.
     pub measured: Option<Measured>,
@@ -65,6 +65,29 @@ pub fn tally(findings: &[Finding]) -> Vec<(&'static str, usize)> {
         .into_iter()
         .map(|state| (state, findings.iter().filter(|f| f.state == state).count()))
         .collect()
+}
+
+/// What a writer does about findings, in a sentence; `None` where `check` has no option for any of them.
+///
+/// ```
+/// use tracefig::drift::report::{Finding, advice};
+/// let said = advice(&[Finding::new("a.svg", "missing"), Finding::new("b.svg", "stale")]).unwrap();
+/// assert!(said.starts_with("`tracefig check --accept` writes what is stale or missing"));
+/// assert_eq!(advice(&[Finding::new("a.svg", "identical")]), None);
+/// ```
+#[must_use]
+pub fn advice(findings: &[Finding]) -> Option<String> {
+    let is_there = |state: &&str| findings.iter().any(|f| f.state == *state);
+    let differ: Vec<&str> = ["changed", "stale", "missing"].into_iter().filter(is_there).collect();
+    let mut said = Vec::new();
+    if let Some((last, others)) = differ.split_last() {
+        let joined = if others.is_empty() { String::new() } else { others.join(", ") + " or " };
+        said.push(format!("`tracefig check --accept` writes what is {joined}{last}"));
+    }
+    if is_there(&"orphan") {
+        said.push("`tracefig check --prune` deletes orphans".to_owned());
+    }
+    (!said.is_empty()).then(|| said.join("; ") + "; give the same scenes and options")
 }
 
 /// A text with everything escaped that HTML or XML would take for markup.

@@ -1,0 +1,71 @@
+//! What `check` says of a scene, and of what lies beside scenes.
+
+use tracefig::drift::report::Finding;
+
+use super::Status;
+use super::unfit::Unfit;
+
+/// The state of a file that can't be drawn, read or written.
+pub(crate) const ERROR: &str = "error";
+
+/// The state of a figure that no scene gives.
+pub(crate) const ORPHAN: &str = "orphan";
+
+/// What `check` says of a scene.
+pub(crate) struct Checked {
+    /// A finding for each file, in the order of the job.
+    pub(crate) findings: Vec<Finding>,
+    /// What is said on standard error.
+    pub(crate) messages: String,
+    /// What the scene has against its themes, to be said once for all scenes.
+    pub(crate) unfit: Vec<Unfit>,
+    /// Why something could not be checked, the worst of it.
+    pub(crate) status: Status,
+    /// How many files were written that differed.
+    pub(crate) accepted: usize,
+    /// Whether a scene, or a folder of scenes, can't be read.
+    pub(crate) is_unread: bool,
+}
+
+impl Checked {
+    /// Nothing is said yet.
+    pub(crate) fn new() -> Self {
+        let (findings, messages, unfit) = (Vec::new(), String::new(), Vec::new());
+        Self { findings, messages, unfit, status: Status::Done, accepted: 0, is_unread: false }
+    }
+
+    /// A scene that was not compared because of a bug, by its name and as people are shown it.
+    pub(crate) fn bug((name, shown): (&str, &str)) -> Self {
+        let mut bug = Self::new();
+        let message = format!("error: {shown} was not drawn because of a bug of tracefig\n");
+        bug.fail(name, Status::Bug, &message);
+        bug
+    }
+
+    /// Adds what was found of other files.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.findings.extend(other.findings);
+        self.messages.push_str(&other.messages);
+        self.unfit.extend(other.unfit);
+        self.status = self.status.max(other.status);
+        self.accepted += other.accepted;
+        self.is_unread |= other.is_unread;
+    }
+
+    /// Adds a file that could not be checked, and why, which is said.
+    pub(crate) fn fail(&mut self, file: &str, status: Status, message: &str) {
+        self.messages.push_str(message);
+        self.miss(file, status, message);
+    }
+
+    /// Adds a file that could not be checked, and why.
+    pub(crate) fn miss(&mut self, file: &str, status: Status, message: &str) {
+        self.miss_by(file, status, message.lines().take(1).map(str::to_owned).collect());
+    }
+
+    /// Adds a file that could not be checked, and the lines that say why.
+    pub(crate) fn miss_by(&mut self, file: &str, status: Status, details: Vec<String>) {
+        self.status = self.status.max(status);
+        self.findings.push(Finding { details, ..Finding::new(file, ERROR) });
+    }
+}
