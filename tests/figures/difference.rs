@@ -102,9 +102,6 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         f.says("$5$ long") && f.says("$10$ long"),
         world.marker(Now, (2.5, 5.0)),
         world.text_near("$a_1$", (2.5, 5.0), 40.0),
-        world
-            .polygon(B, &[(-2.7, 1.1), (1.3, 4.1), (-0.2, 6.1), (-4.2, 3.1)])
-            .is_some_and(|p| p.fill.is_none()),
     ];
     let conf = look(&f, 1, [-9.0, -6.0, 8.6, 10.0]);
     edges_wear_their_source(
