@@ -82,7 +82,7 @@ mod tests {
         let figure = draw(&plan, plan.theme, "enlarged");
         let lines = paths(&figure.drawing.items, "around");
         let corners = lines.iter().map(|line| line.contour.bounds().unwrap());
-        let bounds = corners.reduce(|a, b| a.union(b)).unwrap();
+        let bounds = corners.reduce(crate::drawing::Rect::union).unwrap();
         let page = |x, y| figure.panels[0].frame.page(DVec2::new(x, y));
         let (lower, upper) = (page(0.0, -0.5), page(2.0, 1.0));
         assert!((bounds.x0 - lower.x).abs() < 1e-9 && (bounds.y1 - lower.y).abs() < 1e-9);
