@@ -5,21 +5,20 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use tracefig::drawing::Rect;
 use tracefig::drift::report::{Finding, advice, json, tally};
-use tracefig::drift::{
-    Change, Measured, PixelDrift, Rendered, State, compare_and_show, elements_in, what_moved,
-};
-use tracefig::output::{Format, MOST_BYTES};
+use tracefig::drift::{Rendered, State, compare_and_show};
+use tracefig::output::MOST_BYTES;
 use tracefig::scene::{Ink, visible};
 
 use super::atomic_file::{Wait, clear_leftovers, write_whole};
 use super::checked::{Checked, ERROR, ORPHAN};
 use super::console::Console;
+use super::differences::{details, measured};
 use super::encoded::Encoded;
 use super::files::{Drawn, Files, Plan};
+use super::handout::Sheets;
 use super::inputs::shown;
-use super::jobs::{Job, Target, Twins, compared_jobs, folders_of, inputs_of, twins};
+use super::jobs::{Job, Target, Twins, bound_jobs, compared_jobs, folders_of, inputs_of, twins};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::orphans::unclaimed;
 use super::parallel::in_order;
@@ -37,6 +36,13 @@ pub(crate) struct Check {
     /// Which scenes, and how they are drawn.
     #[command(flatten)]
     files: Files,
+    /// One document of all these figures, a PDF or a presentation, as `render -o FILE` writes it, instead of
+    /// their own files
+    #[arg(long, value_name = "FILE")]
+    handout: Option<PathBuf>,
+    /// How figures are put onto its sheets.
+    #[command(flatten)]
+    sheets: Sheets,
     /// Where the findings go.
     #[command(flatten)]
     places: Places,
@@ -83,7 +89,8 @@ impl Runs for Check {
             let message = "`check` compares files, and a scene from standard input has none: name its file";
             return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
         }
-        let plan = match self.files.plan_by(None, compared_jobs) {
+        let planner = if self.handout.is_some() { bound_jobs } else { compared_jobs };
+        let plan = match self.files.plan_by(self.handout.as_deref(), planner) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
@@ -96,7 +103,11 @@ impl Runs for Check {
         if self.accept {
             folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
-        let all = self.check_all(&plan, &pictures, console)?;
+        let all = match self.sheets.encoded(&self.files, &plan.jobs, console)? {
+            Ok(None) => self.check_all(&plan, &pictures, console)?,
+            Err(Status::Usage) => return Ok(Status::Usage),
+            document => self.check_document(document, console)?,
+        };
         let written = self.places.write(&all.findings, &mut console.out);
         Console::message(&written.failed);
         self.conclude(&all, &written, console)?;
@@ -128,6 +139,9 @@ impl Check {
             },
         )?;
         unfits.tell(console)?;
+        if self.handout.is_some() {
+            return Ok(all);
+        }
         for more in [of_twins(&twins), of_folders(plan)] {
             self.tell(&more, console)?;
             all.add(more);
@@ -136,6 +150,26 @@ impl Check {
         self.tell(&unclaimed, console)?;
         all.add(unclaimed);
         Ok(all)
+    }
+
+    /// Compares the one document of all figures, where it could be made, and says what it finds.
+    fn check_document(
+        &self,
+        document: Result<Option<Encoded>, Status>,
+        console: &mut Console,
+    ) -> io::Result<Checked> {
+        let mut checked = Checked::new();
+        let path = self.handout.as_deref().unwrap_or(Path::new(""));
+        match document {
+            Ok(document) => document.iter().for_each(|document| {
+                self.compare_one((path, &self.places.picture_of(path)), document, &mut checked);
+            }),
+            Err(status) => {
+                checked.miss(&path.display().to_string(), status, "not all of its figures can be drawn");
+            }
+        }
+        self.tell(&checked, console)?;
+        Ok(checked)
     }
 
     /// The figures that no scene gives: orphans, deleted where that is wanted, and those of files that may be
@@ -327,31 +361,4 @@ impl Check {
 /// Whether a scene is one of two that would become one file.
 fn are_among(twins: &[Twins<'_>], job: &Job) -> bool {
     twins.iter().any(|twins| twins.inputs.contains(&&job.input))
-}
-
-/// How a file differs, in numbers.
-fn measured(change: &Change, old: &[u8], encoded: &Encoded) -> Measured {
-    let pixels = change.pixels().cloned();
-    let elements = pixels.as_ref().and_then(|drift| drift.area).map_or_else(Vec::new, |area| {
-        let [x0, y0, x1, y1] = area.map(|dots| f64::from(dots) / encoded.options.scale);
-        elements_in(&encoded.drawing, Rect { x0, y0, x1, y1 })
-    });
-    Measured { bytes: [old.len(), encoded.bytes.len()], pixels, elements }
-}
-
-/// How a file differs, in lines.
-fn details(
-    change: &Change,
-    (old, format): (&[u8], &Format),
-    encoded: &Encoded,
-    measured: &Measured,
-) -> Vec<String> {
-    let mut lines = what_moved(format, old, &encoded.bytes);
-    lines.push(change.to_string());
-    lines.extend(measured.pixels.as_ref().map(PixelDrift::under_tolerances));
-    let names: Vec<&str> = measured.elements.iter().map(|element| element.name.as_str()).collect();
-    if !names.is_empty() {
-        lines.push(format!("in the changed area: {}", names.join(", ")));
-    }
-    lines
 }

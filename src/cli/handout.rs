@@ -1,11 +1,14 @@
-//! `render -o FILE` of several scenes: their figures on the sheets of one document, or its slides.
+//! `render -o FILE` of several scenes: their figures on the sheets of one document, or its slides; and what
+//! `check --handout FILE` compares such a file with.
 
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
+use tracefig::drift::{fingerprint, text_chunk};
 use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, OutputError, PAPERS};
 
 use super::Status;
@@ -14,7 +17,7 @@ use super::console::Console;
 use super::encoded::Encoded;
 use super::files::Files;
 use super::inputs::shown;
-use super::jobs::{Job, bound_file};
+use super::jobs::{Job, Target, bound_file};
 use super::parallel::in_order;
 use super::unfit::Unfits;
 use super::written::{Written, cant_write};
@@ -26,15 +29,14 @@ const SMALLEST: f64 = 7.0;
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Sheets {
     /// Figures on a sheet, where `-o` names one PDF for several scenes; default: 2
-    #[arg(long, value_name = "N", value_parser = per_page,
-        conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"])]
+    #[arg(long, value_name = "N", value_parser = per_page, conflicts_with = "steps")]
     per_page: Option<usize>,
     /// Paper of these sheets; default: a4
-    #[arg(long, conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"],
+    #[arg(long, conflicts_with = "steps",
         value_parser = PossibleValuesParser::new(PAPERS.map(|paper| paper.name)))]
     paper: Option<String>,
     /// Leave out the line "Figure N" below each figure of these sheets
-    #[arg(long, conflicts_with_all = ["jsonl", "skip_unchanged", "live", "steps"])]
+    #[arg(long, conflicts_with = "steps")]
     no_numbers: bool,
 }
 
@@ -73,6 +75,35 @@ impl Sheets {
                 Ok(Some(Status::Usage))
             }
         }
+    }
+
+    /// The document of a run, as it would be written; `None` where the run writes other files. What became
+    /// of a figure that can't be drawn, or why they are no document, is said.
+    ///
+    /// # Errors
+    /// When standard output fails.
+    pub(crate) fn encoded(
+        &self,
+        files: &Files,
+        jobs: &[Job],
+        console: &mut Console,
+    ) -> io::Result<Result<Option<Encoded>, Status>> {
+        let document = match self.document(jobs) {
+            Ok(Some(document)) => document,
+            Ok(None) => return Ok(Ok(None)),
+            Err(message) => {
+                console.error(&message);
+                return Ok(Err(Status::Usage));
+            }
+        };
+        let figures = match document.figures(files, jobs, console)? {
+            Ok(figures) => figures,
+            Err(status) => return Ok(Err(status)),
+        };
+        Ok(document.bound(&figures).map(Some).map_err(|message| {
+            Console::message(&message);
+            Status::Wrong
+        }))
     }
 
     /// The document that a run writes, where it writes one.
@@ -117,6 +148,42 @@ impl Document {
     /// # Errors
     /// When standard output fails.
     fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
+        let figures = match self.figures(files, jobs, console)? {
+            Ok(figures) => figures,
+            Err(status) => {
+                console.error(&format!("{} is not written without all its figures", shown(&self.path)));
+                return Ok(status);
+            }
+        };
+        let mut written = Written::nothing();
+        match self.bound(&figures) {
+            Ok(Encoded { bytes, .. }) => match write_whole(&self.path, &bytes, files.wait()) {
+                Ok(()) => written.names.push(shown(&self.path)),
+                Err(error) => {
+                    written.messages = cant_write(&self.path, &error);
+                    written.status = Status::Io;
+                }
+            },
+            Err(message) => {
+                written.messages = message;
+                written.status = Status::Wrong;
+            }
+        }
+        written.messages.push_str(&self.small_letters(&figures));
+        written.tell(console)?;
+        Ok(written.status)
+    }
+
+    /// Draws the scenes: their figures with the names of their scenes, or what became of one of them.
+    ///
+    /// # Errors
+    /// When standard output fails.
+    fn figures(
+        &self,
+        files: &Files,
+        jobs: &[Job],
+        console: &mut Console,
+    ) -> io::Result<Result<Vec<(String, Encoded)>, Status>> {
         let ink = console.ink();
         let (mut status, mut figures) = (Status::Done, Vec::new());
         let mut unfits = Unfits::default();
@@ -138,42 +205,38 @@ impl Document {
             },
         )?;
         unfits.tell(console)?;
-        if status != Status::Done {
-            console.error(&format!("{} is not written without all its figures", shown(&self.path)));
-            return Ok(status);
-        }
-        let mut written = Written::nothing();
-        let drawings: Vec<&Drawing> = figures.iter().map(|(_, file)| &*file.drawing).collect();
-        match self.bytes(&figures, &drawings) {
-            Ok(bytes) => match write_whole(&self.path, &bytes, files.wait()) {
-                Ok(()) => written.names.push(shown(&self.path)),
-                Err(error) => {
-                    written.messages = cant_write(&self.path, &error);
-                    written.status = Status::Io;
-                }
-            },
-            Err(error) => {
-                written.messages = format!("error: {}: {error}\n", shown(&self.path));
-                written.status = Status::Wrong;
-            }
-        }
-        written.messages.push_str(&self.small_letters(&figures, &drawings));
-        written.tell(console)?;
-        Ok(written.status)
+        Ok(if status == Status::Done { Ok(figures) } else { Err(status) })
     }
 
-    /// The document of these figures.
-    fn bytes(&self, figures: &[(String, Encoded)], drawings: &[&Drawing]) -> Result<Vec<u8>, OutputError> {
-        match (&self.handout, figures.first()) {
-            (None, Some((_, first))) => self.format.slides(drawings, &first.options),
-            (handout, _) => handout.unwrap_or_default().write(drawings, self.format),
-        }
+    /// The figures as one file, which says by a hash what it was made of; or why they are none, in a
+    /// message.
+    fn bound(&self, figures: &[(String, Encoded)]) -> Result<Encoded, String> {
+        let wrong = |error: OutputError| format!("error: {}: {error}\n", shown(&self.path));
+        let Some((_, first)) = figures.first() else { return Err(wrong(OutputError::NoSheets)) };
+        let all: Vec<&str> = figures.iter().map(|(_, file)| file.drawing.hash.as_str()).collect();
+        let hash = text_chunk(&fingerprint(&all.join(" "), &format!("{:?}", self.handout)));
+        let of_one =
+            |(_, file): &(String, Encoded)| Drawing { hash: hash.clone(), ..(*file.drawing).clone() };
+        let drawings: Vec<Drawing> = figures.iter().map(of_one).collect();
+        let drawings: Vec<&Drawing> = drawings.iter().collect();
+        let bytes = match &self.handout {
+            None => self.format.slides(&drawings, &first.options),
+            Some(handout) => handout.write(&drawings, self.format),
+        };
+        Ok(Encoded {
+            bytes: bytes.map_err(wrong)?,
+            drawing: Arc::clone(&first.drawing),
+            options: first.options,
+            format: self.format,
+            target: Target::File(self.path.clone()),
+        })
     }
 
     /// A warning of letters that are hard to read on these sheets; empty where all are large enough.
-    fn small_letters(&self, figures: &[(String, Encoded)], drawings: &[&Drawing]) -> String {
+    fn small_letters(&self, figures: &[(String, Encoded)]) -> String {
         let Some(handout) = &self.handout else { return String::new() };
-        let letters = handout.letters(drawings);
+        let drawings: Vec<&Drawing> = figures.iter().map(|(_, file)| &*file.drawing).collect();
+        let letters = handout.letters(&drawings);
         let small = figures.iter().zip(letters).filter_map(|((name, _), size)| Some((name, size?)));
         let small: Vec<_> = small.filter(|(_, size)| *size < SMALLEST).collect();
         let Some((name, size)) = small.iter().min_by(|(_, a), (_, b)| a.total_cmp(b)) else {

@@ -14,6 +14,7 @@ mod checked;
 mod completions;
 mod console;
 mod describe;
+mod differences;
 mod encoded;
 mod encoding;
 mod failure;

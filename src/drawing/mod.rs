@@ -134,6 +134,12 @@ impl Drawing {
         all.into_iter().reduce(f64::min)
     }
 
+    /// The hash that all drawings of a file have; none where they differ or have none.
+    pub(crate) fn hash_of_all<'d>(drawings: &[&'d Self]) -> Option<&'d str> {
+        let first = drawings.first().map(|drawing| drawing.hash.as_str()).filter(|hash| !hash.is_empty());
+        first.filter(|first| drawings.iter().all(|drawing| drawing.hash == *first))
+    }
+
     /// Whether what the page lies on is seen between what is drawn.
     #[must_use]
     pub(crate) fn is_transparent(&self) -> bool {

@@ -50,6 +50,55 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
 }
 
 #[test]
+fn a_document_of_several_figures_is_compared_with_what_render_would_write() {
+    let folder = folder_with("a.toml", &drawn());
+    let here = folder.path();
+    fs::write(here.join("b.toml"), drawn()).unwrap();
+    for file in ["h.pdf", "h.pptx"] {
+        let sheets = |more: &[&str]| {
+            let usual = if file == "h.pdf" { &["--per-page", "1"][..] } else { &[] };
+            [usual, more].concat().into_iter().map(str::to_owned).collect::<Vec<_>>()
+        };
+        let checked = |more: &[&str]| {
+            run(tracefig(here)
+                .args(["check", "a.toml", "b.toml", "--handout", file, "-o", "d"])
+                .args(sheets(more)))
+        };
+        fs::write(here.join("b.toml"), drawn()).unwrap();
+        let told = |more: &[&str], state: &str| {
+            let ran = checked(more);
+            assert_eq!(ran.code, Some(i32::from(state != "1 identical")), "{state}: {}{}", ran.out, ran.err);
+            assert!(ran.out.contains(state), "{state}: {}", ran.out);
+            ran.out
+        };
+        assert!(told(&[], "missing   ").contains(&format!("{file}\n          there is no such file yet")));
+        let rendered = run(tracefig(here).args(["render", "a.toml", "b.toml", "-o", file]).args(sheets(&[])));
+        assert_eq!(rendered.code, Some(0), "{}", rendered.err);
+        told(&[], "1 identical");
+        let whole = fs::read(here.join(file)).unwrap();
+        fs::write(here.join(file), &whole[..whole.len() / 2]).unwrap();
+        assert!(told(&[], "changed   ").contains("cut short"));
+        assert_eq!(checked(&["--accept"]).code, Some(0));
+        assert_eq!(fs::read(here.join(file)).unwrap(), whole);
+        // The other figure moves, the paper is another one, or a scene is none.
+        fs::write(here.join("b.toml"), drawn().replace("[4, 0]", "[5, 0]")).unwrap();
+        told(&[], "stale     ");
+        assert_eq!(checked(&["--accept"]).code, Some(0));
+        told(&[], "1 identical");
+        if file == "h.pdf" {
+            told(&["--paper", "letter"], "stale     ");
+        }
+        fs::write(here.join("b.toml"), "shapes = 1").unwrap();
+        let ran = checked(&["--json"]);
+        assert_eq!(ran.code, Some(1));
+        assert!(ran.out.contains("not all of its figures can be drawn"), "{}", ran.out);
+        assert!(ran.err.contains("b.toml"), "{}", ran.err);
+    }
+    let refused = run(tracefig(here).args(["check", "a.toml", "--per-page", "2"]));
+    assert_eq!(refused.code, Some(2), "sheets need a document");
+}
+
+#[test]
 fn a_figure_changed_by_hand_is_shown_where() {
     let folder = folder_with("s.toml", &drawn());
     let run = |arguments: &[&str]| run(tracefig(folder.path()).args(arguments));

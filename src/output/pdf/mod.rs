@@ -157,7 +157,7 @@ fn language<'d>(drawings: &[&'d Drawing]) -> &'d str {
     if drawings.iter().all(|drawing| of(drawing) == first) { first } else { Drawing::OWN_LANG }
 }
 
-/// Writes what the document says of itself: the words of its drawings, and the hash where it shows but one.
+/// Writes what the document says of itself: the words of its drawings, and the hash that all of them have.
 fn write_information(pdf: &mut Pdf, object: Ref, drawings: &[&Drawing]) {
     let all = |of: fn(&Drawing) -> &str, between: &str| {
         drawings.iter().map(|drawing| of(drawing)).collect::<Vec<_>>().join(between)
@@ -165,10 +165,8 @@ fn write_information(pdf: &mut Pdf, object: Ref, drawings: &[&Drawing]) {
     let (title, subject) = (all(|drawing| &drawing.title, "; "), all(|drawing| &drawing.desc, "\n"));
     let mut information = pdf.document_info(object);
     information.title(TextStr(&title)).subject(TextStr(&subject)).creator(TextStr("tracefig"));
-    if let [drawing] = drawings
-        && !drawing.hash.is_empty()
-    {
-        information.pair(Name(HASH.as_bytes()), Str(drawing.hash.as_bytes()));
+    if let Some(hash) = Drawing::hash_of_all(drawings) {
+        information.pair(Name(HASH.as_bytes()), Str(hash.as_bytes()));
     }
 }
 

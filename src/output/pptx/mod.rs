@@ -209,12 +209,10 @@ fn core(drawings: &[&Drawing]) -> String {
         xml.text(text);
         xml.end();
     }
-    if let [drawing] = drawings
-        && !drawing.hash.is_empty()
-    {
+    if let Some(hash) = Drawing::hash_of_all(drawings) {
         let [element, word] = HASH;
         xml.start(element);
-        xml.text(&format!("{word}{}", drawing.hash));
+        xml.text(&format!("{word}{hash}"));
         xml.end();
     }
     format!("{DECLARATION}{}", xml.finish())
