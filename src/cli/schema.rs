@@ -38,8 +38,12 @@ fn scene_schema() -> Value {
     let mut schema = scene::schema();
     if let Some(layers) = schema.pointer_mut(LAYERS_OF_A_PANEL) {
         let names: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
-        let tables: Vec<_> = LAYERS.iter().map(table).collect();
-        *layers = json!({ "anyOf": [{ "enum": names }, { "oneOf": tables }] });
+        let tables: Vec<_> = LAYERS.iter().map(|layer| (layer.name, table(layer))).collect();
+        // A layer without options is its name.
+        *layers = json!({
+            "type": ["string", "object"],
+            "if": { "type": "string" }, "then": { "enum": names }, "else": scene::one_of("layer", &tables),
+        });
     }
     schema
 }

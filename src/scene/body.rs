@@ -154,10 +154,10 @@ fn shape(kind: &Kind, table: &Checked<'_>, p: &mut Problems) -> Option<Shape> {
         .fields
         .iter()
         .map(|f| match f.holds {
-            FieldType::Number => table.number(f.name).map(|n| FieldValue::Number(n.value)),
+            FieldType::Length => table.number(f.name).map(|n| FieldValue::Number(n.value)),
             FieldType::Count { .. } => table.count(f.name).map(|n| FieldValue::Count(n.value)),
-            FieldType::Point => table.pair(f.name).map(FieldValue::Point),
-            FieldType::Points => table.points(f.name).map(FieldValue::Points),
+            FieldType::Point | FieldType::Extents => table.pair(f.name).map(FieldValue::Point),
+            FieldType::Points { .. } => table.points(f.name).map(FieldValue::Points),
             FieldType::Switch => table.switch(f.name).map(FieldValue::Switch),
         })
         .collect();

@@ -353,10 +353,10 @@ pub fn shape_rows(kind: &Kind) -> Vec<Field> {
     let own = kind.fields.iter().map(|f| Field {
         name: f.name,
         holds: match f.holds {
-            FieldType::Number => ANY_NUMBER,
+            FieldType::Length => ANY_NUMBER,
             FieldType::Count { min, max } => Holds::Count { min, max },
-            FieldType::Point => Holds::Pair,
-            FieldType::Points => Holds::Points,
+            FieldType::Point | FieldType::Extents => Holds::Pair,
+            FieldType::Points { .. } => Holds::Points,
             FieldType::Switch => Holds::Switch,
         },
         required: f.required,

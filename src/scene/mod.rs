@@ -55,7 +55,7 @@ pub use problem::{Explain, Fault, Problem};
 pub use project::{CanvasDefaults, PROJECT_FILE, Project, project};
 pub use read::read;
 pub use recognized::is_scene;
-pub use schema::{project_schema, schema};
+pub use schema::{one_of, project_schema, schema};
 pub use solution::Solution;
 pub use source::{Place, Source, Syntax};
 pub use steps::StepWords;

@@ -3,7 +3,8 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::geometry::shape::KINDS;
+use crate::collision::{Bodies, QUERIES, Question};
+use crate::geometry::shape::{FieldType, KINDS};
 
 use super::fields::{
     CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, PROJECT, QUERY, RENDER, ROOT,
@@ -108,7 +109,9 @@ fn holds(field: &Field) -> Value {
             { "type": "string" },
             { "type": "object", "properties": { "layer": { "type": "string" } }, "required": ["layer"] },
         ] } }),
-        Holds::Tables("shapes") => json!({ "type": "object", "additionalProperties": { "oneOf": shapes() } }),
+        Holds::Tables("shapes") => {
+            json!({ "type": "object", "additionalProperties": one_of("kind", &shapes()) })
+        }
         Holds::Tables(_) => {
             let label = json!({ "anyOf": [{ "type": "string" }, of(&LABEL)] });
             json!({ "type": "object", "additionalProperties": label })
@@ -116,8 +119,8 @@ fn holds(field: &Field) -> Value {
         Holds::List("steps") => json!({ "type": "array", "items": of(&STEP) }),
         Holds::List("panels") => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::List(_) => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
+        Holds::Table if field.name == "query" => query(),
         Holds::Table => of(match field.name {
-            "query" => &QUERY,
             "exercise" => &EXERCISE,
             "expected" => &EXPECTED,
             "points" => &EXPECTED_POINTS,
@@ -129,16 +132,56 @@ fn holds(field: &Field) -> Value {
     }
 }
 
-/// The schemas of all kinds of shape, told apart by `kind`.
-fn shapes() -> Vec<Value> {
+/// The schemas of all kinds of shape, each with its word.
+fn shapes() -> Vec<(&'static str, Value)> {
     KINDS
         .iter()
         .map(|kind| {
             let mut shape = Value::Object(table(&shape_rows(kind)));
             shape["properties"]["kind"] = json!({ "const": kind.name, "description": kind.about });
-            shape
+            for field in kind.fields {
+                let holds = &mut shape["properties"][field.name];
+                match field.holds {
+                    FieldType::Length => holds["minimum"] = json!(0),
+                    FieldType::Extents => holds["items"]["exclusiveMinimum"] = json!(0),
+                    FieldType::Points { min } => holds["minItems"] = json!(min),
+                    FieldType::Count { .. } | FieldType::Point | FieldType::Switch => {}
+                }
+            }
+            (kind.name, shape)
         })
         .collect()
+}
+
+/// The schema of a query: how many bodies it is of depends on its kind.
+fn query() -> Value {
+    let mut schema = of(&QUERY);
+    let bodies = |query: &Question| {
+        let least = if query.bodies == Bodies::Two { 2 } else { 1 };
+        case("kind", query.word, &json!({ "properties": { "of": { "minItems": least } } }))
+    };
+    schema["allOf"] = QUERIES.iter().map(bodies).collect();
+    schema
+}
+
+/// The schema of a table that one of its keys tells apart, so that what is wrong with it is said of its own
+/// kind alone.
+///
+/// ```
+/// let circle = serde_json::json!({ "type": "object", "required": ["kind", "radius"] });
+/// let schema = tracefig::scene::one_of("kind", &[("circle", circle)]);
+/// assert_eq!(schema["properties"]["kind"]["enum"][0], "circle");
+/// ```
+#[must_use]
+pub fn one_of(key: &str, tables: &[(&str, Value)]) -> Value {
+    let words: Vec<_> = tables.iter().map(|(word, _)| *word).collect();
+    let cases: Vec<_> = tables.iter().map(|(word, table)| case(key, word, table)).collect();
+    json!({ "type": "object", "required": [key], "properties": { key: { "enum": words } }, "allOf": cases })
+}
+
+/// The schema of tables of which one key has a certain value.
+fn case(key: &str, word: &str, then: &Value) -> Value {
+    json!({ "if": { "required": [key], "properties": { key: { "const": word } } }, "then": then })
 }
 
 #[cfg(test)]

@@ -61,8 +61,31 @@ fn within(
             let items = value.as_array().map_or(&[][..], Vec::as_slice).iter().enumerate();
             items.flat_map(|(i, inner)| faults(rule, inner, &format!("{at}/{i}"))).collect()
         }
+        "if" => {
+            let is_so = faults(rule, value, at).is_empty();
+            let then = schema.get(if is_so { "then" } else { "else" });
+            then.map_or_else(Vec::new, |then| faults(then, value, at))
+        }
+        "then" | "else" => Vec::new(),
+        "allOf" => {
+            let schemas = rule.as_array().expect("a list of schemas").iter();
+            schemas.flat_map(|schema| faults(schema, value, at)).collect()
+        }
         _ => return None,
     })
+}
+
+/// Whether a value is of a type that a schema names.
+fn is_of_type(name: &Value, value: &Value) -> bool {
+    match name.as_str().expect("a word") {
+        "object" => value.is_object(),
+        "array" => value.is_array(),
+        "string" => value.is_string(),
+        "boolean" => value.is_boolean(),
+        "number" => value.is_number(),
+        "integer" => value.as_f64().is_some_and(|x| x.fract() == 0.0),
+        other => panic!("no type {other}"),
+    }
 }
 
 /// Whether a value is as a keyword wants it.
@@ -80,14 +103,9 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
     };
     match keyword {
         "$schema" | "title" | "description" => rule.is_string(),
-        "type" => match rule.as_str().expect("a word") {
-            "object" => value.is_object(),
-            "array" => value.is_array(),
-            "string" => value.is_string(),
-            "boolean" => value.is_boolean(),
-            "number" => value.is_number(),
-            "integer" => value.as_f64().is_some_and(|x| x.fract() == 0.0),
-            other => panic!("no type {other}"),
+        "type" => match rule.as_array() {
+            Some(types) => types.iter().any(|one| is_of_type(one, value)),
+            None => is_of_type(rule, value),
         },
         "required" => {
             let keys = rule.as_array().expect("a list of keys");
@@ -101,7 +119,6 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
         "minItems" => length(u64::ge),
         "maxItems" => length(u64::le),
         "anyOf" => fitting() > 0,
-        "oneOf" => fitting() == 1,
         "pattern" => {
             let (_, digits) = COLORS.iter().find(|(pattern, _)| rule == pattern).expect("a known pattern");
             let is_color = |text: &str| {
@@ -177,6 +194,11 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("/shapes/B/half_extents", json!([1, 1, 1])),
         ("/shapes/B/position", json!("here")),
         ("/shapes/B/angle_deg", json!(true)),
+        ("/shapes/A/radius", json!(-1)),
+        ("/shapes/B/half_extents", json!([0, 2])),
+        ("/shapes/B", json!({ "kind": "polygon", "vertices": [[0, 0], [1, 0]] })),
+        ("/shapes/B", json!({ "kind": "capsule", "radius": 1, "points": [[0, 0]] })),
+        ("/query/of", json!(["A"])),
         ("/query/kind", json!("distance")),
         ("/query/of", json!([])),
         ("/query/of", json!(["A", "B", "A"])),
@@ -201,6 +223,23 @@ fn the_schema_refuses_what_the_reader_refuses() {
         let wrong = with(pointer, put.clone());
         assert_eq!(solved(&wrong), Some(1), "{pointer} {put}");
         assert!(!faults(&schema, &wrong, "").is_empty(), "the schema takes {pointer} {put}");
+    }
+}
+
+#[test]
+fn a_wrong_word_is_one_fault_of_the_schema_at_its_place() {
+    let schema = schema("schema");
+    for (pointer, put, place, wrong) in [
+        ("/shapes/A/kind", json!("circel"), "/shapes/A/kind: enum", "circel"),
+        ("/shapes/A/radius", json!("one"), "/shapes/A/radius: type", "one"),
+        ("/shapes/A/half_extents", json!([1, 1]), "/shapes/A/half_extents: no such key", ""),
+        ("/panels/0/layers/0", json!("shaeps"), "/panels/0/layers/0: enum", "shaeps"),
+        ("/panels/0/layers/1/layer", json!("axis"), "/panels/0/layers/1/layer: enum", "axis"),
+        ("/panels/0/layers/1/ticks", json!(1), "/panels/0/layers/1/ticks: type", "1"),
+    ] {
+        let found = faults(&schema, &with(pointer, put), "");
+        assert!(found.len() == 1 && found[0].starts_with(place), "{pointer}: {found:#?}");
+        assert!(found[0].contains(wrong), "{pointer}: {found:#?}");
     }
 }
 

@@ -156,13 +156,13 @@ impl<'b> Choices<'b> {
                 continue;
             }
             let value = match field.holds {
-                FieldType::Number => self.number().trim_start_matches('-').to_owned(),
+                FieldType::Length => self.number().trim_start_matches('-').to_owned(),
                 FieldType::Count { .. } => (*self.of(&["3", "4", "7", "12", "2"])).to_owned(),
-                FieldType::Point => self.point().replace('-', "").replace('e', "e-"),
-                FieldType::Points if field.name == "points" => {
+                FieldType::Point | FieldType::Extents => self.point().replace('-', "").replace('e', "e-"),
+                FieldType::Points { .. } if field.name == "points" => {
                     format!("[{}, {}]", self.point(), self.point())
                 }
-                FieldType::Points => self.vertices(),
+                FieldType::Points { .. } => self.vertices(),
                 FieldType::Switch => (*self.of(&["true", "false"])).to_owned(),
             };
             let _ = writeln!(text, "{} = {value}", field.name);

@@ -4,6 +4,7 @@
 mod broken_scenes;
 mod context;
 mod corpus;
+mod editors;
 mod exercises;
 mod extreme_sizes;
 #[path = "../fuzz_bodies/mod.rs"]

@@ -159,11 +159,11 @@ fn shape(r: &mut Random, question: &Question, name: &str) -> String {
             continue;
         }
         let value = match field.holds {
-            FieldType::Number => number(r).trim_start_matches('-').to_owned(),
+            FieldType::Length => number(r).trim_start_matches('-').to_owned(),
             FieldType::Count { min, .. } => (min + r.below(9)).to_string(),
-            FieldType::Point => point(r).replace('-', ""),
-            FieldType::Points if kind.name == "capsule" => format!("[{}, {}]", point(r), point(r)),
-            FieldType::Points => vertices(r),
+            FieldType::Point | FieldType::Extents => point(r).replace('-', ""),
+            FieldType::Points { .. } if kind.name == "capsule" => format!("[{}, {}]", point(r), point(r)),
+            FieldType::Points { .. } => vertices(r),
             FieldType::Switch => ["true", "false"][r.below(2)].to_owned(),
         };
         writeln!(text, "{} = {value}", field.name).unwrap();

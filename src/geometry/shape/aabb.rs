@@ -11,7 +11,7 @@ pub(super) const KIND: Kind = Kind {
     in_words: "an axis-aligned box",
     fields: &[Field {
         name: "half_extents",
-        holds: FieldType::Point,
+        holds: FieldType::Extents,
         required: true,
         about: "half the width and height, world units, more than 0",
     }],

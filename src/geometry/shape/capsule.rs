@@ -12,13 +12,13 @@ pub(super) const KIND: Kind = Kind {
     fields: &[
         Field {
             name: "points",
-            holds: FieldType::Points,
+            holds: FieldType::Points { min: 2 },
             required: true,
             about: "the two ends of the segment",
         },
         Field {
             name: "radius",
-            holds: FieldType::Number,
+            holds: FieldType::Length,
             required: true,
             about: "radius, world units, 0 or more",
         },

@@ -15,7 +15,7 @@ pub(super) const KIND: Kind = Kind {
     fields: &[
         Field {
             name: "radius",
-            holds: FieldType::Number,
+            holds: FieldType::Length,
             required: true,
             about: "radius, world units, 0 or more",
         },

@@ -57,8 +57,8 @@ pub struct Shape {
 /// What a field of a shape holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldType {
-    /// A number.
-    Number,
+    /// A number, 0 or more.
+    Length,
     /// A whole number in a closed range.
     Count {
         /// The smallest that is allowed.
@@ -68,8 +68,13 @@ pub enum FieldType {
     },
     /// A pair of numbers.
     Point,
+    /// A pair of numbers above 0.
+    Extents,
     /// A list of pairs.
-    Points,
+    Points {
+        /// The least number of them.
+        min: usize,
+    },
     /// True or false.
     Switch,
 }

@@ -13,7 +13,7 @@ pub(super) const KIND: Kind = Kind {
     fields: &[
         Field {
             name: "half_extents",
-            holds: FieldType::Point,
+            holds: FieldType::Extents,
             required: true,
             about: "half the width and height of the core, world units, more than 0",
         },

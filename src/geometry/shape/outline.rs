@@ -12,7 +12,7 @@ pub(super) const KIND: Kind = Kind {
     in_words: "an object",
     fields: &[Field {
         name: "vertices",
-        holds: FieldType::Points,
+        holds: FieldType::Points { min: 3 },
         required: true,
         about: "three vertices or more",
     }],

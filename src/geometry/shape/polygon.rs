@@ -14,7 +14,12 @@ pub(super) const KIND: Kind = Kind {
     about: "a convex polygon, either winding; duplicate and collinear vertices may be there",
     in_words: "a convex polygon",
     fields: &[
-        Field { name: "vertices", holds: FieldType::Points, required: true, about: "three vertices or more" },
+        Field {
+            name: "vertices",
+            holds: FieldType::Points { min: 3 },
+            required: true,
+            about: "three vertices or more",
+        },
         SWEEPING_RADIUS,
         Field {
             name: "hull",

@@ -35,7 +35,7 @@ pub(super) const KIND: Kind = Kind {
         },
         Field {
             name: "circumradius",
-            holds: FieldType::Number,
+            holds: FieldType::Length,
             required: true,
             about: "from the middle to each vertex, world units, more than 0",
         },

@@ -70,7 +70,7 @@ pub(super) fn radius_value(found: Option<&FieldValue>) -> Result<f64, ShapeError
 /// The field of a radius that need not be written: [`optional_radius`] reads it.
 pub(super) const SWEEPING_RADIUS: Field = Field {
     name: "radius",
-    holds: FieldType::Number,
+    holds: FieldType::Length,
     required: false,
     about: "radius of the disc that sweeps the core, world units; 0",
 };
