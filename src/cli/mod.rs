@@ -168,13 +168,13 @@ static COMMANDS: &[Command] = &[
 
 /// The parser, built from the table.
 fn app() -> clap::Command {
-    let app = clap::Command::new("tracefig")
+    // What comes with options of their own describes itself, and would be told in the place of the whole.
+    let app = Manner::augment_args(clap::Command::new("tracefig"))
         .version(env!("CARGO_PKG_VERSION"))
         .about("Draw what a 2D collision algorithm did")
         .after_help(format!("`-` is standard input or output. {}", manual::endings_in_a_line()))
         .subcommand_required(true)
         .arg_required_else_help(true);
-    let app = Manner::augment_args(app);
     COMMANDS.iter().fold(app, |app, command| {
         let parser = clap::Command::new(command.name).after_help(command.manual.below_help());
         app.subcommand((command.args)(parser).about(command.about))

@@ -13,7 +13,7 @@ use super::in_time::InTime;
 use super::inputs::{Input, shown};
 use super::project::{OpenProject, near, nearest_file, real};
 use super::step_files::StepFiles;
-use super::themes::{ChosenTheme, each_once, theme_in};
+use super::themes::{ChosenTheme, NoTheme, each_once, theme_in};
 use super::unplanned::Unplanned;
 use super::variants::Seeds;
 
@@ -298,13 +298,16 @@ fn known_format(project: &OpenProject, word: &Spanned<String>) -> Result<&'stati
 
 /// The theme that a project file names.
 fn known_theme(project: &OpenProject, word: &Spanned<String>) -> Result<ChosenTheme, Unplanned> {
-    theme_in(project.folder(), &word.value).or_else(|message| {
-        let is_file = theme::is_file(&word.value);
-        let fault = if is_file {
-            Fault::Conflict { message: format!("the theme `{}`: {message}", word.value) }
-        } else {
-            let known = theme::THEMES.iter().map(|theme| theme.name.to_owned()).collect();
-            Fault::UnknownWord { what: "theme", got: word.value.clone(), known }
+    theme_in(project.folder(), &word.value).or_else(|none| {
+        let fault = match none {
+            NoTheme::File(refused) => return Err(Unplanned::Refused(refused)),
+            NoTheme::Said(said) if theme::is_file(&word.value) => {
+                Fault::Conflict { message: format!("the theme `{}`: {said}", word.value) }
+            }
+            NoTheme::Said(_) => {
+                let known = theme::THEMES.iter().map(|theme| theme.name.to_owned()).collect();
+                Fault::UnknownWord { what: "theme", got: word.value.clone(), known }
+            }
         };
         project.wrong(fault, &word.span)
     })

@@ -2,13 +2,14 @@
 //! scene.
 
 use std::collections::BTreeMap;
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use tracefig::figure::Fault;
-use tracefig::figure::theme::{self, Theme};
+use tracefig::figure::theme::{self, Theme, ThemeError};
 use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{Problem, SceneFile, visible};
+use tracefig::scene::{self, Problem, Refused, SceneFile, Source, visible};
 
 use super::inputs::Input;
 use super::regular::read_regular;
@@ -36,11 +37,11 @@ impl ChosenTheme {
 
 /// A theme as written on the command line: the word for one of the house, or a file.
 pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
-    theme_in(Path::new(""), text)
+    theme_in(Path::new(""), text).map_err(|none| none.to_string())
 }
 
 /// A theme by its word, or from a file whose path is relative to a folder.
-pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, String> {
+pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, NoTheme> {
     if let Some(known) = theme::find(text) {
         return Ok(ChosenTheme::of_the_house(known));
     }
@@ -48,17 +49,71 @@ pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, String>
         return from_file(&folder.join(text));
     }
     let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
-    Err(format!("expected one of {}, or a file ending in .toml", names.join(", ")))
+    Err(NoTheme::Said(format!("expected one of {}, or a file ending in .toml", names.join(", "))))
+}
+
+/// Why there is no such theme.
+pub(crate) enum NoTheme {
+    /// The word is none, or the file can't be read.
+    Said(String),
+    /// The file is no theme.
+    File(Box<Refused>),
+}
+
+impl fmt::Display for NoTheme {
+    /// In a line: what is wrong with a file comes with its place there, and the nearest word where one is.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Said(said) => f.write_str(said),
+            Self::File(refused) => {
+                let Refused { source, problems } = &**refused;
+                let Some(Problem { fault, span }) = problems.first() else { return Ok(()) };
+                let (place, help) = (source.place(span.start), fault.help());
+                write!(f, "{}:{}:{}: {fault}", source.name, place.line, place.column)?;
+                help.map_or(Ok(()), |help| write!(f, "; {help}"))
+            }
+        }
+    }
+}
+
+/// A theme file that is none, as messages show it.
+fn refused(path: &Path, text: &str, error: &ThemeError) -> Refused {
+    let source = Source::new(&path.display().to_string(), text);
+    let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect();
+    let fault = match error {
+        // The reader's own message quotes the line, which stands below ours.
+        ThemeError::Malformed(message) => {
+            scene::Fault::Syntax { message: message.trim_end().lines().last().unwrap_or_default().to_owned() }
+        }
+        ThemeError::UnknownBase(name) => {
+            let names: Vec<&str> = theme::THEMES.iter().map(|theme| theme.name).collect();
+            scene::Fault::UnknownWord { what: "theme", got: name.clone(), known: words(&names) }
+        }
+        ThemeError::UnknownKey { table, key, known } => {
+            scene::Fault::UnknownKey { key: key.clone(), place: format!("`[{table}]`"), known: words(known) }
+        }
+        ThemeError::NotAColor { table, role, written } => scene::Fault::WrongType {
+            key: format!("{table}.{role}"),
+            expected: "`#RRGGBB` or `#RGB`".to_owned(),
+            got: format!("`{written}`"),
+        },
+        ThemeError::OutOfRange { key, got, least, most } => scene::Fault::OutOfRange {
+            key: key.clone(),
+            expected: format!("a number from {least} to {most}"),
+            got: got.to_string(),
+        },
+    };
+    Refused { source, problems: vec![Problem::new(fault, error.place(text))] }
 }
 
 /// The theme in a file.
-fn from_file(path: &Path) -> Result<ChosenTheme, String> {
-    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| e.to_string())?;
+fn from_file(path: &Path) -> Result<ChosenTheme, NoTheme> {
+    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| NoTheme::Said(e.to_string()))?;
     if bytes.len() > MAX_FILE_BYTES {
-        return Err(format!("expected at most {MAX_FILE_BYTES} bytes"));
+        return Err(NoTheme::Said(format!("expected at most {MAX_FILE_BYTES} bytes")));
     }
-    let key = String::from_utf8(bytes).map_err(|e| e.to_string())?;
-    let theme = theme::parse(&key).map_err(|e| e.to_string())?;
+    let key = String::from_utf8(bytes).map_err(|e| NoTheme::Said(e.to_string()))?;
+    let theme = theme::parse(&key).map_err(|error| NoTheme::File(Box::new(refused(path, &key, &error))))?;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     Ok(ChosenTheme { name, theme, key, file: Some(path.to_owned()) })
 }
@@ -104,7 +159,7 @@ impl OwnThemes {
         if let Some(theme) = known.get(&path) {
             return Ok(Some(Arc::clone(theme)));
         }
-        let theme = Arc::new(from_file(&path).map_err(refuse)?);
+        let theme = Arc::new(from_file(&path).map_err(|none| refuse(none.to_string()))?);
         known.insert(path, Arc::clone(&theme));
         Ok(Some(theme))
     }

@@ -18,9 +18,11 @@ use super::question::keeps_the_difference;
 use super::runs::{Run, Runs};
 use super::sketch::Outline;
 
-/// How many pieces a curved way is drawn in: a full turn in as many chords is 0.3 px from a path of 200 px
-/// radius.
+/// How many pieces a full turn of a way is drawn in, and any curved way at least: as many chords are 0.3 px
+/// from a path of 200 px radius.
 const PIECES: u32 = 64;
+/// How many turns of a way are drawn: more are a blur, and at fewer pieces each it would be another way.
+const MOST_TURNS: f64 = 128.0;
 
 /// The moment that a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +44,16 @@ pub(crate) struct Approach {
     pub(crate) bounds: Enclosure,
     /// The closest points of A and B then.
     pub(crate) points: [DVec2; 2],
+}
+
+/// How many pieces a way that turns by so many radians is drawn in; `None` where it turns too often.
+fn pieces(turn: f64) -> Option<u32> {
+    let turns = turn / std::f64::consts::TAU;
+    match turns {
+        0.0 => Some(1),
+        _ if turns > MOST_TURNS => None,
+        _ => (1..).find(|&pieces| f64::from(pieces) >= turns).map(|whole| whole * PIECES),
+    }
 }
 
 /// What a layer may know of the figure, at its panel's moment.
@@ -290,12 +302,13 @@ impl Context<'_> {
     }
 
     /// The way of the point of a body that is at `local` in its frame, from one time to another, as the panel
-    /// shows it: two points where it is straight.
+    /// shows it: two points where it is straight, none where it turns more often than can be drawn.
     #[must_use]
     pub(crate) fn track(&self, side: Side, local: DVec2, [from, to]: [f64; 2]) -> Vec<DVec2> {
-        let turns = self.body(side).is_some_and(|body| !body.spin.is_zero()) && local != DVec2::ZERO;
-        let curved = turns || self.moving_frame().is_some_and(|frame| frame.turns());
-        let pieces = if curved { PIECES } else { 1 };
+        let spin = |body: &Body| if local == DVec2::ZERO { 0.0 } else { body.spin.radians().abs() };
+        let own = self.body(side).map_or(0.0, spin);
+        let seen = self.moving_frame().map_or(0.0, |frame| frame.turning());
+        let Some(pieces) = pieces((own + seen) * (to - from).abs()) else { return Vec::new() };
         let time = |i: u32| from + (to - from) * (f64::from(i) / f64::from(pieces));
         let at = |i: u32| self.pose(side, time(i)).map(|pose| pose.point(local));
         (0..=pieces).filter_map(at).collect()
@@ -362,5 +375,17 @@ impl Context<'_> {
     pub(crate) fn steps(&self) -> Vec<f64> {
         let time = |e: &Event| if let Event::Advanced { at, .. } = e { Some(at.time) } else { None };
         self.run().told(time).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_way_has_as_many_pieces_as_it_turns_and_none_where_it_is_a_blur() {
+        let turns = |turns: f64| pieces(turns * std::f64::consts::TAU);
+        assert_eq!([0.0, 0.25, 1.0, 4.5].map(turns), [Some(1), Some(64), Some(64), Some(320)]);
+        assert_eq!((turns(128.0), turns(129.0)), (Some(8192), None));
     }
 }

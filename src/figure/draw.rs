@@ -6,6 +6,7 @@ use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Po
 
 use crate::scene::{Background, Space, Variant};
 
+use super::bands::{A_FIFTH, A_QUARTER, widest};
 use super::describe::{self, Account};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
@@ -252,7 +253,12 @@ impl Panels {
             return self;
         }
         let looser = Self::drawn(sheet, None);
-        if looser.faults(sheet.plan) < now { looser } else { self }
+        let left = looser.faults(sheet.plan);
+        // What was full stays so, or nearly so where every label then stands well.
+        let widest = |panels: &Self| widest(sheet.plan, &panels.labelled);
+        let most = if left == 0 { A_QUARTER } else { A_FIFTH };
+        let is_better = left < now && (widest(&looser) <= most || widest(&self) > A_FIFTH);
+        if is_better { looser } else { self }
     }
 }
 

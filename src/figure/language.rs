@@ -27,7 +27,7 @@ const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
 const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
-const WORDS: [[&str; 5]; 57] = [
+const WORDS: &[[&str; 5]] = &[
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
@@ -40,7 +40,27 @@ const WORDS: [[&str; 5]; 57] = [
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
-    ["clamped $*", "$*", "begrenzt $*", "$* borné", "$* limitado"],
+    ["clamped $*$", r"$\mathrm{clamp}(*)$", "begrenzt $*$", "$*$ borné", "$*$ limitado"],
+    ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],
+    ["centres:", "", "Mitten:", "centres :", "centros:"],
+    ["two frames:", "", "zwei Bilder:", "deux images :", "dos fotogramas:"],
+    ["forgotten spin:", "", "vergessene Drehung:", "rotation oubliée :", "giro olvidado:"],
+    ["fixed tolerance:", "", "feste Toleranz:", "tolérance fixe :", "tolerancia fija:"],
+    ["no hit", "", "kein Treffer", "pas de contact", "sin contacto"],
+    ["division by 0", "", "Division durch 0", "division par 0", "división por 0"],
+    ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
+    ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],
+    ["* more steps", "+ *", "* weitere Schritte", "* étapes de plus", "* pasos más"],
+    ["touch", "", "Kontakt", "contact", "contacto"],
+    ["distance of the cores", "", "Abstand der Kerne", "distance des noyaux", "distancia de los núcleos"],
+    [
+        "nearer by, at time $t$",
+        "",
+        "näher um, zur Zeit $t$",
+        "rapprochés de, au temps $t$",
+        "acercados en, en el tiempo $t$",
+    ],
+    ["along $*", "$*", "entlang $*", "le long de $*", "a lo largo de $*"],
     ["as far as $p$", "", "so weit wie $p$", "aussi loin que $p$", "tan lejos como $p$"],
     ["* (not to scale)", "*", "* (nicht maßstäblich)", "* (hors échelle)", "* (no a escala)"],
     ["* turned about *", "", "* um * gedreht", "* tourné autour de *", "* girado alrededor de *"],
@@ -154,13 +174,13 @@ impl Language {
         if self.is_own() || NAMES.contains(&key) {
             return lines.to_vec();
         }
-        let rows = if NAMES_OF_GHOSTS.contains(&key) { &WORDS[..OF_GHOSTS] } else { &WORDS[..] };
+        let rows = if NAMES_OF_GHOSTS.contains(&key) { &WORDS[..OF_GHOSTS] } else { WORDS };
         lines.iter().map(|line| self.said(rows, line)).filter(|line| !line.is_empty()).collect()
     }
 
     /// Words of ours that are no label's, as the title of a panel; empty where the language has none.
     pub(crate) fn words(self, english: &str) -> String {
-        self.said(&WORDS, english)
+        self.said(WORDS, english)
     }
 
     /// What is written in English, as a row has it; as it is where no row is of it.
@@ -234,7 +254,7 @@ mod tests {
         for title in panels.filter_map(|panel| panel.title) {
             assert_ne!(german.words(&title.value), title.value);
         }
-        for row in WORDS {
+        for &row in WORDS {
             let stars = row.map(|said| said.matches(STAR).count());
             assert!(stars[2..].iter().all(|count| *count == stars[0]), "{row:?}");
             for said in row {

@@ -5,7 +5,6 @@
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
 mod asked_theme;
-#[cfg(test)]
 mod bands;
 mod budget;
 mod context;

@@ -38,6 +38,11 @@ impl<'b> MovingFrame<'b> {
         !self.body.spin.is_zero()
     }
 
+    /// How fast it turns, radians per unit of time, whichever way.
+    pub(crate) fn turning(&self) -> f64 {
+        self.body.spin.radians().abs()
+    }
+
     /// Where a body is at `time`, as seen.
     pub(crate) fn pose(&self, body: &Body, time: f64) -> Pose {
         // What rests in this frame is where it is at the panel's moment, to the bit.

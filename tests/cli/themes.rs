@@ -69,7 +69,9 @@ fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_na
     let lines: Vec<_> = refused.err.lines().collect();
     assert_eq!(lines.len(), 2, "{}", refused.err);
     let (said, near) = lines[0].split_once("; nearest that passes: ").unwrap();
-    assert!(said.ends_with("theme own: a #FF7F0E is too near b #D62728: ΔE2000 14.4, at least 20"), "{said}");
+    let short =
+        "theme own: a #FF7F0E is too near b #D62728 to readers without green cones: ΔE2000 14.4, at least 20";
+    assert!(said.ends_with(short), "{said}");
     // What is named passes, and nothing else was wrong.
     let color = near.split([' ', ',']).find(|word| word.starts_with('#')).unwrap();
     let mended = format!("[colors]\na = '{color}'\nb = '#d62728'\n");
@@ -91,8 +93,30 @@ fn a_theme_file_is_one_of_several_themes_and_what_is_no_theme_is_usage() {
     assert!(svg(folder.path(), "s.slides.svg").contains("#ff6650"));
     let refused = with("wrong.toml");
     assert_eq!(refused.code, Some(2));
-    assert!(refused.err.contains("colors.ink: expected `#RRGGBB` or `#RGB`, got `black`"), "{}", refused.err);
+    let told = "wrong.toml:2:7: `colors.ink`: expected `#RRGGBB` or `#RGB`, got `black`";
+    assert!(refused.err.contains(told), "{}", refused.err);
     assert_eq!(with("sepia").code, Some(2));
+}
+
+#[test]
+fn a_wrong_word_in_a_theme_of_a_project_is_told_with_its_line_there() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    fs::write(here.join("tracefig.toml"), "[render]\nscenes = [\".\"]\nthemes = [\"brand.toml\"]\n").unwrap();
+    for (text, said) in [
+        ("[colors]\nbackgruond = \"#fff\"\n", "error[unknown-key]: unknown key `backgruond` in `[colors]`"),
+        ("[text]\nname = 3\n", "error[out-of-range]: `text.name`: expected a number from 11 to 40, got 3"),
+        ("\nbased_on = \"drak\"\n", "error[unknown-word]: unknown theme `drak`"),
+        ("\ncolour = 1\n", "error[syntax]: unknown field `colour`"),
+        ("\n[colors\n", "error[syntax]: "),
+    ] {
+        fs::write(here.join("brand.toml"), text).unwrap();
+        let got = render(here, &[]);
+        assert_eq!(got.code, Some(1), "{}", got.err);
+        assert!(got.err.starts_with(said) && got.err.contains("--> brand.toml:2:"), "{}", got.err);
+    }
+    fs::write(here.join("brand.toml"), "[colors]\nbackgruond = \"#fff\"\n").unwrap();
+    assert!(render(here, &[]).err.contains("did you mean `background`?"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Numbers and points in running text.
 
-use crate::figure::text::{in_words, plain, rounded};
+use crate::figure::text::{in_words, plain, rounded, rounded_down, rounded_up};
 use crate::geometry::DVec2;
 
 /// A number lying in [`lo`, `hi`], to three digits and no more than both ends share.
@@ -11,6 +11,16 @@ pub(super) fn number(lo: f64, hi: f64) -> String {
 /// A double, to three digits.
 pub(super) fn value(v: f64) -> String {
     number(v, v)
+}
+
+/// A double of which is said that something is no more, to three digits.
+pub(super) fn at_most(v: f64) -> String {
+    plain(&in_words(&rounded_up(v)))
+}
+
+/// A double of which is said that something is no less, to three digits.
+pub(super) fn at_least(v: f64) -> String {
+    plain(&in_words(&rounded_down(v)))
 }
 
 /// A coordinate this much smaller than the other one is rounding, far below what three digits or an eye tell.

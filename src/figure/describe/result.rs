@@ -9,7 +9,7 @@ use crate::geometry::{Body, DVec2, Side, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
 
-use super::number::{number, point, value};
+use super::number::{at_least, at_most, number, point, value};
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
 /// rounding leaves of bodies that go past each other side by side.
@@ -71,10 +71,13 @@ fn result_of([a, b]: [&str; 2], told: &Account) -> String {
         Answer::Contact(contact) => contact_in_words([a, b], contact, told.run),
         Answer::Impact(impact) => impact_in_words([a, b], impact, told),
         Answer::MotionBound(MotionBound { bound }) if b.is_empty() => {
-            format!("no point of {a} travels farther than {}.", value(*bound))
+            format!("no point of {a} travels farther than {}.", at_most(*bound))
         }
         Answer::MotionBound(MotionBound { bound }) => {
-            format!("no two points of {a} and {b} come nearer to each other by more than {}.", value(*bound))
+            format!(
+                "no two points of {a} and {b} come nearer to each other by more than {}.",
+                at_most(*bound)
+            )
         }
     }
 }
@@ -109,7 +112,8 @@ fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: Side) -> Strin
 fn push([a, b]: [&str; 2], s: &Separation, pushed: Side) -> String {
     let depth = number(-s.bounds.hi, -s.bounds.lo);
     let (name, way) = if pushed == Side::B { (b, *s.normal) } else { (a, -*s.normal) };
-    format!("the shortest push that parts them moves {name} by {depth} along {}", point(way))
+    let along = if s.ties == 0 { "in any direction, as along" } else { "along" };
+    format!("the shortest push that parts them moves {name} by {depth} {along} {}", point(way))
 }
 
 /// How the bodies named `a` and `b` stand, and how many points of contact they have. The body is pushed that
@@ -150,7 +154,7 @@ fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String
             };
             format!(
                 "{a} and {b} are apart until t = {}; whether they touch is undecided: {why}.",
-                value(*free_until)
+                at_least(*free_until)
             )
         }
     }
@@ -279,6 +283,22 @@ mod tests {
         };
         assert_eq!(beside(4.0), "a and b do not overlap: they are 2 apart.");
         assert_eq!(beside(2.0), "a and b touch.");
+    }
+
+    #[test]
+    fn concentric_circles_are_parted_in_any_direction() {
+        let text = "shapes.a = { kind = 'circle', radius = 1 }
+            shapes.b = { kind = 'circle', radius = 2 }
+            query = { kind = 'separation', of = ['a', 'b'] }";
+        assert!(said(text).ends_with(" moves b by 3 in any direction, as along (1, 0)."), "{}", said(text));
+    }
+
+    #[test]
+    fn a_bound_is_said_no_smaller_than_it_is() {
+        let text = "shapes.a = { kind = 'box', half_extents = [3, 1], angular_velocity_deg = 111 }
+            query = { kind = 'motion-bound', of = ['a'] }";
+        // √10 · 111° = 6.1263…
+        assert_eq!(said(text), "No point of a travels farther than 6.13.");
     }
 
     #[test]

@@ -4,6 +4,7 @@
 use crate::drawing::{Point, Rect};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight, Words};
+use crate::figure::text::Decimal;
 use crate::geometry::DVec2;
 
 use super::grid::{Mark, STEP, marks};
@@ -72,10 +73,22 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn ticks(sketch: &mut Sketch, context: &Context, options: &Options, pen: Pen) -> DVec2 {
     let [x, y] = marks(sketch, context, options);
     let panel = sketch.panel();
-    let row = x.and_then(|(ruler, marks)| lower(sketch, pen, ruler, &marks));
-    let column = y.and_then(|(ruler, marks)| left(sketch, pen, ruler, &marks, row));
+    let decimal = Decimal::of(context.scene);
+    let scale = |ruler, marks| Scale { ruler, marks, decimal };
+    let row = x.and_then(|(ruler, marks)| lower(sketch, pen, &scale(ruler, marks)));
+    let column = y.and_then(|(ruler, marks)| left(sketch, pen, &scale(ruler, marks), row));
     let reach = |end: Option<f64>| end.map_or(0.0, |end| end + GAP);
     DVec2::new(reach(column.map(|c| c.x1 - panel.x0)), reach(row.map(|r| panel.y1 - r.y0)))
+}
+
+/// What the numbers of an axis are.
+struct Scale {
+    /// The values of the marks.
+    ruler: Ruler,
+    /// The marks in view.
+    marks: Vec<Mark>,
+    /// The sign between the whole and the rest of a number.
+    decimal: Decimal,
 }
 
 /// A number at its place.
@@ -97,15 +110,15 @@ impl Number {
 }
 
 /// Writes the numbers of the x-axis along the panel's lower edge, and says where.
-fn lower(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark]) -> Option<Rect> {
+fn lower(sketch: &mut Sketch, pen: Pen, scale: &Scale) -> Option<Rect> {
     let panel = sketch.panel();
-    let lines = set(sketch, ruler, marks);
+    let lines = set(sketch, scale);
     let descent = lines.iter().map(|(_, line)| line.descent).fold(0.0, f64::max);
     let ascent = lines.iter().map(|(_, line)| line.ascent).fold(0.0, f64::max);
     let wide = lines.iter().map(|(_, line)| line.width).fold(0.0, f64::max);
     let baseline = panel.y1 - GAP - descent;
-    let mut numbers = shared(sketch, ruler, |line| Point::new(panel.x1 - line.width, baseline));
-    for (mark, line) in thinned(lines, marks, wide + ROOM) {
+    let mut numbers = shared(sketch, scale, |line| Point::new(panel.x1 - line.width, baseline));
+    for (mark, line) in thinned(lines, &scale.marks, wide + ROOM) {
         let origin = Point::new(mark.place - 0.5 * line.width, baseline);
         numbers.push(Number { line, origin, mark: Some(mark.place) });
     }
@@ -116,13 +129,13 @@ fn lower(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark]) -> Option<
 
 /// Writes the numbers of the y-axis along the panel's left edge, but over the `row` of the x-axis, and says
 /// where.
-fn left(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark], row: Option<Rect>) -> Option<Rect> {
+fn left(sketch: &mut Sketch, pen: Pen, scale: &Scale, row: Option<Rect>) -> Option<Rect> {
     let panel = sketch.panel();
-    let lines = set(sketch, ruler, marks);
+    let lines = set(sketch, scale);
     let wide = lines.iter().map(|(_, line)| line.width).fold(0.0, f64::max);
     let high = lines.iter().map(|(_, line)| line.ascent + line.descent).fold(0.0, f64::max);
-    let mut numbers = shared(sketch, ruler, |line| Point::new(panel.x0 + GAP, panel.y0 + GAP + line.ascent));
-    for (mark, line) in thinned(lines, marks, high + 0.6 * ROOM) {
+    let mut numbers = shared(sketch, scale, |line| Point::new(panel.x0 + GAP, panel.y0 + GAP + line.ascent));
+    for (mark, line) in thinned(lines, &scale.marks, high + 0.6 * ROOM) {
         let y = mark.place + 0.5 * (line.ascent - line.descent);
         let origin = Point::new(panel.x0 + GAP + wide - line.width, y);
         numbers.push(Number { line, origin, mark: Some(mark.place) });
@@ -134,15 +147,16 @@ fn left(sketch: &mut Sketch, pen: Pen, ruler: Ruler, marks: &[Mark], row: Option
 }
 
 /// What all numbers share, at its place, where they share something.
-fn shared(sketch: &Sketch, ruler: Ruler, origin: impl Fn(&Words) -> Point) -> Vec<Number> {
-    let line = ruler.shared().text().and_then(|text| sketch.set(&text));
+fn shared(sketch: &Sketch, scale: &Scale, origin: impl Fn(&Words) -> Point) -> Vec<Number> {
+    let line = scale.ruler.shared().text().and_then(|text| sketch.set(&scale.decimal.in_formulas(&text)));
     line.map(|line| Number { origin: origin(&line), line, mark: None }).into_iter().collect()
 }
 
 /// The numbers of marks, set in type.
-fn set(sketch: &Sketch, ruler: Ruler, marks: &[Mark]) -> Vec<(usize, Words)> {
+fn set(sketch: &Sketch, Scale { ruler, marks, decimal }: &Scale) -> Vec<(usize, Words)> {
     let shared = ruler.shared();
-    let line = |(i, mark): (usize, &Mark)| Some((i, sketch.set(&ruler.text(mark.value, shared)?)?));
+    let text = |mark: &Mark| ruler.text(mark.value, shared).map(|text| decimal.in_number(text));
+    let line = |(i, mark): (usize, &Mark)| Some((i, sketch.set(&text(mark)?)?));
     marks.iter().enumerate().filter_map(line).collect()
 }
 

@@ -16,6 +16,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 
+use super::cores::radii_in_words;
 use super::difference::difference;
 use super::simplex::{has_simplexes, steps};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
@@ -100,7 +101,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.arrow(at(0.0), end, Pen::axis());
     let tick = up * sketch.px(TICK);
     sketch.line(at(0.0) - tick, at(0.0) + tick, Pen::axis());
-    let scale = Label::new("scale", "distance", Anchor::point_toward(at(0.0), DVec2::X * -way), Role::Muted);
+    let of = if radii_in_words(context).is_empty() { "distance" } else { "distance of the cores" };
+    let scale = Label::new("scale", of, Anchor::point_toward(at(0.0), DVec2::X * -way), Role::Muted);
     sketch.label(scale.rank(Rank::Word).size(Size::Note));
     sketch.since(found.cue);
     let role = options.role(Role::Translation);

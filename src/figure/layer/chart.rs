@@ -9,11 +9,18 @@ use crate::geometry::DVec2;
 
 use super::number_of;
 
-/// Pieces of a curve: a chord is then within half a pixel of a curve that bends once over its panel.
+/// Pieces of a curve at least: a chord is then within half a pixel of a curve that bends once over its panel.
 const PIECES: usize = 48;
+/// Pieces of a curve for each full turn of its bodies: a body of eight vertices that turns by another comes
+/// nearer and goes away eight times, six pieces each.
+const PIECES_A_TURN: f64 = 48.0;
+/// Turns of the bodies whose curve is drawn: more are a blur, and at fewer pieces each another curve.
+const MOST_TURNS: f64 = 64.0;
 
-/// How much longer the axes are than what they measure.
-const LONGER: f64 = 1.08;
+/// How much longer the axes are than what they measure, in parts of that.
+const LONGER: f64 = 0.08;
+/// How much longer they are at most, page pixels: less than the room to the right of a chart and above it.
+const FARTHEST: f64 = 27.0;
 
 /// Half the length of a tick on the axis of time, page pixels.
 const TICK: f64 = 4.0;
@@ -67,10 +74,14 @@ impl<'c> Chart<'c> {
     /// Draws the axis of time and that of values, each with its key and name.
     pub(super) fn axes(&self, sketch: &mut Sketch, [(time, t), (value, s)]: [(&'static str, &str); 2]) {
         let corner = self.place(0.0, 0.0);
-        let most = self.most * LONGER;
+        // Within the room around the chart, where heads and names are seen.
+        let longer = |end: DVec2| {
+            let length = end.distance(corner);
+            end + (end - corner) * (LONGER.min(sketch.px(FARTHEST) / length))
+        };
         let ends = [
-            (time, t, self.place(most.x, 0.0), DVec2::NEG_Y),
-            (value, s, self.place(0.0, most.y), DVec2::NEG_X),
+            (time, t, longer(self.place(self.most.x, 0.0)), DVec2::NEG_Y),
+            (value, s, longer(self.place(0.0, self.most.y)), DVec2::NEG_X),
         ];
         for (key, name, end, toward) in ends {
             sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
@@ -87,13 +98,22 @@ impl<'c> Chart<'c> {
     }
 }
 
-/// The separation of the bodies at some times from 0 to `until`.
-pub(super) fn separations(context: &Context, until: f64) -> Vec<DVec2> {
+/// The separation of the bodies at some times from 0 to `until`, those of `more` among them; none where the
+/// bodies turn more often than can be drawn.
+pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DVec2> {
     let query = context.scene.query_of_bodies();
     let Some(b) = query.b else { return Vec::new() };
-    let at = |i: usize| {
-        let time = until * (number_of(i) / number_of(PIECES));
-        DVec2::new(time, Pair::at(query.a, b, time).separation().separation)
-    };
-    (0..=PIECES).map(at).collect()
+    let turns = until * [query.a, b].map(|body| body.spin.degrees().abs() / 360.0).into_iter().sum::<f64>();
+    if turns > MOST_TURNS {
+        return Vec::new();
+    }
+    let least = PIECES_A_TURN * turns;
+    let pieces = (PIECES..).find(|&pieces| number_of(pieces) >= least).unwrap_or(PIECES);
+    let even = (0..=pieces).map(|i| until * (number_of(i) / number_of(pieces)));
+    let more = more.iter().copied().filter(|time| (0.0..until).contains(time));
+    let mut times: Vec<f64> = even.chain(more).collect();
+    times.sort_by(f64::total_cmp);
+    times.dedup();
+    let at = |time| DVec2::new(time, Pair::at(query.a, b, time).separation().separation);
+    times.into_iter().map(at).collect()
 }

@@ -131,7 +131,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let real = options.flag("real", true);
     let nearer: Vec<DVec2> = if real {
         let until = hit.map_or(1.0, |hit| hit.lo);
-        separations(context, until).iter().map(|p| DVec2::new(p.x, first.distance - p.y)).collect()
+        separations(context, until, &[]).iter().map(|p| DVec2::new(p.x, first.distance - p.y)).collect()
     } else {
         Vec::new()
     };

@@ -200,6 +200,10 @@ pub(super) fn ghost(
 /// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first
 /// ones and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    // What rests is nowhere else at any step.
+    if options.words("of").is_none() && context.pose(side, 0.0) == context.pose(side, 1.0) {
+        return;
+    }
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
     let (role, numbered) = (options.role(side.into()), options.flag("numbered", false));

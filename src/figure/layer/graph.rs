@@ -58,6 +58,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "t", about: "the axis of time" },
         LabelKey { key: "s", about: "the axis of separation" },
         LabelKey { key: "step", about: "the times of the steps" },
+        LabelKey { key: "more", about: "how many steps follow those that are drawn" },
         LabelKey { key: "s_1", about: "the separation at the first step" },
         LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
         LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
@@ -95,7 +96,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let all = steps(context);
     let Some(last) = all.last() else { return };
     let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
-    let points = separations(context, until);
+    let times: Vec<f64> = all.iter().take(MOST).map(|step| step.time).collect();
+    let points = separations(context, until, &times);
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;
@@ -130,7 +132,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             let label = Label::new("worst", "", Anchor::middle(from, to), Role::Muted);
             sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
-        if let Some(then) = all.get(k + 1) {
+        if let Some(then) = all.get(k + 1).filter(|_| k + 1 < MOST) {
             sketch.since(look(k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
@@ -180,6 +182,15 @@ fn marks(
             let label = Label { lines, ..Label::new("step", "", anchor, Role::Now) };
             sketch.label(label.size(Size::Note));
         }
+    }
+    if let Some(next) = all.get(MOST) {
+        let more = Label::new(
+            "more",
+            format!("{} more steps", all.len() - MOST),
+            Anchor::point_toward(chart.place(next.time, 0.0), DVec2::X),
+            Role::Muted,
+        );
+        sketch.since(context.answered()).label(more.rank(Rank::Word).size(Size::Note));
     }
     if let Some(first) = all.first() {
         let anchor = Anchor::point_toward(chart.place(first.time, first.separation), DVec2::X);
@@ -258,6 +269,34 @@ mod tests {
         let (plain, _) = graph("conservative-advancement", false).unwrap();
         assert_eq!(said(&plain, "s_k")[0], "$s_{2}$");
         assert!(said(&plain, "step").iter().all(|line| line.starts_with("$t_")));
+    }
+
+    #[test]
+    fn the_curve_of_fast_spins_goes_through_every_step_and_the_axes_keep_their_names() {
+        let text = "
+            shapes.A = { kind = 'box', half_extents = [2, 0.12], angular_velocity_deg = 3600 }
+            shapes.B = { kind = 'circle', radius = 0.3, position = [5, 0.5], velocity = [-4, 0] }
+            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
+                tolerance = 1e-3 }
+            canvas = { width = 1100, height = 620 }
+            panels = [{ layers = ['graph'] }]";
+        let scene = open_text("graph", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let context = plan.panels[0].context(&scene, &plan.runs);
+        let steps = steps(&context);
+        assert!(steps.len() > 2 * MOST);
+        let times: Vec<f64> = steps.iter().take(MOST).map(|step| step.time).collect();
+        let curve = separations(&context, 1.0, &times);
+        for step in steps.iter().take(MOST) {
+            let on = curve.iter().find(|p| p.x == step.time).unwrap();
+            assert!((on.y - step.separation).abs() < 1e-9, "{on} {}", step.separation);
+        }
+        // In each of ten turns the box comes near twice and goes away twice.
+        let turns = curve.windows(3).filter(|p| (p[1].y - p[0].y) * (p[2].y - p[1].y) < 0.0).count();
+        assert!((38..=42).contains(&turns), "{turns}");
+        let figure = draw(&plan, plan.theme, "graph");
+        let keys: Vec<_> = figure.panels[0].placed.iter().map(|label| label.key).collect();
+        assert!(["t", "s", "more"].iter().all(|key| keys.contains(key)), "{keys:?}");
     }
 
     #[test]

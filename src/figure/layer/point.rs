@@ -4,6 +4,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
+use crate::figure::text::Decimal;
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
@@ -64,6 +65,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let mut lines = given.unwrap_or_default();
     if options.flag("coordinates", false) {
         let place = coordinates(sketch, context, at);
+        // In a text of the scene nobody else sees to it.
+        let place = if is_given { Decimal::of(context.scene).in_formulas(&place) } else { place };
         match lines.last_mut() {
             Some(last) => *last = format!("{last} {place}"),
             None => lines.push(place),

@@ -20,7 +20,7 @@ const POINT: [(&str, &[&str]); 3] = [
 
 /// The sign between the whole and the rest of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Decimal {
+pub(crate) enum Decimal {
     /// A point, as in English.
     Point,
     /// A comma, as in most of Europe and Latin America.
@@ -29,7 +29,7 @@ pub(super) enum Decimal {
 
 impl Decimal {
     /// The sign of the language that a scene is written in.
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         scene.lang.as_ref().map_or(Self::Point, |lang| Self::of_tag(&lang.value))
     }
 
@@ -44,7 +44,7 @@ impl Decimal {
     }
 
     /// The number of a value, as markup.
-    pub(super) fn in_number(self, markup: String) -> String {
+    pub(crate) fn in_number(self, markup: String) -> String {
         match self {
             Self::Point => markup,
             Self::Comma if markup.contains('$') => self.in_formulas(&markup),
@@ -62,7 +62,7 @@ impl Decimal {
 
     /// Markup of ours with the numbers in its formulas as the language has them. A name is no number, and
     /// what parts two numbers is a semicolon then.
-    pub(super) fn in_formulas(self, markup: &str) -> String {
+    pub(crate) fn in_formulas(self, markup: &str) -> String {
         let parts = if self == Self::Comma { pieces(markup).unwrap_or_default() } else { Vec::new() };
         let mut out = String::with_capacity(markup.len());
         let mut done = 0;

@@ -23,8 +23,9 @@ mod wording;
 pub(crate) use caption::{
     Across, Block, across, caption_of_words, named, paragraphs, set, spoken, with_powers,
 };
+pub(crate) use decimal::Decimal;
 pub(crate) use fill::filled;
-pub(crate) use number::{in_math, in_words, number, rounded};
+pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up};
 pub(crate) use overrides::label_key;
 pub use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};

@@ -17,7 +17,7 @@ use crate::drawing::{Color, Drawing, Item, Role, blend};
 
 use super::contrast::contrast;
 use super::nearest::nearest;
-use super::vision::worst_difference;
+use super::vision::{most_alike_to, worst_difference};
 use super::{Side, Theme, index};
 
 /// The least contrast of text against what lies under it (WCAG 2.2, level AA).
@@ -79,7 +79,12 @@ impl fmt::Display for Shortcoming {
         let (p, q, side) = (p.name(), q.name(), if *in_the_dark { " in the dark" } else { "" });
         // Cut off, as what is rounded could read like the limit.
         let value = (10.0 * value).floor() / 10.0;
-        write!(f, "{p} {c} is too near {q} {d}{side}: {measure} {value:.1}, at least {limit}")
+        let vision = match measure {
+            Measure::Difference => most_alike_to(*c, *d),
+            Measure::Contrast => None,
+        };
+        let to = vision.map(|vision| format!(" {vision}")).unwrap_or_default();
+        write!(f, "{p} {c} is too near {q} {d}{side}{to}: {measure} {value:.1}, at least {limit}")
     }
 }
 
@@ -285,8 +290,8 @@ mod tests {
         let expected = [
             "translation #E088C0 is too near background #D0D8F0: contrast 1.7, at least 2",
             "muted #9A9A9A is too near background #D0D8F0: contrast 1.9, at least 2",
-            "a #C02A1E is too near b #8A5A00: ΔE2000 3.1, at least 20",
-            "difference #7B4FA3 is too near now #2E6FD0: ΔE2000 6.7, at least 9",
+            "a #C02A1E is too near b #8A5A00 to readers without green cones: ΔE2000 3.1, at least 20",
+            "difference #7B4FA3 is too near now #2E6FD0 to readers without green cones: ΔE2000 6.7, at least 9",
         ];
         assert_eq!(short(&unfit), expected);
     }

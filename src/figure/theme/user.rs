@@ -23,9 +23,11 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::ops::Range;
 use std::path::Path;
 
 use serde::Deserialize;
+use toml::de::{DeTable, DeValue};
 
 use crate::drawing::{Color, Role};
 
@@ -119,6 +121,43 @@ impl fmt::Display for ThemeError {
 }
 
 impl std::error::Error for ThemeError {}
+
+impl ThemeError {
+    /// Where it is in the text of the file, in bytes; the beginning where the text does not say.
+    ///
+    /// ```
+    /// use tracefig::figure::theme;
+    /// let text = "[colors]\naccent = \"#F9A825\"\n";
+    /// let place = theme::parse(text).unwrap_err().place(text);
+    /// assert_eq!(&text[place], "accent");
+    /// ```
+    #[must_use]
+    pub fn place(&self, text: &str) -> Range<usize> {
+        let (path, is_value) = match self {
+            Self::Malformed(_) => {
+                let span = toml::from_str::<File>(text).err().and_then(|error| error.span());
+                return span.unwrap_or(0..0);
+            }
+            Self::UnknownBase(_) => (vec!["based_on"], true),
+            Self::UnknownKey { table, key, .. } => (vec![*table, key.as_str()], false),
+            Self::NotAColor { table, role, .. } => (vec![*table, role.as_str()], true),
+            Self::OutOfRange { key, .. } => (key.split('.').collect(), true),
+        };
+        let root = DeTable::parse(text).ok();
+        root.and_then(|root| place_in(root.get_ref(), &path, is_value)).unwrap_or(0..0)
+    }
+}
+
+/// The place of a key, or of its value, by the keys that lead to it.
+fn place_in(table: &DeTable<'_>, path: &[&str], is_value: bool) -> Option<Range<usize>> {
+    let (first, rest) = path.split_first()?;
+    let (key, value) = table.iter().find(|(key, _)| key.get_ref() == first)?;
+    match (rest.is_empty(), value.get_ref()) {
+        (true, _) => Some(if is_value { value.span() } else { key.span() }),
+        (false, DeValue::Table(inner)) => place_in(inner, rest, is_value),
+        (false, _) => None,
+    }
+}
 
 /// Whether a theme of this name is a file and none of the house.
 ///

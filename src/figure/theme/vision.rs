@@ -66,6 +66,17 @@ pub fn worst_difference(a: Color, b: Color) -> f64 {
     Vision::ALL.into_iter().map(|v| seen(a, v).difference(seen(b, v))).fold(f64::INFINITY, f64::min)
 }
 
+/// To whom two colours look most alike, in words; `None` where that is everybody.
+pub(super) fn most_alike_to(a: Color, b: Color) -> Option<&'static str> {
+    let apart = |vision: &Vision| seen(a, *vision).difference(seen(b, *vision));
+    match Vision::ALL.into_iter().min_by(|v, w| apart(v).total_cmp(&apart(w)))? {
+        Vision::Normal => None,
+        Vision::Protan => Some("to readers without red cones"),
+        Vision::Deutan => Some("to readers without green cones"),
+        Vision::Tritan => Some("to readers without blue cones"),
+    }
+}
+
 /// A colour as one vision sees it.
 fn seen(color: Color, vision: Vision) -> Lab<D65, f64> {
     let LinSrgb { red, green, blue, .. } = linear(color);

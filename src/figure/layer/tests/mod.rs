@@ -8,6 +8,7 @@ mod motion;
 mod numbers;
 mod reading;
 mod steps;
+mod words;
 
 use std::collections::BTreeMap;
 

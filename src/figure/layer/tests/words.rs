@@ -1,0 +1,93 @@
+//! Labels are in the language of the scene: every word of ours has a row in the table of words, and every
+//! number has the sign of the language.
+
+use std::collections::BTreeSet;
+use std::path::Path;
+
+use crate::drawing::Item;
+use crate::figure::{Figure, draw, plan, random_scenes};
+use crate::scene::{Scene, Spanned, open, open_text};
+use crate::typeset::{Piece, pieces};
+
+/// The words of a markup outside of its formulas that may be English and are not in the names of bodies.
+fn words(markup: &str, names: &[String]) -> Vec<String> {
+    let words = |piece| if let Piece::Words(_, words) = piece { Some(words) } else { None };
+    let outside: Vec<&str> = pieces(markup).unwrap_or_default().into_iter().filter_map(words).collect();
+    let outside = outside.join(" ");
+    let outside = names.iter().fold(outside, |text, name| text.replace(name.as_str(), " "));
+    let words = outside.split(|c: char| !c.is_alphabetic()).filter(|word| word.len() > 1 && word.is_ascii());
+    words.map(str::to_owned).collect()
+}
+
+/// The words of ours on a figure whose language has none, each with the key of its label.
+fn words_of_ours(scene: &Scene, figure: &Figure) -> Vec<String> {
+    let mut names: Vec<String> = scene.shapes.iter().map(|(name, _)| name.value.clone()).collect();
+    names.extend(scene.shapes.iter().flat_map(|(name, _)| name.value.split(' ').map(str::to_owned)));
+    names.sort_by_key(|name| std::cmp::Reverse(name.len()));
+    // What the scene says is in its own words.
+    let is_given =
+        |key: &str| ["note", "point"].contains(&key) || scene.labels.iter().any(|l| l.0.value == key);
+    let placed = figure.panels.iter().chain(&figure.insets).flat_map(|panel| &panel.placed);
+    let label = |key: &str, markup: &str| {
+        words(markup, &names).into_iter().map(|word| format!("{key}: {word}")).collect::<Vec<_>>()
+    };
+    placed
+        .filter(|label| !is_given(label.key))
+        .flat_map(|placed| placed.lines.iter().flat_map(|(_, line)| label(placed.key, &line.markup)))
+        .collect()
+}
+
+/// The scenes of the reference, one for each layer, in a language.
+fn references(lang: &str) -> Vec<Scene> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("guide/src/reference/layers");
+    let mut paths: Vec<_> = folder.read_dir().unwrap().map(|entry| entry.unwrap().path()).collect();
+    paths.retain(|path| path.extension().is_some_and(|e| e == "toml") && !path.ends_with("tracefig.toml"));
+    paths.sort();
+    let scene = |path: &Path| {
+        let mut scene = open(path).unwrap().scene;
+        scene.lang = Some(Spanned { value: lang.to_owned(), span: 0..0 });
+        scene
+    };
+    paths.iter().map(|path| scene(path)).collect()
+}
+
+#[test]
+fn in_a_language_without_words_of_ours_no_label_has_any() {
+    let random = (0..60).map(|seed| format!("lang = 'ja'\n{}", random_scenes::scene_text(seed)));
+    let random = random.filter_map(|text| random_scenes::fed(open_text("random", &text).unwrap().scene));
+    let mut found = BTreeSet::new();
+    for scene in references("ja").into_iter().chain(random) {
+        let plan = plan(&scene).unwrap();
+        found.extend(words_of_ours(&scene, &draw(&plan, plan.theme, "words")));
+    }
+    assert_eq!(found, BTreeSet::new());
+}
+
+/// The markup of everything that is written.
+fn texts(items: &[Item], all: &mut Vec<String>) {
+    for item in items {
+        match item {
+            Item::Group(group) => texts(&group.items, all),
+            Item::Text(text) => all.push(text.line.markup.clone()),
+            Item::Path(_) => {}
+        }
+    }
+}
+
+#[test]
+fn the_numbers_of_axes_and_points_have_the_comma_of_the_language() {
+    let text = "lang = 'de'
+        shapes.A = { kind = 'circle', radius = 0.7, position = [0.35, 0.25] }
+        query = { kind = 'bounds', of = ['A'] }
+        [[panels]]
+        layers = [{ layer = 'axes', ticks = true }, 'shapes',
+            { layer = 'point', at = [0.5, -0.25], text = 'P', coordinates = true },
+            { layer = 'point', at = [-0.25, 0.5], coordinates = true }]";
+    let scene = open_text("de", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let mut all = Vec::new();
+    texts(&draw(&plan, plan.theme, "de").drawing.items, &mut all);
+    let has = |text: &str| all.iter().any(|markup| markup == text);
+    assert!(has("0,5") && has("P $(0{,}5; -0{,}25)$") && has("$(-0{,}25; 0{,}5)$"), "{all:?}");
+    assert!(!all.iter().any(|markup| markup.contains('.')), "{all:?}");
+}
