@@ -70,7 +70,7 @@ fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_na
     assert_eq!(lines.len(), 2, "{}", refused.err);
     let (said, near) = lines[0].split_once("; nearest that passes: ").unwrap();
     let short =
-        "theme own: a #FF7F0E is too near b #D62728 to readers without green cones: ΔE2000 14.4, at least 20";
+        "theme own: a #FF7F0E is too near b #D62728 to readers without blue cones: ΔE2000 14.4, at least 20";
     assert!(said.ends_with(short), "{said}");
     // What is named passes, and nothing else was wrong.
     let color = near.split([' ', ',']).find(|word| word.starts_with('#')).unwrap();
