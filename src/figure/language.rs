@@ -51,7 +51,7 @@ const WORDS: &[[&str; 5]] = &[
     ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
     ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],
     ["* more steps", "+ *", "* weitere Schritte", "* étapes de plus", "* pasos más"],
-    ["touch", "", "Kontakt", "contact", "contacto"],
+    ["touch", "", "Berührung", "ils se touchent", "se tocan"],
     ["distance of the cores", "", "Abstand der Kerne", "distance des noyaux", "distancia de los núcleos"],
     [
         "nearer by, at time $t$",
