@@ -5,8 +5,8 @@ use super::digits::Digits;
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Significant(3);
 
-/// The part of a bound by which a number may pass it that is written for it: what proving the bound added to a
-/// round number, far below the third digit. At 0 the bound of 5 would be written 5.01.
+/// The part of a bound by which a number may pass it that is written for it: what proving the bound added to
+/// a round number, far below the third digit. At 0 the bound of 5 would be written 5.01.
 const NOTHING: f64 = 1e-9;
 
 /// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.

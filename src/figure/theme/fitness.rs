@@ -291,7 +291,8 @@ mod tests {
             "translation #E088C0 is too near background #D0D8F0: contrast 1.7, at least 2",
             "muted #9A9A9A is too near background #D0D8F0: contrast 1.9, at least 2",
             "a #C02A1E is too near b #8A5A00 to readers without green cones: ΔE2000 3.1, at least 20",
-            "difference #7B4FA3 is too near now #2E6FD0 to readers without green cones: ΔE2000 6.7, at least 9",
+            "difference #7B4FA3 is too near now #2E6FD0 to readers without green cones: ΔE2000 6.7, \
+             at least 9",
         ];
         assert_eq!(short(&unfit), expected);
     }
