@@ -52,8 +52,9 @@ pub(crate) struct Files {
     #[arg(long, value_delimiter = ',', value_name = "FORMAT", help = format_help(),
         value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
     pub(crate) format: Vec<String>,
-    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml; with several, files
-    /// are named STEM.THEME.EXT; default: those of the project file, else each scene's own
+    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml, or its dark side
+    /// FILE.toml#dark; with several, files are named STEM.THEME.EXT; default: those of the project file, else
+    /// each scene's own
     #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
     theme: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel; default: what the project file says, else 2
@@ -202,9 +203,7 @@ impl Files {
     /// Where one is none; the themes are then as they were.
     pub(crate) fn read_themes_again(&mut self) -> Result<(), String> {
         let read = |theme: &ChosenTheme| match &theme.file {
-            Some(file) => {
-                chosen_theme(&file.to_string_lossy()).map_err(|error| format!("{}: {error}", shown(file)))
-            }
+            Some(file) => chosen_theme(&theme.asked).map_err(|error| format!("{}: {error}", shown(file))),
             None => Ok(theme.clone()),
         };
         self.own_themes = OwnThemes::default();

@@ -25,13 +25,15 @@ pub(crate) struct ChosenTheme {
     pub(crate) key: String,
     /// The file; `None` for one of the house.
     pub(crate) file: Option<PathBuf>,
+    /// What asked for it, by which it can be read again.
+    pub(crate) asked: String,
 }
 
 impl ChosenTheme {
     /// One of the house.
     pub(crate) fn of_the_house(theme: &Theme) -> Self {
         let (name, key) = (theme.name.to_string(), theme.name.to_string());
-        Self { name, theme: theme.clone(), key, file: None }
+        Self { asked: name.clone(), name, theme: theme.clone(), key, file: None }
     }
 }
 
@@ -46,7 +48,7 @@ pub(crate) fn theme_in(folder: &Path, text: &str) -> Result<ChosenTheme, NoTheme
         return Ok(ChosenTheme::of_the_house(known));
     }
     if theme::is_file(text) {
-        return from_file(&folder.join(text));
+        return from_file(folder, text);
     }
     let names: Vec<&str> = theme::THEMES.iter().map(|t| t.name).collect();
     Err(NoTheme::Said(format!("expected one of {}, or a file ending in .toml", names.join(", "))))
@@ -106,16 +108,26 @@ fn refused(path: &Path, text: &str, error: &ThemeError) -> Refused {
     Refused { source, problems: vec![Problem::new(fault, error.place(text))] }
 }
 
-/// The theme in a file.
-fn from_file(path: &Path) -> Result<ChosenTheme, NoTheme> {
-    let bytes = read_regular(path, MAX_FILE_BYTES).map_err(|e| NoTheme::Said(e.to_string()))?;
+/// The theme in a file, or its dark side alone, by what asks for it in a folder.
+fn from_file(folder: &Path, asked: &str) -> Result<ChosenTheme, NoTheme> {
+    let dark_side = theme::dark_side_of(asked);
+    let path = folder.join(dark_side.unwrap_or(asked));
+    let bytes = read_regular(&path, MAX_FILE_BYTES).map_err(|e| NoTheme::Said(e.to_string()))?;
     if bytes.len() > MAX_FILE_BYTES {
         return Err(NoTheme::Said(format!("expected at most {MAX_FILE_BYTES} bytes")));
     }
-    let key = String::from_utf8(bytes).map_err(|e| NoTheme::Said(e.to_string()))?;
-    let theme = theme::parse(&key).map_err(|error| NoTheme::File(Box::new(refused(path, &key, &error))))?;
-    let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    Ok(ChosenTheme { name, theme, key, file: Some(path.to_owned()) })
+    let mut key = String::from_utf8(bytes).map_err(|e| NoTheme::Said(e.to_string()))?;
+    let none = |error| NoTheme::File(Box::new(refused(&path, &key, &error)));
+    let mut theme = theme::parse(&key).map_err(none)?;
+    let mut name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+    if let Some(file) = dark_side {
+        let none = || NoTheme::Said(format!("{} has no table `[dark]`", visible(file)));
+        theme = theme.in_the_dark().ok_or_else(none)?;
+        let side = asked.strip_prefix(file).unwrap_or_default();
+        name.push_str(&side.replace('#', "-"));
+        key.push_str(side);
+    }
+    Ok(ChosenTheme { name, theme, key, file: Some(path), asked: folder.join(asked).display().to_string() })
 }
 
 /// The theme files that scenes name, each read once.
@@ -159,7 +171,7 @@ impl OwnThemes {
         if let Some(theme) = known.get(&path) {
             return Ok(Some(Arc::clone(theme)));
         }
-        let theme = Arc::new(from_file(&path).map_err(|none| refuse(none.to_string()))?);
+        let theme = Arc::new(from_file(folder, &asked.value).map_err(|none| refuse(none.to_string()))?);
         known.insert(path, Arc::clone(&theme));
         Ok(Some(theme))
     }

@@ -12,11 +12,12 @@ use std::time::Duration;
 
 use clap::Args;
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher, recommended_watcher};
+use tracefig::output::format;
 
 use super::atomic_file::clear_leftovers;
 use super::console::Console;
 use super::files::{Files, Plan};
-use super::inputs::Input;
+use super::inputs::{Input, shown};
 use super::jobs::{Job, each_settings, folders_of};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
@@ -72,18 +73,27 @@ impl Runs for Watch {
                 return Ok(Status::Io);
             }
         };
-        let mut told = BTreeMap::new();
-        loop {
+        let (mut told, mut is_planned) = (Told::default(), true);
+        for round in 0.. {
             match self.files.plan(self.output.as_deref()) {
                 Ok(plan) => {
                     watched.look_at(&self.places(&plan), console);
-                    self.draw(&plan, &mut told, console)?;
+                    let drawn = self.draw(&plan, &mut told, console)?;
+                    if !is_planned && drawn == 0 {
+                        console.note("well again\n");
+                    }
+                    if round == 0 {
+                        console.out.flush()?;
+                        console.note(&begun(&plan, drawn));
+                    }
+                    is_planned = true;
                 }
                 // Options don't mend themselves; a project file or a folder may.
                 Err(usage @ Unplanned::Usage(_)) => return Ok(tell_unplanned(&usage, console)),
                 Err(unplanned) => {
                     tell_unplanned(&unplanned, console);
                     watched.look_at(&self.files.named_folders(), console);
+                    is_planned = false;
                 }
             }
             console.out.flush()?;
@@ -94,7 +104,28 @@ impl Runs for Watch {
                 console.error(&error);
             }
         }
+        Ok(Status::Done)
     }
+}
+
+/// What was said of each scene when it was drawn last; nothing where it is well.
+type Told = BTreeMap<String, String>;
+
+/// What is looked at from now on, and what ends that, in lines.
+fn begun(plan: &Plan, drawn: usize) -> String {
+    let count = plan.jobs.len();
+    let scenes = if count == 1 { "1 scene".to_owned() } else { format!("{count} scenes") };
+    let current = if drawn == 0 { ", up to date" } else { "" };
+    // The first of those that were searched is above them.
+    let mut above: Vec<&PathBuf> = Vec::new();
+    for folder in &plan.folders {
+        if !above.iter().any(|known| folder.starts_with(known)) {
+            above.push(folder);
+        }
+    }
+    let folders: Vec<String> = above.into_iter().map(|folder| shown(folder)).collect();
+    let of = if folders.is_empty() { String::new() } else { format!(" in {}", folders.join(", ")) };
+    format!("watching {scenes}{of}{current}; Ctrl-C ends it\n")
 }
 
 impl Watch {
@@ -102,6 +133,7 @@ impl Watch {
     fn places(&self, plan: &Plan) -> BTreeSet<PathBuf> {
         let mut all: BTreeSet<PathBuf> = plan.folders.iter().cloned().collect();
         all.extend(self.files.named_folders());
+        all.extend(folders_of(&plan.jobs).into_iter().map(Path::to_owned));
         let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
         for job in &plan.jobs {
             if let Input::File(path) = &job.input {
@@ -117,15 +149,11 @@ impl Watch {
     }
 
     /// Draws what is not what it should be, a line for each scene; what was `told` of a scene and has not
-    /// changed is not told again.
-    fn draw(
-        &self,
-        plan: &Plan,
-        told: &mut BTreeMap<String, String>,
-        console: &mut Console,
-    ) -> io::Result<()> {
+    /// changed is not told again. How many scenes were not up to date.
+    fn draw(&self, plan: &Plan, told: &mut Told, console: &mut Console) -> io::Result<usize> {
+        let mut count = 0;
         if !makes_folders(folders_of(&plan.jobs), console) {
-            return Ok(());
+            return Ok(plan.jobs.len());
         }
         folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         let ink = console.ink();
@@ -133,12 +161,15 @@ impl Watch {
             let is_current = self.files.is_current(job);
             (!is_current).then(|| write_files(self.files.draw(job, ink), self.files.wait()))
         };
-        in_order(&plan.jobs, self.files.threads(), work, |job, written| {
+        in_order(&plan.jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
             let name = job.input.shown();
             let Some(written) = written.unwrap_or_else(|| Some(Written::bug(&name))) else {
-                told.remove(&name);
+                if told.remove(&name).is_some_and(|messages| !messages.is_empty()) {
+                    console.note(&format!("{name}: well again\n"));
+                }
                 return Ok(());
             };
+            count += 1;
             let mut unfits = Unfits::default();
             unfits.extend(written.unfit);
             let messages = written.messages + &unfits.messages();
@@ -151,7 +182,8 @@ impl Watch {
             }
             told.insert(name, messages);
             Ok(())
-        })
+        })?;
+        Ok(count)
     }
 }
 
@@ -210,9 +242,11 @@ impl Watched {
     }
 }
 
-/// Whether an event may be of a scene, a theme, a project file or a folder: figures that were just written
-/// are none of these, and to be read changes nothing.
+/// Whether an event may be of a scene, a theme, a project file or a folder, or of a figure that is gone:
+/// figures that were just written are none of these, and to be read changes nothing.
 fn concerns(event: &Event) -> bool {
     let ends_so = |path: &PathBuf| path.extension().is_none_or(|e| e == "toml" || e == "json");
-    !event.kind.is_access() && event.paths.iter().any(ends_so)
+    let is_figure = |path: &PathBuf| path.extension().is_some_and(|e| format(&e.to_string_lossy()).is_some());
+    let is_gone = event.kind.is_remove() && event.paths.iter().any(is_figure);
+    !event.kind.is_access() && (is_gone || event.paths.iter().any(ends_so))
 }

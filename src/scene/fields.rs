@@ -319,7 +319,11 @@ pub(super) static RENDER: TableRows = TableRows {
         ),
         may("output", Holds::Text, "folder for the figures; default: beside each scene"),
         may("formats", Holds::List("formats"), "what each scene is written as"),
-        may("themes", Holds::List("themes"), "words for themes, or theme files; default: each scene's own"),
+        may(
+            "themes",
+            Holds::List("themes"),
+            "words for themes, theme files, or FILE.toml#dark, a dark side; default: each scene's own",
+        ),
         may(
             "scale",
             Holds::Number { min: 0.0, max: MAX_SCALE },

@@ -106,9 +106,30 @@ pub(super) fn message_at<F: Explain>(
         Ink::Plain => Renderer::plain(),
         Ink::Coloured => Renderer::styled(),
     };
-    let mut text = renderer.render(&[report]);
-    text.push('\n');
+    aligned(&renderer.render(&[report]))
+}
+
+/// A rendered message, ending in a line break, in the columns of all others: one without a quote, whose place
+/// would stand a column further left, and without the row that announces a quote which was cut.
+fn aligned(rendered: &str) -> String {
+    let is_quoted = rendered.lines().any(|line| uncoloured(line).trim() == "|");
+    let mut text = String::new();
+    for (i, line) in rendered.lines().enumerate() {
+        if uncoloured(line).trim() == ":::" {
+            continue;
+        }
+        text.push_str(if i == 0 || is_quoted { "" } else { " " });
+        text.push_str(line);
+        text.push('\n');
+    }
     text
+}
+
+/// A rendered line without the codes that colour it, each `ESC[` up to an `m`.
+fn uncoloured(line: &str) -> String {
+    let mut parts = line.split('\u{1b}');
+    let first = parts.next().unwrap_or_default().to_owned();
+    first + &parts.map(|part| part.split_once('m').map_or(part, |(_, rest)| rest)).collect::<String>()
 }
 
 /// The line of a place, cut to what can be read, and the place within it.
@@ -177,6 +198,22 @@ mod tests {
         assert!(got.contains("--> long.toml:1:5001"), "{got}");
         assert!(got.contains("…δδδ") && got.contains("δ!xxx") && got.contains("x…"), "{got}");
         assert!(got.lines().all(|line| line.chars().count() < 160), "{got}");
+    }
+
+    #[test]
+    fn every_message_has_the_same_columns_coloured_or_not() {
+        let long = format!("{}!", "x".repeat(500));
+        for (text, span) in [("a = 1", 4..5), ("", 0..0), (long.as_str(), 500..501)] {
+            let source = Source::new("s.toml", text);
+            let fault = || Fault::UnknownKey { key: "a".into(), place: "b".into(), known: vec!["c".into()] };
+            let said = |ink| message(&source, &Problem::new(fault(), span.clone()), Severity::Error, ink);
+            let (got, coloured) = (said(Ink::Plain), said(Ink::Coloured));
+            assert!(got.lines().nth(1).unwrap().starts_with(" --> s.toml:1:"), "{got}");
+            assert!(got.lines().last().unwrap().starts_with("  = help: "), "{got}");
+            assert!(!got.contains(":::"), "{got}");
+            let uncoloured: String = coloured.lines().map(|line| uncoloured(line) + "\n").collect();
+            assert_eq!(uncoloured, got);
+        }
     }
 
     #[test]

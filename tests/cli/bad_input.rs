@@ -289,7 +289,7 @@ fn json_names_the_pointer() {
 fn empty_and_missing_files_are_told() {
     assert!(
         complaint("s.toml", "\n# nothing\n")
-            .starts_with("error[empty-file]: expected a scene, got an empty file\n--> s.toml:1:1\n")
+            .starts_with("error[empty-file]: expected a scene, got an empty file\n --> s.toml:1:1\n")
     );
     let folder = tempfile::tempdir().unwrap();
     let ran = run(tracefig(folder.path()).args(["solve", "no/such.toml"]));
@@ -314,7 +314,7 @@ fn what_is_no_text_or_too_large_is_told() {
         "{got}"
     );
     let piped = run_on(tracefig(folder.path()).args(["solve", "-"]), "#".repeat(5_000_000));
-    let told = "error[over-limit]: the file: expected at most 4194304 bytes, got more\n--> <stdin>\n";
+    let told = "error[over-limit]: the file: expected at most 4194304 bytes, got more\n --> <stdin>\n";
     assert_eq!(piped.err, told);
     let got = complaint("s.toml", &changed("Two circles", &"x".repeat(4001)));
     assert!(

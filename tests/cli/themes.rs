@@ -183,6 +183,36 @@ fn a_scene_names_a_theme_file_of_its_own_folder() {
 }
 
 #[test]
+fn the_dark_side_of_a_theme_file_is_a_theme_for_images() {
+    let folder = folder_with("s.toml", &drawn());
+    let here = folder.path();
+    let colors = "[colors]\na = \"#0072B2\"\nb = \"#D55E00\"\n";
+    fs::write(here.join("brand.toml"), format!("{colors}[dark]\na = \"#56B4E9\"\nb = \"#E69F00\"\n"))
+        .unwrap();
+    fs::write(here.join("plain.toml"), colors).unwrap();
+    let both = ["s.toml", "--format", "svg", "--theme", "brand.toml,brand.toml#dark"];
+    let ran = render(here, &both);
+    assert_eq!((ran.code, ran.out.as_str()), (Some(0), "s.brand.svg\ns.brand-dark.svg\n"), "{}", ran.err);
+    let dark = svg(here, "s.brand-dark.svg");
+    assert!(dark.contains("#56b4e9") && !dark.contains("prefers-color-scheme"), "one side, for all readers");
+    assert!(svg(here, "s.brand.svg").contains("prefers-color-scheme"));
+    assert_eq!(run(tracefig(here).arg("check").args(both)).code, Some(0));
+    // In a scene and in a project file alike.
+    fs::write(here.join("own.toml"), format!("canvas.theme = \"brand.toml#dark\"\n{}", drawn())).unwrap();
+    assert_eq!(render(here, &["own.toml", "--format", "svg"]).code, Some(0));
+    assert!(svg(here, "own.svg").contains("#56b4e9"));
+    let project =
+        "[render]\nscenes = ['s.toml']\nthemes = ['brand.toml', 'brand.toml#dark']\nformats = ['svg']\n";
+    fs::write(here.join("tracefig.toml"), project).unwrap();
+    assert_eq!(run(tracefig(here).args(["check"])).code, Some(0));
+    let several = render(here, &["s.toml", "-o", "-"]);
+    let told = "tracefig.toml names 2 themes, `brand`, `brand-dark`: choose one by `--theme`\n";
+    assert!(several.code == Some(2) && several.err.contains(told), "{}", several.err);
+    let none = render(here, &["s.toml", "--theme", "plain.toml#dark"]);
+    assert!(none.code == Some(2) && none.err.contains("plain.toml has no table `[dark]`"), "{}", none.err);
+}
+
+#[test]
 fn a_theme_of_a_scene_is_a_file_by_a_path_from_there() {
     let folder = folder_with("s.toml", &drawn());
     let here = folder.path();

@@ -76,6 +76,7 @@ fn a_change_is_drawn_and_an_error_does_not_end_it() {
     let write = |name: &str, text: &str| fs::write(here.join(name), text).unwrap();
     let running = Running::watch(here, &[".", "--format", "svg", "--theme", "night.toml"]);
     assert!(running.says("./s.toml: ./s.svg").is_empty());
+    assert!(running.says("watching 1 scene in .; Ctrl-C ends it").is_empty());
     let first = fs::read(here.join("s.svg")).unwrap();
 
     write("s.toml", &drawn().replace("radius = 1", "radius = 1.5"));
@@ -104,6 +105,36 @@ fn a_change_is_drawn_and_an_error_does_not_end_it() {
     write("tracefig.toml", "[canvas]\nwidth = 700\n");
     running.says("./s.toml: ./s.svg");
     assert!(fs::read_to_string(here.join("s.svg")).unwrap().contains("width=\"700\""));
+    assert_eq!(running.interrupted(), Some(0));
+}
+
+#[test]
+fn what_is_up_to_date_is_said_and_so_is_what_is_well_again() {
+    let folder =
+        folder_with("tracefig.toml", "[render]\nscenes = ['docs']\noutput = 'img'\nformats = ['svg']\n");
+    let here = folder.path();
+    fs::create_dir_all(here.join("docs/deep")).unwrap();
+    let write = |name: &str, text: &str| fs::write(here.join(name), text).unwrap();
+    write("docs/s.toml", &drawn());
+    write("docs/deep/t.toml", &drawn());
+    assert_eq!(run(tracefig(here).arg("render")).code, Some(0));
+    let running = Running::watch(here, &[]);
+    assert!(running.says("watching 2 scenes in docs, up to date; Ctrl-C ends it").is_empty());
+
+    write("docs/s.toml", &drawn().replace("radius = 1", "raduis = 1"));
+    running.says("error[unknown-key]: unknown key `raduis`");
+    write("docs/s.toml", &drawn());
+    running.says("docs/s.toml: well again");
+
+    let project = fs::read_to_string(here.join("tracefig.toml")).unwrap();
+    write("tracefig.toml", &project.replace("output", "outptu"));
+    running.says("error[unknown-key]: unknown key `outptu`");
+    write("tracefig.toml", &project);
+    running.says("well again");
+
+    fs::remove_file(here.join("img/deep/t.svg")).unwrap();
+    running.says("docs/deep/t.toml: img/deep/t.svg");
+    assert!(here.join("img/deep/t.svg").exists());
     assert_eq!(running.interrupted(), Some(0));
 }
 

@@ -23,7 +23,7 @@ pub use keys::{ThemeKey, ThemeValue, keys};
 pub use strokes::{LineKind, Strokes};
 pub use type_sizes::{TextKind, TypeSizes};
 pub(crate) use user::of_json;
-pub use user::{ThemeError, is_file, parse};
+pub use user::{ThemeError, dark_side_of, is_file, parse};
 
 use crate::drawing::{Color, Paint, PatternKind, Role};
 
@@ -125,6 +125,22 @@ impl Theme {
     pub fn on(&self, background: Color) -> Self {
         let Side { colors, words, .. } = self.light().on(background);
         Self { colors, words, dark: self.dark.map(|dark| dark.on(background)), ..self.clone() }
+    }
+
+    /// What readers whose system is dark see, for all readers: as an image has it, which follows no system.
+    /// `None` for a theme that follows none either.
+    ///
+    /// ```
+    /// use tracefig::{drawing::{Color, Role}, figure::theme};
+    /// let theme = theme::parse("[colors]\na = \"#0072B2\"\n[dark]\na = \"#56B4E9\"").unwrap();
+    /// let dark = theme.in_the_dark().unwrap();
+    /// assert_eq!(dark.color(Role::A), Color::hex(0x56B4E9));
+    /// assert!(dark.in_the_dark().is_none());
+    /// ```
+    #[must_use]
+    pub fn in_the_dark(&self) -> Option<Self> {
+        let Side { colors, words, fill_opacity } = self.dark?;
+        Some(Self { colors, words, fill_opacity, dark: None, ..self.clone() })
     }
 
     /// The opaque paint of a role's lines and markers.

@@ -159,15 +159,32 @@ fn place_in(table: &DeTable<'_>, path: &[&str], is_value: bool) -> Option<Range<
     }
 }
 
-/// Whether a theme of this name is a file and none of the house.
+/// What follows the path of a theme file where its side for dark systems alone is asked for.
+const DARK_SIDE: &str = "#dark";
+
+/// Whether a theme of this name is a file, or the dark side of one, and none of the house.
 ///
 /// ```
 /// use tracefig::figure::theme::is_file;
-/// assert!(is_file("brand.toml") && !is_file("dark"));
+/// assert!(is_file("brand.toml") && is_file("brand.toml#dark") && !is_file("dark"));
 /// ```
 #[must_use]
 pub fn is_file(name: &str) -> bool {
-    Path::new(name).extension().is_some_and(|extension| extension == "toml")
+    let file = dark_side_of(name).unwrap_or(name);
+    Path::new(file).extension().is_some_and(|extension| extension == "toml")
+}
+
+/// The theme file whose side for dark systems alone a name asks for; `None` where it asks for a theme as a
+/// whole.
+///
+/// ```
+/// use tracefig::figure::theme::dark_side_of;
+/// assert_eq!(dark_side_of("brand.toml#dark"), Some("brand.toml"));
+/// assert_eq!(dark_side_of("brand.toml"), None);
+/// ```
+#[must_use]
+pub fn dark_side_of(name: &str) -> Option<&str> {
+    name.strip_suffix(DARK_SIDE)
 }
 
 /// Reads the text of a theme file into a theme of the name `user`.
