@@ -3,11 +3,19 @@
 let compiled; // The module, of all figures of a page.
 function compile() {
     const inline = () => document.getElementById("tracefig-module").textContent.trim();
-    const packed = atob(globalThis.tracefigModule ?? inline());
+    const bytes = unpacked(globalThis.tracefigModule ?? inline());
+    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+    // It is compiled while it is inflated.
+    const headers = { "Content-Type": "application/wasm" };
+    return WebAssembly.compileStreaming(new Response(stream, { headers }));
+}
+
+function unpacked(base64) {
+    if (Uint8Array.fromBase64) return Uint8Array.fromBase64(base64);
+    const packed = atob(base64);
     const bytes = new Uint8Array(packed.length);
     for (let i = 0; i < bytes.length; i++) bytes[i] = packed.charCodeAt(i);
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
-    return new Response(stream).arrayBuffer().then((wasm) => WebAssembly.compile(wasm));
+    return bytes;
 }
 
 // One figure in the module. Its calls take and leave texts in the module's memory.

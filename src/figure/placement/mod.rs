@@ -84,15 +84,31 @@ pub(crate) struct Sought {
 pub(crate) struct Fold {
     /// The lines, set, from the top.
     pub(crate) lines: Vec<Arc<Line>>,
-    /// Whether words are broken.
-    pub(crate) in_words: bool,
+    /// Where it is broken.
+    pub(crate) cut: Cut,
+}
+
+/// Where a label is broken into lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cut {
+    /// At spaces.
+    AtSpaces,
+    /// In long words too.
+    InWords,
+    /// Between a sum and its result.
+    InSum,
 }
 
 impl Fold {
     /// How little a label likes to be broken so.
     fn reluctance(&self, w: &Places) -> f64 {
         let lines = u32::try_from(self.lines.len()).map_or(f64::INFINITY, f64::from);
-        w.folded * lines + if self.in_words { w.broken } else { 0.0 }
+        let cut = match self.cut {
+            Cut::AtSpaces => 0.0,
+            Cut::InWords => w.broken,
+            Cut::InSum => w.result_below,
+        };
+        w.folded * lines + cut
     }
 }
 

@@ -11,7 +11,7 @@ use super::anywhere::anywhere;
 use super::candidates::{candidates, nudged};
 use super::choices::Choices;
 use super::cost::Surroundings;
-use super::faults::hides;
+use super::faults::{faults, hides};
 use super::rest::stays;
 use super::seeker::Seeker;
 use super::things::Thing;
@@ -48,13 +48,37 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 }
 
 /// Places the labels of a panel by other numbers than the tuned ones.
+///
+/// Where labels that rest leave another one no good place, none of them rests, and each only likes its old
+/// place better: what is pleasant to look at in a figure that moves is no reason for a false picture.
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
+    let placed = searched(weights, sought, ground, Rest::Allowed);
+    let bad = if ground.before.is_some() { faults(&placed).len() } else { 0 };
+    if bad == 0 {
+        return placed;
+    }
+    let awake = searched(weights, sought, ground, Rest::None);
+    if faults(&awake).len() < bad { awake } else { placed }
+}
+
+/// Whether labels may rest where they stood in the frame before.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Rest {
+    /// They rest where they stand well.
+    Allowed,
+    /// All are placed anew.
+    None,
+}
+
+/// Searches for the places of a panel's labels.
+fn searched(weights: &Weights, sought: &[Sought], ground: &Ground, rest: Rest) -> Labelled {
     let Ground { frame, obstacles, things, earlier, before, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
     let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
     let seekers: Vec<Seeker> = sought.iter().map(|s| Seeker::new(s, things, frame, weights)).collect();
     let none = || seekers.iter().map(|_| None).collect();
-    let stays = before.map_or_else(none, |before| stays(&seekers, before, &surroundings, weights));
+    let mut stays = before.map_or_else(none, |before| stays(&seekers, before, &surroundings, weights));
+    stays.iter_mut().flatten().for_each(|stay| stay.rests &= rest == Rest::Allowed);
     let mut choices = Choices {
         places: vec![Vec::new(); seekers.len()],
         chosen: vec![0; seekers.len()],
@@ -142,8 +166,8 @@ impl Choices<'_> {
         }
     }
 
-    /// Offers the labels that hide something a place anywhere, and makes all of their places that hide
-    /// something a last resort; whether there are any.
+    /// Offers the labels that hide something or would be left out a place anywhere, and makes all of their
+    /// places that hide something a last resort; whether there are any.
     fn search_all(&mut self, seekers: &[Seeker], scene: &Surroundings) -> bool {
         let strict = Surroundings { hiding: self.weights.search.hiding, ..*scene };
         let mut any = false;
@@ -152,7 +176,7 @@ impl Choices<'_> {
             if self.is_spent()
                 || self.rests(label)
                 || sought.pin.is_some()
-                || !hides(scene.obstacles, sought.part, &rect)
+                || !hides(scene.obstacles, sought.part, &rect) && !self.clashes(label, 0..seekers.len())
             {
                 continue;
             }
@@ -180,21 +204,24 @@ impl Choices<'_> {
         seeker.priced_within(most, places, scene)
     }
 
+    /// Whether a label clashes with one of some others, so that one of them is left out.
+    fn clashes(&self, label: usize, mut others: impl Iterator<Item = usize>) -> bool {
+        let (rect, clash) = (self.candidate(label).rect, self.weights.search.clash);
+        others.any(|other| {
+            let both = rect.intersection(self.candidate(other).rect).filter(|_| other != label);
+            both.is_some_and(|r| r.width() > clash && r.height() > clash)
+        })
+    }
+
     /// The labels at their places, without those that clash beyond help.
     fn finish(&self, seekers: &[Seeker], ground: &Ground, scene: &Surroundings) -> Labelled {
         let Ground { frame, obstacles, things, .. } = *ground;
-        let clash = self.weights.search.clash;
         let mut order: Vec<usize> = (0..seekers.len()).collect();
         order.sort_by_key(|&i| std::cmp::Reverse(seekers[i].sought.rank));
         let mut kept: Vec<usize> = Vec::new();
         let mut dropped = Vec::new();
         for &i in &order {
-            let rect = self.candidate(i).rect;
-            let clashes = |&o: &usize| {
-                let both = rect.intersection(self.candidate(o).rect);
-                both.is_some_and(|r| r.width() > clash && r.height() > clash)
-            };
-            if kept.iter().any(clashes) {
+            if self.clashes(i, kept.iter().copied()) {
                 dropped.push((seekers[i].sought.key, seekers[i].sought.span.clone()));
             } else {
                 kept.push(i);

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::figure::placement::Fold;
-use crate::typeset::{Line, Style, paragraph};
+use crate::figure::placement::{Cut, Fold};
+use crate::typeset::{Line, Style, line, paragraph};
 
 /// A name that is shorter than this, in ems, stays on one line: a word of eight letters.
 const SHORT: f64 = 4.0;
@@ -25,12 +25,30 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
         return Vec::new();
     }
     let kept = narrow(&line.markup, line.width, style).into_iter();
-    let mut all: Vec<Fold> = kept.map(|lines| Fold { lines, in_words: false }).collect();
+    let mut all: Vec<Fold> = kept.map(|lines| Fold { lines, cut: Cut::AtSpaces }).collect();
     if let Some(broken) = broken(&line.markup) {
         let cut = narrow(&broken, line.width, style).into_iter();
-        all.extend(cut.map(|lines| Fold { lines, in_words: true }));
+        all.extend(cut.map(|lines| Fold { lines, cut: Cut::InWords }));
     }
     all
+}
+
+/// The way to set a sum and its result, as `d $= a - b = c$`, on two lines: the last equals sign begins the
+/// second one. None where there is no sum, or the line is short.
+pub(super) fn chain(set: &Line, style: Style) -> Option<Fold> {
+    const EQUALS: &str = " = ";
+    if set.width < SHORT * style.size {
+        return None;
+    }
+    let (sum, result) = set.markup.rsplit_once(EQUALS)?;
+    // Inside a formula, which has an equals sign before.
+    let formula = sum.rsplit_once('$').filter(|_| sum.matches('$').count() % 2 == 1)?.1;
+    if !formula.contains('=') || !result.ends_with('$') {
+        return None;
+    }
+    let lines = [format!("{sum}$"), format!("$= {result}")].map(|markup| line(&markup, style).ok());
+    let lines = lines.into_iter().collect::<Option<_>>()?;
+    Some(Fold { lines, cut: Cut::InSum })
 }
 
 /// A text on two lines and on three, each as narrow as it can be; `width` is that of the whole.
@@ -85,7 +103,7 @@ mod tests {
     fn widths(markup: &str, in_words: bool) -> Vec<Vec<f64>> {
         let style = Style::regular(17.0);
         let folds = folds(&typeset(markup, style).unwrap(), style);
-        let folds = folds.iter().filter(|fold| fold.in_words == in_words);
+        let folds = folds.iter().filter(|fold| (fold.cut == Cut::InWords) == in_words);
         folds.map(|fold| fold.lines.iter().map(|line| line.width).collect()).collect()
     }
 
@@ -96,6 +114,21 @@ mod tests {
         assert!(two.len() == 2 && three.len() == 3);
         assert!(two.iter().all(|&w| w < 0.65 * whole) && three.iter().all(|&w| w < 0.5 * whole));
         assert_eq!(widths(r"ground plane $\ominus$ crate", false).len(), 2);
+    }
+
+    #[test]
+    fn a_sum_is_folded_before_its_result() {
+        let style = Style::regular(14.0);
+        let lines = |markup: &str| {
+            let fold = chain(&typeset(markup, style).unwrap(), style)?;
+            Some(fold.lines.iter().map(|line| line.markup.clone()).collect::<Vec<_>>())
+        };
+        let sum = lines("overlap $= 0.5 - (-3.2) = 3.7$").unwrap();
+        assert_eq!(sum, ["overlap $= 0.5 - (-3.2)$", "$= 3.7$"]);
+        assert_eq!(lines("$d = a + b = 12345$").unwrap(), ["$d = a + b$", "$= 12345$"]);
+        for whole in ["overlap $= 3.712345678$", "$a = b + c + d + e$", "words = of a = kind, no formula"] {
+            assert_eq!(lines(whole), None, "{whole}");
+        }
     }
 
     #[test]

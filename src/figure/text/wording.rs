@@ -16,7 +16,7 @@ use crate::typeset::{self, Style, TypesetError, typeset};
 
 use super::decimal::Decimal;
 use super::fill::fill;
-use super::fold::folds;
+use super::fold::{chain, folds};
 use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.
@@ -80,6 +80,7 @@ impl Wording<'_> {
             [line] if label.rank == Rank::Point || matches!(label.anchor, Anchor::Inside { .. }) => {
                 folds(line, style)
             }
+            [line] if label.rank == Rank::Measure => chain(line, style).into_iter().collect(),
             _ => Vec::new(),
         };
         Ok(Some(Sought {

@@ -45,6 +45,9 @@ super::numbers! {
         /// Reluctance of a name to be broken in its words.
         /// Twice: 0 + 1 labels; half: 0 + 4 labels.
         broken: f64 = 7.0;
+        /// Reluctance of a sum to have its result on a line of its own: it is read in one go. At none, a gap
+        /// of `separating-axes` has it below, where a line suffices.
+        result_below: f64 = 12.0;
         /// Reluctance to have a leader line where a label stands near its thing, but as near to another one.
         /// Twice: nothing; half: 0 + 4 labels.
         lead: f64 = 5.0;
