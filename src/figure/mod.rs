@@ -7,6 +7,7 @@
 mod asked_theme;
 mod bands;
 mod budget;
+mod clock;
 mod context;
 mod cue;
 pub mod default_picture;

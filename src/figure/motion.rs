@@ -6,17 +6,13 @@
 //! Labels rest where they stand in the finished figure, from picture to picture, beginning with the one that
 //! is like it.
 
-use std::sync::Arc;
+use crate::drawing::{Drawing, MotionFrame};
 
-use crate::drawing::{Drawing, Halo, Item, MotionFrame, Point, Role};
-use crate::typeset::{Style, typeset};
-
+use super::clock::{self, Clock};
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
-use super::lettering::lettered;
 use super::limits::{MAX_POINTS, within};
-use super::panel::PanelPlan;
 use super::plan::{Plan, panels_of, say};
 use super::played::Played;
 use super::runs::Runs;
@@ -29,10 +25,6 @@ use super::view;
 const MOST_POINTS: usize = 8 * MAX_POINTS;
 /// Moments at which a panel without a `view` is looked at, so that it has room for what plays there.
 const LOOKS: usize = 8;
-/// How far the clock stands from the edges of its panel, page pixels.
-const ASIDE: f64 = 6.0;
-/// How far its halo reaches, page pixels.
-const HALO: f64 = 2.5;
 
 /// The plan of a figure on its way, at `time`, with what its layers draw; what does not play, and the page,
 /// is as in the figure.
@@ -111,46 +103,52 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
     let time = |k: u32| end * (f64::from(k) / f64::from(parts));
     // Labels are taken from the moment that the figure shows, so the way is drawn from there.
     let on_the_way: Vec<u32> = if is_shown { (0..parts).rev().collect() } else { (0..=parts).collect() };
-    let (mut frames, mut points, mut before) = (Vec::new(), 0_usize, None);
+    let (mut way, mut points) = (Vec::<OnTheWay>::new(), 0_usize);
     for k in on_the_way {
         let (plan, sketched) = at(plan, &played, time(k))?;
         points = sketched.iter().fold(points, |all, sketched| all.saturating_add(sketched.points));
         let span = &plan.scene.query.span;
         within("the lines of all pictures", "points", points, MOST_POINTS, span).map_err(one)?;
-        let figure = draw_after(&plan, theme, id, Some(before.as_ref().unwrap_or(&finished)));
-        let drawing = drawn_at(&figure, &finished.drawing, (&plan, &played, theme));
-        frames.push(MotionFrame { drawing, rests: k == parts });
-        before = Some(figure);
+        let before = way.last().map_or(&finished, |before| &before.figure);
+        let figure = draw_after(&plan, theme, id, Some(before));
+        let size = plan.layout.measures.caption_size();
+        let clocks = played.0.iter().map(|&(i, _)| Clock::of(plan.panels[i].moment.time, size)).collect();
+        way.push(OnTheWay { figure, clocks, rests: k == parts });
     }
     if is_shown {
-        frames.reverse();
+        way.reverse();
     }
+    let frames = with_clocks(way, &finished.drawing, &played, theme);
     finished.drawing.motion = frames;
     Ok(finished)
 }
 
-/// A picture on the way: what is drawn at its moment, in the words of the finished figure, with the time in
-/// the panels that play.
-fn drawn_at(figure: &Figure, finished: &Drawing, (plan, played, theme): (&Plan, &Played, &Theme)) -> Drawing {
-    let mut items = figure.drawing.clone().finished().items;
-    for &(i, _) in &played.0 {
-        items.extend(clock(&plan.panels[i], plan, theme));
-    }
-    Drawing { items, motion: Vec::new(), ..finished.clone() }
+/// A picture on the way.
+struct OnTheWay {
+    /// What is drawn at its moment.
+    figure: Figure,
+    /// The times of the panels that play, in their order.
+    clocks: Vec<Option<Clock>>,
+    /// Whether it stays for a while.
+    rests: bool,
 }
 
-/// The moment of a panel, in its lower right corner.
-fn clock(panel: &PanelPlan, plan: &Plan, theme: &Theme) -> Vec<Item> {
-    // Two digits, so that it does not jump.
-    let hundredths = (100.0 * panel.moment.time).round() / 100.0;
-    let text = format!("$t = {hundredths:.2}$");
-    let Ok(line) = typeset(&text, Style::regular(plan.layout.measures.caption_size())) else {
-        return Vec::new();
+/// The pictures as drawings, in the words of the finished figure, with the time in the panels that play.
+fn with_clocks(way: Vec<OnTheWay>, finished: &Drawing, played: &Played, theme: &Theme) -> Vec<MotionFrame> {
+    let corners: Vec<(bool, bool)> = (played.0.iter().enumerate())
+        .map(|(k, &(i, _))| {
+            clock::corner(way.iter().filter_map(|on| Some((&on.figure.panels[i], on.clocks[k].as_ref()?))))
+        })
+        .collect();
+    let drawn = |OnTheWay { figure, clocks, rests }: OnTheWay| {
+        let mut items = figure.drawing.finished().items;
+        for ((&(i, _), clock), &corner) in played.0.iter().zip(&clocks).zip(&corners) {
+            let panel = &figure.panels[i].frame.panel;
+            items.extend(clock.iter().flat_map(|clock| clock.drawn(panel, corner, theme)));
+        }
+        MotionFrame { drawing: Drawing { items, motion: Vec::new(), ..finished.clone() }, rests }
     };
-    let corner = panel.frame.panel;
-    let origin = Point::new(corner.x1 - ASIDE - line.width, corner.y1 - ASIDE);
-    let halo = Some(Halo::plain(theme.paint(Role::Background), HALO));
-    lettered(&Arc::new(line), origin, Role::Now, (theme, halo))
+    way.into_iter().map(drawn).collect()
 }
 
 impl Plan<'_> {
@@ -203,6 +201,7 @@ impl Plan<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::Item;
     use crate::figure::plan;
     use crate::geometry::DVec2;
     use crate::scene::open_text;
@@ -314,6 +313,18 @@ mod tests {
         let scene = open_text("s", &ghosts).unwrap().scene;
         let [before, after] = [plan(&scene).unwrap(), plan(&scene).unwrap().with_room_to_move().unwrap()];
         assert_eq!(before.panels[0].frame, after.panels[0].frame);
+    }
+
+    #[test]
+    fn a_label_may_say_the_moment_of_each_picture() {
+        let named = "{ time = 'hit', layers = [{ layer = 'shapes', text = 'at $t = {=moment}$' }] }";
+        let (figure, _) = played(&discs(SWEEP, named), 3);
+        let way = figure.drawing.motion.iter().map(|frame| &frame.drawing).chain([&figure.drawing]);
+        let said: Vec<String> = way.map(|drawing| format!("{:?}", drawing.items)).collect();
+        assert_eq!(said.len(), 3);
+        for (said, moment) in said.iter().zip(["0", "0.25", "0.5"]) {
+            assert!(said.contains(&format!("at $t = {moment}$")), "{moment}");
+        }
     }
 
     #[test]

@@ -106,6 +106,14 @@ impl Placed {
     }
 }
 
+impl Labelled {
+    /// Whether nothing of the panel lies under a box: no label, and nothing that labels keep off.
+    pub(crate) fn is_free(&self, bounds: &Rect) -> bool {
+        let has_label = self.placed.iter().any(|label| label.bounds.intersection(*bounds).is_some());
+        !has_label && !hides(&self.obstacles, usize::MAX, bounds)
+    }
+}
+
 impl LabelFault {
     /// The key of the label, as in `[labels]`, and where it comes from in the scene: bytes of its text.
     ///

@@ -48,16 +48,13 @@ pub(crate) static VALUES: &[Value] = &[
     },
     Value { name: "depth", about: "penetration depth at the panel's moment, positive", of: depth },
     Value { name: "time", about: "time of first contact, else the panel's moment", of: time },
+    Value { name: "moment", about: "the panel's moment, in each picture that plays", of: moment },
     Value {
         name: "closest.time",
         about: "when the bodies of a miss are closest",
         of: |c| Some(Quantity::exactly(c.closest()?.time)),
     },
-    Value {
-        name: "closest.separation",
-        about: "the least separation of a miss, world units",
-        of: least_separation,
-    },
+    Value { name: "closest.separation", about: "the least separation of a miss, world units", of: least },
     Value {
         name: "n.x",
         about: "x of the unit normal from A to B at the panel's moment",
@@ -197,12 +194,16 @@ fn time(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
         Answer::Impact(_) => context.hit_time().map(Quantity::within),
         Answer::MotionBound(_) => None,
-        _ => Some(Quantity::exactly(context.time)),
+        _ => moment(context),
     }
 }
 
+fn moment(context: &Context) -> Option<Quantity> {
+    Some(Quantity::exactly(context.time))
+}
+
 /// The bounds of the least separation of a miss.
-fn least_separation(context: &Context) -> Option<Quantity> {
+fn least(context: &Context) -> Option<Quantity> {
     let bounds = context.closest()?.bounds;
     Some(Quantity { lo: bounds.lo, hi: bounds.hi })
 }
