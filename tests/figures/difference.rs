@@ -101,7 +101,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.text_near("$b_2$", (2.5, 2.5), 40.0),
         f.says("$5$ long") && f.says("$10$ long"),
         world.marker(Now, (2.5, 5.0)),
-        world.text_near("$a_1$", (2.5, 5.0), 40.0),
+        world.text_near("$a_1$", (2.5, 5.0), 40.0) && world.text_near("$a_2$", (-5.5, -1.0), 40.0),
     ];
     let conf = look(&f, 1, [-9.0, -6.0, 8.6, 10.0]);
     edges_wear_their_source(
@@ -127,6 +127,8 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.text_near("edge of $A$, turned over", (4.0, 0.5), 80.0),
         // There it goes the other way.
         conf.arrow(A, (0.0, -2.5), (8.0, 3.5)),
+        // (−1.5, −0.5) − (2.5, 5) and (2.5, 2.5) − (−5.5, −1)
+        conf.text_near("$b_1 - a_1$", (-4.0, -5.5), 60.0) && conf.text_near("$b_2 - a_2$", (8.0, 3.5), 60.0),
         // (2.5, 2.5) − (2.5, 5)
         conf.text_near("$b_2 - a_1$", (0.0, -2.5), 60.0),
     ];

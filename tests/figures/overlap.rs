@@ -211,7 +211,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         f.says("$h_x = 1.5$") && f.says("$h_y = 3$") && f.says("$B_c$"),
         f.says("$D = (2.4, 1)$"),
         f.says("$r = 1.6$"),
-        f.says("1"),
+        f.says("distance") && f.says("1"),
     ];
 }
 

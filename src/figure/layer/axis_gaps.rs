@@ -12,7 +12,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
-use super::half_extents::beside;
+use super::half_extents::{GUIDE, beside};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
@@ -174,12 +174,13 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
+    let guide = Pen::extension().opacity(GUIDE);
     for (body, starts) in across.iter().enumerate() {
         for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts) {
             let reach = |b: &&Bar| b.ends.contains(&along);
             let last = bars.iter().filter(reach).map(|b| b.track).fold(1.0, f64::max);
             let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
-            sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), Pen::extension());
+            sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), guide);
         }
     }
     // What is shared lies under the bars that share it.

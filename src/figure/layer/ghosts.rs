@@ -176,7 +176,9 @@ fn look(options: &Options, role: Role) -> (Option<Wash>, Pen) {
     if options.flag("solid", false) {
         (Some(Wash::theme(role)), Pen::outline(role))
     } else {
-        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role))
+        // What only might be is fainter than what is.
+        let opacity = if options.word("at", When::HIT) == RIVAL { SERIES[0] } else { 1.0 };
+        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
     }
 }
 

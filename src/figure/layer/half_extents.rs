@@ -19,6 +19,9 @@ const OFFSET: f64 = 24.0;
 /// to be seen.
 pub(super) const ON_LINE: f64 = 1.0;
 
+/// Opacity of a line that leads through a body to its length.
+pub(super) const GUIDE: f64 = 0.55;
+
 pub(super) const LAYER: Layer = Layer {
     name: "half-extents",
     about: "half-extents of a box, from its centre to its edges, without a radius",
@@ -148,7 +151,9 @@ fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
     let part = l.key.replace('_', "-");
     // A bar stands for the whole way from the centre; a dimension line begins at the box.
     let begin = if bar { l.from } else { l.from + l.past };
-    sketch.part(&part).weight(Weight::Light).line(begin, p, Pen::extension());
+    // Faint, as it may lead through the body.
+    let guide = Pen::extension().opacity(if bar { GUIDE } else { 1.0 });
+    sketch.part(&part).weight(Weight::Light).line(begin, p, guide);
     sketch.part(&part).weight(Weight::Light).line(l.from + l.past + l.along, q, Pen::extension());
     let pen = if bar { Pen::highlighted(role) } else { Pen::dimension(role) };
     sketch.part(&part).bar(p, q, 0.0, pen);

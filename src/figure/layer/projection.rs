@@ -16,7 +16,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::half_extents::beside;
+use super::half_extents::{GUIDE, beside};
 use super::normal::{unit_length, unit_vector};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
@@ -167,7 +167,11 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
             let measured = end == if body == Side::A { t.a.hi } else { t.b.lo };
             let track = if measured { sketch.px(MEASURE) } else { track };
             if let Some(from) = casting(&points, t.n, end, down) {
-                sketch.part("shadows").weight(Weight::Light).line(from, at(end, track), Pen::extension());
+                sketch.part("shadows").weight(Weight::Light).line(
+                    from,
+                    at(end, track),
+                    Pen::extension().opacity(GUIDE),
+                );
             }
         }
         let pen = Pen::highlighted(options.role(body.into()));

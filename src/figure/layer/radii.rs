@@ -11,7 +11,7 @@ use crate::trace::Event;
 
 use crate::scene::COMPASS;
 
-use super::half_extents::beside;
+use super::half_extents::{GUIDE, beside};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
@@ -226,7 +226,11 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
-        sketch.part("lengths").weight(Weight::Light).line(point, point + out, Pen::extension());
+        sketch.part("lengths").weight(Weight::Light).line(
+            point,
+            point + out,
+            Pen::extension().opacity(GUIDE),
+        );
     }
 }
 

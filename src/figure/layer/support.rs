@@ -2,7 +2,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::difference::Edge;
+use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
@@ -38,6 +38,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "b_1", about: "first supporting vertex, on B" },
         LabelKey { key: "b_2", about: "second supporting vertex, on B" },
         LabelKey { key: "joint", about: "where the parts of the nearest edge join, with lengths" },
+        LabelKey { key: "end", about: "where the nearest edge begins and ends, with lengths" },
         LabelKey { key: "length.A", about: "length of A's facing edge, with lengths" },
         LabelKey { key: "length.B", about: "length of B's facing edge, with lengths" },
     ],
@@ -87,17 +88,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if let Some(joint) = difference(context, context.time).and_then(|found| found.joint()) {
             let joint = joint + context.estimate();
             sketch.part("support").marker(joint, Marker::Diamond, role, LARGE_MARKER);
-            if let Some([a, b]) = joined(context).filter(|_| lengths) {
-                let [p, q] = [b, a].map(|vertex| context.named(vertex.side).point(vertex.number));
-                let anchor = Anchor::point(joint);
-                sketch.label(Label::new("joint", format!("${p} - {q}$"), anchor, role).rank(Rank::Point));
+            if lengths {
+                name(sketch, context, role);
             }
         }
         return;
     }
     let Some((side, vertices)) = supports(context) else { return };
-    if let Some(both) = joined(context).filter(|_| lengths) {
-        for vertex in both.into_iter().filter(|vertex| vertex.side != side) {
+    if let Some(found) = difference(context, context.time).filter(|_| lengths) {
+        for vertex in ends(context, &found, side.other()).into_iter().flatten() {
             mark(sketch, context, role, vertex, Anchor::point(vertex.point));
         }
     }
@@ -138,23 +137,34 @@ fn mark(sketch: &mut Sketch, context: &Context, role: Role, vertex: Marked, anch
     sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
 }
 
-/// The vertices of A and of B whose difference joins the two parts of the nearest edge. `None` where no edges
-/// face each other.
-fn joined(context: &Context) -> Option<[Marked; 2]> {
-    let found = difference(context, context.time)?;
-    let (joint, aligned) = (found.joint()?, found.aligned()?);
-    let ends = |side: Side| {
-        let edge = aligned.iter().find(|edge| edge.source == side)?;
-        let mut ends = context.body(side)?.shape.edge_ends(edge.index)?;
-        // A tie of supporting vertices is told in the order of their numbers.
-        ends.sort_unstable();
-        let [p, q] = ends.map(|k| context.vertex(side, k, context.time));
-        Some([(1, p?), (2, q?)].map(|(number, point)| Marked { side, number, point }))
-    };
-    let (a, b) = (ends(Side::A)?, ends(Side::B)?);
-    let gap = |[p, q]: &[Marked; 2]| (q.point - p.point).distance(joint);
-    let pairs = a.into_iter().flat_map(|p| b.map(|q| [p, q]));
-    pairs.min_by(|one, other| gap(one).total_cmp(&gap(other)))
+/// Names where the parts of the nearest edge join, and its ends, by the vertices whose differences they are.
+fn name(sketch: &mut Sketch, context: &Context, role: Role) {
+    let Some(found) = difference(context, context.time) else { return };
+    let (Some(joint), Some(parts)) = (found.joint(), found.aligned()) else { return };
+    let (Some(a), Some(b)) = (ends(context, &found, Side::A), ends(context, &found, Side::B)) else { return };
+    let gap = |[p, q]: &[Marked; 2], place: DVec2| (q.point - p.point).distance(place);
+    let beyond = parts.map(|part| if part.from == joint { part.to } else { part.from });
+    // A round B ⊖ A has its ends elsewhere.
+    let beyond = beyond.into_iter().filter(|_| found.radius == 0.0).map(|end| ("end", end, Role::Difference));
+    for (key, place, role) in [("joint", joint, role)].into_iter().chain(beyond) {
+        let pairs = a.into_iter().flat_map(|p| b.map(|q| [p, q]));
+        let nearest = pairs.min_by(|one, other| gap(one, place).total_cmp(&gap(other, place)));
+        let Some([p, q]) = nearest.map(|[p, q]| [q, p].map(|v| context.named(v.side).point(v.number))) else {
+            continue;
+        };
+        let anchor = Anchor::point(place + context.estimate());
+        sketch.label(Label::new(key, format!("${p} - {q}$"), anchor, role).rank(Rank::Point));
+    }
+}
+
+/// The ends of a body's facing edge, numbered. `None` where no edges face each other.
+fn ends(context: &Context, found: &Difference, side: Side) -> Option<[Marked; 2]> {
+    let edge = found.aligned()?.into_iter().find(|edge| edge.source == side)?;
+    let mut ends = context.body(side)?.shape.edge_ends(edge.index)?;
+    // A tie of supporting vertices is told in the order of their numbers.
+    ends.sort_unstable();
+    let [p, q] = ends.map(|k| context.vertex(side, k, context.time));
+    Some([(1, p?), (2, q?)].map(|(number, point)| Marked { side, number, point }))
 }
 
 /// Draws the edges that face each other, one of each body, with their lengths: in the world where they are,
