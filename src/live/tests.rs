@@ -153,3 +153,43 @@ fn random_edits_never_end_in_a_panic() {
     println!("{made} of {count} edits made a scene, of which {drawn} were drawn");
     assert!(made * 4 > count && drawn * 40 > count, "{made} made and {drawn} drawn of {count}");
 }
+
+/// What a sum of numbers and of their quotients comes to; `None` where it is none.
+fn sum(words: &str) -> Option<f64> {
+    let plain = words.replace("- (-", "+ (").replace("- ", "+ -").replace(['(', ')', '$'], "");
+    let quotient = |term: &str| {
+        let mut parts = term.split('/').map(|part| part.trim().parse::<f64>().ok());
+        parts.next()?.and_then(|first| parts.try_fold(first, |all, part| Some(all / part?)))
+    };
+    plain.split(" + ").map(quotient).sum()
+}
+
+#[test]
+fn sums_that_labels_say_are_right_wherever_a_body_is_and_moves() {
+    let mut said = 0;
+    for path in figures() {
+        for (place, velocity) in
+            [([0.0, 0.0], [0.0, 0.0]), ([0.3, -0.2], [0.0, 0.0]), ([0.0, 0.0], [-1.0, -0.5])]
+        {
+            let mut scene = open(&path).unwrap().scene;
+            let body = &mut scene.shapes[0].1;
+            body.position += DVec2::from(place);
+            if body.velocity != DVec2::ZERO {
+                body.velocity += DVec2::from(velocity);
+            }
+            let Ok(plan) = plan(&scene) else { continue };
+            let figure = draw(&plan, plan.theme, "f");
+            let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
+            for line in placed.flat_map(|label| &label.lines).map(|(_, line)| &line.markup) {
+                let parts: Vec<Option<f64>> = line.split(" = ").map(sum).collect();
+                for pair in parts.windows(2) {
+                    let &[Some(a), Some(b)] = pair else { continue };
+                    said += 1;
+                    // Numbers have three digits at least.
+                    assert!((a - b).abs() <= 0.01 * a.abs().max(b.abs()), "{}: {line}", path.display());
+                }
+            }
+        }
+    }
+    assert!(said > 10, "{said}");
+}
