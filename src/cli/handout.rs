@@ -8,7 +8,7 @@ use std::sync::Arc;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
-use tracefig::drift::{fingerprint, text_chunk};
+use tracefig::drift::text_chunk_of_several;
 use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, OutputError, PAPERS};
 
 use super::Status;
@@ -214,7 +214,7 @@ impl Document {
         let wrong = |error: OutputError| format!("error: {}: {error}\n", shown(&self.path));
         let Some((_, first)) = figures.first() else { return Err(wrong(OutputError::NoSheets)) };
         let all: Vec<&str> = figures.iter().map(|(_, file)| file.drawing.hash.as_str()).collect();
-        let hash = text_chunk(&fingerprint(&all.join(" "), &format!("{:?}", self.handout)));
+        let hash = text_chunk_of_several(&all, &format!("{:?}", self.handout));
         let of_one =
             |(_, file): &(String, Encoded)| Drawing { hash: hash.clone(), ..(*file.drawing).clone() };
         let drawings: Vec<Drawing> = figures.iter().map(of_one).collect();

@@ -123,11 +123,13 @@ fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
     paths.filter(|path| is_ours(path)).collect()
 }
 
-/// Whether a file says of itself that it is a figure of ours.
+/// Whether a file says of itself that it is a figure of ours, of one scene: the name of a document of several
+/// is anybody's choice.
 fn is_ours(path: &Path) -> bool {
     let Some(format) = path.extension().and_then(|e| format(&e.to_string_lossy())) else { return false };
-    read_regular(path, MOST_BYTES)
-        .is_ok_and(|bytes| Stamp::read(format, &bytes).is_some() && !is_triptych(&bytes))
+    read_regular(path, MOST_BYTES).is_ok_and(|bytes| {
+        Stamp::read(format, &bytes).is_some_and(|stamp| !stamp.is_of_several()) && !is_triptych(&bytes)
+    })
 }
 
 /// The files that the scenes give and that are there, by their one name: a disk that takes `A.svg` and

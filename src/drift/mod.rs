@@ -22,7 +22,7 @@ pub use damage::Damage;
 pub use elements::{Element, elements_in};
 pub use measured::Measured;
 pub use pixels::{PictureDrift, PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};
-pub use stamp::{Stamp, facts, fingerprint, metadata, restamped, text_chunk};
+pub use stamp::{Stamp, facts, fingerprint, metadata, restamped, text_chunk, text_chunk_of_several};
 pub use text::LineDrift;
 
 use crate::output::{Format, MOST_BYTES, Picture, TooMuch, Unread, sheets_apart};

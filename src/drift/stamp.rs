@@ -106,6 +106,23 @@ pub fn facts(plan: &Plan<'_>) -> String {
     format!("{head},\"trace\":{trace}")
 }
 
+/// What the hash of a document of several scenes begins with, so that no scene is looked for that has its
+/// name.
+const OF_SEVERAL: &str = "several-";
+
+/// What a document of several scenes carries, of their hashes and of how it has them.
+///
+/// ```
+/// use tracefig::drift::text_chunk_of_several;
+/// let text = text_chunk_of_several(&["00ff", "00fe"], "two a sheet");
+/// assert_ne!(text, text_chunk_of_several(&["00ff", "00fe"], "one a sheet"));
+/// assert!(text.starts_with("several-"));
+/// ```
+#[must_use]
+pub fn text_chunk_of_several(hashes: &[&str], options: &str) -> String {
+    text_chunk(&format!("{OF_SEVERAL}{}", fingerprint(&hashes.join(" "), options)))
+}
+
 /// The metadata of one file: the [`fingerprint`] of its scene and options, and the [`facts`] of the scene.
 ///
 /// ```
@@ -163,6 +180,18 @@ impl Stamp {
     #[must_use]
     pub fn is_of(&self, hash: &str) -> bool {
         self.hash == hash && self.version == VERSION
+    }
+
+    /// Whether the file is a document of several scenes, as a handout.
+    ///
+    /// ```
+    /// use tracefig::drift::Stamp;
+    /// let stamp = |hash: &str| Stamp { hash: hash.to_owned(), version: "0.0.0".to_owned(), facts: None };
+    /// assert!(stamp("several-00ff").is_of_several() && !stamp("00ff").is_of_several());
+    /// ```
+    #[must_use]
+    pub fn is_of_several(&self) -> bool {
+        self.hash.starts_with(OF_SEVERAL)
     }
 
     /// What a file of a format says of itself; `None` where it is none of ours, or the format has no place

@@ -266,6 +266,7 @@ impl Fault {
                 Some(format!("these do: {}", quoted(suited)))
             }
             Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
+            Self::NotUtf8 => Some("save it as UTF-8, not as UTF-16 or Latin-1".to_owned()),
             Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
             Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
             _ => None,

@@ -57,6 +57,7 @@ const PAGE: &[&str] = &[
     "title",
     "style",
     "body",
+    "main",
     "figure",
     "figcaption",
     "p",

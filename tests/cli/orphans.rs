@@ -105,7 +105,7 @@ const DOUBTS: &[Doubt] = &[
             fs::write(here.join("a.toml"), [&[0xff, 0xfe][..], &bytes].concat()).unwrap();
         },
         "a.toml",
-        "error[not-utf8]",
+        "= help: save it as UTF-8, not as UTF-16",
     ),
     (
         "both tables mistyped",
@@ -223,6 +223,21 @@ fn figures_that_other_options_drew_are_no_orphans_of_a_project() {
     assert!(pictures(here).len() > 10);
     let ran = check(here, &[]);
     assert_eq!((ran.code, orphans(&ran)), (Some(0), vec![]), "{}{}", ran.out, ran.err);
+}
+
+#[test]
+fn a_document_of_several_scenes_is_no_orphan() {
+    let folder = project("'svg'", "");
+    let here = folder.path();
+    for name in ["handout.pdf", "talk.pptx"] {
+        let file = format!("docs/img/{name}");
+        let ran = run(tracefig(here).args(["render", "-o", &file]));
+        assert_eq!(ran.code, Some(0), "{}", ran.err);
+        assert_eq!(check(here, &["--handout", &file]).code, Some(0), "{name}");
+    }
+    let ran = check(here, &["--prune"]);
+    assert_eq!((ran.code, orphans(&ran)), (Some(0), vec![]), "{}{}", ran.out, ran.err);
+    assert!(here.join("docs/img/handout.pdf").exists() && here.join("docs/img/talk.pptx").exists());
 }
 
 #[cfg(unix)]

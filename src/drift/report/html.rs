@@ -38,7 +38,12 @@ pub fn html(findings: &[Finding]) -> String {
     }
     out.push_str("</dl>\n");
     if let Some(advice) = advice(findings) {
-        let _ = writeln!(out, "<p>{}</p>", escape(&advice));
+        // What stands in backticks is code.
+        let parts = escape(&advice);
+        let parts = parts.split('`').enumerate();
+        let marked =
+            parts.map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part.into() });
+        let _ = writeln!(out, "<p>{}</p>", marked.collect::<String>());
     }
     for finding in findings.iter().filter(|f| f.is_bad()) {
         let name = escape(&visible(&finding.file));

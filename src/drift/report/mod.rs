@@ -145,6 +145,7 @@ mod tests {
         let page = html(&findings());
         assert!(page.contains("data:image/png;base64,AQIDBA==") && !page.contains("<c>"), "{page}");
         assert!(!page.contains("<script") && !page.contains("http"), "{page}");
+        assert!(page.contains("<p><code>tracefig check --accept</code> writes what is changed or missing"));
     }
 
     #[test]
