@@ -136,7 +136,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         hit.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(dashed),
         f.says("$d = 6$"),
         f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
-        f.says(r"$\omega_A = 1$ rad") && f.says(r"$\omega_B = 0.8$ rad"),
+        f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
         // v·n = (7, 1)·(1, 0), 3 · 1 and 2.5 · 0.8; 6 / 12 = 0.5, and what is left then.
         f.says(r"$v \cdot n = 7$"),
         f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$") && f.says("$12$"),
@@ -185,7 +185,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
     let view = [-5.2, -4.45, 5.1, 4.6];
-    let b = [(-5.0, -2.5), (4.6, 0.3), (4.9, 1.95), (-4.7, -0.85)];
+    let b = [(-5.1, -3.05), (4.5, -0.25), (4.9, 1.95), (-4.7, -0.85)];
     let one = look(&f, 0, view);
     // The band's edges are 1 from the way, square to (4.5, -6.5): by (13, 9)/√250.
     let (x, y) = (13.0 / 250.0_f64.sqrt(), 9.0 / 250.0_f64.sqrt());
@@ -227,7 +227,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         world.polygon(A, &moved(a, (-6.0, -5.0))).is_some_and(dashed),
         world.line(Now, (3.5, 7.5), (-2.5, 2.5)).is_some(),
         world.arrow(Ink, (3.5, 7.5), (-4.0, 1.25)),
-        world.marker(Ink, (-2.5, 2.5)),
+        world.marker(Now, (-2.5, 2.5)),
         f.says("$A$ at $t = 0.8$"),
         f.says("$v_A$ $= (-7.5, -6.25)$"),
     ];
@@ -326,6 +326,6 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     }
     shows![
         f.says("$t_2 = 0 + 5 / 10 = 0.5$") && f.says("$t_3 = 0.5 + 1.96 / 9.75 = 0.701$"),
-        f.says("$0.555 < 0.6$: it stops"),
+        f.says("$0.555 < 0.6$, the tolerance"),
     ];
 }

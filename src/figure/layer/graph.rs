@@ -6,6 +6,7 @@
 //!
 //! The graph fills its panel; its axes have scales of their own, so that it stands alone there.
 
+use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
@@ -30,7 +31,7 @@ const NAMED: f64 = 24.0;
 const GAP: f64 = 22.0;
 
 /// The least distance of two steps along the axis that have their times below their numbers, page pixels.
-const VALUE_GAP: f64 = 36.0;
+const VALUE_GAP: f64 = 30.0;
 
 /// Room below for the times, page pixels.
 const VALUE_ROOM: f64 = 16.0;
@@ -53,6 +54,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the times, the separations and the speed of the first line",
         },
+        OptionSpec {
+            name: "tolerance",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the separation at which it stops, as a line",
+        },
     ],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
@@ -62,6 +69,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "s_1", about: "the separation at the first step" },
         LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
         LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
+        LabelKey { key: "tolerance", about: "the separation at which it stops, with tolerance" },
     ],
     needs: "an algorithm that advances in steps",
     fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
@@ -107,6 +115,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("lines", true) {
         worst(sketch, (context, &chart), &all, values);
     }
+    if options.flag("tolerance", false) {
+        tolerance(sketch, (context, &chart));
+    }
     let role = options.role(Role::Translation);
     let curve: Vec<DVec2> = points.iter().map(|p| chart.place(p.x, p.y)).collect();
     sketch
@@ -139,6 +150,16 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             left(sketch, (k + 2, then), [to, up], chart.along(sketch, then.time - step.time), values);
         }
     }
+}
+
+/// Draws the separation at which the algorithm stops over all times.
+fn tolerance(sketch: &mut Sketch, (context, chart): (&Context, &Chart)) {
+    let Answer::Impact(impact) = &context.run().answer else { return };
+    let [from, to] = [0.0, chart.most.x].map(|time| chart.place(time, impact.tolerance));
+    sketch.since(None).part("tolerance").weight(Weight::Background).line(from, to, Pen::construction());
+    let text = format!("tolerance ${}$", number(impact.tolerance));
+    let label = Label::new("tolerance", text, Anchor::middle(from, to), Role::Muted);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Names the separation left at a step, beside its line from the axis to the curve; with its value, or
@@ -297,6 +318,25 @@ mod tests {
         let figure = draw(&plan, plan.theme, "graph");
         let keys: Vec<_> = figure.panels[0].placed.iter().map(|label| label.key).collect();
         assert!(["t", "s", "more"].iter().all(|key| keys.contains(key)), "{keys:?}");
+    }
+
+    #[test]
+    fn the_tolerance_is_a_line_over_all_times_at_its_separation() {
+        let text = "shapes.A = { kind = 'circle', radius = 1, velocity = [8, 0], angular_velocity_deg = 30 }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [6, 1], angle_deg = 30 }
+            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
+                tolerance = 0.5 }
+            panels = [{ view = [0, 0, 4, 3], layers = [{ layer = 'graph', tolerance = true }] }]";
+        let scene = open_text("graph", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "graph");
+        let level = |part: &str| paths(&figure.drawing.items, part)[0].contour.bounds().unwrap();
+        // The first line of the fastest approach runs from s₁ down to 0; the tolerance lies between.
+        let (line, worst) = (level("tolerance"), level("worst"));
+        let first = steps(&plan.panels[0].context(&scene, &plan.runs))[0].separation;
+        let height = (worst.y1 - line.y0) / (worst.y1 - worst.y0) * first;
+        assert!(line.y0 == line.y1 && (height - 0.5).abs() < 1e-9, "{height}");
+        assert!(line.x1 - line.x0 > worst.x1 - worst.x0);
     }
 
     #[test]

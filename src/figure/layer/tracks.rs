@@ -1,7 +1,6 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
 //! start. Each is marked where it is at the panel's moment.
 
-use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
@@ -49,6 +48,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let away = path.first().zip(path.get(1)).map_or(DVec2::ZERO, |(&start, &next)| start - next);
         let anchor = Anchor::point_toward(place, away);
         let text = format!("${}$", context.numbered("x", side));
-        sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
+        sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
     }
 }
