@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use tracefig::figure::exercise::{Asked, asked, task, way};
+use tracefig::figure::exercise::{answer_in_words, asked, task, to_enter, way};
 use tracefig::figure::{Fault, Plan, draw, plain, plan, plan_in};
 use tracefig::output::{Numerical, OutputError};
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
@@ -117,11 +117,11 @@ impl Sheet<'_> {
         for number in &asked(&key) {
             let numerical = Numerical {
                 name: format!("{name}: {}", number.name),
-                asks: vec![task(&key), to_enter(number)],
+                asks: vec![task(&key), to_enter(&key, number)],
                 figure: &figure.drawing,
                 answer: number.value(),
                 tolerance: number.tolerance(),
-                told: vec![plain(&number.line())],
+                told: vec![answer_in_words(&key, number)],
                 way: way(&key),
                 solved: &solved.drawing,
             };
@@ -143,13 +143,6 @@ fn title(question: &Scene, input: &Input) -> String {
         other => other.shown(),
     };
     question.title.as_ref().map_or_else(stem, |title| plain(&title.value))
-}
-
-/// Which number is to be typed, and in which unit.
-fn to_enter(asked: &Asked) -> String {
-    let Asked { symbol, what, unit, .. } = asked;
-    let unit = if unit.is_empty() { String::new() } else { format!(" in {}", plain(unit)) };
-    format!("Enter {} ({}){unit}, to three digits.", plain(symbol), plain(what))
 }
 
 /// The message of a figure that can't be written.

@@ -169,6 +169,12 @@ impl Language {
         self.column == 0
     }
 
+    /// Which of the languages of whole sentences of ours in exercises it is: English, which stands for those
+    /// without words too, then each of [`LANGUAGES`].
+    pub(crate) fn of_sentences(self) -> usize {
+        self.column.saturating_sub(WORDLESS)
+    }
+
     /// The lines of a label of ours, as markup; none where it has words alone, which the language has not.
     pub(crate) fn lines(self, key: &str, lines: &[String]) -> Vec<String> {
         if self.is_own() || NAMES.contains(&key) {

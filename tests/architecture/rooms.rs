@@ -243,6 +243,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "typeset",
             "figure/context",
             "figure/fault",
+            "figure/language",
             "figure/layer",
             "figure/page",
             "figure/plan",

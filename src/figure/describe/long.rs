@@ -40,7 +40,7 @@ fn bystanders(scene: &Scene) -> String {
 
 /// The kind of a body with its article.
 fn kind_in_words(body: &Body) -> &'static str {
-    KINDS.iter().find(|kind| kind.name == body.shape.kind).map_or(body.shape.kind, |kind| kind.in_words)
+    KINDS.iter().find(|kind| kind.name == body.shape.kind).map_or(body.shape.kind, |kind| kind.in_words[0])
 }
 
 /// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.

@@ -8,15 +8,14 @@ use crate::scene::{Exercise, Scene, Space, Spanned};
 use crate::trace::{Event, sentence};
 use crate::typeset::as_markup;
 
-use super::givens::{givens, number};
-use super::quantities::{Askable, Measure, askable, in_words};
+use super::askable::{askable, in_words};
+use super::givens::givens;
+use super::measure::Measure;
+use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, Words};
+use super::quantities::Askable;
 
 /// Where the class writes a number.
 const BLANK: &str = "____________";
-/// The unit of lengths where a scene names none, and the same of one.
-const UNITS: &str = "units";
-/// One of [`UNITS`].
-const UNIT: &str = "unit";
 /// A share of a unit of the third digit: what is rounded to three digits is right.
 const HALF_A_UNIT: f64 = 0.5;
 /// Digits after the first one of an answer that is given to three.
@@ -104,19 +103,31 @@ impl Asked {
     /// ```
     #[must_use]
     pub fn line(&self) -> String {
+        self.line_in(Words::ENGLISH)
+    }
+
+    /// The answer as [`Asked::line`] has it, in the words of an exercise.
+    pub(super) fn line_in(&self, words: Words) -> String {
         let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
         let text = rounded(self.lo, self.hi);
         let sign = if text.parse() == Ok(value) { "=" } else { r"\approx" };
-        let unit = if text == "1" && self.unit == UNITS { UNIT } else { &self.unit };
-        let answer = format!("Answer: ${symbol} {sign} {}$ {unit}", in_math(&text));
-        let answer = answer.trim_end();
+        let [units, unit] = [UNITS, UNIT].map(|phrase| words.word(&phrase));
+        let unit = if text == "1" && self.unit == units { unit } else { &self.unit };
+        let answer = format!("${symbol} {sign} {}$ {unit}", words.in_latex(in_math(&text)));
+        let answer = words.say(&ANSWER, &[answer.trim_end()]);
         if !self.is_proved {
             return format!("{answer}.");
         }
         if self.lo == self.hi {
-            return format!("{answer}, proved to be exact.");
+            return words.say(&EXACT, &[&answer]);
         }
-        format!("{answer}, proved to lie between {} and {}.", number(self.lo), number(self.hi))
+        words.say(&BETWEEN, &[&answer, &words.number(self.lo), &words.number(self.hi)])
+    }
+
+    /// Which number is to be typed, and in which unit, as markup.
+    pub(super) fn to_enter(&self, words: Words) -> String {
+        let unit = if self.unit.is_empty() { String::new() } else { words.say(&IN_UNIT, &[&self.unit]) };
+        words.say(&DIGITS, &[&(words.say(&ENTER, &[&self.symbol, &self.what]) + &unit)])
     }
 }
 
@@ -127,16 +138,17 @@ pub(super) fn rows(scene: &Scene, exercise: &Exercise) -> Vec<&'static Askable> 
 
 /// What a row asks of a scene, as markup.
 fn what(row: &Askable, scene: &Scene) -> String {
-    let names = scene.names();
+    let (names, words) = (scene.names(), Words::of(scene));
     let [a, b] = [Side::A, Side::B].map(|side| as_markup(&names.quoted(side)));
-    in_words(row.what, [&as_markup(&names.all()), &a, &b])
+    let all = if b.is_empty() { vec![a.clone()] } else { vec![a.clone(), b.clone()] };
+    in_words(words.word(&row.what), [&words.listed(&all), &a, &b])
 }
 
 /// The unit of a row, as markup.
-fn unit(row: &Askable, exercise: &Exercise) -> String {
+fn unit(row: &Askable, exercise: &Exercise, words: Words) -> String {
     let given = |unit: &Option<Spanned<String>>| unit.as_ref().map(|unit| unit.value.clone());
     match row.measure {
-        Measure::Length => given(&exercise.length_unit).unwrap_or_else(|| UNITS.to_owned()),
+        Measure::Length => given(&exercise.length_unit).unwrap_or_else(|| words.word(&UNITS).to_owned()),
         Measure::Time => given(&exercise.time_unit).unwrap_or_default(),
         Measure::Degrees => "°".to_owned(),
         Measure::Pure => String::new(),
@@ -149,7 +161,7 @@ pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<As
     let answer = |row: &'static Askable| {
         let quantity = value_of(row.name, &context)?;
         let symbol = format!("${}$", row.symbol);
-        let (what, unit) = (what(row, scene), unit(row, exercise));
+        let (what, unit) = (what(row, scene), unit(row, exercise, Words::of(scene)));
         Some(Asked {
             name: row.name,
             symbol,
@@ -169,10 +181,8 @@ pub(super) fn to_do(scene: &Scene, exercise: &Exercise) -> String {
         return task.value.clone();
     }
     let all: Vec<String> = rows(scene, exercise).iter().map(|row| what(row, scene)).collect();
-    match &all[..] {
-        [before @ .., last] if !before.is_empty() => format!("Find {} and {last}.", before.join(", ")),
-        _ => format!("Find {}.", all.concat()),
-    }
+    let words = Words::of(scene);
+    words.say(&FIND, &[&words.listed(&all)])
 }
 
 /// What is given and what is to be done, as paragraphs of markup.
@@ -183,7 +193,7 @@ pub(super) fn task(scene: &Scene, exercise: &Exercise) -> Vec<String> {
 /// The paragraphs of a question, as markup: what is given, what is to be done, a blank for each number.
 pub(super) fn question(scene: &Scene, exercise: &Exercise) -> Vec<String> {
     let blank = |row: &'static Askable| {
-        format!("${}$ = {BLANK} {}", row.symbol, unit(row, exercise)).trim_end().to_owned()
+        format!("${}$ = {BLANK} {}", row.symbol, unit(row, exercise, Words::of(scene))).trim_end().to_owned()
     };
     let blanks = rows(scene, exercise).into_iter().map(blank);
     task(scene, exercise).into_iter().chain(blanks).collect()
@@ -195,7 +205,7 @@ pub(super) fn solved(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<Str
     let context = of_the_query(scene, runs);
     let said = |text: &Spanned<String>| filled(text, &context).unwrap_or_else(|| text.value.clone());
     std::iter::once(to_do(scene, exercise))
-        .chain(answers(scene, runs, exercise).iter().map(Asked::line))
+        .chain(answers(scene, runs, exercise).iter().map(|asked| asked.line_in(Words::of(scene))))
         .chain(scene.caption.as_ref().map(said))
         .collect()
 }

@@ -9,7 +9,9 @@ use crate::figure::text::{Across, paragraphs, plain};
 use crate::scene::{self, Exercise, Scene, Variant};
 
 use super::answers::{answers, question, solved, steps, task};
-use super::quantities::{ASKABLE, askable};
+use super::askable::askable;
+use super::phrases::{MORE, Words};
+use super::quantities::ASKABLE;
 
 /// What stands below the panels of a variant; `None` on a figure, which has the scene's own caption.
 pub(crate) fn caption(
@@ -29,7 +31,7 @@ pub(crate) fn caption(
             (solved(scene, runs, exercise), numbered.collect())
         }
     };
-    let more = |left: usize| format!("{left} more steps are in the trace of the scene.");
+    let more = |left: usize| Words::of(scene).say(&MORE, &[&left.to_string()]);
     paragraphs(measures, &head, &way, more)
         .map_err(|error| {
             let span = exercise.task.as_ref().map_or(&scene.query.span, |task| &task.span);

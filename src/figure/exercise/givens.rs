@@ -2,64 +2,61 @@
 //!
 //! Nobody can work out three digits from numbers that were rounded to three, so none is.
 
-use std::fmt::Write;
-
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Angle, Body, DVec2};
-use crate::scene::Scene;
+use crate::scene::{Scene, Spanned};
+
+use super::phrases::{
+    AT, IS, MOMENT, MOTION, MOVED, MOVING, OF_RADIUS, OF_SIZE, OF_VERTICES, TURNED, TURNED_BY_SINE, TURNING,
+    WITH_VERTICES, Words,
+};
 
 /// Vertices that are listed; more are on the picture only.
 const MOST_VERTICES: usize = 12;
 
 /// The bodies of a scene's question, a sentence each, as words.
 pub(super) fn givens(scene: &Scene) -> String {
+    let words = Words::of(scene);
     let bodies: Vec<_> = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).collect();
-    let mut text: Vec<String> = bodies.iter().map(|(name, body)| body_in_words(&name.value, body)).collect();
+    let in_words = |(name, body): &&(Spanned<String>, Body)| body_in_words(&name.value, body, words);
+    let mut text: Vec<String> = bodies.iter().map(in_words).collect();
     if bodies.iter().any(|(_, body)| body.velocity != DVec2::ZERO || !body.spin.is_zero()) {
-        text.push("The motion runs from t = 0 to t = 1.".to_owned());
+        text.push(words.word(&MOTION).to_owned());
     } else if scene.query.time != 0.0 {
-        text.push(format!("The moment is t = {}.", number(scene.query.time)));
+        text.push(words.say(&MOMENT, &[&words.number(scene.query.time)]));
     }
     text.join(" ")
 }
 
 /// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
-fn body_in_words(name: &str, body: &Body) -> String {
+fn body_in_words(name: &str, body: &Body, words: Words) -> String {
     let shape = &body.shape;
-    let kind = KINDS.iter().find(|kind| kind.name == shape.kind).map_or(shape.kind, |kind| kind.in_words);
-    let mut text = format!("{name} is {kind}");
-    match (shape.half_extents, shape.vertices.len()) {
-        (Some(h), _) => {
-            let _ = write!(text, " of {} by {}", number(2.0 * h.x), number(2.0 * h.y));
-        }
+    let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
+    let mut text = words.say(&IS, &[name, kind.map_or(shape.kind, |kind| words.word(&kind.in_words))]);
+    text.push_str(&match (shape.half_extents, shape.vertices.len()) {
+        (Some(h), _) => words.say(&OF_SIZE, &[&words.number(2.0 * h.x), &words.number(2.0 * h.y)]),
         (None, 2..=MOST_VERTICES) => {
-            let vertices: Vec<String> = shape.vertices.iter().map(|&v| point(v)).collect();
-            let _ = write!(text, " with the vertices {}", vertices.join(", "));
+            let vertices: Vec<String> = shape.vertices.iter().map(|&v| words.point(v)).collect();
+            words.say(&WITH_VERTICES, &[&vertices.join(words.between_points())])
         }
-        (None, count) if count > MOST_VERTICES => {
-            let _ = write!(text, " of {count} vertices");
-        }
-        (None, _) => {}
-    }
+        (None, count) if count > MOST_VERTICES => words.say(&OF_VERTICES, &[&count.to_string()]),
+        (None, _) => String::new(),
+    });
     if shape.radius > 0.0 {
-        let _ = write!(text, " of radius {}", number(shape.radius));
+        text.push_str(&words.say(&OF_RADIUS, &[&words.number(shape.radius)]));
     }
     let shifted = shape.vertices.len() > 1 && shape.half_extents.is_none();
     match (shifted, middle(body)) {
         (true, place) if place == DVec2::ZERO => {}
-        (true, place) => {
-            let _ = write!(text, ", moved by {}", point(place));
-        }
-        (false, place) => {
-            let _ = write!(text, " at {}", point(place));
-        }
+        (true, place) => text.push_str(&words.say(&MOVED, &[&words.point(place)])),
+        (false, place) => text.push_str(&words.say(&AT, &[&words.point(place)])),
     }
-    text.push_str(&turned(body));
+    text.push_str(&turned(body, words));
     if body.velocity != DVec2::ZERO {
-        let _ = write!(text, ", moving by {}", point(body.velocity));
+        text.push_str(&words.say(&MOVING, &[&words.point(body.velocity)]));
     }
     if !body.spin.is_zero() {
-        let _ = write!(text, ", turning by {}", angle(body.spin));
+        text.push_str(&words.say(&TURNING, &[&angle(body.spin, words)]));
     }
     text.push('.');
     text
@@ -75,34 +72,24 @@ fn middle(body: &Body) -> DVec2 {
 }
 
 /// How a body is turned at the start, as ", turned by 30°"; empty where it is not.
-fn turned(body: &Body) -> String {
+fn turned(body: &Body, words: Words) -> String {
     let mut text = String::new();
     if !body.angle.is_zero() {
-        let _ = write!(text, ", turned by {}", angle(body.angle));
+        text.push_str(&words.say(&TURNED, &[&angle(body.angle, words)]));
     }
-    let (cos, sin) = (body.shape.matrix.cos, body.shape.matrix.sin);
+    let [cos, sin] = [body.shape.matrix.cos, body.shape.matrix.sin].map(|x| words.number(x));
     if !body.shape.is_as_written() {
-        let _ = write!(text, ", turned by the angle of cosine {} and sine {}", number(cos), number(sin));
+        text.push_str(&words.say(&TURNED_BY_SINE, &[&cos, &sin]));
     }
     text
 }
 
 /// An angle as the scene has it.
-fn angle(angle: Angle) -> String {
+fn angle(angle: Angle, words: Words) -> String {
     match angle {
-        Angle::Degrees(degrees) => format!("{}°", number(degrees)),
-        Angle::Radians(radians) => format!("{} rad", number(radians)),
+        Angle::Degrees(degrees) => format!("{}°", words.number(degrees)),
+        Angle::Radians(radians) => format!("{} rad", words.number(radians)),
     }
-}
-
-/// A point as `(x, y)`.
-fn point(p: DVec2) -> String {
-    format!("({}, {})", number(p.x), number(p.y))
-}
-
-/// A number with all its digits and a real minus sign.
-pub(super) fn number(x: f64) -> String {
-    format!("{}", x + 0.0).replace('-', "−")
 }
 
 #[cfg(test)]
@@ -134,5 +121,31 @@ mod tests {
              0.6 and sine 0.8."
         );
         assert!(given("shapes.A = { kind = 'aabb', half_extents = [1, 1] }").contains("of 2 by 2 at (0, 0)"));
+        let moving =
+            "shapes.A = { kind = 'box', half_extents = [1, 0.25], velocity = [2.5, 0], angle_deg = 30 }";
+        for (lang, said) in [
+            (
+                "de",
+                "A ist ein Rechteck von 2 mal 0,5 bei (0; 0), um 30° gedreht, bewegt sich um (2,5; 0). \
+                    Die Bewegung geht von t = 0 bis t = 1.",
+            ),
+            (
+                "de-CH",
+                "A ist ein Rechteck von 2 mal 0.5 bei (0, 0), um 30° gedreht, bewegt sich um (2.5, 0). \
+                       Die Bewegung geht von t = 0 bis t = 1.",
+            ),
+            (
+                "fr",
+                "A est un rectangle de 2 sur 0,5 en (0; 0), tourné d’un angle de 30°, se déplaçant de \
+                    (2,5; 0). Le mouvement va de t = 0 à t = 1.",
+            ),
+            (
+                "ja",
+                "A is a box of 2 by 0.5 at (0, 0), turned by 30°, moving by (2.5, 0). The motion runs from \
+                    t = 0 to t = 1.",
+            ),
+        ] {
+            assert_eq!(given(&format!("lang = '{lang}'\n{moving}")), said);
+        }
     }
 }

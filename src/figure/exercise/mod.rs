@@ -10,8 +10,11 @@
 //! way to them.
 
 mod answers;
+mod askable;
 mod caption;
 mod givens;
+mod measure;
+mod phrases;
 mod plan;
 mod quantities;
 mod search;
@@ -20,8 +23,8 @@ mod tests;
 mod variant;
 
 pub use answers::Asked;
+pub use askable::askables;
 pub(crate) use caption::{caption, spoken};
-pub use plan::{asked, task, way};
-pub use quantities::askables;
+pub use plan::{answer_in_words, asked, task, to_enter, way};
 pub use search::{Found, TooFew, search};
 pub use variant::variant;

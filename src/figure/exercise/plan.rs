@@ -4,6 +4,7 @@ use crate::figure::plan::Plan;
 use crate::figure::text::plain;
 
 use super::answers::{Asked, answers, steps, task as paragraphs};
+use super::phrases::Words;
 
 /// The numbers that an exercise asks for, in its order; none where the scene is no exercise.
 ///
@@ -36,6 +37,42 @@ pub fn asked(plan: &Plan<'_>) -> Vec<Asked> {
 pub fn task(plan: &Plan<'_>) -> String {
     let Some(exercise) = &plan.scene.exercise else { return String::new() };
     paragraphs(plan.scene, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
+}
+
+/// Which number is to be typed, and in which unit, in plain words.
+///
+/// ```
+/// use tracefig::{figure::{exercise::{asked, to_enter}, plan}, scene::open_text};
+/// let text = "exercise.ask = 'h.x'\nlang = 'de'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///     query = { kind = 'bounds', of = ['A'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// let plan = plan(&scene).unwrap();
+/// assert_eq!(
+///     to_enter(&plan, &asked(&plan)[0]),
+///     "Gib h_x ein (die halbe Breite der Bounding-Box von A) in Einheiten, auf drei Ziffern."
+/// );
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn to_enter(plan: &Plan<'_>, number: &Asked) -> String {
+    plain(&number.to_enter(Words::of(plan.scene)))
+}
+
+/// A number with its bounds as the key has it ([`Asked::line`]), in the language of the scene and in plain
+/// words.
+///
+/// ```
+/// use tracefig::{figure::{exercise::{answer_in_words, asked}, plan}, scene::open_text};
+/// let text = "exercise.ask = 'h.x'\nlang = 'fr'\nshapes.A = { kind = 'circle', radius = 2.5 }\n\
+///     query = { kind = 'bounds', of = ['A'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// let plan = plan(&scene).unwrap();
+/// assert_eq!(answer_in_words(&plan, &asked(&plan)[0]), "Réponse : h_x = 2,5 unités.");
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn answer_in_words(plan: &Plan<'_>, number: &Asked) -> String {
+    plain(&number.line_in(Words::of(plan.scene)))
 }
 
 /// The sentences of the trace, in plain words: the way to the answer.

@@ -4,18 +4,8 @@
 use crate::collision::QueryKind;
 use crate::figure::question::is_of_a_moment;
 
-/// What a number is measured in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Measure {
-    /// In units of length.
-    Length,
-    /// In units of time.
-    Time,
-    /// In degrees.
-    Degrees,
-    /// In nothing: a component of a unit vector.
-    Pure,
-}
+use super::measure::Measure;
+use super::phrases::Phrase;
 
 /// A value that can be asked for.
 pub(crate) struct Askable {
@@ -23,8 +13,9 @@ pub(crate) struct Askable {
     pub(crate) name: &'static str,
     /// How it is written before the blank, as LaTeX.
     pub(crate) symbol: &'static str,
-    /// What is to be found, with `{}` for the bodies, `{a}` and `{b}` for each: "the depth of {}".
-    pub(crate) what: &'static str,
+    /// What is to be found, with `{}` for the bodies, `{a}` and `{b}` for each: "the depth of {}"; in each
+    /// language of exercises.
+    pub(super) what: Phrase,
     /// What it is measured in.
     pub(crate) measure: Measure,
     /// Whether its bounds are proved; else a double is told, rounded.
@@ -57,7 +48,7 @@ fn is_for_a_box(kind: QueryKind) -> bool {
 const fn row(
     name: &'static str,
     symbol: &'static str,
-    what: &'static str,
+    what: Phrase,
     measure: Measure,
     of: fn(QueryKind) -> bool,
 ) -> Askable {
@@ -75,76 +66,331 @@ pub(crate) static ASKABLE: &[Askable] = &[
     proved(row(
         "separation",
         "s",
-        "the signed separation of {}, negative inside",
+        [
+            "the signed separation of {}, negative inside",
+            "der Abstand von {}, innen negativ",
+            "la distance signée de {}, négative à l’intérieur",
+            "la separación con signo de {}, negativa dentro",
+        ],
         Measure::Length,
         is_of_two,
     )),
-    proved(row("d", "d", "how far {} are apart, or how deep they overlap", Measure::Length, is_of_two)),
-    proved(row("depth", "d", "the depth by which {} overlap", Measure::Length, is_of_two)),
-    row("n.x", "n_x", "the x component of the unit normal from {a} to {b}", Measure::Pure, is_of_two),
-    row("n.y", "n_y", "the y component of the unit normal from {a} to {b}", Measure::Pure, is_of_two),
-    proved(row("time", "t", "the time of the first contact of {}", Measure::Time, moves)),
-    row("hit.n.x", "n_x", "the x component of the unit normal at the first contact", Measure::Pure, moves),
-    row("hit.n.y", "n_y", "the y component of the unit normal at the first contact", Measure::Pure, moves),
-    row("closest.time", "t", "the time at which {} are closest", Measure::Time, moves),
-    proved(row("closest.separation", "s", "the least distance of {} on their way", Measure::Length, moves)),
-    row("centers", "c", "the distance of the centres of {}", Measure::Length, is_of_two),
-    row("radii", "r_1 + r_2", "the sum of the radii of {}", Measure::Length, is_of_two),
+    proved(row(
+        "d",
+        "d",
+        [
+            "how far {} are apart, or how deep they overlap",
+            "wie weit {} entfernt sind oder wie tief sie sich überlappen",
+            "de combien {} sont distants, ou de combien ils se recouvrent",
+            "cuánto distan {}, o cuánto se solapan",
+        ],
+        Measure::Length,
+        is_of_two,
+    )),
+    proved(row(
+        "depth",
+        "d",
+        [
+            "the depth by which {} overlap",
+            "die Tiefe, um die sich {} überlappen",
+            "la profondeur de recouvrement de {}",
+            "la profundidad en que se solapan {}",
+        ],
+        Measure::Length,
+        is_of_two,
+    )),
     row(
-        "p",
-        "p",
-        "the distance of the centres of {} less the sum of their radii",
+        "n.x",
+        "n_x",
+        [
+            "the x component of the unit normal from {a} to {b}",
+            "die x-Komponente der Einheitsnormale von {a} nach {b}",
+            "la composante x de la normale unitaire de {a} vers {b}",
+            "la componente x de la normal unitaria de {a} a {b}",
+        ],
+        Measure::Pure,
+        is_of_two,
+    ),
+    row(
+        "n.y",
+        "n_y",
+        [
+            "the y component of the unit normal from {a} to {b}",
+            "die y-Komponente der Einheitsnormale von {a} nach {b}",
+            "la composante y de la normale unitaire de {a} vers {b}",
+            "la componente y de la normal unitaria de {a} a {b}",
+        ],
+        Measure::Pure,
+        is_of_two,
+    ),
+    proved(row(
+        "time",
+        "t",
+        [
+            "the time of the first contact of {}",
+            "der Zeitpunkt der ersten Berührung von {}",
+            "l’instant du premier contact de {}",
+            "el instante del primer contacto de {}",
+        ],
+        Measure::Time,
+        moves,
+    )),
+    row(
+        "hit.n.x",
+        "n_x",
+        [
+            "the x component of the unit normal at the first contact",
+            "die x-Komponente der Einheitsnormale bei der ersten Berührung",
+            "la composante x de la normale unitaire au premier contact",
+            "la componente x de la normal unitaria en el primer contacto",
+        ],
+        Measure::Pure,
+        moves,
+    ),
+    row(
+        "hit.n.y",
+        "n_y",
+        [
+            "the y component of the unit normal at the first contact",
+            "die y-Komponente der Einheitsnormale bei der ersten Berührung",
+            "la composante y de la normale unitaire au premier contact",
+            "la componente y de la normal unitaria en el primer contacto",
+        ],
+        Measure::Pure,
+        moves,
+    ),
+    row(
+        "closest.time",
+        "t",
+        [
+            "the time at which {} are closest",
+            "der Zeitpunkt, zu dem {} am nächsten sind",
+            "l’instant où {} sont le plus proches",
+            "el instante en que {} están más cerca",
+        ],
+        Measure::Time,
+        moves,
+    ),
+    proved(row(
+        "closest.separation",
+        "s",
+        [
+            "the least distance of {} on their way",
+            "der kleinste Abstand von {} auf dem Weg",
+            "la plus petite distance de {} en chemin",
+            "la menor distancia de {} en su camino",
+        ],
+        Measure::Length,
+        moves,
+    )),
+    row(
+        "centers",
+        "c",
+        [
+            "the distance of the centres of {}",
+            "der Abstand der Mittelpunkte von {}",
+            "la distance des centres de {}",
+            "la distancia entre los centros de {}",
+        ],
         Measure::Length,
         is_of_two,
     ),
-    row("P.x", "P_x", "the x component of the penetration vector of {}", Measure::Length, is_of_two),
-    row("P.y", "P_y", "the y component of the penetration vector of {}", Measure::Length, is_of_two),
-    row("D", "D", "the distance from the clamped point to the circle's centre", Measure::Length, is_of_two),
-    row("D.x", "D_x", "the x component of D", Measure::Length, is_of_two),
-    row("D.y", "D_y", "the y component of D", Measure::Length, is_of_two),
-    row("bound", "b", "how far any point of {} travels at most", Measure::Length, bounds_motion),
-    row("L", "L", "the arc that the farthest point of {} travels", Measure::Length, bounds_motion),
-    row("theta", r"\theta", "the angle by which {} turns", Measure::Degrees, bounds_motion),
-    row("radius", "r", "how far the farthest point of {} is from its origin", Measure::Length, bounds_motion),
-    row("min.x", r"x_{\mathrm{min}}", "the smallest x of {}", Measure::Length, is_for_a_box),
-    row("min.y", r"y_{\mathrm{min}}", "the smallest y of {}", Measure::Length, is_for_a_box),
-    row("max.x", r"x_{\mathrm{max}}", "the largest x of {}", Measure::Length, is_for_a_box),
-    row("max.y", r"y_{\mathrm{max}}", "the largest y of {}", Measure::Length, is_for_a_box),
-    row("h.x", "h_x", "half the width of the bounding box of {}", Measure::Length, is_for_a_box),
-    row("h.y", "h_y", "half the height of the bounding box of {}", Measure::Length, is_for_a_box),
-    row("c.x", "c_x", "the x of the centre of the bounding box of {}", Measure::Length, is_for_a_box),
-    row("c.y", "c_y", "the y of the centre of the bounding box of {}", Measure::Length, is_for_a_box),
+    row(
+        "radii",
+        "r_1 + r_2",
+        [
+            "the sum of the radii of {}",
+            "die Summe der Radien von {}",
+            "la somme des rayons de {}",
+            "la suma de los radios de {}",
+        ],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "p",
+        "p",
+        [
+            "the distance of the centres of {} less the sum of their radii",
+            "der Abstand der Mittelpunkte von {} weniger die Summe ihrer Radien",
+            "la distance des centres de {} moins la somme de leurs rayons",
+            "la distancia entre los centros de {} menos la suma de sus radios",
+        ],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "P.x",
+        "P_x",
+        [
+            "the x component of the penetration vector of {}",
+            "die x-Komponente des Eindringvektors von {}",
+            "la composante x du vecteur de pénétration de {}",
+            "la componente x del vector de penetración de {}",
+        ],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "P.y",
+        "P_y",
+        [
+            "the y component of the penetration vector of {}",
+            "die y-Komponente des Eindringvektors von {}",
+            "la composante y du vecteur de pénétration de {}",
+            "la componente y del vector de penetración de {}",
+        ],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "D",
+        "D",
+        [
+            "the distance from the clamped point to the circle's centre",
+            "der Abstand vom begrenzten Punkt zum Mittelpunkt des Kreises",
+            "la distance du point borné au centre du cercle",
+            "la distancia del punto limitado al centro del círculo",
+        ],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "D.x",
+        "D_x",
+        ["the x component of D", "die x-Komponente von D", "la composante x de D", "la componente x de D"],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "D.y",
+        "D_y",
+        ["the y component of D", "die y-Komponente von D", "la composante y de D", "la componente y de D"],
+        Measure::Length,
+        is_of_two,
+    ),
+    row(
+        "bound",
+        "b",
+        [
+            "how far any point of {} travels at most",
+            "wie weit sich ein Punkt von {} höchstens bewegt",
+            "de combien un point de {} se déplace au plus",
+            "cuánto se mueve a lo sumo un punto de {}",
+        ],
+        Measure::Length,
+        bounds_motion,
+    ),
+    row(
+        "L",
+        "L",
+        [
+            "the arc that the farthest point of {} travels",
+            "der Bogen, den der fernste Punkt von {} zurücklegt",
+            "l’arc que parcourt le point le plus éloigné de {}",
+            "el arco que recorre el punto más lejano de {}",
+        ],
+        Measure::Length,
+        bounds_motion,
+    ),
+    row(
+        "theta",
+        r"\theta",
+        [
+            "the angle by which {} turns",
+            "der Winkel, um den sich {} dreht",
+            "l’angle dont tourne {}",
+            "el ángulo que gira {}",
+        ],
+        Measure::Degrees,
+        bounds_motion,
+    ),
+    row(
+        "radius",
+        "r",
+        [
+            "how far the farthest point of {} is from its origin",
+            "wie weit der fernste Punkt von {} von dessen Ursprung entfernt ist",
+            "à quelle distance de son origine est le point le plus éloigné de {}",
+            "a qué distancia de su origen está el punto más lejano de {}",
+        ],
+        Measure::Length,
+        bounds_motion,
+    ),
+    row(
+        "min.x",
+        r"x_{\mathrm{min}}",
+        ["the smallest x of {}", "das kleinste x von {}", "le plus petit x de {}", "el menor x de {}"],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "min.y",
+        r"y_{\mathrm{min}}",
+        ["the smallest y of {}", "das kleinste y von {}", "le plus petit y de {}", "el menor y de {}"],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "max.x",
+        r"x_{\mathrm{max}}",
+        ["the largest x of {}", "das größte x von {}", "le plus grand x de {}", "el mayor x de {}"],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "max.y",
+        r"y_{\mathrm{max}}",
+        ["the largest y of {}", "das größte y von {}", "le plus grand y de {}", "el mayor y de {}"],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "h.x",
+        "h_x",
+        [
+            "half the width of the bounding box of {}",
+            "die halbe Breite der Bounding-Box von {}",
+            "la demi-largeur de la boîte englobante de {}",
+            "la mitad del ancho de la caja envolvente de {}",
+        ],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "h.y",
+        "h_y",
+        [
+            "half the height of the bounding box of {}",
+            "die halbe Höhe der Bounding-Box von {}",
+            "la demi-hauteur de la boîte englobante de {}",
+            "la mitad del alto de la caja envolvente de {}",
+        ],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "c.x",
+        "c_x",
+        [
+            "the x of the centre of the bounding box of {}",
+            "das x der Mitte der Bounding-Box von {}",
+            "le x du centre de la boîte englobante de {}",
+            "la x del centro de la caja envolvente de {}",
+        ],
+        Measure::Length,
+        is_for_a_box,
+    ),
+    row(
+        "c.y",
+        "c_y",
+        [
+            "the y of the centre of the bounding box of {}",
+            "das y der Mitte der Bounding-Box von {}",
+            "le y du centre de la boîte englobante de {}",
+            "la y del centro de la caja envolvente de {}",
+        ],
+        Measure::Length,
+        is_for_a_box,
+    ),
 ];
-
-/// Every value that `[exercise]` may ask for, with what it is.
-///
-/// ```
-/// let depth = tracefig::figure::exercise::askables().find(|(name, _)| *name == "depth").unwrap();
-/// assert_eq!(depth.1, "the depth by which A and B overlap");
-/// ```
-pub fn askables() -> impl Iterator<Item = (&'static str, String)> {
-    ASKABLE.iter().map(|row| (row.name, in_words(row.what, ["A and B", "A", "B"])))
-}
-
-/// What is to be found, of bodies that are called so: both, the first, the second.
-pub(super) fn in_words(what: &str, [all, a, b]: [&str; 3]) -> String {
-    what.replace("{}", all).replace("{a}", a).replace("{b}", b)
-}
-
-/// The value of a name that can be asked for in a kind of question.
-pub(crate) fn askable(name: &str, kind: QueryKind) -> Option<&'static Askable> {
-    ASKABLE.iter().find(|row| row.name == name && (row.of)(kind))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::values;
-
-    #[test]
-    fn every_row_is_a_value_of_texts() {
-        for row in ASKABLE {
-            assert!(values().any(|(name, _)| name == row.name), "{}", row.name);
-        }
-    }
-}

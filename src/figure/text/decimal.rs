@@ -53,7 +53,7 @@ impl Decimal {
     }
 
     /// The number of a value within a formula, in LaTeX.
-    pub(super) fn in_latex(self, number: String) -> String {
+    pub(crate) fn in_latex(self, number: String) -> String {
         match self {
             Self::Point => number,
             Self::Comma => number.replace('.', "{,}"),

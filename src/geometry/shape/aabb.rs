@@ -8,7 +8,12 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "aabb",
     about: "a box with sides parallel to the axes; it does not turn",
-    in_words: "an axis-aligned box",
+    in_words: [
+        "an axis-aligned box",
+        "ein achsenparalleles Rechteck",
+        "un rectangle aligné sur les axes",
+        "un rectángulo alineado con los ejes",
+    ],
     fields: &[Field {
         name: "half_extents",
         holds: FieldType::Extents,

@@ -8,7 +8,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "capsule",
     about: "a segment with a radius; with radius 0 a segment",
-    in_words: "a capsule",
+    in_words: ["a capsule", "eine Kapsel", "une capsule", "una cápsula"],
     fields: &[
         Field {
             name: "points",

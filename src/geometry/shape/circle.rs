@@ -11,7 +11,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "circle",
     about: "a disc, or with radius 0 a point",
-    in_words: "a circle",
+    in_words: ["a circle", "ein Kreis", "un cercle", "un círculo"],
     fields: &[
         Field {
             name: "radius",

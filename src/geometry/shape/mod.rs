@@ -126,8 +126,9 @@ pub struct Kind {
     pub name: &'static str,
     /// One line for `tracefig list`.
     pub about: &'static str,
-    /// What it is to a reader who does not see it, with its article: "a circle".
-    pub in_words: &'static str,
+    /// What it is to a reader who does not see it, with its article: "a circle"; in English, German, French
+    /// and Spanish.
+    pub in_words: [&'static str; 4],
     /// The fields besides those of every body: where it is, how it is turned and how it moves.
     pub fields: &'static [Field],
     /// Values in the order of `fields` (None where left out) to a shape.

@@ -9,7 +9,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "box",
     about: "a box that may be turned; vertices are numbered counter-clockwise from (−, −)",
-    in_words: "a box",
+    in_words: ["a box", "ein Rechteck", "un rectangle", "un rectángulo"],
     fields: &[
         Field {
             name: "half_extents",

@@ -9,7 +9,7 @@ use super::{Field, FieldType, FieldValue, Kind, Shape, ShapeError, VertexKey, po
 pub(super) const KIND: Kind = Kind {
     name: "outline",
     about: "any simple polygon, for bounds only",
-    in_words: "an object",
+    in_words: ["an object", "ein Gegenstand", "un objet", "un objeto"],
     fields: &[Field {
         name: "vertices",
         holds: FieldType::Points { min: 3 },

@@ -12,7 +12,7 @@ use super::{
 pub(super) const KIND: Kind = Kind {
     name: "polygon",
     about: "a convex polygon, either winding; duplicate and collinear vertices may be there",
-    in_words: "a convex polygon",
+    in_words: ["a convex polygon", "ein konvexes Vieleck", "un polygone convexe", "un polígono convexo"],
     fields: &[
         Field {
             name: "vertices",

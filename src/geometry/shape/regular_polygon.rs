@@ -25,7 +25,12 @@ const MOST: usize = 4096;
 pub(super) const KIND: Kind = Kind {
     name: "regular-polygon",
     about: "its lowest edge is level; vertices are numbered counter-clockwise from the left end of that",
-    in_words: "a regular polygon",
+    in_words: [
+        "a regular polygon",
+        "ein regelmäßiges Vieleck",
+        "un polygone régulier",
+        "un polígono regular",
+    ],
     fields: &[
         Field {
             name: "edges",

@@ -1,0 +1,206 @@
+//! The sentences of an exercise in the languages that the words of labels have.
+//!
+//! A scene in any other language has them in English, with English numbers. The sentences of the trace are
+//! English everywhere: they are what `tracefig trace` says.
+
+use crate::figure::language::Language;
+use crate::figure::text::Decimal;
+use crate::geometry::DVec2;
+use crate::scene::Scene;
+
+/// A phrase in English, German, French and Spanish. A star stands for what a scene says, in its order.
+pub(super) type Phrase = [&'static str; 4];
+
+/// What stands in a phrase for what a scene says.
+const STAR: char = '*';
+
+/// A body and what it is.
+pub(super) const IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
+/// The sides of a box.
+pub(super) const OF_SIZE: Phrase = [" of * by *", " von * mal *", " de * sur *", " de * por *"];
+/// The vertices of a polygon, listed.
+pub(super) const WITH_VERTICES: Phrase =
+    [" with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *"];
+/// The vertices of a polygon, counted.
+pub(super) const OF_VERTICES: Phrase = [" of * vertices", " mit * Ecken", " de * sommets", " de * vértices"];
+/// The radius of a body.
+pub(super) const OF_RADIUS: Phrase = [" of radius *", " vom Radius *", " de rayon *", " de radio *"];
+/// By how much the vertices of a body are moved.
+pub(super) const MOVED: Phrase = [", moved by *", ", um * verschoben", ", déplacé de *", ", desplazado *"];
+/// Where a body is.
+pub(super) const AT: Phrase = [" at *", " bei *", " en *", " en *"];
+/// By which angle a body is turned.
+pub(super) const TURNED: Phrase =
+    [", turned by *", ", um * gedreht", ", tourné d’un angle de *", ", girado *"];
+/// By which angle a body is turned whose cosine and sine are given.
+pub(super) const TURNED_BY_SINE: Phrase = [
+    ", turned by the angle of cosine * and sine *",
+    ", um den Winkel mit Kosinus * und Sinus * gedreht",
+    ", tourné de l’angle de cosinus * et de sinus *",
+    ", girado el ángulo de coseno * y seno *",
+];
+/// How a body moves from the start to the end.
+pub(super) const MOVING: Phrase =
+    [", moving by *", ", bewegt sich um *", ", se déplaçant de *", ", que se mueve *"];
+/// How a body turns from the start to the end.
+pub(super) const TURNING: Phrase = [", turning by *", ", dreht sich um *", ", tournant de *", ", que gira *"];
+/// When the motion begins and ends.
+pub(super) const MOTION: Phrase = [
+    "The motion runs from t = 0 to t = 1.",
+    "Die Bewegung geht von t = 0 bis t = 1.",
+    "Le mouvement va de t = 0 à t = 1.",
+    "El movimiento va de t = 0 a t = 1.",
+];
+/// The moment that is asked about.
+pub(super) const MOMENT: Phrase =
+    ["The moment is t = *.", "Der Zeitpunkt ist t = *.", "L’instant est t = *.", "El instante es t = *."];
+/// Two things that are named together.
+pub(super) const AND: Phrase = ["* and *", "* und *", "* et *", "* y *"];
+/// What is to be done.
+pub(super) const FIND: Phrase = ["Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *."];
+/// An answer.
+pub(super) const ANSWER: Phrase = ["Answer: *", "Antwort: *", "Réponse : *", "Respuesta: *"];
+/// An answer that needs no bounds.
+pub(super) const EXACT: Phrase = [
+    "*, proved to be exact.",
+    "*, bewiesen als exakt.",
+    "*, valeur exacte prouvée.",
+    "*, valor exacto demostrado.",
+];
+/// An answer with its bounds.
+pub(super) const BETWEEN: Phrase = [
+    "*, proved to lie between * and *.",
+    "*, bewiesen zwischen * und *.",
+    "*, prouvé entre * et *.",
+    "*, demostrado entre * y *.",
+];
+/// The unit of lengths where a scene names none.
+pub(super) const UNITS: Phrase = ["units", "Einheiten", "unités", "unidades"];
+/// One of [`UNITS`].
+pub(super) const UNIT: Phrase = ["unit", "Einheit", "unité", "unidad"];
+/// Which number is to be typed, and what it is.
+pub(super) const ENTER: Phrase = ["Enter * (*)", "Gib * ein (*)", "Saisir * (*)", "Escribe * (*)"];
+/// The unit in which a number is to be typed.
+pub(super) const IN_UNIT: Phrase = [" in *", " in *", " en *", " en *"];
+/// How many digits a number has that is typed.
+pub(super) const DIGITS: Phrase = [
+    "*, to three digits.",
+    "*, auf drei Ziffern.",
+    "*, à trois chiffres significatifs.",
+    "*, con tres cifras significativas.",
+];
+/// Steps that have no room.
+pub(super) const MORE: Phrase = [
+    "* more steps are in the trace of the scene.",
+    "* weitere Schritte stehen im Verlauf der Szene.",
+    "* autres étapes sont dans la trace de la scène.",
+    "Otros * pasos están en la traza de la escena.",
+];
+
+/// The words of an exercise in the language of its scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Words {
+    /// Which of a [`Phrase`].
+    column: usize,
+    /// The sign in numbers.
+    decimal: Decimal,
+}
+
+impl Words {
+    /// English, whatever a scene says.
+    pub(super) const ENGLISH: Self = Self { column: 0, decimal: Decimal::Point };
+
+    /// The words of a scene.
+    pub(super) fn of(scene: &Scene) -> Self {
+        let column = Language::of(scene).of_sentences();
+        if column == 0 { Self::ENGLISH } else { Self { column, decimal: Decimal::of(scene) } }
+    }
+
+    /// A phrase without a star.
+    pub(super) fn word(self, phrase: &Phrase) -> &'static str {
+        phrase[self.column]
+    }
+
+    /// A phrase with what stands for its stars.
+    pub(super) fn say(self, phrase: &Phrase, parts: &[&str]) -> String {
+        let mut pieces = self.word(phrase).split(STAR);
+        let mut said = pieces.next().unwrap_or_default().to_owned();
+        for (piece, part) in pieces.zip(parts) {
+            said.push_str(part);
+            said.push_str(piece);
+        }
+        said
+    }
+
+    /// Two things and more, of which the last two are named together.
+    pub(super) fn listed(self, all: &[String]) -> String {
+        match all {
+            [before @ .., last] if !before.is_empty() => self.say(&AND, &[&before.join(", "), last]),
+            _ => all.concat(),
+        }
+    }
+
+    /// A number with all its digits and a real minus sign.
+    pub(super) fn number(self, x: f64) -> String {
+        self.decimal.in_number(format!("{}", x + 0.0).replace('-', "−"))
+    }
+
+    /// A number within a formula.
+    pub(super) fn in_latex(self, number: String) -> String {
+        self.decimal.in_latex(number)
+    }
+
+    /// A point as `(x, y)`; where numbers have commas, something else parts them.
+    pub(super) fn point(self, p: DVec2) -> String {
+        let between = if self.decimal == Decimal::Comma { "; " } else { ", " };
+        format!("({}{between}{})", self.number(p.x), self.number(p.y))
+    }
+
+    /// What stands between two points.
+    pub(super) fn between_points(self) -> &'static str {
+        if self.decimal == Decimal::Comma { "; " } else { ", " }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_phrase_has_its_stars_in_every_language() {
+        let all = [
+            IS,
+            OF_SIZE,
+            WITH_VERTICES,
+            OF_VERTICES,
+            OF_RADIUS,
+            MOVED,
+            AT,
+            TURNED,
+            TURNED_BY_SINE,
+            MOVING,
+            TURNING,
+            MOTION,
+            MOMENT,
+            AND,
+            FIND,
+            ANSWER,
+            EXACT,
+            BETWEEN,
+            UNITS,
+            UNIT,
+            ENTER,
+            IN_UNIT,
+            DIGITS,
+            MORE,
+        ];
+        for phrase in all {
+            let stars = phrase.map(|said| said.matches(STAR).count());
+            assert_eq!(stars, [stars[0]; 4], "{phrase:?}");
+        }
+        let german = Words { column: 1, decimal: Decimal::Comma };
+        assert_eq!(german.say(&IS, &["A*", "B"]), "A* ist B");
+        assert_eq!(german.point(DVec2::new(1.5, -2.0)), "(1,5; −2)");
+        assert_eq!(german.listed(&["a", "b", "c"].map(str::to_owned)), "a, b und c");
+    }
+}
