@@ -12,6 +12,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
+use super::held;
 use super::velocity::{label_of_hit, text, underlay};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
@@ -98,6 +99,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("ends", false) {
         ends(sketch, [(from, -v, 0.0), (tip, v, cut)]);
     }
+    if options.word("cut", "") != When::HIT {
+        held::closing_velocity(sketch, context, (tip, cut - context.difference_time()));
+    }
     if let Some(now) = context.now {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
@@ -133,7 +137,8 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
 #[cfg(test)]
 mod tests {
     use crate::figure::layer::tests::labels;
-    use crate::figure::{draw, plan};
+    use crate::figure::{Pull, draw, plan};
+    use crate::geometry::DVec2;
     use crate::scene::open_text;
 
     #[test]
@@ -151,5 +156,26 @@ mod tests {
             let said = ["start", "end"].map(|key| labels.get(key).map(|label| label.1));
             assert_eq!(said, expected, "{options}");
         }
+    }
+
+    #[test]
+    fn its_tip_is_held_unless_the_hit_cuts_it() {
+        let handles = |v: [f64; 2], options: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1, velocity = {v:?} }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [5, 1] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', view = [-2, -4, 12, 6],
+                    layers = [{{ layer = 'ray'{options} }}] }}]"
+            );
+            let scene = open_text("ray", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            draw(&plan, plan.theme, "ray").handles
+        };
+        let (before, after) = (handles([8.0, 2.0], "")[0], handles([8.5, 1.0], "")[0]);
+        let Pull::Plane([right, down]) = before.pull else { panic!("{before:?}") };
+        let followed = right * (after.at.x - before.at.x) + down * (after.at.y - before.at.y);
+        assert!((followed - DVec2::new(0.5, -1.0)).length() < 1e-9, "{followed}");
+        assert_eq!(handles([8.0, 2.0], ", cut = 'hit'"), []);
     }
 }
