@@ -96,6 +96,8 @@ const WORDS: &[[&str; 5]] = &[
     ["closest point", "", "nächster Punkt", "point le plus proche", "punto más cercano"],
     ["tangent", "", "Tangente", "tangente", "tangente"],
     ["start", "", "Anfang", "début", "inicio"],
+    ["before the turn", "", "vor der Drehung", "avant le demi-tour", "antes del giro"],
+    ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
     ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],

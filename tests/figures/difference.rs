@@ -55,7 +55,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         around((-3.0, 0.0)),
         around((1.5, -4.5)),
     ];
-    let conf = look(&f, 2, [-2.4, -2.8, 8.0, 9.6]);
+    let conf = look(&f, 2, [-2.4, -3.2, 8.0, 9.5]);
     edges_wear_their_source(
         &conf,
         &[
@@ -137,7 +137,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-6.6, -5.7, 9.2, 8.6]);
+    let world = look(&f, 0, [-6.6, -6.0, 9.2, 9.0]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
@@ -146,7 +146,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-4.9, -6.2, 10.9, 8.1]);
+    let conf = look(&f, 1, [-4.9, -7.0, 10.9, 8.0]);
     edges_wear_their_source(
         &conf,
         &[

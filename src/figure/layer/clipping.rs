@@ -10,7 +10,7 @@ use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
 };
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
@@ -27,8 +27,9 @@ const READABLE: [f64; 2] = [24.0, 48.0];
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
 
-/// Opacity of the strip between the planes: bodies lie under it.
-const STRIP: f64 = 0.1;
+/// Width, page pixels, and opacity of the border of the strip between the planes: filled it would be a tint
+/// over every other.
+const BORDER: (f64, f64) = (12.0, 0.22);
 
 pub(super) const LAYER: Layer = Layer {
     name: "clipping",
@@ -150,6 +151,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if edges {
         let left = if cut { left(&found) } else { found.incident };
         both_edges(sketch, &found, left, options);
+        if !cut {
+            facing(sketch, &found);
+        }
     }
     if cut {
         sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })));
@@ -182,9 +186,14 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let low = heights[0].min(heights[1]).min(0.0) - past;
     let high = heights[0].max(heights[1]).max(0.0) + past;
     let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
-    let [[p, q], [s, r]] = ends;
-    let strip = Outline::polygon(&[p, q, r, s]);
-    sketch.part("strip").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, STRIP)), None);
+    let [p, q] = found.reference;
+    let wide = (q - p).length();
+    let inward = (q - p) * (sketch.px(BORDER.0).min(0.5 * wide) / wide.max(f64::MIN_POSITIVE));
+    for ([foot, top], inward) in ends.into_iter().zip([inward, -inward]) {
+        let border = Outline::polygon(&[foot, top, top + inward, foot + inward]);
+        let wash = Wash::faint(Role::Now, BORDER.1);
+        sketch.part("strip").weight(Weight::Light).area(&border, Some(wash), None);
+    }
     for [foot, top] in ends {
         sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
     }
@@ -208,6 +217,18 @@ fn both_edges(sketch: &mut Sketch, found: &Clipping, left: [DVec2; 2], options: 
     let tip = middle + found.normal * 1.0_f64.max(least).min(most);
     sketch.part("reference-normal").arrow(middle, tip, Pen::vector(role));
     sketch.label(Label::new("n", "$n$", Anchor::tip(middle, tip), role));
+}
+
+/// Draws the outward normal of the incident edge, which is most against n.
+fn facing(sketch: &mut Sketch, found: &Clipping) {
+    let [p, q] = found.incident;
+    let Some(across) = perp(q - p).try_normalize() else { return };
+    let out = if across.dot(found.normal) < 0.0 { across } else { -across };
+    let middle = 0.5 * (p + q);
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    let tip = middle + out * 1.0_f64.max(least).min(most);
+    let role = found.body.other().into();
+    sketch.part("incident-normal").arrow(middle, tip, Pen::vector(role));
 }
 
 /// Draws the ends of what is left, each contact with its depth.
@@ -254,7 +275,7 @@ fn depth(
 #[cfg(test)]
 mod tests {
     use crate::collision::Answer;
-    use crate::drawing::{Contour, Segment};
+    use crate::drawing::Contour;
     use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::{open_text, solve};
@@ -299,8 +320,10 @@ mod tests {
     }
 
     #[test]
-    fn the_strip_is_as_wide_as_the_reference_edge_is_long_and_comes_with_the_planes() {
-        for (show, strips) in [("[]", 0), ("['edges', 'cut']", 0), ("['edges', 'planes']", 1)] {
+    fn the_strip_has_a_border_within_each_plane_and_its_edges_face_each_other_before_the_cut() {
+        for (show, [borders, normals]) in
+            [("[]", [0, 0]), ("['edges', 'cut']", [0, 0]), ("['edges', 'planes']", [2, 1])]
+        {
             let text = format!(
                 "shapes.A = {{ kind = 'polygon', vertices = [[-2.5, -3], [2, -4], [3, 0], [-3, 2.5]] }}
                 shapes.B = {{ kind = 'box', half_extents = [2, 1], position = [1, 1.5], angle_deg = -20 }}
@@ -311,16 +334,16 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "clip");
             let found = paths(&figure.drawing.items, "strip");
-            assert_eq!(found.len(), strips, "{show}");
-            let [Contour::Segments(strip)] = &found.iter().map(|p| &p.contour).collect::<Vec<_>>()[..] else {
-                continue;
-            };
-            let [Segment::Move(p), Segment::Line(q), Segment::Line(r), ..] = strip[..] else {
-                panic!("{strip:?}")
-            };
-            let (along, wide) = ((q - p).length(), (r - q).length());
-            let edge = lines(&figure, "reference")[0];
-            assert!((wide - edge).abs() < 1e-6 && along > wide / 4.0, "{wide} by {along}, {edge}");
+            // A shaft and its head.
+            let arrows = paths(&figure.drawing.items, "incident-normal").len() / 2;
+            assert_eq!([found.len(), arrows], [borders, normals], "{show}");
+            for (border, plane) in found.iter().zip(paths(&figure.drawing.items, "plane")) {
+                let (Contour::Segments(border), Contour::Segments(plane)) = (&border.contour, &plane.contour)
+                else {
+                    panic!("straight")
+                };
+                assert_eq!(border[..2], plane[..], "a border begins at its plane");
+            }
         }
     }
 

@@ -45,6 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "pushed", about: "B ⊖ A when B is pushed out" },
         LabelKey { key: "turn", about: "the half turn, with turned" },
+        LabelKey { key: "unturned", about: "at the way before the half turn, with turned" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -116,6 +117,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
     let (start, radius) = (angle_of(-foot), sketch.px(TURN).min(SHARE * foot.length()));
     sketch.part("unturned").weight(Weight::Light).line(from, from - foot, Pen::dimension(Role::Muted));
+    let before = Label::new("unturned", "before the turn", Anchor::tip(from, from - foot), Role::Muted);
+    sketch.label(before.rank(Rank::Word).size(Size::Note));
     sketch.part("turn").weight(Weight::Light);
     sketch.arc_arrow(from, radius, start, PI, Pen::dimension(Role::Ink));
     let anchor = Anchor::Arc { center: from, radius, start, sweep: PI };
@@ -124,7 +127,7 @@ fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
 }
 
 /// Draws B ⊖ A moved by the minimum translation of B, dotted.
-pub(super) fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
+fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
     let Some(found) = difference(context, context.difference_time()) else { return };
     let (outline, role) = (found.outline().moved(by), Role::Difference);
     sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));

@@ -9,19 +9,21 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
-use super::closest::pushed;
 use super::cores::{cores, radii, radii_in_words};
 use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
+
+/// Opacity of what the step before added, and of the edge that it split.
+const ADDED: (f64, f64) = (0.14, 0.35);
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
@@ -42,8 +44,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "pushed",
             takes: Takes::Flag,
             default: "false",
-            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, and where \
-                B ⊖ A lies then, dotted; not of rounded bodies",
+            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted there; \
+                not of rounded bodies",
         },
     ],
     labels: &[
@@ -51,7 +53,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "n", about: "the direction in which it looks for a vertex" },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
-        LabelKey { key: "pushed", about: "B ⊖ A when B is pushed, with pushed" },
+        LabelKey { key: "pushed", about: "the nearest edge when B is pushed, with pushed" },
         LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
@@ -71,6 +73,8 @@ struct Step {
     normal: DVec2,
     /// The vertex of B ⊖ A beyond the edge that is farthest along the normal; `None` where none is beyond.
     beyond: Option<DVec2>,
+    /// The triangle by which it is larger than the one before: the edge that was split, and the vertex beyond.
+    added: Option<[DVec2; 3]>,
 }
 
 /// What an event tells of a polytope.
@@ -80,7 +84,14 @@ fn told(event: &Event) -> Option<Step> {
     };
     let ends = [vertices.get(*edge)?, vertices.get((edge + 1) % vertices.len())?].map(|p| *p);
     let beyond = (*beyond > 0.0).then_some(*support);
-    Some(Step { vertices: vertices.clone(), edge: ends, distance: *nearest, normal: *normal, beyond })
+    Some(Step {
+        vertices: vertices.clone(),
+        edge: ends,
+        distance: *nearest,
+        normal: *normal,
+        beyond,
+        added: None,
+    })
 }
 
 /// The step that the scene wants, else the last, and with what it comes.
@@ -89,11 +100,12 @@ fn shown(context: &Context, options: &Options) -> Option<(Step, Option<Cue>)> {
     let cues: Vec<(Cue, ())> =
         run.cues(|e| matches!(e, Event::PolytopeExpanded { .. }).then_some(())).collect();
     let wanted = options.number("step").unwrap_or(number_of(cues.len()));
-    let mut step = 0;
+    let (mut step, mut added) = (0, None);
     run.find_told(|event| match event {
         Event::PolytopeExpanded { .. } => {
             step += 1;
-            let found = told(event)?;
+            let found = Step { added, ..told(event)? };
+            added = found.beyond.map(|w| [found.edge[0], w, found.edge[1]]);
             let cue = cues.get(step - 1).map(|(cue, ())| *cue);
             (number_of(step) == wanted).then_some((found, cue))
         }
@@ -127,6 +139,11 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let rounded = radii(context) > 0.0;
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
+    if let Some(triangle) = step.added {
+        let [from, _, to] = triangle;
+        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, ADDED.0)), None);
+        sketch.part("split").weight(Weight::Light).line(from, to, Pen::vector(role).opacity(ADDED.1));
+    }
     sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
     supporting_line(sketch, step, foot);
@@ -136,11 +153,13 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
     sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
     let blue = Pen::highlighted(Role::Translation);
-    let mut lines = Vec::new();
-    if options.flag("pushed", false) && step.beyond.is_none() && !rounded {
-        pushed(sketch, context, -foot);
+    let push = options.flag("pushed", false) && step.beyond.is_none() && !rounded;
+    if push {
+        let [from, to] = step.edge.map(|end| end - foot);
+        sketch.part("pushed").weight(Weight::Light).line(from, to, Pen::ghost(Role::Difference));
+        let label = Label::new("pushed", "pushed to $O$", Anchor::middle(from, to), Role::Difference);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
         sketch.part("push").arrow_to(foot, DVec2::ZERO, Marker::Origin.reach(MARKER), blue);
-        lines.push(r"$-d\,n$".to_owned());
     } else {
         sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, blue);
     }
@@ -148,8 +167,9 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
-    lines.insert(0, format!("$d{left} = {}$", number(step.distance)));
-    sketch.label(Label { lines, ..Label::new("d", "", beside, Role::Translation) });
+    let named = if push { r"$-d\,n$, " } else { "" };
+    let d = format!("{named}$d{left} = {}$", number(step.distance));
+    sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
     sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
@@ -187,7 +207,7 @@ fn supporting_line(sketch: &mut Sketch, step: &Step, foot: DVec2) {
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{Contour, Point, Segment};
+    use crate::drawing::{Contour, Segment};
     use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{Figure, draw, plan};
     use crate::geometry::DVec2;
@@ -259,22 +279,17 @@ mod tests {
             assert_eq!(found, [last, 1 - last], "step {k}");
             let labels = labels(&figure);
             assert_eq!(labels["d"].0.contains(r"$-d\,n$"), k == steps, "{labels:?}");
+            let [split, added] = ["split", "added"].map(|part| paths(&figure.drawing.items, part).len());
+            assert_eq!([split, added], [usize::from(k > 1); 2], "step {k}");
             if k == steps {
-                // Some edge of what is pushed runs through O.
-                let frame = figure.panels[0].frame;
-                let o = frame.page(DVec2::ZERO);
-                let pieces = lines(&figure, "push");
-                let pushed = paths(&figure.drawing.items, "pushed")[0].contour.clone();
-                let Contour::Segments(segments) = pushed else { panic!("{pushed:?}") };
-                let place = |s: &Segment| match *s {
-                    Segment::Move(p) | Segment::Line(p) => Some(p),
-                    _ => None,
+                // The pushed edge runs through O.
+                let o = figure.panels[0].frame.page(DVec2::ZERO);
+                let Contour::Segments(edge) = &paths(&figure.drawing.items, "pushed")[0].contour else {
+                    panic!("straight")
                 };
-                let at: Vec<Point> = segments.iter().filter_map(place).collect();
-                let off = |p: Point, q: Point| ((o - p).dx * (q - p).dy - (o - p).dy * (q - p).dx).abs();
-                let ends = at.iter().zip(at.iter().cycle().skip(1));
-                let nearest = ends.map(|(&p, &q)| off(p, q) / (q - p).length()).fold(f64::INFINITY, f64::min);
-                assert!(nearest < 1e-6 && !pieces.is_empty(), "{nearest}");
+                let [Segment::Move(p), Segment::Line(q)] = edge[..] else { panic!("{edge:?}") };
+                let off = ((o - p).dx * (q - p).dy - (o - p).dy * (q - p).dx).abs() / (q - p).length();
+                assert!(off < 1e-6, "{off}");
             }
         }
     }

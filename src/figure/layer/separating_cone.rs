@@ -163,12 +163,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if turned {
         fan(sketch, &found, origin, (role, names));
     }
-    // As long as what it is compared with.
+    // As long as what it is compared with; pale beside the ends of the cone, one of which is in ink.
+    let role = if line { Role::Ink } else { Role::Muted };
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let length = if line { 1.0_f64.max(least).min(most) } else { radius(sketch, &found) };
     let tip = origin + found.normal * length;
-    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
+    sketch.part("direction").arrow(origin, tip, Pen::vector(role));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), role));
 }
 
 /// The radius of the cone.
