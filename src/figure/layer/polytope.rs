@@ -44,8 +44,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "pushed",
             takes: Takes::Flag,
             default: "false",
-            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted there; \
-                not of rounded bodies",
+            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted there",
         },
     ],
     labels: &[
@@ -73,7 +72,7 @@ struct Step {
     normal: DVec2,
     /// The vertex of B ⊖ A beyond the edge that is farthest along the normal; `None` where none is beyond.
     beyond: Option<DVec2>,
-    /// The triangle by which it is larger than the one before: the edge that was split, and the vertex beyond.
+    /// The triangle by which it is larger than the one before: that one's nearest edge and the vertex beyond.
     added: Option<[DVec2; 3]>,
 }
 
