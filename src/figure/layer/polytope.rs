@@ -44,7 +44,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "pushed",
             takes: Takes::Flag,
             default: "false",
-            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted there",
+            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted",
         },
     ],
     labels: &[
