@@ -117,12 +117,12 @@ fn named_part_in(folder: &Path) -> io::Result<NamedTempFile> {
         // As `File::create`: the umask takes away what others may not do.
         builder.permissions(std::fs::Permissions::from_mode(0o666))
     };
-    builder.tempfile_in(folder).map_err(nameless)
+    builder.tempfile_in(folder).map_err(|error| nameless(&error))
 }
 
 /// An error without the name of the part, which means nothing to whoever asked for a file: what the system
 /// said.
-fn nameless(error: io::Error) -> io::Error {
+fn nameless(error: &io::Error) -> io::Error {
     let system = error.get_ref().and_then(std::error::Error::source);
     let code = system.and_then(|error| error.downcast_ref::<io::Error>()?.raw_os_error());
     code.map_or_else(|| error.kind().into(), io::Error::from_raw_os_error)

@@ -182,7 +182,7 @@ impl Check {
         if is_unread && !found.orphans.is_empty() {
             let count = found.orphans.len();
             let (figures, stay) = if count == 1 { ("figure", "stays") } else { ("figures", "stay") };
-            checked.messages.push_str(&format!(
+            checked.say(&format!(
                 "note: {count} {figures} without a scene {stay}: not every scene or folder could be read\n"
             ));
             return checked;

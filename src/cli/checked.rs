@@ -52,6 +52,11 @@ impl Checked {
         self.is_unread |= other.is_unread;
     }
 
+    /// Says something on standard error.
+    pub(crate) fn say(&mut self, message: &str) {
+        self.messages.push_str(message);
+    }
+
     /// Adds a file that could not be checked, and why, which is said.
     pub(crate) fn fail(&mut self, file: &str, status: Status, message: &str) {
         self.messages.push_str(message);

@@ -25,7 +25,7 @@ pub(crate) fn of_twins(twins: &[Twins<'_>]) -> Checked {
             0 => String::new(),
             more => format!(", and {more} more {}", if more == 1 { "file" } else { "files" }),
         };
-        checked.messages.push_str(&format!("error: {first}{more}: rename one of the scenes\n"));
+        checked.say(&format!("error: {first}{more}: rename one of the scenes\n"));
         for one in files {
             let details = vec![format!("{one}: rename one of the scenes")];
             checked.miss_by(&one.path.display().to_string(), Status::Wrong, details);
@@ -55,15 +55,14 @@ pub(crate) fn of_doubtful(scene: &Path, figures: &[PathBuf], ink: Ink) -> Checke
         }
         [] => return checked,
     };
-    let (why, message) = match Input::File(scene.to_owned()).open() {
-        Err(refused) => (summary(&refused), refused.render(ink)),
-        Ok(_) => {
-            let why = format!("{name} is no scene of this run: {}", left_out(scene));
-            let message = format!("error: {why}\n");
-            (why, message)
-        }
+    let (why, message) = if let Err(refused) = Input::File(scene.to_owned()).open() {
+        (summary(&refused), refused.render(ink))
+    } else {
+        let why = format!("{name} is no scene of this run: {}", left_out(scene));
+        let message = format!("error: {why}\n");
+        (why, message)
     };
-    checked.messages.push_str(&format!("{message}note: {of}\n"));
+    checked.say(&format!("{message}note: {of}\n"));
     checked.miss_by(&scene.display().to_string(), Status::Wrong, vec![why, of]);
     checked
 }
