@@ -238,6 +238,9 @@ mod tests {
             ("zh", "at $t = 0.5$", "$t = 0.5$"),
             ("zh", "depth $d = 2$", "$d = 2$"),
             ("zh", "crate pushed out", "crate"),
+            ("fr", "edge of $A$, turned over", "arête de $A$, retournée"),
+            ("de", "edge of $B$", "Kante von $B$"),
+            ("es", "$2.5$ long", "longitud $2.5$"),
         ];
         for (tag, line, expected) in cases {
             assert_eq!(label(tag, "d", line), expected, "{tag}");

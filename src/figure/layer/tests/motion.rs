@@ -1,6 +1,7 @@
 //! Sweeps, rays and what faces each other: the parts that an option adds.
 
 use crate::drawing::Path;
+use crate::figure::placement::Placed;
 use crate::figure::{Figure, draw, plan};
 use crate::geometry::DVec2;
 use crate::scene::open_text;
@@ -108,20 +109,23 @@ fn the_joint_of_two_parts_is_the_difference_of_the_vertices_that_are_named() {
     for (lower, upper) in [("A", "B"), ("B", "A")] {
         let figure = place(lower, upper);
         let said = labels(&figure);
-        assert!(said.contains_key("b_1") && said.contains_key("b_2"), "the tie of B");
-        assert!(said.contains_key("a_1") != said.contains_key("a_2"), "and the vertex of A at the joint");
-        let a = if said.contains_key("a_1") { "a_1" } else { "a_2" };
-        let b = said["joint"].0.trim_matches('$').split(" - ").next().unwrap().to_owned();
-        assert_eq!(said["joint"].0, format!("${b} - {a}$"));
+        assert!(["a_1", "a_2", "b_1", "b_2"].iter().all(|key| said.contains_key(key)), "both ends of both");
         // What they name, in world units as the page has them: from O, and from a to b.
-        let home = |panel: usize, key: &str| {
+        let homes = |panel: usize, key: &str| -> Vec<(String, DVec2)> {
             let panel = &figure.panels[panel];
-            let home = panel.placed.iter().find(|label| label.key == key).unwrap().home;
-            let origin = panel.frame.page(DVec2::ZERO);
-            let corner = panel.frame.panel;
-            DVec2::new(home.dx + corner.x0 - origin.x, home.dy + corner.y0 - origin.y) / panel.frame.scale
+            let (origin, corner) = (panel.frame.page(DVec2::ZERO), panel.frame.panel);
+            let of_key = panel.placed.iter().filter(|label| label.key == key);
+            let place = |label: &Placed| {
+                let (x, y) = (label.home.dx + corner.x0 - origin.x, label.home.dy + corner.y0 - origin.y);
+                (label.lines[0].1.markup.clone(), DVec2::new(x, y) / panel.frame.scale)
+            };
+            of_key.map(place).collect()
         };
-        let (difference, joint) = (home(0, &b) - home(0, a), home(1, "joint"));
-        assert!(difference.distance(joint) < 0.01, "{lower}: {difference} {joint}");
+        assert_eq!((homes(1, "joint").len(), homes(1, "end").len()), (1, 2));
+        for (text, at) in homes(1, "joint").into_iter().chain(homes(1, "end")) {
+            let (b, a) = text.trim_matches('$').split_once(" - ").unwrap();
+            let difference = homes(0, b)[0].1 - homes(0, a)[0].1;
+            assert!(difference.distance(at) < 0.01, "{lower}: {text} {difference} {at}");
+        }
     }
 }
