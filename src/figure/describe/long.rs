@@ -56,25 +56,43 @@ fn body_in_words(name: &str, body: &Body) -> String {
     if body.shape.radius > 0.0 {
         let _ = write!(text, " of radius {}", value(body.shape.radius));
     }
-    let _ = write!(text, " at {}", point(middle(body)));
+    let origin = body.pose_at(0.0).position;
+    let middle = middle(body);
+    let (about, around) = match middle {
+        None => (String::new(), format!("at {}", point(origin))),
+        Some(middle) => (format!(" about {}", point(origin)), format!("around {}", point(middle))),
+    };
+    let _ = write!(text, " {around}");
     if body.angle_at(0.0) != 0.0 {
-        let _ = write!(text, ", turned by {}°", value(body.angle_at(0.0)));
+        let _ = write!(text, ", turned by {}°{about}", value(body.angle_at(0.0)));
     }
     if body.velocity != DVec2::ZERO {
         let _ = write!(text, ", moving by {}", point(body.velocity));
     }
     if !body.spin.is_zero() {
-        let _ = write!(text, ", turning by {}°", value(body.spin.degrees()));
+        let _ = write!(text, ", turning by {}°{about}", value(body.spin.degrees()));
     }
     text.push('.');
     text
 }
 
-/// The mean of a body's vertices at t = 0, which says where it is better than an origin outside it.
-fn middle(body: &Body) -> DVec2 {
+/// The mean of a body's vertices beside its origin that is rounding, in parts of how far the vertices are
+/// from it: no eye tells as much apart.
+const CENTERED: f64 = 1e-9;
+
+/// The mean of a body's vertices at t = 0, where the body is not centred on its origin: it says better where
+/// the body is.
+fn middle(body: &Body) -> Option<DVec2> {
     #[expect(clippy::cast_precision_loss, reason = "a count of vertices is far below 2^53")]
     let count = body.shape.vertices.len().max(1) as f64;
-    body.pose_at(0.0).point(body.shape.vertices.iter().copied().sum::<DVec2>() / count)
+    let mean = body.shape.vertices.iter().copied().sum::<DVec2>() / count;
+    let reach = body.shape.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
+    (mean.length() > CENTERED * reach).then(|| body.pose_at(0.0).point(mean))
+}
+
+/// Whether an algorithm that looks at components told this, and no edge of B ⊖ A.
+fn is_by_component(event: &Event) -> bool {
+    matches!(event, Event::Clamped { .. } | Event::ExtentsCompared { .. } | Event::CirclesCompared { .. })
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.
@@ -89,7 +107,7 @@ fn steps(scene: &Scene, run: &Run) -> String {
     match (is_found_on_the_difference(run.kind), advanced + grown, edges) {
         (_, 1, _) => format!("Found by {algorithm} in 1 step. "),
         (_, steps @ 2.., _) => format!("Found by {algorithm} in {steps} steps. "),
-        (true, _, 1..) => {
+        (true, _, 1..) if !run.events().any(is_by_component) => {
             format!("Found by {algorithm} among the {edges} edges of the Minkowski difference. ")
         }
         _ => format!("Found by {algorithm}. "),
@@ -136,4 +154,41 @@ fn when(panel: &Panel) -> String {
         When::End => " at the end".to_owned(),
         When::Step(k) => format!(" in step {k}"),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::runs::Runs;
+    use crate::scene::open_text;
+
+    /// The paragraph of a scene.
+    fn told(text: &str) -> String {
+        let scene = open_text("long.toml", text).unwrap().scene;
+        let runs = Runs::default();
+        let run = runs.own(&scene, 0.0);
+        long((&scene, &run), &Account::of(&scene, &runs, &run), &[])
+    }
+
+    #[test]
+    fn a_body_is_told_by_where_it_is_and_by_what_it_turns_about() {
+        let told = told(
+            "shapes.gate = { kind = 'capsule', points = [[0, 0], [3, 0]], radius = 0.1, position = [1, 1],
+                angular_velocity_deg = 90 }
+            shapes.post = { kind = 'regular-polygon', edges = 7, circumradius = 1, position = [0, 5] }
+            query = { kind = 'time-of-impact', of = ['gate', 'post'] }",
+        );
+        assert!(told.contains("around (2.5, 1), turning by 90° about (1, 1)."), "{told}");
+        assert!(told.contains(" at (0, 5)."), "{told}");
+    }
+
+    #[test]
+    fn an_algorithm_by_components_looks_at_no_edges() {
+        let told = told(
+            "shapes.a = { kind = 'aabb', half_extents = [1, 1] }
+            shapes.b = { kind = 'aabb', half_extents = [1, 1], position = [3, 0] }
+            query = { kind = 'separation', of = ['a', 'b'], algorithm = 'extents' }",
+        );
+        assert!(told.ends_with("Found by extents."), "{told}");
+    }
 }

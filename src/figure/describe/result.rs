@@ -3,6 +3,7 @@
 use crate::collision::{
     Answer, Contact, Impact, MotionBound, Outcome, Overlap, QueryKind, Reason, Separation,
 };
+use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
 use crate::geometry::{Body, DVec2, Side, perp};
@@ -44,6 +45,12 @@ impl<'r> Account<'r> {
         sentence_of([names.of(Side::A), names.of(Side::B)], self)
     }
 
+    /// The moment that the answer is of, in words; `None` for the start, and for an answer about the motion.
+    fn moment(&self) -> Option<String> {
+        let is_later = is_of_a_moment(self.run.kind) && self.run.time != 0.0;
+        is_later.then(|| format!("at t = {}", value(self.run.time)))
+    }
+
     /// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
     pub(crate) fn sentence_markup(&self) -> String {
         let names = self.scene.names();
@@ -53,7 +60,8 @@ impl<'r> Account<'r> {
     /// The result as a sentence that begins with a small letter.
     pub(super) fn result(&self) -> String {
         let names = self.scene.names();
-        result_of([names.of(Side::A), names.of(Side::B)], self)
+        let result = result_of([names.of(Side::A), names.of(Side::B)], self);
+        self.moment().map_or(result.clone(), |moment| format!("{moment} {result}"))
     }
 }
 
@@ -126,7 +134,7 @@ fn contact_in_words(names: [&str; 2], contact: &Contact, run: &Run) -> String {
     let pushed = reference.map_or(Side::B, Side::other);
     let apart = separation_in_words(names, &contact.separation, pushed);
     match contact.found().count() {
-        0 => apart,
+        0 => format!("{apart} There is no point of contact."),
         1 => format!("{apart} There is one point of contact."),
         _ => format!("{apart} There are two points of contact."),
     }
@@ -169,7 +177,11 @@ fn closest_in_words(told: &Account) -> String {
         _ => None,
     });
     let Some((time, apart, closing)) = found else { return String::new() };
-    if time >= 1.0 && closing > 0.0 {
+    let query = told.scene.query_at(0.0);
+    let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
+    if query.b.is_some_and(rests) {
+        format!("; they stay {apart} apart")
+    } else if time >= 1.0 && closing > 0.0 {
         format!("; the motion ends at t = {} while they still come nearer, {apart} apart", value(time))
     } else if time <= 0.0 && closing < 0.0 {
         format!("; they are closest at the start, {apart} apart")
@@ -192,6 +204,9 @@ fn closing(scene: &Scene, time: f64, normal: DVec2, [p, q]: [DVec2; 2]) -> f64 {
 /// The result as a sentence of its own, of bodies named so.
 fn sentence_of(names: [&str; 2], told: &Account) -> String {
     let text = result_of(names, told);
+    if let Some(moment) = told.moment() {
+        return format!("{}{} {text}", moment[..1].to_uppercase(), &moment[1..]);
+    }
     if text.starts_with(&format!("{} ", names[0])) {
         return text;
     }
@@ -319,6 +334,35 @@ mod tests {
             let said = passed(velocity);
             assert_eq!(said, format!("a and b do not touch{expected}"), "{velocity}");
         }
+    }
+
+    #[test]
+    fn bodies_that_go_alike_stay_as_they_are() {
+        let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [1, 2] }
+            shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [1, 2] }
+            query = { kind = 'time-of-impact', of = ['a', 'b'] }";
+        assert_eq!(said(text), "a and b do not touch; they stay 3 apart.");
+    }
+
+    #[test]
+    fn a_later_moment_is_said_with_what_is_so_then() {
+        let text = |kind: &str| {
+            format!(
+                "shapes.a = {{ kind = 'circle', radius = 1, velocity = [1, 0] }}
+                shapes.b = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+                query = {{ kind = '{kind}', of = ['a', 'b'], time = 0.5 }}"
+            )
+        };
+        let said = |kind: &str| {
+            let scene = open_text("later.toml", &text(kind)).unwrap().scene;
+            let runs = Runs::default();
+            let run = runs.own(&scene, 0.5);
+            let told = Account::of(&scene, &runs, &run);
+            (told.sentence(), told.result())
+        };
+        let apart = "a and b are 1.5 apart along the normal (1, 0).";
+        assert_eq!(said("separation"), (format!("At t = 0.5 {apart}"), format!("at t = 0.5 {apart}")));
+        assert_eq!(said("overlap").0, "At t = 0.5 a and b do not overlap: they are 1.5 apart.");
     }
 
     #[test]

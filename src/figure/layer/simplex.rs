@@ -24,6 +24,8 @@ const FILL: f64 = 0.12;
 const BESIDE: f64 = 10.0;
 /// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
 const SEARCH: f64 = 26.0;
+/// Length of that arrow at least, page pixels: its head and as much again.
+const SHORTEST: f64 = 14.0;
 /// How far beside v its distance from the origin is measured, page pixels: clear of v's head.
 const LEAST: f64 = 16.0;
 /// How far a supporting line reaches past what it supports, page pixels.
@@ -223,9 +225,12 @@ fn search(
     let beside = side * sketch.px(BESIDE);
     let reach = sketch.px(SEARCH).min(0.5 * v.length());
     let (from, tip) = (v + beside, v + beside - u * reach);
-    sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
-    let along = Label::new("search", "along $-v$", Anchor::point_toward(tip, side - u), Role::Ink);
-    sketch.label(along.rank(Rank::Word).size(Size::Note));
+    // Where v is as short as that, a direction beside it would be a dot.
+    if sketch.on_page(reach) >= SHORTEST {
+        sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
+        let along = Label::new("search", "along $-v$", Anchor::point_toward(tip, side - u), Role::Ink);
+        sketch.label(along.rank(Rank::Word).size(Size::Note));
+    }
     // Beyond the simplex too, whose edge the line lies on where the search ends.
     let supported = vertices.iter().filter(|p| (**p - w).dot(u).abs() <= ON_LINE * v.length());
     let reached = supported.chain([&w, &foot]).map(|p| p.dot(side));

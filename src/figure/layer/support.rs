@@ -5,7 +5,7 @@ use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Feature, Side};
 use crate::scene::Space;
 use crate::trace::{Event, SupportVertex};
 
@@ -78,6 +78,26 @@ fn supports(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
         .or_else(|| found(2, Side::A))
         .or_else(|| found(1, Side::B))
         .or_else(|| found(1, Side::A))
+        .or_else(|| answered(context))
+}
+
+/// The supporting vertices by the features of the answer, of an algorithm that tells none: the vertex that an
+/// edge of the other body faces, or both ends of B's edge where edges face each other.
+fn answered(context: &Context) -> Option<(Side, Vec<SupportVertex>)> {
+    let run = context.separation_at(context.time)?;
+    if run.events().any(|event| matches!(event, Event::SupportFound { .. })) {
+        return None;
+    }
+    let (side, indices) = match run.separation()?.features {
+        [Feature::Edge(_), Feature::Edge(index)] => {
+            (Side::B, context.body(Side::B)?.shape.edge_ends(index)?.to_vec())
+        }
+        [Feature::Edge(_), Feature::Vertex(index)] => (Side::B, vec![index]),
+        [Feature::Vertex(index), Feature::Edge(_)] => (Side::A, vec![index]),
+        [Feature::Vertex(_), Feature::Vertex(_)] => return None,
+    };
+    let vertex = |index| Some(SupportVertex { index, point: context.vertex(side, index, context.time)? });
+    Some((side, indices.into_iter().filter_map(vertex).collect()))
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -207,4 +227,35 @@ fn on_body(context: &Context, edge: &Edge) -> Option<(DVec2, DVec2)> {
     let [from, to] = shape.edge_ends(edge.index)?;
     let place = |k| context.vertex(edge.source, k, context.time).map(|p| p + out);
     Some((place(from)?, place(to)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    /// The keys of the labels of `support` in a scene that is answered by an algorithm.
+    fn supported(algorithm: &str) -> Vec<&'static str> {
+        let text = format!(
+            "shapes.T = {{ kind = 'polygon', vertices = [[0, 0], [2, 0.3], [0.8, 1.8]] }}
+            shapes.R = {{ kind = 'box', half_extents = [0.7, 0.5], position = [2.9, 1.4], angle_deg = 20 }}
+            query = {{ kind = 'separation', of = ['T', 'R'], algorithm = '{algorithm}' }}
+            panels = [{{ layers = ['shapes', 'support'] }}]"
+        );
+        let scene = open_text("support", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        assert!(plan.warnings.is_empty(), "{algorithm}: {:?}", plan.warnings);
+        let mut keys: Vec<_> =
+            draw(&plan, plan.theme, "support").panels[0].placed.iter().map(|l| l.key).collect();
+        keys.retain(|key| key.contains('_'));
+        keys.sort_unstable();
+        keys
+    }
+
+    #[test]
+    fn a_vertex_that_faces_an_edge_is_marked_whichever_algorithm_found_it() {
+        for algorithm in ["merge", "minkowski", "gjk", "closest-features"] {
+            assert_eq!(supported(algorithm), ["b_1"], "{algorithm}");
+        }
+    }
 }

@@ -106,7 +106,7 @@ pub fn sentence(event: &Event, names: &Names) -> String {
             compared(names, *size, [*separation, *time, *normal_deg], *points)
         }
         Event::MotionBounded { body, radius, theta, arc, linear, vertices } => {
-            motion(&names.quoted(*body), vertices, [*radius, *theta, *arc, *linear])
+            motion(names, *body, vertices, [*radius, *theta, *arc, *linear])
         }
         Event::EdgesFaced { body, reference, incident, from, to, normal, .. } => {
             clip::faced(names, *body, [*reference, *incident], [*from, *to], *normal)

@@ -93,16 +93,22 @@ pub(super) fn compared(
 }
 
 pub(super) fn motion(
-    body: &str,
+    names: &Names,
+    side: Side,
     farthest: &[SupportVertex],
     [radius, theta, arc, linear]: [f64; 4],
 ) -> String {
+    let path = if names.of(Side::B).is_empty() {
+        format!("its path adds {}", number(linear))
+    } else {
+        format!("the way that the two pass each other adds {}, once", number(linear))
+    };
     format!(
-        "{body} turns by {} rad; its farthest point is {} from its origin ({}), so L = {}; its path adds {}.",
+        "{} turns by {} rad; its farthest point is {} from its origin ({}), so L = {}; {path}.",
+        names.quoted(side),
         number(theta),
         number(radius),
         list(farthest),
         number(arc),
-        number(linear)
     )
 }

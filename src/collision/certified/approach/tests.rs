@@ -29,6 +29,15 @@ fn width(a: &Body, b: &Body, found: &ClosestApproach) -> f64 {
 }
 
 #[test]
+fn bodies_that_are_closest_at_the_start_are_so_at_0_and_not_a_step_of_the_search_later() {
+    let turning = moving(polygon(&[[0.0, 0.0], [2.0, 0.0]], 0.2), [0.0, 0.0], 700.0);
+    let wall = placed(boxed("box", 0.2, 2.0), 2.5, 0.0, 0.0);
+    let found = closest(&turning, &wall);
+    assert_eq!(found.time, 0.0, "{found:?}");
+    assert!(found.bounds.lo <= 0.1 && found.bounds.hi >= 0.1 - 1e-15, "{found:?}");
+}
+
+#[test]
 fn bodies_that_do_not_turn_are_nowhere_closer_and_bounds_are_a_few_roundings_apart() {
     let mut bodies = Bodies::new(31);
     let mut misses = 0;

@@ -53,8 +53,13 @@ pub(crate) fn closest(pair: &MovingPair) -> (f64, Separation, f64) {
     let mut approach = Approach::sampled(pair);
     let level = approach.proved_level();
     let [a, b] = pair.bodies;
-    let Closest { time, .. } = approach.best;
-    let contact = separation_at(a, b, time, closest_features(pair, time).0);
+    let at = |time: f64| (time, separation_at(a, b, time, closest_features(pair, time).0));
+    // What a search leaves of the start or the end is no moment of its own.
+    let ends = [at(0.0), at(approach.best.time), at(1.0)].into_iter();
+    let nearer = |p: (f64, Separation), q: (f64, Separation)| {
+        if q.1.separation < p.1.separation { q } else { p }
+    };
+    let (time, contact) = ends.reduce(nearer).unwrap_or_else(|| at(0.0));
     // The radii are grown by this and what their sum may have lost to rounding.
     let slack = Dd::ROUNDING * (pair.radius.hi + level);
     (time, contact, ((level - slack) / pair.unit).next_down())
