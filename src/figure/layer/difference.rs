@@ -245,8 +245,8 @@ fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> (P
     }
 }
 
-/// Marks the vertices of a sharp difference, but where most edges are shorter than a mark: it is the edges whose
-/// colours say where they come from.
+/// Marks the vertices of a sharp difference, but where most edges are shorter than a mark: it is the edges
+/// whose colours say where they come from.
 fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Option<Cue>) {
     let is_hidden = |edge: &&Edge| sketch.on_page(edge.from.distance(edge.to)) < 2.0 * SMALL_MARKER;
     if found.radius > 0.0 || 2 * found.edges.iter().filter(is_hidden).count() > found.edges.len() {
