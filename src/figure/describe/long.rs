@@ -58,11 +58,8 @@ fn body_in_words(name: &str, body: &Body) -> String {
     }
     let origin = body.pose_at(0.0).position;
     let middle = middle(body);
-    let (about, around) = match middle {
-        None => (String::new(), format!("at {}", point(origin))),
-        Some(middle) => (format!(" about {}", point(origin)), format!("around {}", point(middle))),
-    };
-    let _ = write!(text, " {around}");
+    let _ = write!(text, " at {}", point(middle.unwrap_or(origin)));
+    let about = middle.map(|_| format!(" about {}", point(origin))).unwrap_or_default();
     if body.angle_at(0.0) != 0.0 {
         let _ = write!(text, ", turned by {}°{about}", value(body.angle_at(0.0)));
     }
@@ -178,7 +175,7 @@ mod tests {
             shapes.post = { kind = 'regular-polygon', edges = 7, circumradius = 1, position = [0, 5] }
             query = { kind = 'time-of-impact', of = ['gate', 'post'] }",
         );
-        assert!(told.contains("around (2.5, 1), turning by 90° about (1, 1)."), "{told}");
+        assert!(told.contains(" at (2.5, 1), turning by 90° about (1, 1)."), "{told}");
         assert!(told.contains(" at (0, 5)."), "{told}");
     }
 
