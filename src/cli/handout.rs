@@ -96,7 +96,7 @@ impl Sheets {
                 return Ok(Err(Status::Usage));
             }
         };
-        let figures = match document.figures(files, jobs, console)? {
+        let figures = match figures(files, jobs, console)? {
             Ok(figures) => figures,
             Err(status) => return Ok(Err(status)),
         };
@@ -148,7 +148,7 @@ impl Document {
     /// # Errors
     /// When standard output fails.
     fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
-        let figures = match self.figures(files, jobs, console)? {
+        let figures = match figures(files, jobs, console)? {
             Ok(figures) => figures,
             Err(status) => {
                 console.error(&format!("{} is not written without all its figures", shown(&self.path)));
@@ -172,40 +172,6 @@ impl Document {
         written.messages.push_str(&self.small_letters(&figures));
         written.tell(console)?;
         Ok(written.status)
-    }
-
-    /// Draws the scenes: their figures with the names of their scenes, or what became of one of them.
-    ///
-    /// # Errors
-    /// When standard output fails.
-    fn figures(
-        &self,
-        files: &Files,
-        jobs: &[Job],
-        console: &mut Console,
-    ) -> io::Result<Result<Vec<(String, Encoded)>, Status>> {
-        let ink = console.ink();
-        let (mut status, mut figures) = (Status::Done, Vec::new());
-        let mut unfits = Unfits::default();
-        in_order(
-            jobs,
-            files.threads(),
-            |job| files.draw(job, ink),
-            |job, drawn| -> io::Result<()> {
-                let name = job.input.shown();
-                let Some(drawn) = drawn else {
-                    status = status.max(Status::Bug);
-                    return Written::bug(&name).tell(console);
-                };
-                status = status.max(drawn.status);
-                Console::message(&drawn.messages);
-                unfits.extend(drawn.unfit);
-                figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file)));
-                Ok(())
-            },
-        )?;
-        unfits.tell(console)?;
-        Ok(if status == Status::Done { Ok(figures) } else { Err(status) })
     }
 
     /// The figures as one file, which says by a hash what it was made of; or why they are none, in a
@@ -251,4 +217,37 @@ impl Document {
              fewer figures on a sheet are larger\n"
         )
     }
+}
+
+/// Draws the scenes: their figures with the names of their scenes, or what became of one of them.
+///
+/// # Errors
+/// When standard output fails.
+fn figures(
+    files: &Files,
+    jobs: &[Job],
+    console: &mut Console,
+) -> io::Result<Result<Vec<(String, Encoded)>, Status>> {
+    let ink = console.ink();
+    let (mut status, mut figures) = (Status::Done, Vec::new());
+    let mut unfits = Unfits::default();
+    in_order(
+        jobs,
+        files.threads(),
+        |job| files.draw(job, ink),
+        |job, drawn| -> io::Result<()> {
+            let name = job.input.shown();
+            let Some(drawn) = drawn else {
+                status = status.max(Status::Bug);
+                return Written::bug(&name).tell(console);
+            };
+            status = status.max(drawn.status);
+            Console::message(&drawn.messages);
+            unfits.extend(drawn.unfit);
+            figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file)));
+            Ok(())
+        },
+    )?;
+    unfits.tell(console)?;
+    Ok(if status == Status::Done { Ok(figures) } else { Err(status) })
 }

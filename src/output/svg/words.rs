@@ -86,7 +86,9 @@ pub(crate) fn found_words(drawing: &Drawing, in_steps: Option<InSteps>) -> Strin
         for of_size in together.chunk_by(|a, b| a.size.total_cmp(&b.size).is_eq()) {
             xml.start("g");
             xml.number("font-size", of_size[0].size);
-            of_size.iter().for_each(|words| line_of_words(&mut xml, words));
+            for words in of_size {
+                line_of_words(&mut xml, words);
+            }
             xml.end();
         }
         (0..groups).for_each(|_| xml.end());
