@@ -293,6 +293,20 @@ fn bodies_too_small_for_their_distance_are_as_far_as_they_are_both_ways_round() 
     }
 }
 
+#[test]
+fn what_one_order_proves_at_once_the_other_proves_too() {
+    let verdict = |names: &str| {
+        let found = answer(&format!(
+            r#"{{"shapes": {{"A": {{"kind": "capsule", "points": [[2.4108255004517747e64, -3.25], [0, 1.0625]],
+            "radius": 6.125}}, "B": {{"kind": "polygon", "radius": 1.8125, "hull": true, "vertices": [[6.1875, 0],
+            [4.125, 4.125], [0, 6.1875], [-4.125, 4.125], [-6.1875, 0], [-4.125, -4.125]]}}}},
+            "query": {{"kind": "overlap", "of": {names}, "max_iterations": 1}}}}"#
+        ));
+        found.get("overlap").unwrap().to_string()
+    };
+    assert_eq!(verdict(r#"["A", "B"]"#), verdict(r#"["B", "A"]"#));
+}
+
 /// The contacts of a pair, the deepest first; None where several edges are as deep.
 fn contacts(a: &Body, b: &Body) -> Option<Vec<ContactPoint>> {
     let asked = query(QueryKind::Contact, a, b);

@@ -69,7 +69,12 @@ fn settled(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
         proved.narrow(bounds);
     }
     if is_open(proved.bounds) {
-        proved.narrow(search::proved(&Pair::refined_at(pair.b, pair.a, pair.time), None).bounds);
+        let swapped = Pair::refined_at(pair.b, pair.a, pair.time);
+        let other = search::proved(&swapped, None);
+        proved.narrow(other.bounds);
+        if let Some(bounds) = exact::bounds(&swapped, &other.carrier) {
+            proved.narrow(bounds);
+        }
     }
     proved
 }
