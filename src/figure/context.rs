@@ -22,7 +22,7 @@ use super::sketch::Outline;
 /// from a path of 200 px radius.
 const PIECES: u32 = 64;
 /// How many turns of a way are drawn: more are a blur, and at fewer pieces each it would be another way.
-const MOST_TURNS: f64 = 128.0;
+const MOST_TURNS: u32 = 128;
 
 /// The moment that a panel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,8 +51,7 @@ fn pieces(turn: f64) -> Option<u32> {
     let turns = turn / std::f64::consts::TAU;
     match turns {
         0.0 => Some(1),
-        _ if turns > MOST_TURNS => None,
-        _ => (1..).find(|&pieces| f64::from(pieces) >= turns).map(|whole| whole * PIECES),
+        _ => (1..=MOST_TURNS).find(|&whole| f64::from(whole) >= turns).map(|whole| whole * PIECES),
     }
 }
 

@@ -9,13 +9,12 @@ use crate::geometry::DVec2;
 
 use super::number_of;
 
-/// Pieces of a curve at least: a chord is then within half a pixel of a curve that bends once over its panel.
+/// Pieces of a curve at least, and for each full turn of its bodies: a chord is then within half a pixel of a
+/// curve that bends once over its panel, and a body of eight vertices that turns by another comes nearer and
+/// goes away eight times, six pieces each.
 const PIECES: usize = 48;
-/// Pieces of a curve for each full turn of its bodies: a body of eight vertices that turns by another comes
-/// nearer and goes away eight times, six pieces each.
-const PIECES_A_TURN: f64 = 48.0;
 /// Turns of the bodies whose curve is drawn: more are a blur, and at fewer pieces each another curve.
-const MOST_TURNS: f64 = 64.0;
+const MOST_TURNS: usize = 64;
 
 /// How much longer the axes are than what they measure, in parts of that.
 const LONGER: f64 = 0.08;
@@ -104,11 +103,8 @@ pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DV
     let query = context.scene.query_of_bodies();
     let Some(b) = query.b else { return Vec::new() };
     let turns = until * [query.a, b].map(|body| body.spin.degrees().abs() / 360.0).into_iter().sum::<f64>();
-    if turns > MOST_TURNS {
-        return Vec::new();
-    }
-    let least = PIECES_A_TURN * turns;
-    let pieces = (PIECES..).find(|&pieces| number_of(pieces) >= least).unwrap_or(PIECES);
+    let Some(whole) = (1..=MOST_TURNS).find(|&whole| number_of(whole) >= turns) else { return Vec::new() };
+    let pieces = PIECES * whole;
     let even = (0..=pieces).map(|i| until * (number_of(i) / number_of(pieces)));
     let more = more.iter().copied().filter(|time| (0.0..until).contains(time));
     let mut times: Vec<f64> = even.chain(more).collect();
