@@ -139,8 +139,15 @@ pub(super) fn compared<'b>(mut old: Rows<'b>, mut new: Rows<'b>, shown: Shown) -
     let mut pictures = PictureDrift { differ: 0, first: 0, of: 0, play_alike };
     loop {
         let before = found.beyond[0];
-        let shown = if triptych.is_none() { shown } else { Shown::No };
-        let picture = rows_compared([&mut old, &mut new], &mut found, shown)?;
+        let mut picture = match shown {
+            Shown::Yes if triptych.is_none() => Some(Triptych::new(old_size, new_size)?),
+            Shown::Yes | Shown::No => None,
+        };
+        rows_compared([&mut old, &mut new], &mut found, &mut picture)?;
+        let picture = match picture {
+            Some(picture) => Some(picture.rows.finish()?),
+            None => None,
+        };
         pictures.of += 1;
         if found.beyond[0] > before || old_size != new_size {
             pictures.differ += 1;
@@ -167,17 +174,14 @@ pub(super) fn compared<'b>(mut old: Rows<'b>, mut new: Rows<'b>, shown: Shown) -
     Some(Compared { drift, play_alike, triptych })
 }
 
-/// Compares a picture of each file, and gives the picture of their difference where it is to be shown.
-fn rows_compared<'b>(
-    [old, new]: [&mut Rows<'b>; 2],
+/// Compares a picture of each file, row by row into the picture of their difference where that is to be shown;
+/// `None` where a file ends too early.
+fn rows_compared(
+    [old, new]: [&mut Rows<'_>; 2],
     found: &mut Found,
-    shown: Shown,
-) -> Option<Option<Vec<u8>>> {
+    picture: &mut Option<Triptych>,
+) -> Option<()> {
     let (old_size, new_size) = (old.size(), new.size());
-    let mut picture = match shown {
-        Shown::Yes => Some(Triptych::new(old_size, new_size)?),
-        Shown::No => None,
-    };
     let (mut a, mut b) = (Vec::new(), Vec::new());
     for y in 0..old_size.1.max(new_size.1) {
         a.clear();
@@ -186,14 +190,11 @@ fn rows_compared<'b>(
             return None;
         }
         found.row(y, &a, &b);
-        if let Some(picture) = &mut picture {
+        if let Some(picture) = picture {
             picture.row(&a, &b)?;
         }
     }
-    match picture {
-        Some(picture) => picture.rows.finish().map(Some),
-        None => Some(None),
-    }
+    Some(())
 }
 
 /// What differs in the rows so far.

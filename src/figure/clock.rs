@@ -51,8 +51,8 @@ impl Clock {
 }
 
 /// The corner of a panel in which the clock hides something in the fewest pictures.
-pub(super) fn corner<'p>(pictures: impl Iterator<Item = (&'p Labelled, &'p Clock)> + Clone) -> (bool, bool) {
-    let hides = |corner| pictures.clone().filter(|(panel, clock)| !clock.is_free(panel, corner)).count();
+pub(super) fn corner(pictures: &[(&Labelled, &Clock)]) -> (bool, bool) {
+    let hides = |corner| pictures.iter().filter(|(panel, clock)| !clock.is_free(panel, corner)).count();
     CORNERS.into_iter().min_by_key(|&corner| hides(corner)).unwrap_or(CORNERS[0])
 }
 
@@ -75,7 +75,7 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "f");
             let clock = Clock::of(0.25, 14.0).unwrap();
-            corner([(&figure.panels[0], &clock)].into_iter())
+            corner(&[(&figure.panels[0], &clock)])
         };
         assert_eq!(corner_of("'origin'"), (true, true), "lower right");
         let ticks = "{ layer = 'axes', ticks = true, lines = false, step = 1 }";

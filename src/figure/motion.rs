@@ -137,7 +137,11 @@ struct OnTheWay {
 fn with_clocks(way: Vec<OnTheWay>, finished: &Drawing, played: &Played, theme: &Theme) -> Vec<MotionFrame> {
     let corners: Vec<(bool, bool)> = (played.0.iter().enumerate())
         .map(|(k, &(i, _))| {
-            clock::corner(way.iter().filter_map(|on| Some((&on.figure.panels[i], on.clocks[k].as_ref()?))))
+            clock::corner(
+                &way.iter()
+                    .filter_map(|on| Some((&on.figure.panels[i], on.clocks[k].as_ref()?)))
+                    .collect::<Vec<_>>(),
+            )
         })
         .collect();
     let drawn = |OnTheWay { figure, clocks, rests }: OnTheWay| {

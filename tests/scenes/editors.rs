@@ -1,7 +1,7 @@
 //! Committed scenes and the guide's are TOML 1.0, which editors read: an inline table stands on one line and
 //! ends without a comma. We read TOML 1.1 too.
 
-#![expect(clippy::panic, reason = "a test fails by panicking")]
+#![expect(clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::path::{Path, PathBuf};
 

@@ -48,7 +48,11 @@ pub(crate) static VALUES: &[Value] = &[
     },
     Value { name: "depth", about: "penetration depth at the panel's moment, positive", of: depth },
     Value { name: "time", about: "time of first contact, else the panel's moment", of: time },
-    Value { name: "moment", about: "the panel's moment, in each picture that plays", of: moment },
+    Value {
+        name: "moment",
+        about: "the panel's moment, in each picture that plays",
+        of: |c| Some(Quantity::exactly(c.time)),
+    },
     Value {
         name: "closest.time",
         about: "when the bodies of a miss are closest",
@@ -194,12 +198,8 @@ fn time(context: &Context) -> Option<Quantity> {
     match &context.run().answer {
         Answer::Impact(_) => context.hit_time().map(Quantity::within),
         Answer::MotionBound(_) => None,
-        _ => moment(context),
+        _ => Some(Quantity::exactly(context.time)),
     }
-}
-
-fn moment(context: &Context) -> Option<Quantity> {
-    Some(Quantity::exactly(context.time))
 }
 
 /// The bounds of the least separation of a miss.
