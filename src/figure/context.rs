@@ -52,12 +52,6 @@ fn pieces(turn: f64) -> Option<u32> {
     match turns {
         0.0 => Some(1),
         _ => (1..=MOST_TURNS).find(|&whole| f64::from(whole) >= turns).map(|whole| whole * PIECES),
-        _ if turns > MOST_TURNS => None,
-        _ => {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to MOST_TURNS")]
-            let whole = turns.ceil() as u32;
-            Some(whole * PIECES)
-        }
     }
 }
 

@@ -105,11 +105,6 @@ pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DV
     let turns = until * [query.a, b].map(|body| body.spin.degrees().abs() / 360.0).into_iter().sum::<f64>();
     let Some(whole) = (1..=MOST_TURNS).find(|&whole| number_of(whole) >= turns) else { return Vec::new() };
     let pieces = PIECES * whole;
-    if turns > MOST_TURNS {
-        return Vec::new();
-    }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to MOST_TURNS turns")]
-    let pieces = PIECES.max((PIECES_A_TURN * turns).ceil() as usize);
     let even = (0..=pieces).map(|i| until * (number_of(i) / number_of(pieces)));
     let more = more.iter().copied().filter(|time| (0.0..until).contains(time));
     let mut times: Vec<f64> = even.chain(more).collect();
