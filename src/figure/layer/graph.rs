@@ -331,10 +331,11 @@ mod tests {
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "graph");
         let level = |part: &str| paths(&figure.drawing.items, part)[0].contour.bounds().unwrap();
-        // The first line of the fastest approach runs from s₁ down to 0; the tolerance lies between.
-        let (line, worst) = (level("tolerance"), level("worst"));
-        let first = steps(&plan.panels[0].context(&scene, &plan.runs))[0].separation;
-        let height = (worst.y1 - line.y0) / (worst.y1 - worst.y0) * first;
+        // The line of the second look runs from 0 up to s₂. That of the fastest approach has a gap where it
+        // would run along the curve.
+        let (line, worst, look) = (level("tolerance"), level("worst"), level("look"));
+        let second = steps(&plan.panels[0].context(&scene, &plan.runs))[1].separation;
+        let height = (look.y1 - line.y0) / (look.y1 - look.y0) * second;
         assert!(line.y0 == line.y1 && (height - 0.5).abs() < 1e-9, "{height}");
         assert!(line.x1 - line.x0 > worst.x1 - worst.x0);
     }
