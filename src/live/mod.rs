@@ -98,8 +98,8 @@ impl Live {
     /// and is `fig` where it is left out. The theme is one of the house by its name, or
     /// `{"key": TEXT, "file": {…}}`: a theme file as JSON, with the text that stands for it in the figure's
     /// hash; without one it is the scene's own. With `"inline": {}` the picture is an element for the
-    /// middle of a page ([`inline`]); with `"inline": {"words": ["a"]}` that page's style sheet sets its
-    /// colours, those of words of these roles apart from those of lines, and says when it is dark.
+    /// middle of a page (`output::inline`); with `"inline": {"words": ["a"]}` that page's style sheet sets
+    /// its colours, those of words of these roles apart from those of lines, and says when it is dark.
     ///
     /// # Errors
     /// Where the text is no such JSON, or the scene is none.
