@@ -2,7 +2,7 @@
 
 use tracefig::drawing::Role::{A, B, Ink, Muted, Now, Translation};
 
-use super::{figure, look};
+use super::{Look, figure, look};
 
 /// 4/5 and 3/5: the box of `circle-obb` is turned by atan 3/4.
 fn turned((x, y): (f64, f64)) -> (f64, f64) {
@@ -83,6 +83,18 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     ];
 }
 
+/// Whether V, its components, what the half-extents leave of them, the closest point and D are drawn.
+fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
+    let origin = (0.0, 0.0);
+    seen.arrow_toward(Ink, origin, v)
+        && seen.arrow(Muted, origin, (v.0, 0.0))
+        && seen.arrow(Muted, origin, (0.0, v.1))
+        && seen.line(A, origin, (closest.0, 0.0)).is_some_and(thick)
+        && seen.line(A, origin, (0.0, closest.1)).is_some_and(thick)
+        && seen.marker(A, closest)
+        && seen.arrow_toward(Translation, closest, v)
+}
+
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
@@ -91,15 +103,9 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     shows![
         w.polygon(A, &[(-6.0, -1.0), (6.0, -1.0), closest, (-6.0, 1.0)]).is_some(),
         w.circle(B, (9.0, 5.0), 2.0).is_some(),
-        w.arrow_toward(Ink, (0.0, 0.0), (9.0, 5.0)),
-        w.arrow(Muted, (0.0, 0.0), (9.0, 0.0)),
-        w.arrow(Muted, (0.0, 0.0), (0.0, 5.0)),
-        w.line(A, (0.0, 0.0), (6.0, 0.0)).is_some_and(thick),
-        w.line(A, (0.0, 0.0), (0.0, 1.0)).is_some_and(thick),
+        clamps(&w, (9.0, 5.0), closest),
         w.any_line((9.0, 0.0), (9.0, 5.0)),
         w.any_line((0.0, 5.0), (9.0, 5.0)),
-        w.marker(A, closest),
-        w.arrow_toward(Translation, closest, (9.0, 5.0)),
         w.text_near("closest point of $A$: $B_c$", closest, 100.0),
         f.says("$V = (9, 5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5$"),
         f.says("clamp$(V_x, -h_x, h_x) = 6$"),
@@ -189,13 +195,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     shows![
         body.polygon(A, &vertices).is_some(),
         body.circle(B, (3.9, 4.0), 1.6).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (3.9, 4.0)),
-        body.arrow(Muted, (0.0, 0.0), (3.9, 0.0)),
-        body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
-        body.line(A, (0.0, 0.0), (1.5, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 3.0)).is_some_and(thick),
-        body.marker(A, (1.5, 3.0)),
-        body.arrow_toward(Translation, (1.5, 3.0), (3.9, 4.0)),
+        clamps(&body, (3.9, 4.0), (1.5, 3.0)),
     ];
     let back = look(&f, 2, view);
     // Of D = (12, 5)/13 · 2.6 the circle takes 1.6.
