@@ -93,7 +93,7 @@ impl Context<'_> {
     /// A body's name, to be set in type.
     #[must_use]
     pub(crate) fn named(&self, side: Side) -> Name<'_> {
-        Name(self.shape(side).map_or("", |(name, _)| name.value.as_str()))
+        self.runs.called.side(self.scene, side)
     }
 
     /// A body's name as markup.
@@ -141,11 +141,11 @@ impl Context<'_> {
     pub(crate) fn symbol(&self, letter: &str, side: Side) -> String {
         let own = self.named(side);
         let frame = self.moving_frame().and(match *self.space {
-            Space::Body(index) => self.scene.shapes.get(index),
+            Space::Body(index) => Some(self.runs.called.name(self.scene, index)),
             Space::World | Space::Configuration => None,
         });
         match frame {
-            Some((name, _)) => format!("${letter}_{{{}/{}}}$", own.script(), Name(&name.value).script()),
+            Some(name) => format!("${letter}_{{{}/{}}}$", own.script(), name.script()),
             None => format!("${}$", own.below(letter)),
         }
     }
@@ -174,8 +174,9 @@ impl Context<'_> {
     /// panel's moment, as the panel shows it.
     pub(crate) fn bystanders(&self) -> impl Iterator<Item = (usize, String, Outline)> {
         let shapes = self.scene.shapes.iter().enumerate();
-        shapes.filter(|(i, _)| !self.scene.query.of.contains(i)).map(|(i, (name, body))| {
-            (i, Name(&name.value).primed(0), Outline::of_body(body, &body.pose_at(self.time)))
+        shapes.filter(|(i, _)| !self.scene.query.of.contains(i)).map(|(i, (_, body))| {
+            let name = self.runs.called.name(self.scene, i).primed(0);
+            (i, name, Outline::of_body(body, &body.pose_at(self.time)))
         })
     }
 

@@ -294,7 +294,7 @@ fn short(plan: &Plan, run: &Run) -> String {
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
     let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
-    let long = match exercise::spoken(plan.scene) {
+    let long = match exercise::spoken(plan.scene, &plan.runs) {
         Some(question) => {
             format!("{question} {}", describe::shown(plan.scene, &panels)).trim_end().to_owned()
         }

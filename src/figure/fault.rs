@@ -79,10 +79,15 @@ pub enum Fault {
         /// How the answer turned out.
         why: &'static str,
     },
-    /// The name of a shape in letters that the embedded faces lack.
+    /// A note: the name of a shape has letters that the embedded faces lack, and the picture calls it by
+    /// another one.
     BadName {
         /// The name in the scene.
         name: String,
+        /// What the picture calls it.
+        shown: String,
+        /// The key of `[labels]` that gives it another text, where there is one.
+        key: Option<&'static str>,
         /// Which letter, in the typesetter's words.
         reason: String,
     },
@@ -146,6 +151,7 @@ impl Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NothingPlays { .. }
+            | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
             Self::NoLayers | Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
             _ => Severity::Error,
@@ -166,7 +172,8 @@ impl Explain for Fault {
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
-            Self::BadMarkup { .. } | Self::BadName { .. } => codes::BAD_MARKUP.code,
+            Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
+            Self::BadName { .. } => codes::BAD_NAME.code,
             Self::TextDropped { .. } => codes::CAPTION_DROPPED.code,
             Self::BadTheme { .. } => codes::BAD_THEME.code,
             Self::OffPage { .. } => codes::OFF_PAGE.code,
@@ -183,10 +190,11 @@ impl Explain for Fault {
             Self::TextDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
             ),
-            Self::BadName { .. } => Some(
-                "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text"
-                    .to_owned(),
-            ),
+            Self::BadName { key, .. } => {
+                let fonts = "the fonts have Latin, Greek and Cyrillic letters";
+                let labels = |key| format!("{fonts}; `{key} = \"…\"` in `[labels]` calls it otherwise");
+                Some(key.map_or_else(|| fonts.to_owned(), labels))
+            }
             Self::OffPage { .. } => Some(
                 "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
@@ -233,7 +241,9 @@ impl fmt::Display for Fault {
                 write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
-            Self::BadName { name, reason } => write!(f, "the name `{name}` can't be typeset: {reason}"),
+            Self::BadName { name, shown, reason, .. } => {
+                write!(f, "the picture calls `{name}` {shown}: {reason}")
+            }
             Self::BadTheme { name, reason } => write!(f, "the theme `{name}` can't be used: {reason}"),
             Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
             Self::TextDropped { what, lines, room } => {
@@ -300,6 +310,17 @@ mod tests {
                 "a dash stands for `{=time}`: the answer is a miss",
                 "",
             ),
+            (
+                Fault::BadName {
+                    name: "木".to_owned(),
+                    shown: "A".to_owned(),
+                    key: Some("A"),
+                    reason: "no glyph".to_owned(),
+                },
+                "the picture calls `木` A: no glyph",
+                "the fonts have Latin, Greek and Cyrillic letters; `A = \"…\"` in `[labels]` calls it \
+                 otherwise",
+            ),
         ]
     }
 
@@ -330,11 +351,6 @@ mod tests {
                 Fault::UnfedLayer { layer: "one", needs: "a hit" },
                 "this scene can't feed the layer `one`",
                 "it needs a hit",
-            ),
-            (
-                Fault::BadName { name: "木".to_owned(), reason: "no glyph".to_owned() },
-                "the name `木` can't be typeset: no glyph",
-                "the fonts have Latin, Greek and Cyrillic letters; `[labels]` can write another text",
             ),
             (
                 Fault::BadTheme { name: "own.toml".to_owned(), reason: "it is a folder".to_owned() },

@@ -7,6 +7,7 @@
 mod asked_theme;
 mod bands;
 mod budget;
+mod called;
 mod clock;
 mod context;
 mod cue;
@@ -20,6 +21,7 @@ mod fault;
 mod frame;
 mod handle;
 mod inset;
+mod label_keys;
 mod language;
 pub mod layer;
 mod lettering;

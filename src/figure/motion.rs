@@ -12,6 +12,7 @@ use super::clock::{self, Clock};
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
+use super::label_keys::called;
 use super::limits::{MAX_POINTS, within};
 use super::plan::{Plan, panels_of, say};
 use super::played::Played;
@@ -30,7 +31,7 @@ const LOOKS: usize = 8;
 /// is as in the figure.
 fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec<Sketched>), Vec<Problem>> {
     let (scene, theme, layout) = (still.scene, still.theme, still.layout);
-    let runs = Runs::of(scene);
+    let runs = Runs::of(scene, called(scene));
     let (mut problems, mut notes) = (Vec::new(), Vec::new());
     let (moments, told) = (played.moments(still.panels.len(), time), (&mut problems, &mut notes));
     let (_, mut panels) = panels_of(scene, &runs, &layout.measures, &moments, told);

@@ -4,7 +4,7 @@
 //! *θ*. Everything else is upright words, spelled as the scene spells it, in scripts too: v with the script
 //! bullet.
 
-use crate::typeset::{as_markup, escaped};
+use crate::typeset::{as_markup, escaped, plain};
 
 /// Letters of a script at most: a longer one is wider than what it stands at, and is cut in its middle. Names
 /// of one scene differ mostly at an end.
@@ -14,14 +14,35 @@ const KEPT: [usize; 2] = [6, 4];
 
 /// A body's name, to be set in type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Name<'n>(pub(crate) &'n str);
+pub(crate) struct Name<'n> {
+    /// The letters, or the source of the formula.
+    text: &'n str,
+    /// Whether the scene calls it by a formula.
+    is_formula: bool,
+}
 
-impl Name<'_> {
+impl<'n> Name<'n> {
+    /// A name of letters.
+    pub(crate) const fn words(text: &'n str) -> Self {
+        Self { text, is_formula: false }
+    }
+
+    /// A name that a label writes as a formula, in LaTeX without dollar signs.
+    pub(crate) const fn formula(text: &'n str) -> Self {
+        Self { text, is_formula: true }
+    }
+
+    /// The name in plain words.
+    #[must_use]
+    pub(crate) fn in_words(self) -> String {
+        if self.is_formula { plain(&format!("${}$", self.text)) } else { self.text.to_owned() }
+    }
+
     /// Whether the name is a symbol: one Latin or Greek letter, primes after it allowed. Any other letter the
     /// formula's face has only upright, or not at all.
     #[must_use]
     pub(crate) fn is_symbol(self) -> bool {
-        let mut letters = self.0.chars();
+        let mut letters = self.text.chars();
         let first = letters.next();
         let is_greek = |c| ('α'..='ω').contains(&c) || ('Α'..='Ω').contains(&c);
         first.is_some_and(|c| c.is_ascii_alphabetic() || is_greek(c)) && letters.all(is_prime)
@@ -30,10 +51,12 @@ impl Name<'_> {
     /// The name as markup, with more primes after it: for the body elsewhere, or at another time.
     #[must_use]
     pub(crate) fn primed(self, primes: usize) -> String {
-        if self.is_symbol() {
+        if self.is_formula && primes == 0 {
+            format!("${}$", self.text)
+        } else if self.is_symbol() || self.is_formula {
             format!("${}{}$", self.term(), "'".repeat(primes))
         } else {
-            format!("{}{}", as_markup(self.0), "′".repeat(primes))
+            format!("{}{}", as_markup(self.text), "′".repeat(primes))
         }
     }
 
@@ -41,30 +64,33 @@ impl Name<'_> {
     #[must_use]
     pub(crate) fn term(self) -> String {
         if self.is_symbol() {
-            return self.0.replace(is_prime, "'");
+            return self.text.replace(is_prime, "'");
         }
-        let words: Vec<&str> = self.0.split_ascii_whitespace().collect();
+        if self.is_formula {
+            return format!("{{{}}}", self.text);
+        }
+        let words: Vec<&str> = self.text.split_ascii_whitespace().collect();
         format!(r"\text{{{}}}", escaped(&words.join(" ")))
     }
 
     /// The name as a term within a script, in LaTeX: a long one without its middle.
     #[must_use]
     pub(crate) fn script(self) -> String {
-        let letters: Vec<char> = self.0.chars().collect();
-        if letters.len() <= SCRIPT {
+        let letters: Vec<char> = self.text.chars().collect();
+        if letters.len() <= SCRIPT || self.is_formula {
             return self.term();
         }
         let [head, tail] = KEPT;
         let head: String = letters.iter().take(head).collect();
         let tail: String = letters.iter().skip(letters.len() - tail).collect();
-        Name(&format!("{}…{}", head.trim_end(), tail.trim_start())).term()
+        Name::words(&format!("{}…{}", head.trim_end(), tail.trim_start())).term()
     }
 
     /// The name as the script of a letter, in LaTeX: `v_A`, `v_{\text{bullet}}`.
     #[must_use]
     pub(crate) fn below(self, letter: &str) -> String {
-        if self.0.len() == 1 && self.is_symbol() {
-            format!("{letter}_{}", self.0)
+        if self.text.len() == 1 && self.is_symbol() {
+            format!("{letter}_{}", self.text)
         } else {
             format!("{letter}_{{{}}}", self.script())
         }
@@ -95,26 +121,26 @@ mod tests {
     #[test]
     fn one_letter_is_a_symbol_and_everything_else_is_words() {
         for name in ["A", "b", "Γ", "θ", "A'", "B′", "x''"] {
-            assert!(Name(name).is_symbol(), "{name}");
+            assert!(Name::words(name).is_symbol(), "{name}");
         }
         for name in ["", "'", "A1", "AB", "é", "Ж", "ό", "1", "_", "a_b", "木", "A b"] {
-            assert!(!Name(name).is_symbol(), "{name}");
+            assert!(!Name::words(name).is_symbol(), "{name}");
         }
     }
 
     #[test]
     fn a_symbol_is_set_in_the_formula_and_words_as_they_are_spelled() {
-        assert_eq!(Name("A").primed(1), "$A'$");
-        assert_eq!(Name("A′").primed(1), "$A''$");
-        assert_eq!(Name("crate_1").primed(1), "crate_1′");
-        assert_eq!(Name("$5").primed(0), r"\$5");
-        assert_eq!(Name("{a|b}").primed(1), r"\{a|b}′");
-        assert_eq!(Name("A").below("v"), "v_A");
-        assert_eq!(Name("bullet").below("v"), r"v_{\text{bullet}}");
-        assert_eq!(Name("B").point(2), "b_2");
-        assert_eq!(Name("the crate 12").below("v"), r"v_{\text{the crate 12}}");
-        assert_eq!(Name("the left crate 12").below("v"), r"v_{\text{the le…e 12}}");
-        assert_eq!(Name("100%").point(1), r"p_{\text{100\%},1}");
+        assert_eq!(Name::words("A").primed(1), "$A'$");
+        assert_eq!(Name::words("A′").primed(1), "$A''$");
+        assert_eq!(Name::words("crate_1").primed(1), "crate_1′");
+        assert_eq!(Name::words("$5").primed(0), r"\$5");
+        assert_eq!(Name::words("{a|b}").primed(1), r"\{a|b}′");
+        assert_eq!(Name::words("A").below("v"), "v_A");
+        assert_eq!(Name::words("bullet").below("v"), r"v_{\text{bullet}}");
+        assert_eq!(Name::words("B").point(2), "b_2");
+        assert_eq!(Name::words("the crate 12").below("v"), r"v_{\text{the crate 12}}");
+        assert_eq!(Name::words("the left crate 12").below("v"), r"v_{\text{the le…e 12}}");
+        assert_eq!(Name::words("100%").point(1), r"p_{\text{100\%},1}");
     }
 
     #[test]
@@ -123,7 +149,7 @@ mod tests {
             "A", "θ''", "crate_1", "a b", "A&B", "{x}", "{a|x", r"\{b|x}", "}", r"\", r"a\$b", r"\frac",
             "^2", "~#", "é'",
         ];
-        for name in names.map(Name) {
+        for name in names.map(Name::words) {
             let forms = [
                 name.primed(0),
                 name.primed(2),

@@ -13,8 +13,9 @@ use super::default_picture;
 use super::describe::Account;
 use super::exercise;
 use super::fault::{Fault, Problem};
+use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
-use super::layer::{LAYERS, is_key};
+use super::layer::is_key;
 use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Measures, Page};
@@ -22,7 +23,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, across, caption_of_words, check_texts, label_key, spoken};
+use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
 use super::view;
 
@@ -132,7 +133,7 @@ fn resolve<'s>(
     theme: &'s Theme,
     mut problems: Vec<Problem>,
 ) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
-    let runs = Runs::of(scene);
+    let runs = Runs::of(scene, called(scene));
     let measures = Measures::of(&scene.canvas, theme.text);
     let mut warnings = Vec::new();
     let (all, mut panels) = panels_of(scene, &runs, &measures, &[], (&mut problems, &mut warnings));
@@ -150,7 +151,8 @@ fn resolve<'s>(
     } else if scene.panels.is_empty() && scene.caption.is_none() && Language::of(scene).is_own() {
         let run = runs.own(scene, scene.query.time);
         let account = Account::of(scene, &runs, &run);
-        caption = caption_of_words(&measures, account.sentence(), &account.sentence_markup());
+        let words = account.sentence_of_bodies(&runs.called.names(scene));
+        caption = caption_of_words(&measures, words, &account.sentence_markup(&runs.called));
     }
     let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let layout = Layout {
@@ -173,6 +175,7 @@ fn resolve<'s>(
         problems.extend(runs.overflow(scene).map(Problem::from));
     }
     if let Some(page) = page.filter(|_| problems.is_empty()) {
+        warnings.extend(replaced(scene, &runs.called));
         return Ok(Plan {
             scene,
             theme,
@@ -249,42 +252,6 @@ pub(super) fn say(
         check_texts(&panel.context(scene, runs), requests, (&mut budget, is_key), (problems, notes))?;
     }
     Ok(())
-}
-
-/// Tells of keys of `[labels]` that no layer of the scene writes.
-fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
-    let written = panels.iter().flat_map(PanelPlan::labels);
-    // A picture of ours is another one for another answer.
-    let ours = scene.panels.is_empty() || scene.panels.iter().any(|panel| panel.layers.is_none());
-    let possible = LAYERS.iter().filter(|_| ours).flat_map(|layer| layer.labels);
-    let mut known: Vec<String> = Vec::new();
-    for key in written.chain(possible) {
-        if !known.iter().any(|k| k == key.key) {
-            known.push(key.key.to_owned());
-        }
-    }
-    let names = scene.shapes.iter().map(|(name, _)| &name.value);
-    let by_name: Vec<String> = names
-        .filter(|name| !is_key(name) && known.iter().any(|k| k == label_key(scene, name, is_key)))
-        .cloned()
-        .collect();
-    let meant: Vec<&str> =
-        scene.labels.iter().map(|(word, _)| label_key(scene, &word.value, is_key)).collect();
-    for (i, (key, _)) in scene.labels.iter().enumerate() {
-        if let Some(other) = meant[..i].iter().position(|&earlier| earlier == meant[i]) {
-            let message = format!("`{}` and `{}` are the same label", scene.labels[other].0.value, key.value);
-            problems.push(Problem::new(scene::Fault::Conflict { message }.into(), key.span.clone()));
-        }
-        if !known.iter().any(|k| k == meant[i]) {
-            let place = "`[labels]`: no layer of this scene writes it".to_owned();
-            let fault = scene::Fault::UnknownKey {
-                key: key.value.clone(),
-                place,
-                known: [&by_name[..], &known].concat(),
-            };
-            problems.push(Problem::new(fault.into(), key.span.clone()));
-        }
-    }
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ use crate::geometry::Enclosure;
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
+use super::called::Called;
 use super::cue::{Cue, Teller};
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
@@ -189,12 +190,14 @@ pub(crate) struct Runs {
     done: Mutex<Vec<(Key, Arc<Run>)>>,
     /// Whether the figure is a question, whose answer it does not know.
     is_blind: bool,
+    /// What the figure calls the bodies.
+    pub(crate) called: Called,
 }
 
 impl Runs {
-    /// No runs yet, of a figure of this scene.
-    pub(crate) fn of(scene: &Scene) -> Self {
-        Self { done: Mutex::default(), is_blind: scene.variant == Variant::Question }
+    /// No runs yet, of a figure of this scene that calls the bodies so.
+    pub(crate) fn of(scene: &Scene, called: Called) -> Self {
+        Self { done: Mutex::default(), is_blind: scene.variant == Variant::Question, called }
     }
 
     /// The scene's own question at a moment (which matters only to bounds, overlap and separation).

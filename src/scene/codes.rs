@@ -53,6 +53,8 @@ codes! {
         "note: a layer or a moment that this answer lacks, as the contact where it is a miss";
     BAD_THEME = "bad-theme", "a theme file that can't be read, or is no theme";
     BAD_MARKUP = "bad-markup", "a text whose formula can't be typeset";
+    BAD_NAME = "bad-name",
+        "note: a name has a letter that the fonts lack, so that the picture has another one";
     CAPTION_DROPPED = "caption-dropped", "warning: a text has more lines than the page has room for";
     OFF_PAGE = "off-page", "a panel shows places so far outside that no page reaches there";
     LABEL_CLASH = "label-clash", "warning: a label found no free place";

@@ -129,6 +129,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/limits", &["scene"]),
     ("figure/question", &["collision"]),
     ("figure/name", &["typeset"]),
+    ("figure/called", &["geometry", "scene", "typeset", "figure/name"]),
     ("figure/language", &["scene"]),
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
@@ -166,7 +167,16 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
     (
         "figure/runs",
-        &["geometry", "trace", "collision", "scene", "figure/cue", "figure/limits", "figure/question"],
+        &[
+            "geometry",
+            "trace",
+            "collision",
+            "scene",
+            "figure/called",
+            "figure/cue",
+            "figure/limits",
+            "figure/question",
+        ],
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
     (
@@ -227,7 +237,16 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     (
         "figure/describe",
-        &["geometry", "trace", "collision", "scene", "figure/question", "figure/runs", "figure/text"],
+        &[
+            "geometry",
+            "trace",
+            "collision",
+            "scene",
+            "figure/called",
+            "figure/question",
+            "figure/runs",
+            "figure/text",
+        ],
     ),
     (
         "figure/default_picture",
@@ -241,6 +260,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision",
             "scene",
             "typeset",
+            "figure/called",
             "figure/context",
             "figure/fault",
             "figure/language",

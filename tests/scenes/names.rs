@@ -70,7 +70,7 @@ const SETTABLE: [&str; 54] = [
 ];
 
 /// Names with a letter that the embedded fonts lack, and that letter.
-const REFUSED: [(&str, char); 6] = [
+const REPLACED: [(&str, char); 6] = [
     ("木箱", '木'),
     ("🎾", '🎾'),
     ("שלום", 'ש'),
@@ -200,22 +200,68 @@ fn every_name_is_set_as_it_is_and_read_in_the_words_of_the_figure() {
 }
 
 #[test]
-fn a_letter_that_no_font_has_is_named_at_the_name_of_the_shape() {
+fn a_name_with_a_letter_that_no_font_has_is_another_one_on_the_picture_and_a_note_says_so() {
     for question in questions() {
         let kept = kept(&text(&question, ["A", "B"]));
-        for (name, letter) in REFUSED {
-            for names in [[name, "B"], ["A", name]] {
+        for (name, letter) in REPLACED {
+            for (names, shown) in [([name, "B"], "A"), (["A", name], "B"), (["B", name], "C")] {
                 let text = text(&question, names);
-                let scene = scene(&text, &kept);
-                let problems = plan(&scene).map(|_| ()).unwrap_err();
-                for problem in &problems {
-                    assert_eq!(problem.fault.code(), "bad-markup", "{problem:?}");
-                    let message = problem.fault.to_string();
-                    assert!(message.contains(name) && message.contains(&format!("{letter:?}")), "{message}");
-                    assert_eq!(text[problem.span.clone()], json!(name).to_string());
-                }
-                assert_eq!(problems.len(), 1, "{problems:?}");
+                let mut scene = scene(&text, &kept);
+                assert_eq!(plan(&scene).err(), None, "{text}");
+                scene.panels.truncate(1);
+                scene.panels[0].layers.as_mut().unwrap().truncate(1);
+                let plan = plan(&scene).unwrap();
+                let warnings = draw(&plan, plan.theme, "names").warnings;
+                let notes: Vec<_> = warnings.iter().filter(|p| p.fault.code() == "bad-name").collect();
+                let [note] = notes[..] else { panic!("{notes:?}") };
+                let message = note.fault.to_string();
+                let says = [name, &format!(" {shown}:"), &format!("{letter:?}")];
+                assert!(says.iter().all(|part| message.contains(part)), "{message}");
+                let help = note.fault.help().unwrap();
+                assert_eq!(help.contains("`A = "), names[0] == name, "{help}");
+                assert_eq!(text[note.span.clone()], json!(name).to_string());
             }
+        }
+    }
+}
+
+#[test]
+fn words_that_are_never_set_in_type_keep_a_name_that_no_font_has() {
+    let scene = open_text("names.json", &text(&questions()[0], ["木箱", "B"])).unwrap().scene;
+    let bare = Scene { panels: Vec::new(), ..scene };
+    let plan = plan(&bare).unwrap();
+    let drawing = draw(&plan, plan.theme, "names").drawing;
+    assert!(drawing.title.contains("木箱") && drawing.desc.contains("木箱 is a circle"), "{}", drawing.desc);
+    assert!(said(&drawing.items, "caption").contains("$A$"), "{}", said(&drawing.items, "caption"));
+    let steps: Vec<&String> = drawing.steps.iter().flat_map(|step| &step.sentences).collect();
+    assert!(steps.iter().all(|text| !text.contains('木')) && steps[0].contains("A and B"), "{steps:?}");
+}
+
+#[test]
+fn labels_that_are_made_of_a_name_follow_the_text_that_the_scene_gives_to_it() {
+    for question in questions() {
+        let plain = text(&question, ["crate_1", "B"]);
+        let kept = kept(&plain);
+        let mut named: Value = serde_json::from_str(&plain).unwrap();
+        named["labels"] = json!({"A": "Kiste"});
+        let scene = scene(&named.to_string(), &kept);
+        let plan = plan(&scene).unwrap();
+        let drawing = draw(&plan, plan.theme, "names").drawing;
+        let mut all = Vec::new();
+        texts(&drawing.items, &mut all);
+        assert!(all.iter().any(|markup| markup == "Kiste") && all.len() > 5, "{all:?}");
+        assert!(all.iter().all(|markup| !markup.contains("crate")), "{all:?}");
+        assert!(drawing.title.contains("crate_1") || drawing.desc.contains("crate_1"));
+    }
+}
+
+/// The markup of all lines.
+fn texts(items: &[Item], all: &mut Vec<String>) {
+    for item in items {
+        match item {
+            Item::Group(group) => texts(&group.items, all),
+            Item::Text(text) => all.push(text.line.markup.clone()),
+            Item::Path(_) => {}
         }
     }
 }
@@ -230,9 +276,11 @@ fn a_body_that_the_query_is_not_about_is_told_only_where_it_is_named() {
         scene["panels"] = json!([{"space": "world", "layers": layers}]);
         let text = scene.to_string();
         let scene = open_text("context.json", &text).unwrap().scene;
-        let problems = plan(&scene).err().unwrap_or_default();
-        let at: Vec<&str> = problems.iter().map(|problem| &text[problem.span.clone()]).collect();
-        assert_eq!(at == ["\"木箱\""], told, "{problems:?}");
-        assert_eq!(problems.is_empty(), !told);
+        let plan = plan(&scene).unwrap();
+        let warnings = draw(&plan, plan.theme, "context").warnings;
+        let notes = warnings.iter().filter(|problem| problem.fault.code() == "bad-name");
+        let at: Vec<&str> = notes.map(|problem| &text[problem.span.clone()]).collect();
+        assert_eq!(at == ["\"木箱\""], told, "{warnings:?}");
+        assert_eq!(at.is_empty(), !told);
     }
 }

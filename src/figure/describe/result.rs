@@ -3,10 +3,11 @@
 use crate::collision::{
     Answer, Contact, Impact, MotionBound, Outcome, Overlap, QueryKind, Reason, Separation,
 };
+use crate::figure::called::Called;
 use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
-use crate::geometry::{Body, DVec2, Side, perp};
+use crate::geometry::{Body, DVec2, Names, Side, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
 
@@ -41,7 +42,11 @@ impl<'r> Account<'r> {
 
     /// The result as a sentence of its own: with a capital, but a name stays as the scene writes it.
     pub(crate) fn sentence(&self) -> String {
-        let names = self.scene.names();
+        self.sentence_of_bodies(&self.scene.names())
+    }
+
+    /// The result as a sentence about bodies of other names than the scene's.
+    pub(crate) fn sentence_of_bodies(&self, names: &Names) -> String {
         sentence_of([names.of(Side::A), names.of(Side::B)], self)
     }
 
@@ -52,9 +57,8 @@ impl<'r> Account<'r> {
     }
 
     /// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
-    pub(crate) fn sentence_markup(&self) -> String {
-        let names = self.scene.names();
-        named([names.of(Side::A), names.of(Side::B)], |names| sentence_of(names, self))
+    pub(crate) fn sentence_markup(&self, called: &Called) -> String {
+        named(Side::BOTH.map(|side| called.side(self.scene, side)), |names| sentence_of(names, self))
     }
 
     /// The result as a sentence that begins with a small letter.
@@ -232,7 +236,7 @@ mod tests {
             let runs = Runs::default();
             let run = runs.own(&scene, 0.0);
             let told = Account::of(&scene, &runs, &run);
-            (told.sentence(), told.sentence_markup())
+            (told.sentence(), told.sentence_markup(&runs.called))
         };
         let (words, markup) = said("A", "a");
         assert_eq!(words, "A and a are 2 apart along the normal (1, 0).");

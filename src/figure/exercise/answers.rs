@@ -137,8 +137,8 @@ pub(super) fn rows(scene: &Scene, exercise: &Exercise) -> Vec<&'static Askable> 
 }
 
 /// What a row asks of a scene, as markup.
-fn what(row: &Askable, scene: &Scene) -> String {
-    let (names, words) = (scene.names(), Words::of(scene));
+fn what(row: &Askable, scene: &Scene, runs: &Runs) -> String {
+    let (names, words) = (runs.called.names(scene), Words::of(scene));
     let [a, b] = [Side::A, Side::B].map(|side| as_markup(&names.quoted(side)));
     let all = if b.is_empty() { vec![a.clone()] } else { vec![a.clone(), b.clone()] };
     in_words(words.word(&row.what), [&words.listed(&all), &a, &b])
@@ -161,7 +161,7 @@ pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<As
     let answer = |row: &'static Askable| {
         let quantity = value_of(row.name, &context)?;
         let symbol = format!("${}$", row.symbol);
-        let (what, unit) = (what(row, scene), unit(row, exercise, Words::of(scene)));
+        let (what, unit) = (what(row, scene, runs), unit(row, exercise, Words::of(scene)));
         Some(Asked {
             name: row.name,
             symbol,
@@ -176,27 +176,27 @@ pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<As
 }
 
 /// What is to be done, as markup: the exercise's own words, or ours.
-pub(super) fn to_do(scene: &Scene, exercise: &Exercise) -> String {
+pub(super) fn to_do(scene: &Scene, runs: &Runs, exercise: &Exercise) -> String {
     if let Some(task) = &exercise.task {
         return task.value.clone();
     }
-    let all: Vec<String> = rows(scene, exercise).iter().map(|row| what(row, scene)).collect();
+    let all: Vec<String> = rows(scene, exercise).iter().map(|row| what(row, scene, runs)).collect();
     let words = Words::of(scene);
     words.say(&FIND, &[&words.listed(&all)])
 }
 
 /// What is given and what is to be done, as paragraphs of markup.
-pub(super) fn task(scene: &Scene, exercise: &Exercise) -> Vec<String> {
-    vec![as_markup(&givens(scene)), to_do(scene, exercise)]
+pub(super) fn task(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<String> {
+    vec![as_markup(&givens(scene, &runs.called.names(scene))), to_do(scene, runs, exercise)]
 }
 
 /// The paragraphs of a question, as markup: what is given, what is to be done, a blank for each number.
-pub(super) fn question(scene: &Scene, exercise: &Exercise) -> Vec<String> {
+pub(super) fn question(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<String> {
     let blank = |row: &'static Askable| {
         format!("${}$ = {BLANK} {}", row.symbol, unit(row, exercise, Words::of(scene))).trim_end().to_owned()
     };
     let blanks = rows(scene, exercise).into_iter().map(blank);
-    task(scene, exercise).into_iter().chain(blanks).collect()
+    task(scene, runs, exercise).into_iter().chain(blanks).collect()
 }
 
 /// What stands over the way in a key, as paragraphs of markup: what was to be done, each answer with its
@@ -204,7 +204,7 @@ pub(super) fn question(scene: &Scene, exercise: &Exercise) -> Vec<String> {
 pub(super) fn solved(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<String> {
     let context = of_the_query(scene, runs);
     let said = |text: &Spanned<String>| filled(text, &context).unwrap_or_else(|| text.value.clone());
-    std::iter::once(to_do(scene, exercise))
+    std::iter::once(to_do(scene, runs, exercise))
         .chain(answers(scene, runs, exercise).iter().map(|asked| asked.line_in(Words::of(scene))))
         .chain(scene.caption.as_ref().map(said))
         .collect()
@@ -217,7 +217,7 @@ fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
 
 /// The sentences of the trace that a reader works through, as markup.
 pub(super) fn steps(scene: &Scene, runs: &Runs) -> Vec<String> {
-    let (run, names) = (runs.own(scene, scene.query.time), scene.names());
+    let (run, names) = (runs.own(scene, scene.query.time), runs.called.names(scene));
     let told = run.events().filter(|event| is_worked(event));
     told.map(|event| with_powers(&as_markup(&with_minus(&sentence(event, &names))))).collect()
 }

@@ -24,7 +24,7 @@ pub(crate) fn caption(
     check(scene, runs, exercise, problems);
     let (head, way) = match scene.variant {
         Variant::Figure => return None,
-        Variant::Question => (question(scene, exercise), Vec::new()),
+        Variant::Question => (question(scene, runs, exercise), Vec::new()),
         Variant::Key => {
             let way = steps(scene, runs);
             let numbered = (1..).zip(way).map(|(k, sentence)| format!("{k}. {sentence}"));
@@ -42,10 +42,10 @@ pub(crate) fn caption(
 }
 
 /// The words of a question for those who do not see it; `None` for other variants.
-pub(crate) fn spoken(scene: &Scene) -> Option<String> {
+pub(crate) fn spoken(scene: &Scene, runs: &Runs) -> Option<String> {
     let exercise = scene.exercise.as_ref().filter(|_| scene.variant == Variant::Question)?;
     // A blank has no sound.
-    Some(task(scene, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" "))
+    Some(task(scene, runs, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" "))
 }
 
 /// Tells what an exercise asks for and hides that there is not. That this answer lacks what is asked for is

@@ -3,7 +3,7 @@
 //! Nobody can work out three digits from numbers that were rounded to three, so none is.
 
 use crate::geometry::shape::KINDS;
-use crate::geometry::{Angle, Body, DVec2};
+use crate::geometry::{Angle, Body, DVec2, Names, Side};
 use crate::scene::{Scene, Spanned};
 
 use super::phrases::{
@@ -14,12 +14,13 @@ use super::phrases::{
 /// Vertices that are listed; more are on the picture only.
 const MOST_VERTICES: usize = 12;
 
-/// The bodies of a scene's question, a sentence each, as words.
-pub(super) fn givens(scene: &Scene) -> String {
+/// The bodies of a scene's question, a sentence each, as words; they are called `names`.
+pub(super) fn givens(scene: &Scene, names: &Names) -> String {
     let words = Words::of(scene);
     let bodies: Vec<_> = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i)).collect();
-    let in_words = |(name, body): &&(Spanned<String>, Body)| body_in_words(&name.value, body, words);
-    let mut text: Vec<String> = bodies.iter().map(in_words).collect();
+    let in_words =
+        |(side, (_, body)): (Side, &&(Spanned<String>, Body))| body_in_words(names.of(side), body, words);
+    let mut text: Vec<String> = Side::BOTH.into_iter().zip(&bodies).map(in_words).collect();
     if bodies.iter().any(|(_, body)| body.velocity != DVec2::ZERO || !body.spin.is_zero()) {
         text.push(words.word(&MOTION).to_owned());
     } else if scene.query.time != 0.0 {
@@ -99,7 +100,8 @@ mod tests {
 
     fn given(shapes: &str) -> String {
         let text = format!("{shapes}\nquery = {{ kind = 'motion-bound', of = ['A'] }}");
-        givens(&open_text("s.toml", &text).unwrap().scene)
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        givens(&scene, &scene.names())
     }
 
     #[test]

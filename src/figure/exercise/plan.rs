@@ -36,7 +36,7 @@ pub fn asked(plan: &Plan<'_>) -> Vec<Asked> {
 #[must_use]
 pub fn task(plan: &Plan<'_>) -> String {
     let Some(exercise) = &plan.scene.exercise else { return String::new() };
-    paragraphs(plan.scene, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
+    paragraphs(plan.scene, &plan.runs, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
 }
 
 /// Which number is to be typed, and in which unit, in plain words.

@@ -8,6 +8,7 @@
 use oorandom::Rand64;
 
 use crate::collision::Answer;
+use crate::figure::called::Called;
 use crate::figure::runs::Runs;
 use crate::figure::standing::standing;
 use crate::scene::{Numbers, Scene, SceneFile, Template};
@@ -97,7 +98,7 @@ impl Kind {
     /// What a scene is like; `None` where it is no exercise, or lacks what it asks for.
     fn of(scene: &Scene) -> Option<Self> {
         let exercise = scene.exercise.as_ref()?;
-        let runs = Runs::of(scene);
+        let runs = Runs::of(scene, Called::default());
         let run = runs.own(scene, scene.query.time);
         let all = answers(scene, &runs, exercise);
         let ties = match &run.answer {

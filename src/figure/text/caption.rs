@@ -267,11 +267,10 @@ const STAND_INS: [&str; 2] = ["\u{E000}", "\u{E001}"];
 
 /// What `say` says of bodies of these names, as markup: the names as labels have them, a letter in italics.
 /// An empty name is that of no body.
-pub(crate) fn named(names: [&str; 2], say: impl FnOnce([&str; 2]) -> String) -> String {
-    let [a, b] = names;
-    let marks = [if a.is_empty() { "" } else { STAND_INS[0] }, if b.is_empty() { "" } else { STAND_INS[1] }];
-    let text = as_markup(&say(marks));
-    names.iter().zip(STAND_INS).fold(text, |text, (name, mark)| text.replace(mark, &Name(name).primed(0)))
+pub(crate) fn named(names: [Name; 2], say: impl FnOnce([&str; 2]) -> String) -> String {
+    let mark = |side: usize| if names[side].in_words().is_empty() { "" } else { STAND_INS[side] };
+    let text = as_markup(&say([mark(0), mark(1)]));
+    names.iter().zip(STAND_INS).fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
 }
 
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.

@@ -26,7 +26,7 @@ pub(crate) use caption::{
 pub(crate) use decimal::Decimal;
 pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up};
-pub(crate) use overrides::label_key;
+pub(crate) use overrides::{label_key, overridden};
 pub use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};
 pub(crate) use symbols::{Symbol, symbols};

@@ -32,7 +32,7 @@ pub(crate) fn label_key<'k>(scene: &Scene, word: &'k str, is_key: IsKey) -> &'k 
 }
 
 /// What a scene says of a label; by its key rather than by a name.
-pub(super) fn overridden<'s>(
+pub(crate) fn overridden<'s>(
     scene: &'s Scene,
     key: &str,
     is_key: IsKey,

@@ -7,12 +7,11 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::language::Language;
 use crate::figure::lettering::{role_words, unknown, with_markers};
-use crate::figure::name::Name;
 use crate::figure::placement::Sought;
 use crate::figure::sketch::{Anchor, Rank, Request, Size};
 use crate::figure::standing::standing;
 use crate::scene;
-use crate::typeset::{self, Style, TypesetError, typeset};
+use crate::typeset::{self, Style, TypesetError};
 
 use super::decimal::Decimal;
 use super::fill::fill;
@@ -60,10 +59,15 @@ impl Wording<'_> {
         }
         let style = Style::regular((self.type_size)(label.size));
         let decimal = Decimal::of(self.context.scene);
+        // The same words may stand in several labels: the key tells which one it is.
+        let of_label = |error: TypesetError, markup| {
+            let message = format!("{} (label `{}`)", error.message, label.key);
+            bad_markup(TypesetError { message, ..error }, markup, &place)
+        };
         let mut set = |line: &String| {
             if !is_given {
                 let own = decimal.in_formulas(line);
-                return typeset::line(&own, style).map_err(|e| self.unsettable(e, line, &place));
+                return typeset::line(&own, style).map_err(|e| of_label(e, line.clone()));
             }
             let (filled, values) = fill(line, self.context, &place)?;
             notes.extend(values.into_iter().map(|value| no_value(value, self.context, &place)));
@@ -73,7 +77,7 @@ impl Wording<'_> {
             // What stands at its thing needs no marker of it.
             let marked = self.marked && label.rank == Rank::Note;
             let filled = if marked { with_markers(&filled) } else { filled };
-            typeset::line(&filled, style).map_err(|e| bad_markup(e, filled.clone(), &place))
+            typeset::line(&filled, style).map_err(|e| of_label(e, filled.clone()))
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
         let folds = match &lines[..] {
@@ -94,30 +98,6 @@ impl Wording<'_> {
             pin: given.and_then(|(_, o)| o.at.as_ref()).map(|at| at.value),
             span: given.map_or_else(|| origin.clone(), |(key, _)| key.span.clone()),
         }))
-    }
-}
-
-impl Wording<'_> {
-    /// Why a text of a layer's own can't be set: a name has letters that the faces lack, as the text is
-    /// sound without names.
-    fn unsettable(&self, error: TypesetError, markup: &str, place: &Range<usize>) -> Problem {
-        let scene = self.context.scene;
-        // Of the query first: bodies beside it may be named or not.
-        let asked = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));
-        let mut names = asked.chain(&scene.shapes).map(|(name, _)| name).filter(|name| {
-            let set = Name(&name.value);
-            [set.primed(0), set.term()].iter().any(|form| markup.contains(form.trim_matches('$')))
-        });
-        let refused = names.find_map(|name| {
-            typeset(&Name(&name.value).primed(0), Style::regular(1.0)).err().map(|error| (name, error))
-        });
-        match refused {
-            Some((name, error)) => {
-                let fault = Fault::BadName { name: name.value.clone(), reason: error.message };
-                Problem::new(fault, name.span.clone())
-            }
-            None => bad_markup(error, markup.to_owned(), place),
-        }
     }
 }
 
