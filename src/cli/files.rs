@@ -23,13 +23,13 @@ use super::failure::Failure;
 use super::in_motion::{MotionOptions, planned as planned_for};
 use super::in_steps::StepOptions;
 use super::in_time::InTime;
-use super::inputs::{Found, find, shown};
+use super::inputs::{Found, find};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
 use super::parallel::threads;
 use super::regular::read_regular;
 use super::settings::{Flags, Projects, Settings, usual_formats};
-use super::themes::{ChosenTheme, OwnThemes, chosen_theme};
+use super::themes::{AskedTheme, ChosenTheme, OwnThemes};
 use super::timings::Timings;
 use super::unfit::Unfit;
 use super::unplanned::Unplanned;
@@ -55,8 +55,8 @@ pub(crate) struct Files {
     /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml, or its dark side
     /// FILE.toml#dark; with several, files are named STEM.THEME.EXT; default: those of the project file, else
     /// each scene's own
-    #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = chosen_theme)]
-    theme: Vec<ChosenTheme>,
+    #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = AskedTheme::read)]
+    theme: Vec<AskedTheme>,
     /// Dots of an image for each page pixel; default: what the project file says, else 2
     #[arg(long, value_parser = scale)]
     scale: Option<f64>,
@@ -159,21 +159,23 @@ impl Files {
         let found = find(&self.scenes)?;
         let left_alone = found.left_alone();
         let Found { scenes, folders, unread, .. } = found;
-        let jobs = planner(scenes, &mut Projects::new(&self.flags(output)))?;
+        let jobs = planner(scenes, &mut Projects::new(&self.flags(output)?))?;
         Ok(Plan { jobs, folders, unread, is_whole: self.scenes.is_empty(), left_alone })
     }
 
     /// How scenes of the working directory are drawn.
     pub(crate) fn settings_here(&self, output: Option<&Path>) -> Result<Arc<Settings>, Unplanned> {
-        Projects::new(&self.flags(output)).settings(Path::new(""))
+        Projects::new(&self.flags(output)?).settings(Path::new(""))
     }
 
     /// What the command line says of all scenes.
-    fn flags<'c>(&'c self, output: Option<&'c Path>) -> Flags<'c> {
-        let (formats, themes, variants, seeds) = (&self.format, &self.theme, &self.variant, &self.seed);
+    fn flags<'c>(&'c self, output: Option<&'c Path>) -> Result<Flags<'c>, Unplanned> {
+        let (formats, variants, seeds) = (&self.format, &self.variant, &self.seed);
+        let themes = self.theme.iter().map(|asked| asked.theme.clone());
+        let themes = themes.collect::<Result<_, _>>().map_err(Unplanned::Refused)?;
         let steps = self.steps.files().map(InTime::Steps);
         let in_time = if self.motion.is_asked() { Some(InTime::Motion) } else { steps };
-        Flags { output, formats, themes, scale: self.scale, in_time, variants, seeds }
+        Ok(Flags { output, formats, themes, scale: self.scale, in_time, variants, seeds })
     }
 
     /// Whether a scene is to come from standard input.
@@ -193,7 +195,8 @@ impl Files {
         let folder = |path: &PathBuf| {
             if path.is_dir() { Some(path.clone()) } else { path.parent().map(Path::to_owned) }
         };
-        let folders = named.iter().map(|path| folder(path).unwrap_or_default());
+        let themes = self.theme.iter().filter_map(|theme| theme.file()?.parent().map(Path::to_owned));
+        let folders = named.iter().map(|path| folder(path).unwrap_or_default()).chain(themes);
         folders.filter(|folder| folder.as_os_str().is_empty() || folder.is_dir()).collect()
     }
 
@@ -202,12 +205,8 @@ impl Files {
     /// # Errors
     /// Where one is none; the themes are then as they were.
     pub(crate) fn read_themes_again(&mut self) -> Result<(), String> {
-        let read = |theme: &ChosenTheme| match &theme.file {
-            Some(file) => chosen_theme(&theme.asked).map_err(|error| format!("{}: {error}", shown(file))),
-            None => Ok(theme.clone()),
-        };
         self.own_themes = OwnThemes::default();
-        self.theme = self.theme.iter().map(read).collect::<Result<_, _>>()?;
+        self.theme = self.theme.iter().map(AskedTheme::again).collect::<Result<_, _>>()?;
         Ok(())
     }
 

@@ -310,17 +310,17 @@ fn inputs_stay(jobs: &[Job]) -> Result<(), String> {
 mod tests {
     use super::super::inputs::single;
     use super::super::settings::Flags;
-    use super::super::themes::chosen_theme;
+    use super::super::themes::theme_in;
     use super::*;
 
     fn targets(scenes: &[&str], folder: Option<&str>, themes: &[&str]) -> Result<Vec<String>, Unplanned> {
         let located = |s: &&str| Located { input: single(s.as_ref()), below: PathBuf::new() };
-        let themes: Vec<_> = themes.iter().map(|t| chosen_theme(t).unwrap()).collect();
+        let themes: Vec<_> = themes.iter().filter_map(|t| theme_in(Path::new(""), t).ok()).collect();
         let formats = ["svg", "png"].map(str::to_owned);
         let flags = Flags {
             output: folder.map(Path::new),
             formats: &formats,
-            themes: &themes,
+            themes,
             scale: None,
             variants: &[],
             seeds: &[],

@@ -28,7 +28,7 @@ pub(crate) struct Flags<'c> {
     /// Words for formats; none where it does not say.
     pub(crate) formats: &'c [String],
     /// Themes; none where it does not say.
-    pub(crate) themes: &'c [ChosenTheme],
+    pub(crate) themes: Vec<ChosenTheme>,
     /// Dots of an image for each page pixel.
     pub(crate) scale: Option<f64>,
     /// Variants of exercises; none are the figures.
@@ -118,7 +118,7 @@ impl Settings {
             seen.push(format.name);
             new
         });
-        let themes = if flags.themes.is_empty() { &known.themes[..] } else { flags.themes };
+        let themes = if flags.themes.is_empty() { &known.themes[..] } else { &flags.themes[..] };
         Ok(Self {
             destination,
             formats,

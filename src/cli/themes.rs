@@ -11,7 +11,7 @@ use tracefig::figure::theme::{self, Theme, ThemeError};
 use tracefig::scene::limits::MAX_FILE_BYTES;
 use tracefig::scene::{self, Problem, Refused, SceneFile, Source, visible};
 
-use super::inputs::Input;
+use super::inputs::{Input, shown};
 use super::regular::read_regular;
 
 /// A theme of the house, or one from a file.
@@ -37,9 +37,47 @@ impl ChosenTheme {
     }
 }
 
-/// A theme as written on the command line: the word for one of the house, or a file.
-pub(crate) fn chosen_theme(text: &str) -> Result<ChosenTheme, String> {
-    theme_in(Path::new(""), text).map_err(|none| none.to_string())
+/// A theme of the command line.
+#[derive(Clone, Debug)]
+pub(crate) struct AskedTheme {
+    /// What asks for it.
+    asked: String,
+    /// The theme, or what is wrong with the text of its file, which is no fault of the command.
+    pub(crate) theme: Result<ChosenTheme, Box<Refused>>,
+}
+
+impl AskedTheme {
+    /// A theme as written on the command line.
+    ///
+    /// # Errors
+    /// Where the word is none, or the file can't be read.
+    pub(crate) fn read(text: &str) -> Result<Self, String> {
+        let theme = match theme_in(Path::new(""), text) {
+            Ok(theme) => Ok(theme),
+            Err(NoTheme::File(refused)) => Err(refused),
+            Err(said) => return Err(said.to_string()),
+        };
+        Ok(Self { asked: text.to_owned(), theme })
+    }
+
+    /// The file; `None` for one of the house.
+    pub(crate) fn file(&self) -> Option<&Path> {
+        let side = theme::dark_side_of(&self.asked);
+        theme::is_file(&self.asked).then(|| Path::new(side.unwrap_or(&self.asked)))
+    }
+
+    /// Reads its file anew.
+    ///
+    /// # Errors
+    /// Where it was a theme and is none any more.
+    pub(crate) fn again(&self) -> Result<Self, String> {
+        let Some(file) = self.file() else { return Ok(self.clone()) };
+        let told = |error: String| format!("{}: {error}", shown(file));
+        match (Self::read(&self.asked).map_err(told)?, &self.theme) {
+            (Self { theme: Err(refused), .. }, Ok(_)) => Err(told(NoTheme::File(refused).to_string())),
+            (read, _) => Ok(read),
+        }
+    }
 }
 
 /// A theme by its word, or from a file whose path is relative to a folder.

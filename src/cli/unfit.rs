@@ -36,7 +36,7 @@ impl Unfit {
         if chosen.file.is_none() {
             return Vec::new();
         }
-        let (scene, theme) = (visible(scene).into_owned(), visible(&chosen.name).into_owned());
+        let (scene, theme) = (visible(scene).into_owned(), visible(&chosen.asked).into_owned());
         let severity = if allowed { "warning" } else { "error" };
         let unfit = |short| {
             let mut said = format!("{short}");

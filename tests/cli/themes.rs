@@ -70,7 +70,7 @@ fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_na
     assert_eq!(lines.len(), 2, "{}", refused.err);
     let (said, near) = lines[0].split_once("; nearest that passes: ").unwrap();
     let short =
-        "theme own: a #FF7F0E is too near b #D62728 to readers without blue cones: ΔE2000 14.4, at least 20";
+        "theme own.toml: a #FF7F0E is too near b #D62728 to readers without blue cones: ΔE2000 14.4, at least 20";
     assert!(said.ends_with(short), "{said}");
     // What is named passes, and nothing else was wrong.
     let color = near.split([' ', ',']).find(|word| word.starts_with('#')).unwrap();
@@ -84,18 +84,26 @@ fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_na
 }
 
 #[test]
-fn a_theme_file_is_one_of_several_themes_and_what_is_no_theme_is_usage() {
+fn a_theme_file_is_one_of_several_themes_and_a_wrong_one_is_told_with_its_line() {
     let folder = folder_with("s.toml", &drawn());
     fs::write(folder.path().join("slides.toml"), "based_on = \"dark\"\n[colors]\na = \"#FF6650\"\n").unwrap();
     fs::write(folder.path().join("wrong.toml"), "[colors]\nink = \"black\"\n").unwrap();
     let with = |theme: &str| render(folder.path(), &["s.toml", "--format", "svg", "--theme", theme]);
     assert_eq!(with("slides.toml,print").code, Some(0));
     assert!(svg(folder.path(), "s.slides.svg").contains("#ff6650"));
-    let refused = with("wrong.toml");
-    assert_eq!(refused.code, Some(2));
-    let told = "wrong.toml:2:7: `colors.ink`: expected `#RRGGBB` or `#RGB`, got `black`";
-    assert!(refused.err.contains(told), "{}", refused.err);
-    assert_eq!(with("sepia").code, Some(2));
+    // A wrong text is no fault of the command.
+    for (text, at, parts) in [
+        ("ink = \"black\"", "2:7", ["`colors.ink`: expected `#RRGGBB` or `#RGB`, got `black`", "ink = "]),
+        ("backgruond = '#fff'", "2:1", ["unknown key `backgruond`", "= help: did you mean `background`?"]),
+    ] {
+        fs::write(folder.path().join("wrong.toml"), format!("[colors]\n{text}\n")).unwrap();
+        let refused = with("wrong.toml");
+        assert_eq!(refused.code, Some(1), "{}", refused.err);
+        assert!(refused.err.contains(&format!("--> wrong.toml:{at}\n")), "{}", refused.err);
+        assert!(parts.iter().all(|part| refused.err.contains(part)), "{}", refused.err);
+        assert!(!refused.err.contains("--help"), "{}", refused.err);
+    }
+    assert_eq!([with("sepia").code, with("none.toml").code], [Some(2), Some(2)]);
 }
 
 #[test]
@@ -255,7 +263,7 @@ fn what_several_scenes_say_of_a_theme_is_said_once() {
     assert_eq!(refused.code, Some(1), "{}", refused.err);
     let said = "(7 scenes: scenes/s0.toml, scenes/s1.toml, scenes/s2.toml, scenes/s3.toml and 3 more)";
     let lines: Vec<_> = refused.err.lines().collect();
-    assert!(lines[0].starts_with("error: theme own: a #FF7F0E is too near b #D62728"), "{}", refused.err);
+    assert!(lines[0].starts_with("error: theme own.toml: a #FF7F0E is too near b #D62728"), "{}", refused.err);
     assert!(lines[0].ends_with(said) && lines.len() == 2, "{}", refused.err);
     assert!(lines[1].starts_with("help: `--allow-similar`"), "{}", refused.err);
     for threads in ["1", "3"] {

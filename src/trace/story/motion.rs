@@ -39,7 +39,7 @@ pub(super) fn advanced(
 
 pub(super) fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {
     format!(
-        "From t = {} to {} they stay apart along {}, which turns with {owner}.",
+        "From t = {} to {} they stay apart along {}, a direction in the frame of {owner}.",
         number(from),
         number(to),
         point(normal)
