@@ -13,6 +13,7 @@ use tracefig::scene::{Ink, visible};
 use super::atomic_file::{Wait, clear_leftovers, write_whole};
 use super::checked::{Checked, ERROR, ORPHAN};
 use super::console::Console;
+use super::declared::Declared;
 use super::differences::{details, measured};
 use super::encoded::Encoded;
 use super::files::{Drawn, Files, Plan};
@@ -85,7 +86,7 @@ impl Runs for Check {
     };
 
     fn run(self, console: &mut Console) -> io::Result<Status> {
-        if self.files.read_stdin() {
+        if self.files.asked.read_stdin() {
             let message = "`check` compares files, and a scene from standard input has none: name its file";
             return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
         }
@@ -94,7 +95,17 @@ impl Runs for Check {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
-        let pictures = match self.places.planned(&plan.jobs, inputs_of(&plan.jobs), self.json) {
+        let declared = match &self.handout {
+            None => Declared::all(&self.files, &plan.jobs),
+            Some(_) => Ok(Vec::new()),
+        };
+        let declared = match declared {
+            Ok(declared) => declared,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
+        };
+        let mut kept = inputs_of(&plan.jobs);
+        declared.iter().for_each(|document| kept.keep(&document.path, "a handout of this project"));
+        let pictures = match self.places.planned(&plan.jobs, kept, self.json) {
             Ok(pictures) => pictures,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
@@ -103,11 +114,18 @@ impl Runs for Check {
         if self.accept {
             folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
-        let all = match self.sheets.encoded(&self.files, &plan.jobs, console)? {
+        let mut all = match self.sheets.encoded(&self.files, &plan.jobs, console)? {
             Ok(None) => self.check_all(&plan, &pictures, console)?,
             Err(Status::Usage) => return Ok(Status::Usage),
-            document => self.check_document(document, console)?,
+            document => {
+                let path = self.handout.as_deref().unwrap_or(Path::new(""));
+                self.check_document(path, document, console)?
+            }
         };
+        for document in declared {
+            let encoded = document.encoded(&self.files, console)?;
+            all.add(self.check_document(&document.path, encoded, console)?);
+        }
         let written = self.places.write(&all.findings, &mut console.out);
         Console::message(&written.failed);
         self.conclude(&all, &written, console)?;
@@ -155,11 +173,11 @@ impl Check {
     /// Compares the one document of all figures, where it could be made, and says what it finds.
     fn check_document(
         &self,
+        path: &Path,
         document: Result<Option<Encoded>, Status>,
         console: &mut Console,
     ) -> io::Result<Checked> {
         let mut checked = Checked::new();
-        let path = self.handout.as_deref().unwrap_or(Path::new(""));
         match document {
             Ok(document) => document.iter().for_each(|document| {
                 self.compare_one((path, &self.places.picture_of(path)), document, &mut checked);

@@ -1,6 +1,5 @@
 //! What `render` and `check` share: their options, and a scene's files as bytes.
 
-use std::collections::BTreeSet;
 use std::io;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
@@ -11,11 +10,11 @@ use clap::builder::PossibleValuesParser;
 use tracefig::drift::{Stamp, facts, fingerprint, restamped};
 use tracefig::figure::theme;
 use tracefig::figure::{Fault, Figure};
-use tracefig::output::{FORMATS, INLINE, MOST_BYTES, Options, PngEffort};
-use tracefig::scene::limits::MAX_SCALE;
+use tracefig::output::{INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
 
 use super::Status;
+use super::asked::Asked;
 use super::atomic_file::Wait;
 use super::encoded::{Encoded, encode_all};
 use super::encoding::{cant_encode, figure_id, warn};
@@ -27,47 +26,21 @@ use super::inputs::{Found, find};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
 use super::parallel::threads;
+use super::project::OpenProject;
 use super::regular::read_regular;
-use super::settings::{Flags, Projects, Settings, usual_formats};
-use super::themes::{AskedTheme, ChosenTheme, OwnThemes};
+use super::settings::{Projects, Settings};
+use super::themes::{ChosenTheme, OwnThemes};
 use super::timings::Timings;
 use super::unfit::Unfit;
 use super::unplanned::Unplanned;
-use super::variants::{Seeds, Unvaried, scene_of, variant, varied};
-
-/// The help of `--format`.
-fn format_help() -> String {
-    let usual: Vec<&str> = usual_formats().iter().map(|format| format.name).collect();
-    format!("Formats, separated by commas; default: those of the project file, else {}", usual.join(","))
-}
+use super::variants::{Unvaried, scene_of, varied};
 
 /// Which scenes, and how they are drawn.
 #[derive(Args)]
 pub(crate) struct Files {
-    /// Scene files, or folders, which are searched in depth; `-` is standard input; none: the scenes of the
-    /// project file `tracefig.toml`, else all of figures/
-    #[arg(value_name = "SCENE")]
-    scenes: Vec<PathBuf>,
-    /// Formats, separated by commas; the help says which are usual, from the table.
-    #[arg(long, value_delimiter = ',', value_name = "FORMAT", help = format_help(),
-        value_parser = PossibleValuesParser::new(FORMATS.iter().map(|f| f.name)))]
-    pub(crate) format: Vec<String>,
-    /// Themes, separated by commas: light, dark, print, auto, or a theme file FILE.toml, or its dark side
-    /// FILE.toml#dark; with several, files are named STEM.THEME.EXT; default: those of the project file, else
-    /// each scene's own
-    #[arg(long, value_delimiter = ',', value_name = "THEME", value_parser = AskedTheme::read)]
-    theme: Vec<AskedTheme>,
-    /// Dots of an image for each page pixel; default: what the project file says, else 2
-    #[arg(long, value_parser = scale)]
-    scale: Option<f64>,
-    /// The question of an exercise, without any trace of the answer, or the key with the answer and the way
-    /// to it, or both, as STEM.question.EXT and STEM.key.EXT; default: the figure
-    #[arg(long, value_delimiter = ',', value_name = "VARIANT", value_parser = variant)]
-    variant: Vec<Variant>,
-    /// Variants of an exercise by number, as 7 or 1..30: other bodies near the scene's own, whose answer has
-    /// three digits at most, as STEM.07.EXT
-    #[arg(long, value_delimiter = ',', value_name = "N|FROM..TO")]
-    seed: Vec<Seeds>,
+    /// Which scenes, and as what.
+    #[command(flatten)]
+    pub(crate) asked: Asked,
     /// How a PNG is packed: fast, or small (slower, the same pixels)
     #[arg(long, default_value = PngEffort::default().word(),
         value_parser = PossibleValuesParser::new(PngEffort::ALL.map(PngEffort::word)))]
@@ -97,13 +70,6 @@ pub(crate) struct Files {
     /// The theme files that scenes name, as far as they were read.
     #[arg(skip)]
     own_themes: OwnThemes,
-}
-
-/// A scale as written on the command line.
-fn scale(text: &str) -> Result<f64, String> {
-    let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
-    let scale: f64 = text.parse().map_err(|_| expected())?;
-    if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
 }
 
 /// A scene's files, or what is wrong.
@@ -156,48 +122,38 @@ impl Files {
 
     /// What is to be drawn, its files named by a planner.
     pub(crate) fn plan_by(&self, output: Option<&Path>, planner: Planner) -> Result<Plan, Unplanned> {
-        let found = find(&self.scenes)?;
+        let project = if self.asked.scenes.is_empty() { self.asked.project()? } else { None };
+        let found = find(&self.asked.scenes, project.as_ref())?;
         let left_alone = found.left_alone();
         let Found { scenes, folders, unread, .. } = found;
-        let jobs = planner(scenes, &mut Projects::new(&self.flags(output)?))?;
-        Ok(Plan { jobs, folders, unread, is_whole: self.scenes.is_empty(), left_alone })
+        let jobs = planner(scenes, &mut Projects::new(&self.asked.flags(output, self.in_time())?))?;
+        Ok(Plan { jobs, folders, unread, is_whole: self.asked.scenes.is_empty(), left_alone })
     }
 
     /// How scenes of the working directory are drawn.
     pub(crate) fn settings_here(&self, output: Option<&Path>) -> Result<Arc<Settings>, Unplanned> {
-        Projects::new(&self.flags(output)?).settings(Path::new(""))
+        Projects::new(&self.asked.flags(output, self.in_time())?).settings(Path::new(""))
     }
 
-    /// What the command line says of all scenes.
-    fn flags<'c>(&'c self, output: Option<&'c Path>) -> Result<Flags<'c>, Unplanned> {
-        let (formats, variants, seeds) = (&self.format, &self.variant, &self.seed);
-        let themes = self.theme.iter().map(|asked| asked.theme.clone());
-        let themes = themes.collect::<Result<_, _>>().map_err(Unplanned::Refused)?;
+    /// How figures are shown in time; none where the command line does not ask for that.
+    fn in_time(&self) -> Option<InTime> {
         let steps = self.steps.files().map(InTime::Steps);
-        let in_time = if self.motion.is_asked() { Some(InTime::Motion) } else { steps };
-        Ok(Flags { output, formats, themes, scale: self.scale, in_time, variants, seeds })
+        if self.motion.is_asked() { Some(InTime::Motion) } else { steps }
     }
 
-    /// Whether a scene is to come from standard input.
-    pub(crate) fn read_stdin(&self) -> bool {
-        self.scenes.iter().any(|scene| scene.as_os_str() == "-")
+    /// The project of a run that draws all of its scenes as it says; none where an argument or an option
+    /// asks for something else.
+    ///
+    /// # Errors
+    /// When the project file can't be read, or is none.
+    pub(crate) fn whole_project(&self) -> Result<Option<OpenProject>, Unplanned> {
+        let is_whole = self.asked.is_nothing() && self.in_time().is_none() && self.live.is_none();
+        if is_whole { self.asked.project() } else { Ok(None) }
     }
 
     /// Whether files are waited for until the disk has them.
     pub(crate) fn wait(&self) -> Wait {
         Wait::asked(self.sync)
-    }
-
-    /// The folders that the arguments name, and those of the files that they name, where they are there.
-    pub(crate) fn named_folders(&self) -> BTreeSet<PathBuf> {
-        let here = [PathBuf::new()];
-        let named = if self.scenes.is_empty() { &here[..] } else { &self.scenes };
-        let folder = |path: &PathBuf| {
-            if path.is_dir() { Some(path.clone()) } else { path.parent().map(Path::to_owned) }
-        };
-        let themes = self.theme.iter().filter_map(|theme| theme.file()?.parent().map(Path::to_owned));
-        let folders = named.iter().map(|path| folder(path).unwrap_or_default()).chain(themes);
-        folders.filter(|folder| folder.as_os_str().is_empty() || folder.is_dir()).collect()
     }
 
     /// Reads the theme files anew.
@@ -206,8 +162,7 @@ impl Files {
     /// Where one is none; the themes are then as they were.
     pub(crate) fn read_themes_again(&mut self) -> Result<(), String> {
         self.own_themes = OwnThemes::default();
-        self.theme = self.theme.iter().map(AskedTheme::again).collect::<Result<_, _>>()?;
-        Ok(())
+        self.asked.read_themes_again()
     }
 
     /// How many scenes are drawn at once.

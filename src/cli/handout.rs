@@ -38,6 +38,9 @@ pub(crate) struct Sheets {
     /// Leave out the line "Figure N" below each figure of these sheets
     #[arg(long, conflicts_with = "steps")]
     no_numbers: bool,
+    /// Whether one figure is a document as well.
+    #[arg(skip)]
+    is_document: bool,
 }
 
 /// A number of figures as written on the command line.
@@ -57,6 +60,16 @@ struct Document {
 }
 
 impl Sheets {
+    /// The sheets of a document that a project declares, even of one figure.
+    pub(crate) fn of_a_project(per_page: Option<usize>, paper: Option<String>, has_numbers: bool) -> Self {
+        Self { per_page, paper, no_numbers: !has_numbers, is_document: true }
+    }
+
+    /// Whether anything is said of sheets.
+    pub(crate) fn are_asked(&self) -> bool {
+        self.per_page.is_some() || self.paper.is_some() || self.no_numbers
+    }
+
     /// Writes the document of a run; `None` where the run writes other files.
     ///
     /// # Errors
@@ -111,7 +124,7 @@ impl Sheets {
     /// # Errors
     /// Where sheets are asked for and the run writes files of other kinds.
     fn document(&self, jobs: &[Job]) -> Result<Option<Document>, String> {
-        let is_asked = self.per_page.is_some() || self.paper.is_some() || self.no_numbers;
+        let is_asked = self.are_asked();
         let files = jobs.iter().map(|job| job.files.len()).sum::<usize>();
         let bound = bound_file(jobs);
         if is_asked && !bound.is_some_and(|(_, format)| format.has_sheets()) {
@@ -127,7 +140,7 @@ impl Sheets {
             format,
             handout: format.has_sheets().then(|| self.handout()),
         };
-        Ok(bound.filter(|_| is_asked || files > 1).map(document))
+        Ok(bound.filter(|_| is_asked || self.is_document || files > 1).map(document))
     }
 
     /// How figures are put onto sheets: as asked, else as usual.
@@ -250,4 +263,17 @@ fn figures(
     )?;
     unfits.tell(console)?;
     Ok(if status == Status::Done { Ok(figures) } else { Err(status) })
+}
+
+#[cfg(test)]
+mod tests {
+    use tracefig::scene::limits::MAX_A_SHEET;
+
+    use super::*;
+
+    #[test]
+    fn a_project_file_takes_as_many_figures_a_sheet_as_the_command_line() {
+        assert_eq!(MAX_A_SHEET, MOST_A_SHEET);
+        assert!(per_page("36").is_ok() && per_page("37").is_err());
+    }
 }

@@ -115,21 +115,28 @@ pub(crate) fn default_scenes(project: Option<&OpenProject>) -> Vec<PathBuf> {
     vec![project.map_or(Path::new(""), OpenProject::folder).join(DEFAULT_FOLDER)]
 }
 
-/// The scenes that the arguments name; without arguments, those of the project.
+/// The scenes that the arguments name; without arguments, those of the working directory's project.
 ///
 /// # Errors
-/// When a folder can't be read or has no scene, when standard input is to be read twice, or when the project
-/// file is none.
-pub(crate) fn find(arguments: &[PathBuf]) -> Result<Found, Unplanned> {
+/// As [`find`], and when the project file is none.
+pub(crate) fn find_here(arguments: &[PathBuf]) -> Result<Found, Unplanned> {
+    let project = if arguments.is_empty() { nearest(Path::new(""))? } else { None };
+    find(arguments, project.as_ref())
+}
+
+/// The scenes that the arguments name; without arguments, those of a project.
+///
+/// # Errors
+/// When a folder can't be read or has no scene, or when standard input is to be read twice.
+pub(crate) fn find(arguments: &[PathBuf], project: Option<&OpenProject>) -> Result<Found, Unplanned> {
     if !arguments.is_empty() {
         return named(arguments).map_err(Unplanned::Wrong);
     }
-    let project = nearest(Path::new(""))?;
-    let told = |error| match &project {
+    let told = |error| match project {
         Some(project) => format!("{error}, which {} names", shown(&project.file)),
         None => format!("no scene was given, and {error}"),
     };
-    named(&default_scenes(project.as_ref())).map_err(|error| Unplanned::Wrong(told(error)))
+    named(&default_scenes(project)).map_err(|error| Unplanned::Wrong(told(error)))
 }
 
 fn named(arguments: &[PathBuf]) -> Result<Found, String> {

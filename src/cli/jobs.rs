@@ -325,6 +325,8 @@ mod tests {
             variants: &[],
             seeds: &[],
             in_time: None,
+            is_still: false,
+            project: None,
         };
         let jobs = jobs(scenes.iter().map(located).collect(), &mut Projects::new(&flags))?;
         Ok(jobs.iter().flat_map(|j| &j.files).map(|f| format!("{:?}", f.target)).collect())

@@ -21,7 +21,7 @@ use tracefig::scene::{
 use tracefig::trace::{EVENTS, HEADER, VALUES};
 
 use super::console::Console;
-use super::inputs::find;
+use super::inputs::find_here;
 use super::manual::Manual;
 use super::schema::SCHEMAS;
 use super::{Runs, Status};
@@ -334,7 +334,7 @@ fn errors() -> Vec<(String, String)> {
 }
 
 fn figures() -> Vec<(String, String)> {
-    let Ok(found) = find(&[]) else { return Vec::new() };
+    let Ok(found) = find_here(&[]) else { return Vec::new() };
     let title = |input: &super::inputs::Input| match input.open() {
         Ok(file) => file.scene.title.map_or(String::new(), |t| figure::plain(&t.value)),
         Err(refused) => format!("({} in it)", refused.problems.len()),

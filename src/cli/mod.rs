@@ -7,12 +7,14 @@
 
 mod answering;
 mod apart;
+mod asked;
 mod atomic_file;
 mod book;
 mod check;
 mod checked;
 mod completions;
 mod console;
+mod declared;
 mod describe;
 mod differences;
 mod encoded;

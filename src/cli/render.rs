@@ -9,6 +9,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use super::atomic_file::clear_leftovers;
 use super::console::Console;
+use super::declared::Declared;
 use super::files::{Files, Plan};
 use super::gallery::finish;
 use super::handout::Sheets;
@@ -21,7 +22,7 @@ use super::settings::Destination;
 use super::stream::{Drawable, LinesToDraw};
 use super::timings::Timings;
 use super::unfit::Unfits;
-use super::unplanned::tell_unplanned;
+use super::unplanned::{Unplanned, tell_unplanned};
 use super::written::{Written, makes_folders, write_files};
 use super::{Runs, Status};
 
@@ -84,10 +85,14 @@ impl Runs for Render {
         }
         if let Some(live) = self.live {
             self.files.live = Some(live);
-            Live::add_pictures(self.output.as_deref(), &mut self.files.format);
+            Live::add_pictures(self.output.as_deref(), &mut self.files.asked.format);
         }
         let Plan { jobs, left_alone, .. } = match self.files.plan_by(self.output.as_deref(), bound_jobs) {
             Ok(plan) => plan,
+            Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
+        };
+        let declared = match self.declared(&jobs) {
+            Ok(declared) => declared,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         console.note(&left_alone);
@@ -107,11 +112,21 @@ impl Runs for Render {
         if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
             return Ok(status);
         }
-        self.draw_all(&jobs, console)
+        let mut status = self.draw_all(&jobs, console)?;
+        for document in declared {
+            status = status.max(document.write(&self.files, console)?);
+        }
+        Ok(status)
     }
 }
 
 impl Render {
+    /// The documents that the project declares, where all of it is drawn.
+    fn declared(&self, figures: &[Job]) -> Result<Vec<Declared>, Unplanned> {
+        let is_elsewhere = self.output.is_some() || self.partition.is_some() || self.sheets.are_asked();
+        if is_elsewhere { Ok(Vec::new()) } else { Declared::all(&self.files, figures) }
+    }
+
     /// Draws scenes and writes their files.
     fn draw_all(&self, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
         let bar = progress(jobs.len(), console);

@@ -6,7 +6,7 @@ use tracefig::drawing::Role;
 use tracefig::figure::layer::{LAYERS, Layer};
 use tracefig::figure::theme::{THEMES, ThemeKey, ThemeValue, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
-use tracefig::output::FORMATS;
+use tracefig::output::{FORMATS, PAPERS};
 use tracefig::scene;
 
 /// How a colour of a theme file is written.
@@ -17,6 +17,9 @@ const LAYERS_OF_A_PANEL: &str = "/properties/panels/items/properties/layers/item
 
 /// Where the schema of a project file says what stands in its list of formats.
 const FORMATS_OF_A_PROJECT: &str = "/properties/render/properties/formats/items";
+
+/// Where the schema of a project file says which paper a handout has.
+const PAPER_OF_A_HANDOUT: &str = "/properties/handout/items/properties/paper";
 
 /// A file that a schema is of.
 pub(crate) struct Schema {
@@ -53,6 +56,9 @@ fn project_schema() -> Value {
     let mut schema = scene::project_schema();
     if let Some(formats) = schema.pointer_mut(FORMATS_OF_A_PROJECT) {
         *formats = json!({ "enum": FORMATS.iter().map(|format| format.name).collect::<Vec<_>>() });
+    }
+    if let Some(paper) = schema.pointer_mut(PAPER_OF_A_HANDOUT) {
+        *paper = json!({ "enum": PAPERS.map(|paper| paper.name), "description": paper["description"] });
     }
     schema
 }

@@ -37,6 +37,10 @@ pub(crate) struct Flags<'c> {
     pub(crate) seeds: &'c [Seeds],
     /// How figures are shown in time; none where it does not ask for that.
     pub(crate) in_time: Option<InTime>,
+    /// Whether figures are drawn finished, whatever a project says.
+    pub(crate) is_still: bool,
+    /// The project file of all scenes; `None` is the nearest of each.
+    pub(crate) project: Option<&'c Path>,
 }
 
 /// Where files go.
@@ -102,7 +106,7 @@ impl Settings {
         let destination = destination(flags.output, known.output);
         let asked: Vec<_> = flags.formats.iter().filter_map(|name| format(name)).collect();
         let formats_asked = !asked.is_empty();
-        let in_time = flags.in_time.or(known.steps.map(InTime::Steps));
+        let in_time = flags.in_time.or(known.steps.filter(|_| !flags.is_still).map(InTime::Steps));
         let formats_of_project = if formats_asked { Vec::new() } else { known.formats.clone() };
         let of_time = in_time.map(InTime::own_formats).unwrap_or_default();
         let mut formats = match (&destination, formats_asked) {
@@ -237,7 +241,12 @@ impl<'f> Projects<'f> {
     /// # Errors
     /// When the project file is none, or the command line contradicts itself.
     pub(crate) fn settings(&mut self, folder: &Path) -> Result<Arc<Settings>, Unplanned> {
-        let file = self.files.entry(folder.to_owned()).or_insert_with(|| nearest_file(folder)).clone();
+        let named = self.flags.project.map(Path::to_owned);
+        let file = self
+            .files
+            .entry(folder.to_owned())
+            .or_insert_with(|| named.clone().or_else(|| nearest_file(folder)))
+            .clone();
         if let Some(known) = self.settings.get(&file) {
             return Ok(Arc::clone(known));
         }
@@ -297,7 +306,7 @@ fn known_format(project: &OpenProject, word: &Spanned<String>) -> Result<&'stati
 }
 
 /// The theme that a project file names.
-fn known_theme(project: &OpenProject, word: &Spanned<String>) -> Result<ChosenTheme, Unplanned> {
+pub(crate) fn known_theme(project: &OpenProject, word: &Spanned<String>) -> Result<ChosenTheme, Unplanned> {
     theme_in(project.folder(), &word.value).or_else(|none| {
         let fault = match none {
             NoTheme::File(refused) => return Err(Unplanned::Refused(refused)),

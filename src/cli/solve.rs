@@ -9,7 +9,7 @@ use tracefig::scene::{SceneFile, Solution};
 
 use super::answering::{End, answer_all};
 use super::console::Console;
-use super::inputs::{find, shown};
+use super::inputs::{find_here, shown};
 use super::manual::Manual;
 use super::outputs::write_report;
 use super::parallel::threads;
@@ -67,7 +67,7 @@ impl Runs for Solve {
 impl Solve {
     /// Answers scene by scene.
     fn each(&self, console: &mut Console) -> io::Result<Status> {
-        let found = match find(&self.scenes) {
+        let found = match find_here(&self.scenes) {
             Ok(found) => found,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };

@@ -61,7 +61,7 @@ impl Runs for Watch {
     };
 
     fn run(mut self, console: &mut Console) -> io::Result<Status> {
-        if self.files.read_stdin() || self.output.as_deref().is_some_and(|to| to.as_os_str() == "-") {
+        if self.files.asked.read_stdin() || self.output.as_deref().is_some_and(|to| to.as_os_str() == "-") {
             console.error("`watch` is of files: name scenes or folders, and a folder for the figures");
             return Ok(Status::Usage);
         }
@@ -92,7 +92,7 @@ impl Runs for Watch {
                 Err(usage @ Unplanned::Usage(_)) => return Ok(tell_unplanned(&usage, console)),
                 Err(unplanned) => {
                     tell_unplanned(&unplanned, console);
-                    watched.look_at(&self.files.named_folders(), console);
+                    watched.look_at(&self.files.asked.named_folders(), console);
                     is_planned = false;
                 }
             }
@@ -132,7 +132,7 @@ impl Watch {
     /// The folders in which something lies that the scenes are drawn from.
     fn places(&self, plan: &Plan) -> BTreeSet<PathBuf> {
         let mut all: BTreeSet<PathBuf> = plan.folders.iter().cloned().collect();
-        all.extend(self.files.named_folders());
+        all.extend(self.files.asked.named_folders());
         all.extend(folders_of(&plan.jobs).into_iter().map(Path::to_owned));
         let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
         for job in &plan.jobs {

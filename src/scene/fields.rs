@@ -9,11 +9,8 @@ use crate::geometry::shape::{FieldType, KINDS, Kind};
 
 use super::holds::Holds;
 use super::limits::{
-    MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_SCALE, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
+    MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
 };
-
-/// The words for what the steps of a figure become: one file with all of them, or a file each.
-pub const STEP_FILES: [&str; 2] = ["one", "files"];
 
 /// A key of a table in a scene.
 #[derive(Clone, Copy, Debug)]
@@ -28,11 +25,11 @@ pub struct Field {
     pub about: &'static str,
 }
 
-const fn must(name: &'static str, holds: Holds, about: &'static str) -> Field {
+pub(super) const fn must(name: &'static str, holds: Holds, about: &'static str) -> Field {
     Field { name, holds, required: true, about }
 }
 
-const fn may(name: &'static str, holds: Holds, about: &'static str) -> Field {
+pub(super) const fn may(name: &'static str, holds: Holds, about: &'static str) -> Field {
     Field { name, holds, required: false, about }
 }
 
@@ -296,49 +293,6 @@ pub(super) static EXERCISE: TableRows = TableRows {
         may("time_unit", Holds::Text, "unit of times; default none: t runs from 0 to 1"),
     ],
 };
-
-/// The top of a project file.
-pub(super) static PROJECT: TableRows = TableRows {
-    header: "tracefig.toml",
-    place: "the project file",
-    fields: &[
-        may("render", Holds::Table, "which scenes are drawn, and how"),
-        may("canvas", Holds::Table, "the page of scenes that do not say otherwise: keys as in a scene"),
-    ],
-};
-
-/// Which scenes a project has, and how they are drawn; an option of the command line beats each.
-pub(super) static RENDER: TableRows = TableRows {
-    header: "[render]",
-    place: "`[render]`",
-    fields: &[
-        may(
-            "scenes",
-            Holds::List("files and folders"),
-            "folders are searched in depth; default [\"figures\"]",
-        ),
-        may("output", Holds::Text, "folder for the figures; default: beside each scene"),
-        may("formats", Holds::List("formats"), "what each scene is written as"),
-        may(
-            "themes",
-            Holds::List("themes"),
-            "words for themes, theme files, or FILE.toml#dark, a dark side; default: each scene's own",
-        ),
-        may(
-            "scale",
-            Holds::Number { min: 0.0, max: MAX_SCALE },
-            "dots of an image for each page pixel; default 2",
-        ),
-        may(
-            "steps",
-            Holds::Word { what: "kind of files", known: || STEP_FILES.map(str::to_owned).to_vec() },
-            "the steps of a figure, in one file or in files; default: the finished figure",
-        ),
-    ],
-};
-
-/// The tables of a project file but its `[canvas]`, which is a scene's.
-pub static PROJECT_TABLES: [&TableRows; 2] = [&PROJECT, &RENDER];
 
 /// Every table of a scene but the fields of the kinds of shape.
 pub static TABLES: [&TableRows; 11] =

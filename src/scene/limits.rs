@@ -31,6 +31,8 @@ pub(crate) const MAX_ASKED: usize = 8;
 pub(crate) const MAX_OPTION_VALUES: usize = 1_000;
 /// Page pixels of a side of the canvas; at `--scale 2` 8192 dots.
 pub(crate) const MAX_CANVAS: f64 = 4096.0;
+/// Most figures on a sheet of a handout: at 36 on A4 the letters have 1.5 points.
+pub const MAX_A_SHEET: usize = 36;
 /// Largest scale: a page of the usual size then has 2²⁵ dots, half of what an image may have.
 pub const MAX_SCALE: f64 = 8.0;
 /// Smallest side of the canvas that can hold a panel with its margins.

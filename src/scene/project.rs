@@ -4,10 +4,12 @@
 //! with line and nearest word. Formats and themes stay words with their place, as no scene knows those.
 
 use super::checked::{Checked, as_list, as_text, check};
-use super::fields::{CANVAS, PROJECT, RENDER};
+use super::exercise::Variant;
+use super::fields::CANVAS;
 use super::node::{Node, NodeValue};
 use super::open::{SceneFile, checked};
 use super::problem::{Fault, Problem, Problems};
+use super::project_fields::{HANDOUT, PROJECT, RENDER};
 use super::source::Source;
 use super::{Refused, Spanned, toml};
 
@@ -30,8 +32,31 @@ pub struct Project {
     /// What the steps of a figure become, one of [`STEP_FILES`](super::STEP_FILES); the finished figure alone
     /// where it is `None`.
     pub steps: Option<String>,
+    /// Documents of several figures.
+    pub handouts: Vec<DeclaredHandout>,
     /// The page of scenes that do not say otherwise.
     pub canvas: CanvasDefaults,
+}
+
+/// A document of several figures that a project keeps. Its paths are as written, as those of the project.
+#[derive(Clone, Debug)]
+pub struct DeclaredHandout {
+    /// The document.
+    pub file: Spanned<String>,
+    /// What is on it, files and folders; empty where it does not say.
+    pub scenes: Vec<Spanned<String>>,
+    /// The word for its theme, or a theme file.
+    pub theme: Option<Spanned<String>>,
+    /// What is drawn of exercises; empty where figures are.
+    pub variants: Vec<Variant>,
+    /// Numbers of variants of exercises, each one or a range; empty for the scenes themselves.
+    pub seeds: Vec<Spanned<String>>,
+    /// Figures on a sheet.
+    pub per_page: Option<Spanned<usize>>,
+    /// The word for its paper.
+    pub paper: Option<Spanned<String>>,
+    /// Whether each figure has its number below it.
+    pub numbers: Option<Spanned<bool>>,
 }
 
 /// Keys of `[canvas]` for scenes that do not have them.
@@ -81,7 +106,38 @@ fn read(root: &Node, p: &mut Problems) -> Option<Project> {
         project.scale = render.number("scale");
         project.steps = render.text("steps").map(|word| word.value);
     }
+    if let Some(node) = top.get("handout") {
+        let items = as_list(node).unwrap_or_default();
+        project.handouts = items.iter().filter_map(|item| handout(item, p)).collect();
+    }
     Some(project)
+}
+
+/// A document of several figures; what is wrong is told.
+fn handout(node: &Node, p: &mut Problems) -> Option<DeclaredHandout> {
+    let table = check(node, "handout", HANDOUT.place, HANDOUT.fields, p)?;
+    let mut variants = Vec::new();
+    for word in table.texts("variants") {
+        match Variant::of_word(&word.value) {
+            Some(variant) => variants.push(variant),
+            None => {
+                let known = Variant::OF_AN_EXERCISE.map(|variant| variant.word().to_owned()).to_vec();
+                p.add(Fault::UnknownWord { what: "variant", got: word.value, known }, &word.span);
+            }
+        }
+    }
+    let numbers = table.switch("numbers");
+    let numbered = table.get("numbers").map(|node| node.span.clone());
+    Some(DeclaredHandout {
+        scenes: words(&table, "scenes", p),
+        theme: table.text("theme"),
+        variants,
+        seeds: table.texts("seeds"),
+        per_page: table.count("per_page"),
+        paper: table.text("paper"),
+        numbers: numbers.zip(numbered).map(|(value, span)| Spanned { value, span }),
+        file: table.text("file")?,
+    })
 }
 
 /// The texts of a list; one that is there has at least one.

@@ -7,10 +7,11 @@ use crate::collision::{Bodies, QUERIES, Question};
 use crate::geometry::shape::{FieldType, KINDS};
 
 use super::fields::{
-    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, PROJECT, QUERY, RENDER, ROOT,
-    STEP, TableRows, shape_rows,
+    CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, STEP, TableRows,
+    shape_rows,
 };
 use super::holds::Holds;
+use super::project_fields::{HANDOUT, PROJECT, RENDER};
 use super::{COMPASS, When};
 
 /// JSON Schema (draft 2020-12) of a scene. Which layers there are is left open.
@@ -117,6 +118,7 @@ fn holds(field: &Field) -> Value {
             json!({ "type": "object", "additionalProperties": label })
         }
         Holds::List("steps") => json!({ "type": "array", "items": of(&STEP) }),
+        Holds::List("handouts") => json!({ "type": "array", "items": of(&HANDOUT) }),
         Holds::List("panels") => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::List(_) => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
         Holds::Table if field.name == "query" => query(),
@@ -195,7 +197,7 @@ mod tests {
             assert!(text.contains(&format!("\"{}\":", field.name)), "{}", field.name);
         }
         let of_project = project_schema().to_string();
-        for field in super::super::fields::PROJECT_TABLES.iter().flat_map(|t| t.fields) {
+        for field in super::super::project_fields::PROJECT_TABLES.iter().flat_map(|t| t.fields) {
             assert!(of_project.contains(&format!("\"{}\":", field.name)), "{}", field.name);
         }
         for kind in KINDS {

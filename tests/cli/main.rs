@@ -7,6 +7,7 @@ mod breakage;
 mod check;
 mod exercises;
 mod habits;
+mod handouts;
 mod hooks;
 #[path = "../hostile_figures/mod.rs"]
 mod hostile_figures;

@@ -69,8 +69,7 @@ fn only_colours_that_a_figure_uses_are_compared_and_the_nearest_that_pass_are_na
     let lines: Vec<_> = refused.err.lines().collect();
     assert_eq!(lines.len(), 2, "{}", refused.err);
     let (said, near) = lines[0].split_once("; nearest that passes: ").unwrap();
-    let short =
-        "theme own.toml: a #FF7F0E is too near b #D62728 to readers without blue cones: ΔE2000 14.4, at least 20";
+    let short = "theme own.toml: a #FF7F0E is too near b #D62728 to readers without blue cones: ΔE2000 14.4, at least 20";
     assert!(said.ends_with(short), "{said}");
     // What is named passes, and nothing else was wrong.
     let color = near.split([' ', ',']).find(|word| word.starts_with('#')).unwrap();
@@ -263,7 +262,11 @@ fn what_several_scenes_say_of_a_theme_is_said_once() {
     assert_eq!(refused.code, Some(1), "{}", refused.err);
     let said = "(7 scenes: scenes/s0.toml, scenes/s1.toml, scenes/s2.toml, scenes/s3.toml and 3 more)";
     let lines: Vec<_> = refused.err.lines().collect();
-    assert!(lines[0].starts_with("error: theme own.toml: a #FF7F0E is too near b #D62728"), "{}", refused.err);
+    assert!(
+        lines[0].starts_with("error: theme own.toml: a #FF7F0E is too near b #D62728"),
+        "{}",
+        refused.err
+    );
     assert!(lines[0].ends_with(said) && lines.len() == 2, "{}", refused.err);
     assert!(lines[1].starts_with("help: `--allow-similar`"), "{}", refused.err);
     for threads in ["1", "3"] {
