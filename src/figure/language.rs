@@ -67,7 +67,7 @@ const WORDS: &[[&str; 5]] = &[
     ["* moved around *", "", "* um * geschoben", "* déplacé autour de *", "* movido alrededor de *"],
     ["from *", "*", "von *", "de *", "de *"],
     ["vertex *", "*", "Ecke *", "sommet *", "vértice *"],
-    ["edge of *, turned over", "*", "Kante von *, gewendet", "arête de *, retournée", "arista de *, vuelta"],
+    ["edge of *, reversed", "*", "Kante von *, umgekehrt", "arête de *, inversée", "arista de *, invertida"],
     ["edge of *", "*", "Kante von *", "arête de *", "arista de *"],
     ["$*$ long", "$*$", "$*$ lang", "longueur $*$", "longitud $*$"],
     ["edge *", "*", "Kante *", "arête *", "arista *"],
@@ -238,7 +238,7 @@ mod tests {
             ("zh", "at $t = 0.5$", "$t = 0.5$"),
             ("zh", "depth $d = 2$", "$d = 2$"),
             ("zh", "crate pushed out", "crate"),
-            ("fr", "edge of $A$, turned over", "arête de $A$, retournée"),
+            ("fr", "edge of $A$, reversed", "arête de $A$, inversée"),
             ("de", "edge of $B$", "Kante von $B$"),
             ("es", "$2.5$ long", "longitud $2.5$"),
         ];

@@ -84,60 +84,64 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-8.8, -6.8, 8.8, 9.2]);
+    let world = look(&f, 0, [-8.2, -5.2, 8.2, 7.0]);
     shows![
-        world.polygon(A, &[(-2.5, -5.0), (5.5, 1.0), (2.5, 5.0), (-5.5, -1.0)]).is_some(),
-        world.polygon(B, &[(-1.5, -0.5), (2.5, 2.5), (1.0, 4.5), (-3.0, 1.5)]).is_some(),
+        world.polygon(A, &[(-1.7, -4.4), (4.7, 0.4), (1.7, 4.4), (-4.7, -0.4)]).is_some(),
+        world.polygon(B, &[(-1.9, -0.8), (2.1, 2.2), (0.3, 4.6), (-3.7, 1.6)]).is_some(),
         // From the middle of what the parallel edges share, along (-3, 4)/5.
-        world.arrow(Translation, (0.5, 1.0), (-0.7, 2.6)),
-        world.marker(Now, (-1.5, -0.5)),
-        world.marker(Now, (2.5, 2.5)),
-        // The edges that face each other, 5 and 10 long.
-        world.emphasised(B, (-1.5, -0.5), (2.5, 2.5)),
-        world.emphasised(A, (2.5, 5.0), (-5.5, -1.0)),
-        world.arrow(B, (-1.5, -0.5), (2.5, 2.5)),
-        world.arrow(A, (2.5, 5.0), (-5.5, -1.0)),
-        world.text_near("$b_1$", (-1.5, -0.5), 40.0),
-        world.text_near("$b_2$", (2.5, 2.5), 40.0),
-        f.says("$5$ long") && f.says("$10$ long"),
-        world.marker(Now, (2.5, 5.0)),
-        world.text_near("$a_1$", (2.5, 5.0), 40.0) && world.text_near("$a_2$", (-5.5, -1.0), 40.0),
+        world.arrow(Translation, (0.1, 0.7), (-1.1, 2.3)),
+        world.marker(B, (-1.9, -0.8)),
+        world.marker(B, (2.1, 2.2)),
+        // Pushed out by (-1.2, 1.6).
+        world
+            .polygon(B, &[(-3.1, 0.8), (0.9, 3.8), (-0.9, 6.2), (-4.9, 3.2)])
+            .is_some_and(|p| p.fill.is_none()),
+        // The edges that face each other, 5 and 8 long.
+        world.emphasised(B, (-1.9, -0.8), (2.1, 2.2)),
+        world.emphasised(A, (1.7, 4.4), (-4.7, -0.4)),
+        world.arrow(B, (-1.9, -0.8), (2.1, 2.2)),
+        world.arrow(A, (1.7, 4.4), (-4.7, -0.4)),
+        world.text_near("$b_1$", (-1.9, -0.8), 40.0),
+        world.text_near("$b_2$", (2.1, 2.2), 40.0),
+        f.says("$5$ long") && f.says("$8$ long"),
+        world.marker(A, (1.7, 4.4)),
+        world.text_near("$a_1$", (1.7, 4.4), 40.0) && world.text_near("$a_2$", (-4.7, -0.4), 40.0),
     ];
-    let conf = look(&f, 1, [-9.0, -6.0, 8.6, 10.0]);
+    let conf = look(&f, 1, [-9.2, -5.6, 7.2, 9.3]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-4.0, -5.5), B),
-            ((0.0, -2.5), A),
-            ((8.0, 3.5), B),
-            ((6.5, 5.5), A),
-            ((3.5, 9.5), B),
-            ((-0.5, 6.5), A),
-            ((-8.5, 0.5), B),
-            ((-7.0, -1.5), A),
+            ((-3.6, -5.2), B),
+            ((0.4, -2.2), A),
+            ((6.8, 2.6), B),
+            ((5.0, 5.0), A),
+            ((2.0, 9.0), B),
+            ((-2.0, 6.0), A),
+            ((-8.4, 1.2), B),
+            ((-6.6, -1.2), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
-        conf.marker(Now, (0.0, -2.5)),
+        conf.marker(Now, (0.4, -2.2)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$", (-2.0, -4.0), 60.0),
-        conf.text_near("edge of $A$, turned over", (4.0, 0.5), 80.0),
+        conf.text_near("edge of $B$", (-1.6, -3.7), 60.0),
+        conf.text_near("edge of $A$, reversed", (3.6, 0.2), 80.0),
         // There it goes the other way.
-        conf.arrow(A, (0.0, -2.5), (8.0, 3.5)),
-        // (−1.5, −0.5) − (2.5, 5) and (2.5, 2.5) − (−5.5, −1)
-        conf.text_near("$b_1 - a_1$", (-4.0, -5.5), 60.0) && conf.text_near("$b_2 - a_2$", (8.0, 3.5), 60.0),
-        // (2.5, 2.5) − (2.5, 5)
-        conf.text_near("$b_2 - a_1$", (0.0, -2.5), 60.0),
+        conf.arrow(A, (0.4, -2.2), (6.8, 2.6)),
+        // (−1.5, −0.5) − (2.5, 5) and (2.1, 2.2) − (−5.5, −1)
+        conf.text_near("$b_1 - a_1$", (-3.6, -5.2), 60.0) && conf.text_near("$b_2 - a_2$", (6.8, 2.6), 60.0),
+        // (2.1, 2.2) − (2.5, 5)
+        conf.text_near("$b_2 - a_1$", (0.4, -2.2), 60.0),
     ];
 }
 
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-6.6, -6.0, 9.2, 9.0]);
+    let world = look(&f, 0, [-5.4, -3.4, 8.6, 6.6]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
@@ -145,8 +149,10 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         world.polygon(B, &[(0.85, 4.2), (4.6, -0.8), (6.6, 5.2)]).is_some_and(|p| p.fill.is_none()),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
+        // One vertex can be worked out: (5, 4) − (−3, −1.5).
+        world.text_near("$(5, 4)$", (5.0, 4.0), 60.0) && world.text_near("$(-3, -1.5)$", (-3.0, -1.5), 60.0),
     ];
-    let conf = look(&f, 1, [-4.9, -7.0, 10.9, 8.0]);
+    let conf = look(&f, 1, [-4.2, -6.2, 11.0, 7.6]);
     edges_wear_their_source(
         &conf,
         &[
@@ -181,13 +187,14 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
         f.says("$3.2$, longer"),
+        conf.text_near("$(8, 5.5)$", (8.0, 5.5), 60.0),
     ];
 }
 
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-2.0, -2.5, 10.6, 7.8];
+    let view = [-1.6, -2.5, 10.2, 7.5];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     for panel in &panels {
         // (2, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.

@@ -44,17 +44,14 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let w = look(&f, 0, [-7.0, -4.1, 9.4, 5.7]);
     let px = 1.0 / w.panel.scale;
     let a = [
-        (-5.0, 2.0),
-        (-3.0, 0.0),
+        (-5.0, 1.0),
+        (-2.5, -0.5),
         (-2.0, -3.0),
-        (0.0, -1.0),
-        (4.0, -2.0),
+        (2.0, -1.5),
         (7.0, -1.0),
-        (4.0, 2.0),
+        (4.0, 1.5),
         (3.0, 5.0),
-        (0.0, 3.0),
-        (-2.0, 4.0),
-        (-2.0, 2.0),
+        (0.0, 1.5),
     ];
     let (below, right) = (-3.0 - 24.0 * px, 7.0 + 24.0 * px);
     shows![
@@ -62,7 +59,7 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.polygon(Now, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 5.0), (-5.0, 5.0)]).is_some(),
         w.marker(Now, (-5.0, -3.0)),
         w.marker(Now, (7.0, 5.0)),
-        w.marker(A, (-5.0, 2.0)),
+        w.marker(A, (-5.0, 1.0)),
         w.marker(A, (-2.0, -3.0)),
         w.marker(A, (7.0, -1.0)),
         w.marker(A, (3.0, 5.0)),
@@ -72,7 +69,9 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         // From the centre on.
         w.any_line((1.0, 1.0), (1.0, below)) && w.any_line((1.0, 1.0), (right, 1.0)),
         // The others, small.
-        [1, 3, 4, 6, 8, 9, 10].iter().all(|&k: &usize| w.marker(Muted, a[k])),
+        [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
+        // One of them moved, inside the box.
+        w.polygon(Muted, &[a[3], (3.5, -2.7), a[4]]).is_some() && f.says("one vertex moved"),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
         f.says(r"{now|$x_{\min} = -5$}") && f.says(r"{now|$x_{\max} = 7$}"),
@@ -106,7 +105,7 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
         clamps(&w, (9.0, 5.0), closest),
         w.any_line((9.0, 0.0), (9.0, 5.0)),
         w.any_line((0.0, 5.0), (9.0, 5.0)),
-        w.text_near("closest point of $A$: $B_c$", closest, 100.0),
+        w.text_near("$B_c = A + (6, 1)$", closest, 100.0),
         f.says("$V = (9, 5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5$"),
         f.says("clamp$(V_x, -h_x, h_x) = 6$"),
         f.says("clamp$(V_y, -h_y, h_y) = 1$"),
@@ -150,7 +149,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.2, -5.4, 16.6, 4.7]);
+    let w = look(&f, 0, [-8.4, -5.2, 15.9, 4.9]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -170,8 +169,9 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
         f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
         f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
-        f.says("{now|$D_x$} $= |c_B - c_A|_x - (h_{A,x} + h_{B,x})$") && f.says("$= 9 - 7 = 2$"),
-        f.says("{now|$D_y$} $= |c_B - c_A|_y - (h_{A,y} + h_{B,y})$") && f.says("$= 3 - 4.5 = -1.5$"),
+        f.says("{now|$D_x$} $= |c_B - c_A|_x - (h_{A,x} + h_{B,x})$"),
+        // The gap is lit from A's edge to B's, as high as both.
+        w.strip(Now, (0.0, 4.5), (2.0, 4.5)),
     ];
 }
 
@@ -191,7 +191,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         world.any_line((0.0, 0.0), (3.6, 0.0)),
         f.says("$-36.9°$") && f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-1.8, -4.1, 5.8, 6.7]);
+    let body = look(&f, 1, [-1.8, -3.5, 5.8, 7.3]);
     shows![
         body.polygon(A, &vertices).is_some(),
         body.circle(B, (3.9, 4.0), 1.6).is_some(),
@@ -207,7 +207,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         // There the radius goes on.
         back.along(B, rim, center),
         back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 4$"),
+        f.says("$V$") && f.says(r"$V_x = 3.9 \to 1.5$") && f.says(r"$V_y = 4 \to 3$"),
         f.says("$h_x = 1.5$") && f.says("$h_y = 3$") && f.says("$B_c$"),
         f.says("$D = (2.4, 1)$"),
         f.says("$r = 1.6$"),
@@ -276,4 +276,6 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     has(&two, A, (0.8, 0.6), 5.12);
     has(&two, B, (0.8, 0.6), 3.54);
     has(&two, Translation, (0.8, 0.6), 1.5);
+    // The gap is lit up to B's upper end, from A's line, 1.5 back along n, to B's edge.
+    assert!(two.strip(Translation, (5.6 - 1.2, 6.7 - 0.9), (5.6, 6.7)));
 }

@@ -268,6 +268,16 @@ impl Look<'_> {
         })
     }
 
+    /// A closed area of the role without an outline, p and q among its vertices.
+    pub(crate) fn strip(&self, role: Role, p: P, q: P) -> bool {
+        let ends = [self.panel.page(p), self.panel.page(q)];
+        self.paths().any(|path| {
+            let c = vertices(path);
+            let lit = fill_role(path) == Some(role) && path.stroke.is_none();
+            lit && ends.iter().all(|&end| c.iter().any(|&v| near(v, end)))
+        })
+    }
+
     /// A marker: something small of the role whose middle is there.
     pub(crate) fn marker(&self, role: Role, p: P) -> bool {
         let p = self.panel.page(p);

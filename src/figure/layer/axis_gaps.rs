@@ -1,13 +1,13 @@
 //! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to
 //! the right (y).
 //!
-//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
-//! on two lanes side by side, and the stretch that they share is hatched across both. The distance of the
-//! centres is the last.
+//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end, and the strip between the boxes is lit. Where
+//! D < 0 the half-extents overlap: they lie on two lanes side by side, and the stretch that they share is
+//! hatched across both. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -30,6 +30,9 @@ const PAST: f64 = 7.0;
 
 /// From one line of the hatch to the next along the axis, page pixels.
 const HATCH: f64 = 7.0;
+
+/// Opacity of the strip between boxes that are apart along an axis.
+const LIT: f64 = 0.13;
 
 /// The most lines of a hatch; more are a grey area on any page.
 const MOST_LINES: usize = 1000;
@@ -174,6 +177,9 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
+    if e.gap > 0.0 {
+        lit(sketch, facing, place, across);
+    }
     let guide = Pen::extension().opacity(GUIDE);
     for (body, starts) in across.iter().enumerate() {
         for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts) {
@@ -203,6 +209,15 @@ fn axis(
         };
         sketch.label(Label::new(bar.key, bar.text, anchor, role));
     }
+}
+
+/// Lights the strip between the edges that face each other, from the tracks to the far end of the boxes.
+fn lit(sketch: &mut Sketch, facing: [f64; 2], place: &Place, across: [[f64; 2]; 2]) {
+    let far = across.map(|[center, edge]| (2.0 * center - edge - place.edge) / place.step);
+    let far = far[0].min(far[1]);
+    let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
+    let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, LIT)), None);
 }
 
 /// Hatches a stretch from the first track to the bar's own, and a little past both.
@@ -291,6 +306,12 @@ mod tests {
             let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
             [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
         });
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both.
+        let strip = points(paths(&figure.drawing.items, "lit")[0]);
+        assert_eq!(paths(&figure.drawing.items, "lit").len(), 1);
+        for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| figure.panels[0].frame.page(DVec2::from(p))) {
+            assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
+        }
         // From 1.5 to 2 of x they share, and 7 px past both lanes.
         let frame = &figure.panels[0].frame;
         let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);

@@ -29,6 +29,10 @@ const TICK: f64 = 5.0;
 const PAST: f64 = 16.0;
 /// Width of the bar, page pixels.
 const BAR: f64 = 5.0;
+/// From one earlier bar to the next, page pixels, their width and opacity.
+const EARLIER: (f64, f64, f64) = (6.0, 3.0, 0.4);
+/// The most earlier bars: more would reach into what is measured above.
+const MOST_EARLIER: usize = 5;
 /// Half the height of the mark where both ends meet, page pixels.
 const MET: f64 = 8.0;
 /// How far outward an end's number is wished, in parts of how far below.
@@ -41,12 +45,20 @@ pub(super) const LAYER: Layer = Layer {
     about: "what a step of GJK proves of the distance: at least, at most, as a bar to the panel's scale",
     shows: Shows::Configuration,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "step",
-        takes: Takes::Number,
-        default: "the last",
-        about: "up to which simplex, from 1",
-    }],
+    options: &[
+        OptionSpec {
+            name: "step",
+            takes: Takes::Number,
+            default: "the last",
+            about: "up to which simplex, from 1",
+        },
+        OptionSpec {
+            name: "earlier",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the bars of the steps before, faint, each above the next",
+        },
+    ],
     labels: &[
         LabelKey { key: "at-least", about: "the largest distance of a supporting line so far" },
         LabelKey { key: "at-most", about: "the length of v" },
@@ -66,6 +78,8 @@ struct Bracket {
     most: f64,
     /// The most of all steps, to which the line reaches.
     widest: f64,
+    /// The bars of the steps before, from the first.
+    earlier: Vec<[f64; 2]>,
     /// With what it comes.
     cue: Option<Cue>,
 }
@@ -80,10 +94,17 @@ fn bracket(context: &Context, options: &Options) -> Option<Bracket> {
         Some(step) => (1..=all.len()).find(|&k| number_of(k) == step)?,
         None => all.len(),
     };
-    let &([_, most], cue) = all[..count].last()?;
-    let least = all[..count].iter().map(|([least, _], _)| *least).fold(0.0, f64::max).min(most);
+    let &(_, cue) = all[..count].last()?;
+    let mut bars: Vec<[f64; 2]> = all[..count]
+        .iter()
+        .scan(0.0_f64, |so_far, &([least, most], _)| {
+            *so_far = so_far.max(least).min(most);
+            Some([*so_far, most])
+        })
+        .collect();
+    let [least, most] = bars.pop()?;
     let widest = all.iter().map(|([_, most], _)| *most).fold(0.0, f64::max);
-    Some(Bracket { least, most, widest, cue })
+    Some(Bracket { least, most, widest, earlier: bars, cue })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -92,6 +113,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let points: Vec<DVec2> = all.iter().flat_map(|d| d.edges.iter().map(|edge| edge.from)).collect();
     // To the side on which B ⊖ A lies, where there is room.
     let way = if points.iter().map(|p| p.x).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
+    let earlier = if options.flag("earlier", false) { found.earlier.as_slice() } else { &[] };
     let low = points.iter().map(|p| p.y).fold(0.0, f64::min) - sketch.px(BELOW);
     let at = |distance: f64| DVec2::new(way * distance, low);
     let end = at(found.widest + sketch.px(PAST));
@@ -106,6 +128,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(scale.rank(Rank::Word).size(Size::Note));
     sketch.since(found.cue);
     let role = options.role(Role::Translation);
+    let faint = Pen::vector(role).width(EARLIER.1).opacity(EARLIER.2);
+    for (row, bar) in earlier.iter().rev().take(MOST_EARLIER).enumerate() {
+        let above = up * sketch.px(EARLIER.0 * (number_of(row) + 1.0) + 1.0);
+        sketch.part("earlier").weight(Weight::Light).line(at(bar[0]) + above, at(bar[1]) + above, faint);
+    }
     let below = |along: f64| DVec2::new(way * along, -1.0);
     if found.most - found.least <= CLOSED * found.most {
         let tick = up * sketch.px(MET);
@@ -128,7 +155,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::layer::tests::{labels, lines, paths, points};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
@@ -139,7 +166,7 @@ mod tests {
             shapes.B = {{ kind = 'polygon', vertices = [[2, 5], [6, 2], [5, 5]], position = {place} }}
             query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
             panels = [{{ space = 'configuration',
-                layers = ['difference', {{ layer = 'bracket', step = {step} }}] }}]"
+                layers = ['difference', {{ layer = 'bracket', step = {step}, earlier = true }}] }}]"
         )
     }
 
@@ -160,6 +187,12 @@ mod tests {
             let drawn = lines(&figure, "bracket")[0] / figure.panels[0].frame.scale;
             assert!((drawn - (most - least)).abs() < 0.011, "{step}: {drawn}");
             last = [least, most];
+            // Of the steps before faint bars, each above the next and longer.
+            let earlier = paths(&figure.drawing.items, "earlier").into_iter().map(points);
+            let bars: Vec<[f64; 2]> = earlier.map(|p| [p[0].y, (p[1] - p[0]).dx]).collect();
+            assert_eq!(bars.len(), step - 1);
+            assert!(bars.windows(2).all(|w| w[1][0] < w[0][0] && w[1][1] > w[0][1]), "{bars:?}");
+            assert!(bars.iter().all(|bar| bar[1] > lines(&figure, "bracket")[0]), "{bars:?}");
         }
         let scene = open_text("gjk", &scene("[0, 0]", 4)).unwrap().scene;
         let plan = plan(&scene).unwrap();

@@ -7,7 +7,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
@@ -24,12 +24,11 @@ const EDGE: f64 = 4.5;
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the world is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
 
+/// Length of the arrow from a plane to the inside of the strip, which is kept, page pixels.
+const KEPT: f64 = 26.0;
+
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
-
-/// Width, page pixels, and opacity of the border of the strip between the planes: filled it would be a tint
-/// over every other.
-const BORDER: (f64, f64) = (12.0, 0.22);
 
 pub(super) const LAYER: Layer = Layer {
     name: "clipping",
@@ -40,7 +39,7 @@ pub(super) const LAYER: Layer = Layer {
         name: "show",
         takes: Takes::Words(&PARTS),
         default: "all",
-        about: "which parts are drawn; without \"cut\" the incident edge is whole",
+        about: "which parts are drawn; without \"cut\" and \"depths\" the incident edge is whole",
     }],
     labels: &[
         LabelKey { key: "reference", about: "the reference edge" },
@@ -149,9 +148,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         side_planes(sketch, &found);
     }
     if edges {
-        let left = if cut { left(&found) } else { found.incident };
+        let left = if cut || depths { left(&found) } else { found.incident };
         both_edges(sketch, &found, left, options);
-        if !cut {
+        if !cut && !depths {
             facing(sketch, &found);
         }
     }
@@ -178,7 +177,7 @@ fn left(found: &Clipping) -> [DVec2; 2] {
     found.incident.map(|end| found.cuts.iter().find(|[cut, _]| *cut == end).map_or(end, |[_, at]| *at))
 }
 
-/// Draws the lines through the ends of the reference edge, square to it.
+/// Draws the lines through the ends of the reference edge, square to it, each with an arrow to its inside.
 fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let from = found.reference[0];
     let heights = found.incident.map(|end| found.normal.dot(end - from));
@@ -187,15 +186,10 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let high = heights[0].max(heights[1]).max(0.0) + past;
     let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
     let [p, q] = found.reference;
-    let wide = (q - p).length();
-    let inward = (q - p) * (sketch.px(BORDER.0).min(0.5 * wide) / wide.max(f64::MIN_POSITIVE));
+    let inward = (q - p).normalize_or_zero() * sketch.px(KEPT).min(0.3 * (q - p).length());
     for ([foot, top], inward) in ends.into_iter().zip([inward, -inward]) {
-        let border = Outline::polygon(&[foot, top, top + inward, foot + inward]);
-        let wash = Wash::faint(Role::Now, BORDER.1);
-        sketch.part("strip").weight(Weight::Light).area(&border, Some(wash), None);
-    }
-    for [foot, top] in ends {
         sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
+        sketch.part("kept").weight(Weight::Light).arrow(top, top + inward, Pen::dimension(Role::Muted));
     }
 }
 
@@ -275,8 +269,7 @@ fn depth(
 #[cfg(test)]
 mod tests {
     use crate::collision::Answer;
-    use crate::drawing::Contour;
-    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::layer::tests::{labels, lines, paths, points};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::{open_text, solve};
 
@@ -320,10 +313,13 @@ mod tests {
     }
 
     #[test]
-    fn the_strip_has_a_border_within_each_plane_and_its_edges_face_each_other_before_the_cut() {
-        for (show, [borders, normals]) in
-            [("[]", [0, 0]), ("['edges', 'cut']", [0, 0]), ("['edges', 'planes']", [2, 1])]
-        {
+    fn each_plane_points_into_the_strip_and_the_edges_face_each_other_before_the_cut() {
+        for (show, [planes, normals]) in [
+            ("[]", [0, 0]),
+            ("['edges', 'cut']", [0, 0]),
+            ("['edges', 'depths']", [0, 0]),
+            ("['edges', 'planes']", [2, 1]),
+        ] {
             let text = format!(
                 "shapes.A = {{ kind = 'polygon', vertices = [[-2.5, -3], [2, -4], [3, 0], [-3, 2.5]] }}
                 shapes.B = {{ kind = 'box', half_extents = [2, 1], position = [1, 1.5], angle_deg = -20 }}
@@ -333,17 +329,20 @@ mod tests {
             let scene = open_text("clip", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "clip");
-            let found = paths(&figure.drawing.items, "strip");
             // A shaft and its head.
-            let arrows = paths(&figure.drawing.items, "incident-normal").len() / 2;
-            assert_eq!([found.len(), arrows], [borders, normals], "{show}");
-            for (border, plane) in found.iter().zip(paths(&figure.drawing.items, "plane")) {
-                let (Contour::Segments(border), Contour::Segments(plane)) = (&border.contour, &plane.contour)
-                else {
-                    panic!("straight")
+            let [arrows, kept] = ["incident-normal", "kept"].map(|part| paths(&figure.drawing.items, part));
+            assert_eq!([kept.len() / 2, arrows.len() / 2], [planes, normals], "{show}");
+            let lines = paths(&figure.drawing.items, "plane");
+            let [[p, q], [r, s]] =
+                match kept.iter().step_by(2).map(|shaft| points(shaft)).collect::<Vec<_>>()[..] {
+                    [ref one, ref other] => [[one[0], one[1]], [other[0], other[1]]],
+                    _ => continue,
                 };
-                assert_eq!(border[..2], plane[..], "a border begins at its plane");
-            }
+            assert!(
+                (q - p).dx * (s - r).dx < 0.0 && (r - p).dx * (q - p).dx > 0.0,
+                "{p:?} {q:?} {r:?} {s:?}"
+            );
+            assert_eq!([points(lines[0])[1], points(lines[1])[1]], [p, r], "an arrow begins at its plane");
         }
     }
 

@@ -22,8 +22,11 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
 
-/// Opacity of what the step before added, and of the edge that it split.
-const ADDED: (f64, f64) = (0.14, 0.35);
+/// Opacity of the polytope, and of what the step before added to it.
+const FILL: (f64, f64) = (0.1, 0.26);
+
+/// Opacity of the edge that was split.
+const SPLIT: f64 = 0.75;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
@@ -139,11 +142,14 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     if let Some(triangle) = step.added {
-        let [from, _, to] = triangle;
-        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, ADDED.0)), None);
-        sketch.part("split").weight(Weight::Light).line(from, to, Pen::vector(role).opacity(ADDED.1));
+        let [from, added, to] = triangle;
+        let before: Vec<DVec2> = step.vertices.iter().filter(|p| **p != added).copied().collect();
+        sketch.part("before").area(&Outline::polygon(&before), Some(Wash::faint(role, FILL.0)), None);
+        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, FILL.1)), None);
+        sketch.part("split").weight(Weight::Light).line(from, to, Pen::dimension(role).opacity(SPLIT));
     }
-    sketch.part("polytope").area(&outline, None, Some(Pen::vector(role)));
+    let wash = step.added.is_none().then(|| Wash::faint(role, FILL.0));
+    sketch.part("polytope").area(&outline, wash, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
     supporting_line(sketch, step, foot);
     sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
@@ -166,8 +172,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
-    let named = if push { r"$-d\,n$, " } else { "" };
-    let d = format!("{named}$d{left} = {}$", number(step.distance));
+    let d = format!("$d{left} = {}$", number(step.distance));
     sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
@@ -277,9 +282,11 @@ mod tests {
             let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
             assert_eq!(found, [last, 1 - last], "step {k}");
             let labels = labels(&figure);
-            assert_eq!(labels["d"].0.contains(r"$-d\,n$"), k == steps, "{labels:?}");
-            let [split, added] = ["split", "added"].map(|part| paths(&figure.drawing.items, part).len());
-            assert_eq!([split, added], [usize::from(k > 1); 2], "step {k}");
+            let kept = ["split", "added", "before"].map(|part| paths(&figure.drawing.items, part).len());
+            assert_eq!(kept, [usize::from(k > 1); 3], "step {k}");
+            // It is filled once: by itself, or as the one before and what was added to that.
+            let polytope = paths(&figure.drawing.items, "polytope")[0];
+            assert_eq!(polytope.fill.is_some(), k == 1, "step {k}");
             if k == steps {
                 // The pushed edge runs through O.
                 let o = figure.panels[0].frame.page(DVec2::ZERO);

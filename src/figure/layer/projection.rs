@@ -11,7 +11,7 @@ use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
@@ -28,6 +28,9 @@ const TRACK: f64 = 6.0;
 
 /// Distance of the measure from the axis, page pixels: below the intervals.
 const MEASURE: f64 = 48.0;
+
+/// Opacity of the strip of light between the bodies.
+const LIT: f64 = 0.11;
 
 /// Half the length of the mark of 0 on the axis, page pixels: past both intervals.
 const ZERO: f64 = 11.0;
@@ -143,6 +146,17 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         .collect();
     let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
+    if t.gap > 0.0 {
+        let high = points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max);
+        let low = sketch.px(MEASURE);
+        let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, -far - high), (t.a.hi, -far - high)];
+        let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
+        sketch.part("lit").weight(Weight::Light).area(
+            &strip,
+            Some(Wash::faint(Role::Translation, LIT)),
+            None,
+        );
+    }
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);

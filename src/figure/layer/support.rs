@@ -117,7 +117,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((side, vertices)) = supports(context) else { return };
     if let Some(found) = difference(context, context.time).filter(|_| lengths) {
         for vertex in ends(context, &found, side.other()).into_iter().flatten() {
-            mark(sketch, context, role, vertex, Anchor::point(vertex.point));
+            mark(sketch, context, options.role(vertex.side.into()), vertex, Anchor::point(vertex.point));
         }
     }
     if let ([p, q], false) = (vertices.as_slice(), lengths) {
@@ -129,6 +129,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     };
     for (&SupportVertex { point, .. }, number) in vertices.iter().zip(1..=2) {
         let anchor = Anchor::point_toward(point, point - middle);
+        let role = if lengths { options.role(side.into()) } else { role };
         mark(sketch, context, role, Marked { side, number, point }, anchor);
     }
 }
@@ -206,7 +207,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) -> bool {
         let lines = if here {
             draw_edge(sketch, side, (from, to), Pen::highlighted(role));
             // B − A takes A's edges with the minus.
-            let turned = if side == Side::A { ", turned over" } else { "" };
+            let turned = if side == Side::A { ", reversed" } else { "" };
             vec![format!("edge of {}{turned}", context.named(side).primed(0)), format!("${length}$ long")]
         } else {
             sketch.line(from, to, Pen::highlighted(role));
