@@ -97,19 +97,19 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-7.0, -2.0, 11.1, 7.1]);
-    let closest = (6.0, 1.0);
+    let w = look(&f, 0, [-5.0, -2.0, 9.2, 7.1]);
+    let closest = (4.0, 1.0);
     shows![
-        w.polygon(A, &[(-6.0, -1.0), (6.0, -1.0), closest, (-6.0, 1.0)]).is_some(),
-        w.circle(B, (9.0, 5.0), 2.0).is_some(),
-        clamps(&w, (9.0, 5.0), closest),
-        w.any_line((9.0, 0.0), (9.0, 5.0)),
-        w.any_line((0.0, 5.0), (9.0, 5.0)),
-        w.text_near("$B_c = A + (6, 1)$", closest, 100.0),
-        f.says("$V = (9, 5)$") && f.says("$V_x = 9$") && f.says("$V_y = 5$"),
-        f.says("clamp$(V_x, -h_x, h_x) = 6$"),
+        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), closest, (-4.0, 1.0)]).is_some(),
+        w.circle(B, (7.0, 5.0), 2.0).is_some(),
+        clamps(&w, (7.0, 5.0), closest),
+        w.any_line((7.0, 0.0), (7.0, 5.0)),
+        w.any_line((0.0, 5.0), (7.0, 5.0)),
+        w.text_near("$B_c = A + (4, 1)$", closest, 100.0),
+        f.says("$V = (7, 5)$") && f.says("$V_x = 7$") && f.says("$V_y = 5$"),
+        f.says("clamp$(V_x, -h_x, h_x) = 4$"),
         f.says("clamp$(V_y, -h_y, h_y) = 1$"),
-        f.says("$h_x = 6$") && f.says("$h_y = 1$"),
+        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 2$"),
         f.says("distance") && f.says("$= 3$"),
@@ -117,8 +117,8 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     // Beside D, 40 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
     let off = 40.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    let rim = (7.8, 3.4);
-    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((9.0, 5.0))),];
+    let rim = (5.8, 3.4);
+    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((7.0, 5.0))),];
 }
 
 #[test]

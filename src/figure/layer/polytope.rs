@@ -281,7 +281,6 @@ mod tests {
             let last = usize::from(k == steps);
             let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
             assert_eq!(found, [last, 1 - last], "step {k}");
-            let labels = labels(&figure);
             let kept = ["split", "added", "before"].map(|part| paths(&figure.drawing.items, part).len());
             assert_eq!(kept, [usize::from(k > 1); 3], "step {k}");
             // It is filled once: by itself, or as the one before and what was added to that.

@@ -37,6 +37,9 @@ const FREE: (f64, f64) = (0.86, 48.0);
 /// Opacity of the cone: the axes may lie under it.
 const FILL: f64 = 0.16;
 
+/// Opacity of the strip between the line square to n and B ⊖ A.
+const LIT: f64 = 0.11;
+
 /// How far a tangent reaches past the point where it touches, page pixels.
 const PAST: f64 = 30.0;
 
@@ -158,7 +161,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let [line, turned] = PARTS.map(|part| options.shows("show", part, true));
     let names = options.flag("names", false);
     if line {
-        square(sketch, &found, origin, (role, names));
+        square(sketch, &found, origin, (role, names, !turned));
     }
     if turned {
         fan(sketch, &found, origin, (role, names));
@@ -208,8 +211,9 @@ fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bo
 }
 
 /// Draws the line through O square to n, and beside B ⊖ A the gap between the two: on the side where a
-/// tangent touches what is nearest, so that nothing stands in between.
-fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bool)) {
+/// tangent touches what is nearest, so that nothing stands in between. The strip between them is lit where no
+/// cone lies on it.
+fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (Role, bool, bool)) {
     let along = perp(cone.normal);
     let [last, first] = cone.touching.map(|p| p - origin);
     let ahead = |p: DVec2| cone.normal.dot(p);
@@ -219,6 +223,11 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role,
     let end = along.dot(near) + out * past;
     let at = |aside: f64, ahead: f64| origin + along * aside + cone.normal * ahead;
     let other = -out * sketch.px(BEHIND);
+    if lit {
+        let strip = [at(other, 0.0), at(end, 0.0), at(end, cone.gap), at(other, cone.gap)];
+        let wash = Wash::faint(role, LIT);
+        sketch.part("lit").weight(Weight::Light).area(&Outline::polygon(&strip), Some(wash), None);
+    }
     sketch.part("square-line").weight(Weight::Light);
     sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::vector(Role::Ink).width(TANGENT));
     right_angle(sketch, origin, [angle_of(cone.normal), angle_of(along * -out)]);
@@ -343,6 +352,7 @@ mod tests {
                 strokes.iter().filter_map(|p| p.stroke.as_ref()).map(|s| s.paint.role).collect()
             };
             assert_eq!(roles("square-line").len(), line, "{show}");
+            assert_eq!(paths(&figure.drawing.items, "lit").len(), usize::from(line > cone), "{show}");
             let pairs = if cone > 0 { PAIRS.map(Some).to_vec() } else { Vec::new() };
             assert_eq!(roles("tangent"), pairs, "{show}");
             assert_eq!(roles("cone-edge"), pairs, "{show}");
