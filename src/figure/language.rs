@@ -19,17 +19,18 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 3;
+const OF_GHOSTS: usize = 4;
 
 /// Labels that are a name and nothing else.
-const NAMES: [&str; 5] = ["A", "B", "a", "b", "context"];
+const NAMES: [&str; 4] = ["A", "B", "a", "context"];
 /// Labels that have a name, beside words of ours.
-const NAMES_OF_GHOSTS: [&str; 2] = ["A'", "B'"];
+const NAMES_OF_GHOSTS: [&str; 3] = ["A'", "B'", "b"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
 const WORDS: &[[&str; 5]] = &[
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
+    ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
@@ -63,6 +64,13 @@ const WORDS: &[[&str; 5]] = &[
     ["along $*", "$*", "entlang $*", "le long de $*", "a lo largo de $*"],
     ["as far as $p$", "", "so weit wie $p$", "aussi loin que $p$", "tan lejos como $p$"],
     ["* (not to scale)", "*", "* (nicht maßstäblich)", "* (hors échelle)", "* (no a escala)"],
+    [
+        "* turned about its origin",
+        "",
+        "* um den eigenen Ursprung gedreht",
+        "* tourné autour de son origine",
+        "* girado alrededor de su origen",
+    ],
     ["* turned about *", "", "* um * gedreht", "* tourné autour de *", "* girado alrededor de *"],
     ["* moved around *", "", "* um * geschoben", "* déplacé autour de *", "* movido alrededor de *"],
     ["from *", "*", "von *", "de *", "de *"],

@@ -96,6 +96,14 @@ impl Run {
         Some(found)
     }
 
+    /// The last thing that `pick` finds in the events; that event counts as shown from here on.
+    pub(crate) fn find_last_told<'r, T>(&'r self, mut pick: impl FnMut(&'r Event) -> Option<T>) -> Option<T> {
+        let mut events = self.trace.events.iter().enumerate().rev();
+        let (i, found) = events.find_map(|(i, event)| Some((i, pick(event)?)))?;
+        self.mark(i);
+        Some(found)
+    }
+
     /// The cue of the last event that is so; `None` where none is. The event does not count as shown.
     pub(crate) fn last_cue(&self, is_so: impl Fn(&Event) -> bool) -> Option<Cue> {
         let index = self.trace.events.iter().rposition(is_so)?;

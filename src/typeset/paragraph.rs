@@ -1,7 +1,7 @@
 //! Lines from words and formulas, broken where a space allows it.
 //!
 //! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
-//! count as one, those at the ends of a line as none. Words and formulas are set once, whatever the widths
+//! count as one, those at the ends of a line as none. The space within a point, `(0, 1)`, allows no break. Words and formulas are set once, whatever the widths
 //! are that lines of them are tried in.
 
 use super::draft::Draft;
@@ -56,7 +56,9 @@ impl Paragraph {
             let message = format!("a text of {} bytes; the longest allowed has {LONGEST}", markup.len());
             return Err(TypesetError { offset: markup.floor_char_boundary(LONGEST), message });
         }
-        let mut setter = Setter { style, newlines, role: None, chunks: Vec::new(), chunk: Draft::default() };
+        let space = words::space(style);
+        let (chunks, chunk) = (Vec::new(), Draft::default());
+        let mut setter = Setter { style, newlines, space, role: None, chunks, chunk, is_in_a_point: false };
         for piece in pieces(markup)? {
             match piece {
                 Piece::Formula(offset, latex) => {
@@ -69,7 +71,7 @@ impl Paragraph {
             }
         }
         setter.end_chunk();
-        let (markup, space) = (markup.to_owned(), words::space(style));
+        let markup = markup.to_owned();
         Ok(Self { markup, size: style.size, space, chunks: setter.chunks })
     }
 
@@ -122,20 +124,29 @@ struct Setter<'m> {
     style: Style,
     /// What newlines mean.
     newlines: Newlines,
+    /// Page pixels that a space takes.
+    space: f64,
     /// The role that is worn at this place of the markup.
     role: Option<&'m str>,
     /// What was set up to the last space outside a formula.
     chunks: Vec<Chunk>,
     /// What was set since.
     chunk: Draft,
+    /// Whether what was set last opens a point, and a space stands behind it.
+    is_in_a_point: bool,
 }
 
 impl Setter<'_> {
     fn words(&mut self, offset: usize, text: &str) -> Result<(), TypesetError> {
         let mut rest = characters(offset, text).peekable();
+        let mut opens = false;
         while let Some(&(_, character)) = rest.peek() {
             if character.is_ascii_whitespace() {
                 rest.next();
+                self.is_in_a_point = opens && character == ' ';
+                if self.is_in_a_point {
+                    continue;
+                }
                 self.end_chunk();
                 if character == '\n' && self.newlines == Newlines::Breaks {
                     self.chunks.iter_mut().last().into_iter().for_each(|chunk| chunk.is_last = true);
@@ -147,6 +158,7 @@ impl Setter<'_> {
             let word = word.inspect(|&(_, c)| read.push(c));
             let style = if self.role.is_some() { Style::semibold(self.style.size) } else { self.style };
             let set = words::set(word, style)?;
+            opens = opens_a_point(&read);
             self.put(read, set.glyphs, Vec::new(), set.width);
         }
         Ok(())
@@ -163,7 +175,8 @@ impl Setter<'_> {
         let run = Run { text, x: [0.0, width], size: self.style.size };
         let runs = Some(run).filter(|run| !run.text.is_empty()).into_iter().collect();
         let set = Draft { glyphs, rules, tints: tint.into_iter().collect(), runs, width };
-        self.chunk.join(&set);
+        let space = if std::mem::take(&mut self.is_in_a_point) { self.space } else { 0.0 };
+        if space > 0.0 { self.chunk.append(&set, space) } else { self.chunk.join(&set) }
     }
 
     /// Ends what no line breaks.
@@ -172,6 +185,12 @@ impl Setter<'_> {
             self.chunks.push(Chunk { set: std::mem::take(&mut self.chunk), is_last: false });
         }
     }
+}
+
+/// Whether a word is the first coordinate of a point, as `(−0.5,` is, so that the next one belongs to it.
+fn opens_a_point(word: &str) -> bool {
+    let number = word.strip_prefix('(').and_then(|word| word.strip_suffix([',', ';']));
+    number.is_some_and(|number| number.chars().all(|c| matches!(c, '0'..='9' | '.' | ',' | '-' | '−')))
 }
 
 #[cfg(test)]
@@ -288,6 +307,22 @@ mod tests {
         let narrow = wrap("a $x$.", style, 1.0).unwrap();
         assert_eq!(narrow.len(), 2);
         assert_eq!(narrow[1].glyphs.len(), 2);
+    }
+
+    #[test]
+    fn a_point_is_not_broken() {
+        let style = Style::regular(14.0);
+        let text = "along (0, 1) and (−0.5; 2,5) to it (which, here, is far).";
+        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
+        let narrow: Vec<String> = wrap(text, style, 1.0).unwrap().iter().map(read).collect();
+        let expected =
+            ["along", "(0, 1)", "and", "(−0.5; 2,5)", "to", "it", "(which,", "here,", "is", "far)."];
+        assert_eq!(narrow, expected);
+        let [wide, set] = [wrap(text, style, 900.0).unwrap().remove(0), typeset(text, style).unwrap()];
+        assert_eq!(wide.width, set.width);
+        let space = typeset("a b", style).unwrap().width - typeset("ab", style).unwrap().width;
+        let [point, tight] = ["(0, 1)", "(0,1)"].map(|text| typeset(text, style).unwrap().width);
+        assert!((point - tight - space).abs() < 0.01, "{point} {tight} {space}");
     }
 
     #[test]

@@ -109,12 +109,13 @@ impl Case<'_> {
         matches!(self.outcome(), Some(Outcome::Hit { .. }))
     }
 
-    /// Whether the bodies are proved to overlap at the moment of the question.
+    /// Whether the bodies are proved to overlap at the moment of the question, and not only to touch: no push
+    /// parts bodies that touch.
     fn overlaps(&self) -> bool {
         match &self.run.answer {
             Answer::Separation(found) => found.bounds.hi < 0.0,
             Answer::Contact(found) => found.separation.bounds.hi < 0.0,
-            Answer::Overlap(found) => found.overlap == Some(true),
+            Answer::Overlap(found) => found.separation_bounds.hi < 0.0,
             _ => false,
         }
     }

@@ -132,3 +132,21 @@ fn a_label_that_only_another_answer_has_may_be_worded() {
     assert!(plan(&open_text("s.toml", &words("contact")).unwrap().scene).is_ok());
     assert!(plan(&open_text("s.toml", &words("contct")).unwrap().scene).is_err());
 }
+
+#[test]
+fn bodies_that_only_touch_are_not_pushed_out() {
+    let layers = |query: &str, x: &str| {
+        let text = format!(
+            "shapes.A = {{ kind = 'aabb', half_extents = [1, 1] }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [{x}, 0.5] }}
+            query = {{ kind = '{query}', of = ['A', 'B'] }}"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        plan.panels[0].layers.iter().map(|l| l.layer.name).collect::<Vec<_>>().join(" ")
+    };
+    for query in ["separation", "overlap"] {
+        assert_eq!(layers(query, "2"), "shapes separation", "{query}");
+        assert_eq!(layers(query, "1.5"), "shapes ghosts separation", "{query}");
+    }
+}

@@ -114,3 +114,17 @@ fn a_question_has_no_words_of_the_steps_to_its_answer() {
     assert_eq!(variant(&scene, Variant::Key).unwrap().steps, scene.steps);
     assert!(variant(&scene, Variant::Question).unwrap().steps.is_empty());
 }
+
+#[test]
+fn the_bounds_of_two_bodies_are_those_of_both() {
+    let text = "exercise.ask = ['min.x', 'max.x', 'max.y', 'h.x', 'c.y']
+        headline = 'From {=min.x} to {=max.x}'
+        shapes.A = { kind = 'aabb', half_extents = [1, 1] }
+        shapes.B = { kind = 'aabb', half_extents = [1, 1], position = [10, 5] }
+        query = { kind = 'bounds', of = ['A', 'B'] }";
+    let scene = open_text("s.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let answers: Vec<f64> = super::asked(&plan).iter().map(super::Asked::value).collect();
+    assert_eq!(answers, [-1.0, 11.0, 6.0, 6.0, 2.5]);
+    assert_eq!(plan.headline.words.as_deref(), Some("From −1 to 11"));
+}

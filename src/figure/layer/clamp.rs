@@ -27,7 +27,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the components of V, in the box's frame, and of D, in the panel's",
+            about: "writes the components of V and of D, in the frame of the panel",
         },
     ],
     labels: &[
@@ -87,11 +87,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("clamped") {
         kept(sketch.since(at(parts::CUT)), options, &c);
     }
+    // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
+    let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
     // V and D end at the circle's centre: their heads stop short of it and do not lie on each other.
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, MARKER, Pen::vector(Role::Ink));
-        let text = valued("V", c.v, options);
+        let text = valued("V", seen(c.pose.vector(c.v)), options);
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
@@ -102,8 +104,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             MARKER,
             Pen::vector(Role::Translation),
         );
-        let seen = context.in_space(c.d) - context.in_space(DVec2::ZERO);
-        let text = valued("D", seen, options);
+        let text = valued("D", seen(c.d), options);
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {

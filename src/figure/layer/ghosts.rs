@@ -92,7 +92,7 @@ pub(super) const LAYER: Layer = Layer {
         a separation for \"separated\", another way out for \"rival\", steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
-            Some(answer) if answer.separation > 0.0 => Fed::NotHere("the bodies are apart already"),
+            Some(answer) if push(&answer).is_none() => Fed::NotHere("no push is needed to part the bodies"),
             answer => Fed::by_the_scene(answer.is_some()),
         },
         RIVAL => match (rival(context), separation(context)) {
@@ -110,6 +110,11 @@ fn separation(context: &Context) -> Option<Separation> {
     context.separation_at(context.time)?.separation().copied()
 }
 
+/// The shortest way that parts bodies that overlap, as B goes; `None` where they touch or are apart.
+fn push(answer: &Separation) -> Option<DVec2> {
+    (answer.bounds.hi < 0.0).then(|| -answer.normal * answer.separation)
+}
+
 /// The time at which the scene wants the ghosts; `None` where the answer has no such moment.
 fn when(context: &Context, options: &Options) -> Option<f64> {
     Some(context.moment(&options.when("at").unwrap_or(When::Hit))?.time)
@@ -119,7 +124,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&context.sides()) {
         match options.word("at", When::HIT) {
             SEPARATED => {
-                let way = separation(context).map(|answer| -answer.normal * answer.separation);
+                let way = separation(context).and_then(|answer| push(&answer));
                 pushed(sketch, context, options, (side, way));
             }
             RIVAL => pushed(sketch, context, options, (side, rival(context))),

@@ -88,7 +88,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             last = Some(copy);
         }
         if let Some(copy) = last {
-            let text = format!("{} turned about {}", context.named(Side::B).primed(0), point_of_b(context));
+            let name = context.named(Side::B);
+            let text = match letter_of_b(context) {
+                Some(letter) => format!("{} turned about {letter}", name.primed(0)),
+                None => format!("{} turned about its origin", name.primed(0)),
+            };
             let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
             sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
@@ -110,7 +114,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(None).part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
-    sketch.label(Label::new("b", point_of_b(context), Anchor::point(b), Role::B).rank(Rank::Point));
+    let name = || format!("origin of {}", context.named(Side::B).primed(0));
+    sketch.label(
+        Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
+            .rank(Rank::Point),
+    );
 }
 
 /// Draws the edges of B ⊖ A where they are once it is turned.
@@ -191,10 +199,10 @@ fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2
     sketch.label(Label::new("d", text, Anchor::middle(b, to), role));
 }
 
-/// The name of the point that B shrinks to: its small letter, where it has a letter.
-fn point_of_b(context: &Context) -> String {
+/// The letter of the point that B shrinks to, its origin: the small one of a name that is a letter.
+fn letter_of_b(context: &Context) -> Option<String> {
     let name = context.named(Side::B);
-    if name.is_symbol() { format!("${}$", name.term().to_lowercase()) } else { name.primed(0) }
+    name.is_symbol().then(|| format!("${}$", name.term().to_lowercase()))
 }
 
 /// The vertices of A's core, in the world.

@@ -5,6 +5,7 @@
 //! [`caption`] are broken into lines, a long caption in two [`columns`](columns::columns), a label gets its
 //! [`wording`], and [`plain`](plain::plain) reads markup out in words for the alternative text.
 
+mod boxes;
 mod caption;
 mod columns;
 mod decimal;

@@ -6,6 +6,7 @@ use crate::figure::question::has_a_tolerance;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
+use super::boxes::{bounds, half_extents, middle};
 use super::quantity::Quantity;
 
 /// A value that text may name.
@@ -141,21 +142,21 @@ pub(crate) static VALUES: &[Value] = &[
         Event::MotionBounded { radius, .. } => *radius
     ),
     told!("L", "arc length θ r", Event::MotionBounded { arc, .. } => *arc),
-    told!("min.x", "smallest x", Event::BoundsFound { min, .. } => min.x),
-    told!("min.y", "smallest y", Event::BoundsFound { min, .. } => min.y),
-    told!("max.x", "largest x", Event::BoundsFound { max, .. } => max.x),
-    told!("max.y", "largest y", Event::BoundsFound { max, .. } => max.y),
+    Value { name: "min.x", about: "smallest x of the bounds", of: |c| bounds(c, |[min, _]| min.x) },
+    Value { name: "min.y", about: "smallest y of the bounds", of: |c| bounds(c, |[min, _]| min.y) },
+    Value { name: "max.x", about: "largest x of the bounds", of: |c| bounds(c, |[_, max]| max.x) },
+    Value { name: "max.y", about: "largest y of the bounds", of: |c| bounds(c, |[_, max]| max.y) },
     Value { name: "h.x", about: "half-extent in x", of: |c| half_extents(c).map(|h| Quantity::exactly(h.x)) },
     Value { name: "h.y", about: "half-extent in y", of: |c| half_extents(c).map(|h| Quantity::exactly(h.y)) },
     Value {
         name: "c.x",
         about: "x of the bounds' centre",
-        of: |c| center(c).map(|p| Quantity::exactly(p.x)),
+        of: |c| bounds(c, |[min, max]| middle(min.x, max.x)),
     },
     Value {
         name: "c.y",
         about: "y of the bounds' centre",
-        of: |c| center(c).map(|p| Quantity::exactly(p.y)),
+        of: |c| bounds(c, |[min, max]| middle(min.y, max.y)),
     },
 ];
 
@@ -306,23 +307,6 @@ fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     context.run().find_told(|event| match event {
         Event::Clamped { d, .. } => Some(Quantity::exactly(pick(*d))),
         Event::ExtentsCompared { gap, .. } => Some(Quantity::exactly(pick(*gap))),
-        _ => None,
-    })
-}
-
-/// Half-extents of the box or of the bounds.
-fn half_extents(context: &Context) -> Option<DVec2> {
-    context.run().find_told(|event| match event {
-        Event::Clamped { half_extents, .. } => Some(*half_extents),
-        Event::BoundsFound { min, max, .. } => Some((*max - *min) / 2.0),
-        _ => None,
-    })
-}
-
-/// The middle of the bounds.
-fn center(context: &Context) -> Option<DVec2> {
-    context.run().find_told(|event| match event {
-        Event::BoundsFound { min, max, .. } => Some((*min + *max) / 2.0),
         _ => None,
     })
 }

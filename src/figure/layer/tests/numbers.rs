@@ -339,3 +339,20 @@ fn every_number_of_a_label_is_that_of_its_panels_moment() {
 fn is_a_name(text: &str) -> bool {
     !text.contains('=')
 }
+
+#[test]
+fn clamped_vectors_are_written_in_the_frame_of_their_panel() {
+    let text = "shapes.A = { kind = 'box', half_extents = [3, 2], angle_deg = 90 }
+        shapes.B = { kind = 'circle', radius = 1, position = [-5, 6] }
+        query = { kind = 'separation', of = ['A', 'B'], algorithm = 'clamp' }
+        panels = [{ layers = [{ layer = 'clamp', values = true }] },
+            { space = 'body', frame = 'A', layers = [{ layer = 'clamp', values = true }] }]";
+    let scene = crate::scene::open_text("s.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let written = plan.panels.iter().map(|panel| {
+        let labels = labels_of(panel.sketch(&panel.context(&scene, &plan.runs), plan.theme), panel);
+        ["V", "D"].map(|key| labels.iter().find(|label| label.1 == key).unwrap().2.clone())
+    });
+    let expected = [["$V = (-5, 6)$", "$D = (-3, 3)$"], ["$V = (6, 5)$", "$D = (3, 3)$"]];
+    assert!(written.eq(expected.map(|pair| pair.map(str::to_owned))));
+}

@@ -91,3 +91,26 @@ fn the_numbers_of_axes_and_points_have_the_comma_of_the_language() {
     assert!(has("0,5") && has("P $(0{,}5; -0{,}25)$") && has("$(-0{,}25; 0{,}5)$"), "{all:?}");
     assert!(!all.iter().any(|markup| markup.contains('.')), "{all:?}");
 }
+
+#[test]
+fn the_point_that_a_body_with_a_word_for_a_name_shrinks_to_is_its_origin() {
+    let labels = |name: &str, lang: &str| {
+        let text = format!(
+            "lang = '{lang}'
+            shapes.hero = {{ kind = 'box', half_extents = [1, 0.6] }}
+            shapes.{name} = {{ kind = 'box', half_extents = [0.5, 0.5], position = [3, 0.9] }}
+            query = {{ kind = 'separation', of = ['hero', '{name}'] }}
+            panels = [{{ layers = ['grown'] }}]"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "f");
+        let of = |key: &str| {
+            figure.panels[0].placed.iter().find(|l| l.key == key).unwrap().lines[0].1.markup.clone()
+        };
+        [of("b"), of("copy")]
+    };
+    assert_eq!(labels("Q", "en"), ["$q$", "$Q$ turned about $q$"]);
+    assert_eq!(labels("rock", "en"), ["origin of rock", "rock turned about its origin"]);
+    assert_eq!(labels("rock", "de"), ["Ursprung von rock", "rock um den eigenen Ursprung gedreht"]);
+}
