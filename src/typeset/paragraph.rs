@@ -1,8 +1,8 @@
 //! Lines from words and formulas, broken where a space allows it.
 //!
-//! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of spaces
-//! count as one, those at the ends of a line as none. The space within a point, `(0, 1)`, allows no break. Words and formulas are set once, whatever the widths
-//! are that lines of them are tried in.
+//! Breaking is first-fit: a caption has two lines, where a global optimum would rarely differ. Runs of
+//! spaces count as one, those at the ends of a line as none. The space within a point, `(0, 1)`, allows
+//! no break. Words and formulas are set once, whatever the widths are that lines of them are tried in.
 
 use super::draft::Draft;
 use super::line::{Line, PlacedGlyph, Rule, Run, Style, Tint, TypesetError};
