@@ -24,7 +24,7 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-4.8, -6.4, 5.6, 5.6];
+    let view = [-5.3, -7.2, 6.1, 6.3];
     let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.5, y - 0.5), (x, y + 1.5)];
     let a = [(-1.0, 1.0), (-2.0, -2.0), (0.0, -4.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
@@ -35,6 +35,9 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         world.marker(B, (3.0, 3.5)),
         world.line(Translation, (2.0, 2.5), (0.2, 0.1)).is_some(),
         f.says("$b$"),
+        // The way from a vertex of A to one of B, backwards from b, and from the origin.
+        world.arrow_toward(Difference, (3.0, -2.0), (2.0, 2.5)),
+        f.says("$a_3 =$ $(3, -2)$"),
     ];
     let grown = look(&f, 1, view);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
@@ -55,7 +58,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         around((-3.0, 0.0)),
         around((1.5, -4.5)),
     ];
-    let conf = look(&f, 2, [-2.4, -3.2, 8.0, 9.5]);
+    let conf = look(&f, 2, [-3.4, -4.0, 8.0, 9.5]);
     edges_wear_their_source(
         &conf,
         &[

@@ -32,7 +32,7 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         world.arrow(B, (-2.0, 3.75), (0.0, -2.25)),
         world.line(Now, (-5.0, 0.0), (-0.5, -0.75)).is_some(),
         world.line(Now, (-2.0, 3.75), (-0.5, -0.75)).is_some(),
-        world.marker(Ink, (-0.5, -0.75)),
+        world.marker(Now, (-0.5, -0.75)),
         f.says("$A$ at $t = 0.75$") && f.says("$B$ at $t = 0.75$"),
         f.says("$v_A$ $= (6, -1)$") && f.says("$v_B$ $= (2, -6)$"),
     ];
@@ -60,6 +60,7 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         conf.arrow(B, (6.0, -1.0), (4.0, 5.0)),
         f.says("$-v_B$ $= (-2, 6)$"),
         conf.marker(Now, (3.0, 3.75)),
+        f.says("$t = 0$") && f.says("$t = 1$"),
         f.says("$v$ $= (4, 5)$"),
         f.says("$t = 0.75$"),
     ];
@@ -115,6 +116,12 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let [b, b_hit] = [(0.921_060_994_003, 0.389_418_342_309), (0.820_938_015_250, 0.571_017_315_953)]
         .map(|angle| shape_b.map(turned(angle)));
     let contact = (0.393_861_189_478, 0.862_452_320_314);
+    // The point of A that touches, from its origin, and where that is at the bound.
+    let on_a = (0.530_144_641, -1.409_566_077);
+    let half = |p: P| {
+        let (x, y) = turned((0.877_582_561_890, 0.479_425_538_604))(p);
+        (x - 2.0, y + 1.0)
+    };
     shows![
         w.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(|p| p.fill.is_some()),
         w.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(|p| p.fill.is_some()),
@@ -129,11 +136,13 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         hit.polygon(A, &moved(a_hit, (-4.0 + 4.0 * t, 2.0 * t))).is_some(),
         hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, 2.0 * t - 0.5))).is_some(),
         hit.marker(Ink, contact),
-        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the start.
-        hit.curve(A, (-3.469_855_359, -1.409_566_077), contact),
-        hit.curve(B, (3.0, 0.7), contact),
-        hit.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(dashed),
-        hit.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(dashed),
+        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the bound.
+        hit.curve(A, half(on_a), contact) && then.curve(A, half(on_a), contact),
+        hit.curve(B, (1.190_576_001, 0.826_436_508), contact),
+        hit.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(dashed),
+        hit.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(dashed),
+        then.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(dashed),
+        then.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(dashed),
         f.says("$d = 6$"),
         f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
         f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
@@ -167,11 +176,13 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
             panel.head(Now, q) || panel.marker(A, q),
             panel.marker(A, p),
             panel.marker(A, q),
-            panel.arc(A, (0.0, 0.0), near, far) && panel.marker(A, near) && panel.marker(A, far),
         ];
     }
     shows![
-        f.says("$r_q = 2.5$") && f.says(r"$\theta\,r_q = 3$"),
+        // All of A lies within that circle.
+        one.arc(Muted, (0.0, 0.0), q, p),
+        two.arc(A, (0.0, 0.0), near, far) && two.marker(A, near) && two.marker(A, far),
+        f.says("½ $r = 2.5$") && f.says("½ $L = 3$") && f.says("pivot"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
         f.says("$r = 5$"),
@@ -260,7 +271,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
-        f.says(r"$n \cdot v < 0$"),
+        f.says(r"$n \cdot v < 0$") && f.says(r"$n \cdot v > 0$"),
         f.says("$t = 0$") && f.says("$t = 1$"),
         f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
         f.says("$v$ $= (-7.5, -6.25)$"),
@@ -271,34 +282,35 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 #[test]
 fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     let f = figure("demo-angular-sweep");
-    let b = [(1.4, -0.4), (2.6, -2.4), (3.8, -0.2), (2.4, 2.3)];
-    // A's vertices at t = 0, t = 5 / 10 and t = 0.5 + 1.963385 / 9.754676, 80 degrees on; the closest points.
+    let b = [(4.7, -4.0), (6.2, -5.0), (7.6, -3.1), (5.68, -0.64)];
+    // A's vertices at t = 0, t = 4 / 10 and t = 0.4 + 1.123046 / 10, where n is that of B's edge, (0.96, -0.28),
+    // at all three; the closest points.
     let steps: [([P; 4], [P; 2], &str); 3] = [
-        ([(-5.8, 1.0), (-3.4, 1.0), (-3.4, 2.0), (-5.8, 2.0)], [(-3.4, 1.0), b[0]], "$d = 5$"),
+        ([(-1.0, -2.4), (1.0, -2.4), (1.0, 2.4), (-1.0, 2.4)], [(1.0, -2.4), (4.84, -3.52)], "$d = 4$"),
         (
             [
-                (-0.827_627_274_638, 0.720_083_665_296),
-                (0.469_098_259_446, 2.739_614_028_835),
-                (-0.372_372_725_362, 3.279_916_334_704),
-                (-1.669_098_259_446, 1.260_385_971_165),
+                (2.884_947_908_812, -2.869_452_193_333),
+                (4.278_361_327_506, -1.434_740_011_534),
+                (0.835_052_091_188, 1.909_452_193_333),
+                (-0.558_361_327_506, 0.474_740_011_534),
             ],
-            [(0.469_098, 2.739_614), (2.310_260, 2.057_702)],
-            "$d = 1.96$",
+            [(4.278_361_328, -1.434_740_012), (5.356_485_413, -1.749_192_870)],
+            "$d = 1.12$",
         ),
         (
             [
-                (1.302_209_163_095, 0.934_494_271_017),
-                (1.704_091_911_744, 3.300_607_171_184),
-                (0.718_211_536_674, 3.468_058_316_454),
-                (0.316_328_788_025, 1.101_945_416_287),
+                (3.913_610_476_664, -2.715_915_681_605),
+                (4.952_476_242_181, -1.006_893_177_003),
+                (0.850_822_231_136, 1.486_384_660_238),
+                (-0.188_043_534_381, -0.222_637_844_364),
             ],
-            [(1.302_209, 0.934_494), (1.822_840, 0.741_668)],
-            "$d = 0.555$",
+            [(4.952_476_242, -1.006_893_177), (5.524_341_251, -1.173_687_138)],
+            "$d = 0.596$",
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-6.4, -2.7, 4.5, 3.7]);
-        let conf = look(&f, 3 + i, [-0.9, -6.2, 10.0, 1.9]);
+        let world = look(&f, i, [-1.5, -5.8, 8.0, 2.6]);
+        let conf = look(&f, 3 + i, [-0.85, -7.7, 8.65, 2.7]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -325,7 +337,9 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         }
     }
     shows![
-        f.says("$t_2 = 0 + 5 / 10 = 0.5$") && f.says("$t_3 = 0.5 + 1.96 / 9.75 = 0.701$"),
-        f.says("$0.555 < 0.6$, the tolerance"),
+        // (4.65, -1.2) · (0.96, -0.28), and 2.6 · 2.
+        f.says(r"$v_A \cdot n + r_A \omega_A = 4.8 + 5.2 = 10$"),
+        f.says("$t_2 = 4 / 10 = 0.4$") && f.says("$t_3 = 0.4 + 1.12 / 10 = 0.512$"),
+        f.says("$0.596 < 0.6$, the tolerance"),
     ];
 }

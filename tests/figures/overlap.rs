@@ -12,8 +12,8 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-0.6, -4.4, 11.6, 4.4]);
-    let a = [(5.0, -1.0), (1.1, 4.2), (0.0, 3.4), (-0.4, 0.6), (0.0, -2.4), (1.0, -4.0)];
+    let w = look(&f, 0, [-1.3, -3.5, 11.3, 4.1]);
+    let a = [(5.0, -1.0), (1.25, 4.0), (-0.4, 3.2), (-1.2, 0.4), (-0.6, -2.2), (1.8, -3.4)];
     let b = [(1.6, 0.2), (5.6, -1.8), (8.6, -1.0), (9.6, 1.7), (6.6, 2.2)];
     // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 15/5 from B's vertex (1.6, 0.2); along the normals
     // of B's edges there, x + 2y = 2 and 2x − 5y = 2.2, A reaches 9/√5 and 21/√29 past them.
@@ -25,9 +25,9 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
         w.arrow(Translation, (1.6, 0.2), (3.2, 1.4)),
         // Halfway from the contact to the edge's far end.
-        w.arrow(Ink, (2.15, 2.8), (2.95, 3.4)),
-        w.polygon(Muted, &b.map(|(x, y)| (x + 1.8, y - 2.4))).is_some_and(|g| g.fill.is_none()),
-        f.says("$B$ pushed the longer way"),
+        w.arrow(Ink, (2.225, 2.7), (3.025, 3.3)),
+        // No edge of A is nearer to that vertex than 2, so that the disc lies within A.
+        w.circle(Translation, (1.6, 0.2), 2.0).is_some_and(|disc| disc.fill.is_some()),
         w.arrow(Muted, (1.6, 0.2), (3.4, -2.2)),
         f.says("$d = 2$"),
         f.says("$3$, longer"),
@@ -140,7 +140,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         f.says(r"$\|A - B\| = 5$"),
         f.says("$r_1 = 3$"),
         f.says("$r_2 = 4$"),
-        f.says("$p = -2$"),
+        f.says("$p = 5 - 7$") && f.says("$= -2$"),
         f.says("$P = N p = (2, 0)$"),
         f.says("$N = (-1, 0)$"),
     ];
@@ -223,6 +223,8 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let [late, never] = [0, 1].map(|i| look(&f, i, view));
     let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
     let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
+    let k = 52.0 / late.panel.scale / 25.0;
+    let aside = |(x, y): (f64, f64)| (x - 24.0 * k, y - 7.0 * k);
     // B's long edges lie on 7x - 24y = -12.5 and 37.5. Along (7, -24)/25, A's rim touches the one at t = 0.3, is 1.5
     // beyond it at 0.5, and has left the other 1.25 behind at 1.
     shows![
@@ -230,7 +232,8 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         // Frames that are tested are solid, moments that are not are dotted.
         solid(&late, (-2.25, 3.25)) && solid(&late, (0.0, 0.0)) && dotted(&late, (-0.9, 1.3)),
         late.marker(Ink, (-0.62, 0.34)),
-        late.line(Translation, (0.28, -0.96), (-0.14, 0.48)).is_some(),
+        // Moved aside by 52 px, square to itself.
+        late.line(Translation, aside((0.28, -0.96)), aside((-0.14, 0.48))).is_some(),
         f.says("1.5 deep") && f.says("not tested: first") && f.says("touch, $t = 0.3$"),
         solid(&never, (-2.25, 3.25)) && solid(&never, (2.25, -3.25)) && dotted(&never, (0.0, 0.0)),
         never.line(Translation, (1.97, -2.29), (1.62, -1.09)).is_some(),

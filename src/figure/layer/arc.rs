@@ -2,6 +2,8 @@
 //! of the body goes farther. It is drawn about where the origin is at the panel's moment; with it, where it
 //! is asked for, the shorter arc of a nearer vertex q.
 
+use std::f64::consts::TAU;
+
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -54,6 +56,12 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Flag,
             default: "false",
             about: "fills the sector and names its measures",
+        },
+        OptionSpec {
+            name: "around",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the whole circle of the extreme point, which no point of the body leaves",
         },
         OptionSpec {
             name: "nearer",
@@ -162,6 +170,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     // The head ends at the marker's rim, not under it.
     let rim = (sketch.px(MARKER + 1.0) / t.radius).min(t.sweep.abs()).copysign(t.sweep);
+    if options.flag("around", false) && t.sweep.abs() < TAU {
+        let rest = TAU.copysign(t.sweep) - t.sweep;
+        sketch.part("way-around").weight(Weight::Light);
+        sketch.arc(t.center, t.radius, t.start + t.sweep, rest, Pen::construction());
+    }
     let accent = Pen::highlighted(options.role(Role::Now));
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
@@ -292,5 +305,40 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
         let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
         let length = format!(r"$L = \theta\,r = {}$", number(t.arc));
         sketch.label(Label::new("L", length, path, options.role(Role::Now)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
+    use crate::scene::open_text;
+
+    #[test]
+    fn the_circle_of_the_farthest_point_has_the_whole_body_in_it() {
+        for (spin, drawn) in [(60, true), (-60, true), (360, false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-1, -1], [3, -1], [3, 4], [-1, 2]],
+                    angular_velocity_deg = {spin} }}
+                query = {{ kind = 'motion-bound', of = ['A'] }}
+                panels = [{{ view = [-6, -6, 6, 6], layers = [{{ layer = 'arc', around = true }}] }}]"
+            );
+            let scene = open_text("arc", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "arc");
+            let circle = paths(&figure.drawing.items, "way-around");
+            assert_eq!(
+                !circle.is_empty(),
+                drawn,
+                "{spin}: what its own arc has gone over is not drawn twice"
+            );
+            if let Some(bounds) = circle.first().and_then(|path| path.contour.bounds()) {
+                // (3, 4) is 5 out, and most of the circle is left.
+                let frame = &figure.panels[0].frame;
+                let px = (frame.page(DVec2::X) - frame.page(DVec2::ZERO)).length();
+                assert!((bounds.width() / px - 10.0).abs() < 0.7, "{}", bounds.width() / px);
+            }
+        }
     }
 }

@@ -5,7 +5,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
-use crate::geometry::Side;
+use crate::geometry::{DVec2, Side};
 
 use super::difference::{culled, difference};
 use super::edge_cues::EdgeCues;
@@ -21,16 +21,24 @@ pub(super) const LAYER: Layer = Layer {
     about: "outward unit normals of the edges of B ⊖ A; muted where the edge faces away from the ray",
     shows: Shows::Configuration,
     tells: Tells::Built,
-    options: &[OptionSpec {
-        name: "length",
-        takes: Takes::Positive,
-        default: "1, or 22 px",
-        about: "drawn length, units of configuration space",
-    }],
-    labels: &[LabelKey {
-        key: "n",
-        about: "the normal that looks most against the ray; without one, the first",
-    }],
+    options: &[
+        OptionSpec {
+            name: "length",
+            takes: Takes::Positive,
+            default: "1, or 22 px",
+            about: "drawn length, units of configuration space",
+        },
+        OptionSpec {
+            name: "signs",
+            takes: Takes::Flag,
+            default: "false",
+            about: "says of one normal of either kind whether n · v is less or more than 0",
+        },
+    ],
+    labels: &[
+        LabelKey { key: "n", about: "the normal that looks most against the ray; without one, the first" },
+        LabelKey { key: "away", about: "the normal that looks most along the ray, with signs" },
+    ],
     needs: "two convex bodies, one of them with edges",
     fed: |context, _| Fed::by_the_scene(found(context).is_some()),
     draw,
@@ -60,10 +68,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.arrow(from, tip, if away { pen.width(AWAY) } else { pen });
     }
     let against = |edge: &&Edge| edge.normal.dot(v);
+    let signs = options.flag("signs", false) && v != DVec2::ZERO;
     if let Some(edge) = found.edges.iter().min_by(|e, f| against(e).total_cmp(&against(f))) {
         let (from, tip) = arrow(edge);
         sketch.since(cues.of(edge));
-        let label = Label::new("n", "$n$", Anchor::tip(from, tip), role);
+        let text = if signs { r"$n \cdot v < 0$" } else { "$n$" };
+        let label = Label::new("n", text, Anchor::tip(from, tip), role);
+        sketch.label(label.rank(Rank::Measure).size(Size::Point));
+    }
+    let along = found.edges.iter().max_by(|e, f| against(e).total_cmp(&against(f)));
+    if let Some(edge) = along.filter(|edge| signs && against(edge) > 0.0) {
+        let (from, tip) = arrow(edge);
+        sketch.since(cues.of(edge));
+        let label = Label::new("away", r"$n \cdot v > 0$", Anchor::tip(from, tip), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
     }
 }
@@ -88,6 +105,24 @@ mod tests {
             let count = |part| paths(&figure.drawing.items, part).len() / 2;
             assert_eq!((count("away"), count("facing")), (away, 8 - away), "{kind}");
             assert!(labels(&figure).contains_key("n"));
+        }
+    }
+
+    #[test]
+    fn signs_stand_at_one_normal_of_either_kind_where_there_is_a_ray() {
+        for (velocity, signs) in [("[4, 3]", true), ("[0, 0]", false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = {velocity} }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [4, 3] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration',
+                    layers = [{{ layer = 'edge-normals', signs = true }}] }}]"
+            );
+            let scene = open_text("normals", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let said = labels(&draw(&plan, plan.theme, "normals"));
+            let [n, away] = ["n", "away"].map(|key| said.get(key).map(|label| label.0.as_str()));
+            assert_eq!((n == Some(r"$n \cdot v < 0$"), away == Some(r"$n \cdot v > 0$")), (signs, signs));
         }
     }
 }

@@ -7,6 +7,9 @@ use crate::geometry::DVec2;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
+/// Opacity of the frame: it lies over what it shows.
+const QUIET: f64 = 0.6;
+
 pub(super) const LAYER: Layer = Layer {
     name: "enlarged",
     about: "a frame around what another panel shows enlarged",
@@ -52,7 +55,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     // Lines, and no area of which a label would say that it lies in it.
     sketch.part("around").weight(Weight::Background);
     for (i, &corner) in corners.iter().enumerate() {
-        sketch.line(corner, corners[(i + 1) % corners.len()], Pen::dimension(role));
+        sketch.line(corner, corners[(i + 1) % corners.len()], Pen::dimension(role).opacity(QUIET));
     }
     let anchor = Anchor::inside(&outline);
     sketch.label(Label::new("enlarged", "", anchor, role).rank(Rank::Word).size(Size::Note));

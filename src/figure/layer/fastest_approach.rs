@@ -31,7 +31,10 @@ const ROOM: [f64; 4] = [62.0, 112.0, 36.0, 34.0];
 const GAP: f64 = 48.0;
 
 /// Opacity of what v·n adds, which has no body's colour.
-const FAINT: f64 = 0.1;
+const FAINT: f64 = 0.05;
+
+/// Opacity of what turning adds, and of the line above it.
+const TURNING: [f64; 2] = [0.09, 0.7];
 
 /// What one body's turning adds is not drawn where it is less than this part of the sum: no line is thinner.
 const SEEN: f64 = 1e-3;
@@ -49,7 +52,7 @@ pub(super) const LAYER: Layer = Layer {
     }],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
-        LabelKey { key: "nearer", about: "the axis of how much nearer they are" },
+        LabelKey { key: "nearer", about: "the axis of the distance closed" },
         LabelKey { key: "d", about: "the distance at the start" },
         LabelKey { key: "v.n", about: "what moving adds in a unit of time" },
         LabelKey { key: "r.A", about: "what turning of the first body adds" },
@@ -142,7 +145,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let chart = Chart::new(sketch, context, ROOM, (least, DVec2::new(1.0, most)));
     sketch.since(context.known(&When::Bound));
     wedges(sketch, &chart, &parts, &first);
-    chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "nearer by, at time $t$")]);
+    chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "distance closed by time $t$")]);
     level(sketch, context, &chart, &first);
     if real {
         fact(sketch.since(context.answered()), &chart, &nearer, hit);
@@ -160,10 +163,13 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     for part in parts {
         let above = below + part.value;
         let [p, q] = [below, above].map(|y| chart.place(1.0, y));
-        let wash =
-            if part.role == Role::Ink { Wash::faint(Role::Ink, FAINT) } else { Wash::theme(part.role) };
+        let faint = if part.role == Role::Ink { FAINT } else { TURNING[0] };
         let wedge = Outline::polygon(&[corner, p, q]);
-        sketch.part("wedge").weight(Weight::Background).area(&wedge, Some(wash), None);
+        sketch.part("wedge").weight(Weight::Background);
+        sketch.area(&wedge, Some(Wash::faint(part.role, faint)), None);
+        if above < first.bound {
+            sketch.line(corner, q, Pen::dimension(part.role).opacity(TURNING[1]));
+        }
         sketch.part("part").weight(Weight::Background).bar(p, q, 0.0, Pen::highlighted(part.role));
         let text = format!("${} = {}$", part.symbol, number(part.value));
         let anchor = Anchor::point_toward(0.5 * (p + q), chart.vector(DVec2::X));

@@ -9,13 +9,16 @@
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
+};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::scene::When;
 use crate::trace::Event;
 
 use super::chart::{Chart, separations};
+use super::kinks::turns;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Room around the graph, page pixels: left, right, below, above.
@@ -60,6 +63,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "the separation at which it stops, as a line",
         },
+        OptionSpec {
+            name: "kinks",
+            takes: Takes::Flag,
+            default: "false",
+            about: "marks where another vertex becomes the nearest, and says so at the sharpest kink",
+        },
     ],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
@@ -70,6 +79,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
         LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
         LabelKey { key: "tolerance", about: "the separation at which it stops, with tolerance" },
+        LabelKey { key: "kink", about: "the sharpest kink of the curve, with kinks" },
     ],
     needs: "an algorithm that advances in steps",
     fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
@@ -125,7 +135,26 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .part("curve")
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
+    if options.flag("kinks", false) {
+        kinks(sketch, context, &chart, &points);
+    }
     marks(sketch, (context, &chart), &all, (role, values));
+}
+
+/// Marks where another vertex becomes the nearest, and names the sharpest such kink.
+fn kinks(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
+    let kinks = turns(context, points);
+    sketch.part("kinks").weight(Weight::Background);
+    for &(at, _) in &kinks {
+        sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
+    }
+    let Some((at, _)) = kinks.into_iter().max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else {
+        return;
+    };
+    let anchor = Anchor::point_toward(chart.place(at.x, at.y), chart.vector(DVec2::new(1.0, 1.0)));
+    let lines = ["from here on another", "vertex is the nearest"].map(str::to_owned).to_vec();
+    let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws how s would fall at the fastest from each step, to where the next one begins.

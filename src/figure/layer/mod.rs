@@ -34,12 +34,14 @@ mod grid;
 mod grown;
 mod half_extents;
 mod held;
+mod kinks;
 mod merging;
 mod naive;
 mod normal;
 mod note;
 pub(crate) mod options;
 mod origin;
+mod pair;
 mod point;
 mod polytope;
 mod projection;
@@ -152,6 +154,7 @@ pub static LAYERS: &[Layer] = &[
     origin::LAYER,
     closest::LAYER,
     support::LAYER,
+    pair::LAYER,
     velocity::LAYER,
     ray::LAYER,
     sweep::LAYER,

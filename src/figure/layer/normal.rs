@@ -16,6 +16,9 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 const LENGTH: f64 = 1.0;
 /// Drawn length where its own is no length to be seen beside the bodies, page pixels.
 const FITTED: f64 = 40.0;
+/// How far from a closest point on an edge the arrow may start to start there, in parts of the edge: some
+/// roundings, and far below what is seen.
+const ON_EDGE: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "normal",
@@ -75,7 +78,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
     let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
     let length = options.number("length");
-    if let Some((on, leg)) = edge(context, options, time, &answer) {
+    let leg = edge(context, options, time, &answer).or_else(|| touched(context, time, &answer, from));
+    if let Some((on, leg)) = leg {
         sketch.part("right-angle").right_angle(on, leg, *n);
     }
     unit_vector(sketch, (from, *n), length, Label::new(key, letter, Anchor::point(from), role));
@@ -125,6 +129,16 @@ fn start(context: &Context, options: &Options, time: f64, answer: &Separation) -
     }
 }
 
+/// The start of the arrow where it lies on an edge with a closest point, and the longer way along that edge.
+fn touched(context: &Context, time: f64, answer: &Separation, from: DVec2) -> Option<(DVec2, DVec2)> {
+    let near = edges(context, time, answer)
+        .into_iter()
+        .find(|(at, [p, q])| at.distance(from) <= ON_EDGE * p.distance(*q));
+    let (at, [p, q]) = near?;
+    let far = if at.distance_squared(p) < at.distance_squared(q) { q } else { p };
+    Some((from, far - at))
+}
+
 /// Where the arrow starts on the edge that carries a closest point, and a way along the edge from there: in
 /// the middle of the longer part beside that point. `None` where the scene wants it elsewhere, or no edge
 /// faces.
@@ -136,4 +150,28 @@ fn edge(context: &Context, options: &Options, time: f64, answer: &Separation) ->
     let far = if at.distance_squared(ends[0]) < at.distance_squared(ends[1]) { ends[1] } else { ends[0] };
     let on = 0.5 * (at + far);
     Some((on, far - on))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_normal_that_starts_on_an_edge_is_square_to_it_and_one_at_a_vertex_to_none() {
+        // A circle on B's upper edge, and one on its vertex.
+        for (x, square) in [(0.0, true), (2.5, false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1, position = [{x}, 4], velocity = [0, -5] }}
+                shapes.B = {{ kind = 'box', half_extents = [2, 1] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+                panels = [{{ time = 'hit', layers = ['normal'] }}]"
+            );
+            let scene = open_text("normal", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "normal");
+            assert_eq!(!paths(&figure.drawing.items, "right-angle").is_empty(), square, "{x}");
+        }
+    }
 }

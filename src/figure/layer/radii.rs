@@ -226,8 +226,13 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
+        // Below both discs, through which no line need run.
+        let rim = centers.iter().zip(radii).map(|(&center, radius)| {
+            let beside = (point - center).dot(*n);
+            (radius * radius - beside * beside).max(0.0).sqrt()
+        });
         sketch.part("lengths").weight(Weight::Light).line(
-            point,
+            point + down * rim.fold(0.0, f64::max),
             point + out,
             Pen::extension().opacity(GUIDE),
         );

@@ -69,6 +69,9 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// Width of the velocities that make up the relative one, page pixels: less than its own.
+const PART: f64 = 1.25;
+
 /// How much farther than the hit a ray reaches that is cut there.
 const PAST: f64 = 1.5;
 
@@ -126,7 +129,11 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
     let ways = [("part.A", Side::A, context.symbol("v", Side::A), a), ("part.B", Side::B, reversed, -b)];
     let mut tail = from;
     for (key, side, symbol, way) in ways {
-        sketch.since(None).part(part("ray", side)).arrow(tail, tail + way, Pen::vector(side.into()));
+        sketch.since(None).part(part("ray", side)).arrow(
+            tail,
+            tail + way,
+            Pen::vector(side.into()).width(PART),
+        );
         let anchor = Anchor::middle(tail, tail + way);
         let label = Label::new(key, text(&symbol, way, options), anchor, side.into());
         sketch.label(label.rank(Rank::Measure).size(Size::Note));

@@ -10,7 +10,7 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight};
 use crate::figure::text::{Quantity, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::Event;
@@ -25,7 +25,14 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tell
 const MOST: usize = 5;
 
 /// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
-const NAMED: f64 = 12.0;
+const NAMED: f64 = 10.0;
+
+/// Opacity of the disc's area, and of its line.
+const DISC: [f64; 2] = [0.1, 0.6];
+
+/// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
+/// seen.
+const UNSEEN: f64 = 1e-3;
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
@@ -71,6 +78,13 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Flag,
             default: "false",
             about: "of bodies that overlap, the next longer way out, square to another edge",
+        },
+        OptionSpec {
+            name: "disc",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of bodies that overlap, where every push of that length takes the deepest point, if none \
+                    of them takes it out of the other body",
         },
         OptionSpec {
             name: "text",
@@ -139,7 +153,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let [p, q] = answer.points;
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
-    sketch.since(run.end()).part("separation");
+    sketch.since(run.end());
+    if options.flag("disc", false) && answer.bounds.hi < 0.0 {
+        disc(sketch, context, &run, &answer);
+    }
+    sketch.part("separation");
     match options.word("style", "arrow") {
         "dimension" => sketch.dimension(p, q, -offset, Pen::dimension(role).width(1.5)),
         "bar" => sketch.bar(p, q, -offset, Pen::highlighted(role)),
@@ -149,7 +167,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
-    right_angles(sketch, context, &run, &answer);
+    if offset == 0.0 {
+        right_angles(sketch, context, &run, &answer);
+    }
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
         rival(sketch.since(run.end()), context, &run, -answer.separation);
     }
@@ -199,6 +219,29 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
         sketch.part("carrier").weight(Weight::Light);
         sketch.line(p - reach, p, Pen::construction()).line(q, q + reach, Pen::construction());
     }
+}
+
+/// Draws the disc of the depth about the deepest point, where it lies within the other body: a shorter push,
+/// whichever way, leaves the point inside.
+fn disc(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
+    let (depth, [p, q]) = (-answer.separation, answer.points);
+    let lies_in = |&(center, side): &(DVec2, Side)| {
+        let Some(outline) = context.outline(side, run.time) else { return false };
+        let points = outline.sampled();
+        let next = points.iter().cycle().skip(1);
+        points.iter().zip(next).all(|(&from, &to)| off(center, [from, to]) >= depth * (1.0 - UNSEEN))
+    };
+    let Some((center, _)) = [(q, Side::A), (p, Side::B)].into_iter().find(lies_in) else { return };
+    let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC[1]));
+    sketch.part("disc").weight(Weight::Background);
+    sketch.area(&Outline::circle(center, depth), Some(Wash::faint(role, DISC[0])), Some(pen));
+}
+
+/// How far a point is from a straight piece.
+fn off(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
+    let along = to - from;
+    let share = ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    point.distance(if share.is_nan() { from } else { from + along * share })
 }
 
 /// Marks the right angle of the way between the closest points against the edges that carry one.
@@ -286,6 +329,28 @@ mod tests {
             }
             _ => None,
         })
+    }
+
+    #[test]
+    fn the_disc_of_the_depth_is_drawn_where_it_lies_within_the_other_body() {
+        // A's vertex (-0.5, 0) lies 0.5 deep in B, whose other edges are farther from it, or nearer.
+        for (high, drawn) in [(2.0, true), (0.25, false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-0.5, 0], [1, -0.2], [1, 0.2]] }}
+                shapes.B = {{ kind = 'polygon', vertices = [[0, -2], [0, {high}], [-4, {high}], [-4, -2]] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ layers = [{{ layer = 'separation', disc = true }}] }}]"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let disc = path(&figure.drawing.items, "disc");
+            assert_eq!(disc.is_some(), drawn, "{high}");
+            let Some(Contour::Circle { center, radius }) = disc.map(|disc| &disc.contour) else { continue };
+            let frame = &figure.panels[0].frame;
+            let [at, rim] = [-0.5, 0.0].map(|x| frame.page(DVec2::new(x, 0.0)));
+            assert!((*center - at).length() < 1e-6 && (radius - (rim - at).length()).abs() < 1e-6);
+        }
     }
 
     #[test]

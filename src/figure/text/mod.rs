@@ -17,6 +17,7 @@ mod outcome;
 mod overrides;
 mod plain;
 mod quantity;
+mod step_values;
 mod symbols;
 mod values;
 mod wording;

@@ -19,6 +19,8 @@ static OF_THE_OUTCOME: &[(&str, Asks)] = &[
     ("bound", |context| context.asks_for_a_hit()),
     ("step.next", |context| context.step.is_some()),
     ("step.bound", |context| context.asks_for_a_hit()),
+    ("step.moving", |context| context.asks_for_a_hit()),
+    ("step.turning", |context| context.asks_for_a_hit()),
 ];
 
 /// Whether another answer to the question has the value of that name, where this one lacks it.

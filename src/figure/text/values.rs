@@ -8,6 +8,7 @@ use crate::trace::Event;
 
 use super::boxes::{bounds, half_extents, middle};
 use super::quantity::Quantity;
+use super::step_values::{of_step, of_step_or_first};
 
 /// A value that text may name.
 pub(crate) struct Value {
@@ -84,17 +85,27 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "iterations", about: "distance queries made", of: iterations },
     Value { name: "tolerance", about: "tolerance in force, world units", of: tolerance },
     Value { name: "last_step", about: "number of the last step, from 1", of: last_step },
-    Value { name: "step.time", about: "moment of the panel's step", of: |c| step(c, |at, _, _| Some(at)) },
-    Value { name: "step.next", about: "moment after the panel's step", of: |c| step(c, |_, _, next| next) },
+    Value { name: "step.time", about: "moment of the panel's step", of: |c| of_step(c, |s| Some(s.time)) },
+    Value { name: "step.next", about: "moment after the panel's step", of: |c| of_step(c, |s| s.next) },
     Value {
         name: "step.separation",
         about: "separation at the panel's step",
-        of: |c| step(c, |_, s, _| Some(s)),
+        of: |c| of_step(c, |s| Some(s.separation)),
     },
     Value {
         name: "step.bound",
         about: "fastest approach at the panel's step, else the first",
-        of: step_bound,
+        of: |c| of_step_or_first(c, |s| Some(s.bound)),
+    },
+    Value {
+        name: "step.moving",
+        about: "what moving adds to that, v·n",
+        of: |c| of_step_or_first(c, |s| Some(s.closing)),
+    },
+    Value {
+        name: "step.turning",
+        about: "what turning adds to that at most, r|ω| of both bodies",
+        of: |c| of_step_or_first(c, |s| Some(s.bound - s.closing)),
     },
     told!(
         "centers",
@@ -278,30 +289,6 @@ fn count(n: usize) -> f64 {
     n as f64
 }
 
-/// What `pick` takes of the panel's step: its time, its separation, and the time after it.
-fn step(context: &Context, pick: fn(f64, f64, Option<f64>) -> Option<f64>) -> Option<Quantity> {
-    let wanted = context.step?;
-    let run = context.run();
-    let mut steps = run.told(|event| match event {
-        Event::Advanced { at, separation, next, .. } => Some((at.time, *separation, *next)),
-        _ => None,
-    });
-    let (at, separation, next) = steps.nth(wanted.checked_sub(1)?)?;
-    pick(at, separation, next).map(Quantity::exactly)
-}
-
-/// The most by which the bodies come nearer in a unit of time, for all that the panel's step knows; without
-/// one the first.
-fn step_bound(context: &Context) -> Option<Quantity> {
-    let wanted = context.step.unwrap_or(1).checked_sub(1)?;
-    let run = context.run();
-    let mut bounds = run.told(|event| match event {
-        Event::Advanced { bound, .. } => Some(*bound),
-        _ => None,
-    });
-    bounds.nth(wanted).map(Quantity::exactly)
-}
-
 /// What `pick` takes of D.
 fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     context.run().find_told(|event| match event {
@@ -359,7 +346,8 @@ mod tests {
                 let value = |name| VALUES.iter().find(|v| v.name == name).and_then(|v| (v.of)(&context));
                 let run = plan.own_run();
                 let told = run.events().filter(|e| matches!(e, Event::Advanced { .. })).nth(step - 1);
-                let Some(&Event::Advanced { at, separation, normal, bound, next, .. }) = told else {
+                let Some(&Event::Advanced { at, separation, normal, closing_speed, bound, next, .. }) = told
+                else {
                     panic!("{text}")
                 };
                 let expected = [
@@ -367,6 +355,8 @@ mod tests {
                     ("step.separation", Some(separation)),
                     ("step.next", next),
                     ("step.bound", Some(bound)),
+                    ("step.moving", Some(closing_speed)),
+                    ("step.turning", Some(bound - closing_speed)),
                     ("separation", Some(separation)),
                     ("n.x", Some(normal.x)),
                     ("n.y", Some(normal.y)),

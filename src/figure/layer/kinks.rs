@@ -1,0 +1,81 @@
+//! When another vertex becomes the one that is nearest to the other body: the separation over time has a kink
+//! there, where the bodies have edges that are parallel.
+
+use crate::collision::{Pair, Separation};
+use crate::figure::context::Context;
+use crate::geometry::{DVec2, Feature, Side};
+
+/// How often the time between two samples is halved: to far below a pixel of any chart.
+const HALVINGS: usize = 40;
+
+/// Half of what is looked at around such a time to tell how sharp the kink is, in parts of a sample's time.
+const AROUND: f64 = 0.25;
+
+/// The kinks of a curve of separations over time, sampled at `points`: each as its time and separation, and
+/// how much steeper the curve is after it than before.
+pub(super) fn turns(context: &Context, points: &[DVec2]) -> Vec<(DVec2, f64)> {
+    let query = context.scene.query_of_bodies();
+    let Some(b) = query.b else { return Vec::new() };
+    let at = |time: f64| Pair::at(query.a, b, time).separation();
+    let mut last: Option<(f64, (Side, usize))> = None;
+    let mut found = Vec::new();
+    for point in points {
+        let Some(now) = nearest(&at(point.x)) else { continue };
+        if let Some((before, vertex)) = last.filter(|&(_, vertex)| vertex != now) {
+            let time = when(before, point.x, |time| nearest(&at(time)) == Some(vertex));
+            let h = AROUND * (point.x - before);
+            let [s, here, t] = [time - h, time, time + h].map(|time| at(time).separation);
+            found.push((DVec2::new(time, here), (s - 2.0 * here + t).abs() / h));
+        }
+        last = Some((point.x, now));
+    }
+    found
+}
+
+/// The vertex that is nearest to an edge of the other body; `None` where two vertices are nearest, or two
+/// edges.
+fn nearest(answer: &Separation) -> Option<(Side, usize)> {
+    match answer.features {
+        [Feature::Vertex(k), Feature::Edge(_)] => Some((Side::A, k)),
+        [Feature::Edge(_), Feature::Vertex(k)] => Some((Side::B, k)),
+        _ => None,
+    }
+}
+
+/// The time from which on something is no longer so, which is so at `from` and not at `to`.
+fn when(from: f64, to: f64, is_so: impl Fn(f64) -> bool) -> f64 {
+    let halve = |(from, to): (f64, f64), _| {
+        let middle = 0.5 * (from + to);
+        if is_so(middle) { (middle, to) } else { (from, middle) }
+    };
+    (0..HALVINGS).fold((from, to), halve).1
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    /// A box above the top of another one, which turns by a right angle a unit of time.
+    fn kinks(spin: f64) -> (usize, bool) {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [2, 0.5], position = [0, 6], angle_deg = -30,
+                velocity = [0, -4], angular_velocity_deg = {spin} }}
+            shapes.B = {{ kind = 'box', half_extents = [9, 1] }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
+                tolerance = 0.1 }}
+            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', kinks = true }}] }}]"
+        );
+        let scene = open_text("kinks", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "kinks");
+        (paths(&figure.drawing.items, "kinks").len(), labels(&figure).contains_key("kink"))
+    }
+
+    #[test]
+    fn a_box_that_turns_over_the_level_has_a_kink_there_and_one_that_does_not_turn_has_none() {
+        assert_eq!(kinks(60.0), (1, true));
+        assert_eq!(kinks(0.0), (0, false));
+    }
+}

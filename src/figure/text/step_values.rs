@@ -1,0 +1,42 @@
+//! What a step of an advancement says of itself, for the values that text may name.
+
+use crate::figure::context::Context;
+use crate::trace::Event;
+
+use super::quantity::Quantity;
+
+/// A step of an advancement, as the algorithm told it.
+pub(super) struct Step {
+    /// When it looks.
+    pub(super) time: f64,
+    /// The separation then.
+    pub(super) separation: f64,
+    /// The closing speed v·n of the bodies as they move, without their turning.
+    pub(super) closing: f64,
+    /// The most by which they come nearer in a unit of time.
+    pub(super) bound: f64,
+    /// When the next one looks.
+    pub(super) next: Option<f64>,
+}
+
+/// What `pick` takes of the panel's step; `None` in a panel without one.
+pub(super) fn of_step(context: &Context, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
+    at(context, context.step?, pick)
+}
+
+/// What `pick` takes of the panel's step, or in a panel without one of the first.
+pub(super) fn of_step_or_first(context: &Context, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
+    at(context, context.step.unwrap_or(1), pick)
+}
+
+/// What `pick` takes of the step of that number, from 1.
+fn at(context: &Context, number: usize, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
+    let run = context.run();
+    let mut steps = run.told(|event| match *event {
+        Event::Advanced { at, separation, closing_speed, bound, next, .. } => {
+            Some(Step { time: at.time, separation, closing: closing_speed, bound, next })
+        }
+        _ => None,
+    });
+    pick(&steps.nth(number.checked_sub(1)?)?).map(Quantity::exactly)
+}
