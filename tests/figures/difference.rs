@@ -87,57 +87,58 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-8.2, -5.2, 8.2, 7.0]);
+    let world = look(&f, 0, [-7.8, -4.1, 7.8, 6.7]);
     shows![
-        world.polygon(A, &[(-1.7, -4.4), (4.7, 0.4), (1.7, 4.4), (-4.7, -0.4)]).is_some(),
-        world.polygon(B, &[(-1.9, -0.8), (2.1, 2.2), (0.3, 4.6), (-3.7, 1.6)]).is_some(),
-        // From the middle of what the parallel edges share, along (-3, 4)/5.
-        world.arrow(Translation, (0.1, 0.7), (-1.1, 2.3)),
-        world.marker(B, (-1.9, -0.8)),
-        world.marker(B, (2.1, 2.2)),
-        // Pushed out by (-1.2, 1.6).
+        world.polygon(A, &[(-3.14, -3.52), (4.54, -1.28), (3.14, 3.52), (-4.54, 1.28)]).is_some(),
+        world.polygon(B, &[(-2.06, -0.08), (2.74, 1.32), (1.9, 4.2), (-2.9, 2.8)]).is_some(),
+        // From the middle of what the parallel edges share, along (-7, 24)/25.
+        world.arrow(Translation, (0.34, 0.62), (-0.22, 2.54)),
+        world.marker(B, (-2.06, -0.08)),
+        world.marker(B, (2.74, 1.32)),
+        // Pushed out by (-0.56, 1.92).
         world
-            .polygon(B, &[(-3.1, 0.8), (0.9, 3.8), (-0.9, 6.2), (-4.9, 3.2)])
+            .polygon(B, &[(-2.62, 1.84), (2.18, 3.24), (1.34, 6.12), (-3.46, 4.72)])
             .is_some_and(|p| p.fill.is_none()),
         // The edges that face each other, 5 and 8 long.
-        world.emphasised(B, (-1.9, -0.8), (2.1, 2.2)),
-        world.emphasised(A, (1.7, 4.4), (-4.7, -0.4)),
-        world.arrow(B, (-1.9, -0.8), (2.1, 2.2)),
-        world.arrow(A, (1.7, 4.4), (-4.7, -0.4)),
-        world.text_near("$b_1$", (-1.9, -0.8), 40.0),
-        world.text_near("$b_2$", (2.1, 2.2), 40.0),
+        world.emphasised(B, (-2.06, -0.08), (2.74, 1.32)),
+        world.emphasised(A, (3.14, 3.52), (-4.54, 1.28)),
+        world.arrow(B, (-2.06, -0.08), (2.74, 1.32)),
+        world.arrow(A, (3.14, 3.52), (-4.54, 1.28)),
+        world.text_near("$b_1$", (-2.06, -0.08), 40.0),
+        world.text_near("$b_2$", (2.74, 1.32), 40.0),
         f.says("$5$ long") && f.says("$8$ long"),
-        world.marker(A, (1.7, 4.4)),
-        world.text_near("$a_1$", (1.7, 4.4), 40.0) && world.text_near("$a_2$", (-4.7, -0.4), 40.0),
+        world.marker(A, (3.14, 3.52)),
+        world.text_near("$a_1$", (3.14, 3.52), 40.0) && world.text_near("$a_2$", (-4.54, 1.28), 40.0),
     ];
-    let conf = look(&f, 1, [-9.2, -5.6, 7.2, 9.3]);
+    let conf = look(&f, 1, [-7.9, -5.0, 7.7, 8.0]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-3.6, -5.2), B),
-            ((0.4, -2.2), A),
-            ((6.8, 2.6), B),
-            ((5.0, 5.0), A),
-            ((2.0, 9.0), B),
-            ((-2.0, 6.0), A),
-            ((-8.4, 1.2), B),
-            ((-6.6, -1.2), A),
+            ((-5.2, -3.6), B),
+            ((-0.4, -2.2), A),
+            ((7.28, 0.04), B),
+            ((6.44, 2.92), A),
+            ((5.04, 7.72), B),
+            ((0.24, 6.32), A),
+            ((-7.44, 4.08), B),
+            ((-6.6, 1.2), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.arrow_toward(Translation, (1.2, -1.6), (0.0, 0.0)),
-        conf.marker(Now, (0.4, -2.2)),
+        conf.arrow_toward(Translation, (0.56, -1.92), (0.0, 0.0)),
+        conf.marker(Now, (-0.4, -2.2)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$", (-1.6, -3.7), 60.0),
-        conf.text_near("edge of $A$, reversed", (3.6, 0.2), 80.0),
+        conf.text_near("edge of $B$", (-2.8, -2.9), 60.0),
+        conf.text_near("edge of $A$, reversed", (3.4, -1.1), 80.0),
         // There it goes the other way.
-        conf.arrow(A, (0.4, -2.2), (6.8, 2.6)),
-        // (−1.5, −0.5) − (2.5, 5) and (2.1, 2.2) − (−5.5, −1)
-        conf.text_near("$b_1 - a_1$", (-3.6, -5.2), 60.0) && conf.text_near("$b_2 - a_2$", (6.8, 2.6), 60.0),
-        // (2.1, 2.2) − (2.5, 5)
-        conf.text_near("$b_2 - a_1$", (0.4, -2.2), 60.0),
+        conf.arrow(A, (-0.4, -2.2), (7.28, 0.04)),
+        // (−1.5, −0.5) − (2.5, 5) and (2.74, 1.32) − (−5.5, −1)
+        conf.text_near("$b_1 - a_1$", (-5.2, -3.6), 60.0)
+            && conf.text_near("$b_2 - a_2$", (7.28, 0.04), 60.0),
+        // (2.74, 1.32) − (2.5, 5)
+        conf.text_near("$b_2 - a_1$", (-0.4, -2.2), 60.0),
     ];
 }
 
