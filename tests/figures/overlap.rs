@@ -71,7 +71,7 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         // The others, small.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
-        w.polygon(Muted, &[a[3], (3.5, -2.7), a[4]]).is_some() && f.says("one vertex moved"),
+        w.polygon(Muted, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some() && f.says("one vertex moved"),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
         f.says(r"{now|$x_{\min} = -5$}") && f.says(r"{now|$x_{\max} = 7$}"),
