@@ -10,7 +10,7 @@ mod vocabulary;
 
 pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
 pub use json::{HEADER, VALUES, json_lines};
-pub(crate) use story::{difference, growth, step};
+pub(crate) use story::{difference, growth, step, told};
 pub use story::{sentence, story};
 pub use vocabulary::{EventField, EventKind};
 

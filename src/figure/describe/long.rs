@@ -9,6 +9,7 @@ use crate::geometry::shape::KINDS;
 use crate::geometry::{Body, DVec2};
 use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
+use crate::trace::told::is_by_component;
 
 use super::number::{point, value};
 use super::result::Account;
@@ -85,11 +86,6 @@ fn middle(body: &Body) -> Option<DVec2> {
     let mean = body.shape.vertices.iter().copied().sum::<DVec2>() / count;
     let reach = body.shape.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
     (mean.length() > CENTERED * reach).then(|| body.pose_at(0.0).point(mean))
-}
-
-/// Whether an algorithm that looks at components told this, and no edge of B ⊖ A.
-fn is_by_component(event: &Event) -> bool {
-    matches!(event, Event::Clamped { .. } | Event::ExtentsCompared { .. } | Event::CirclesCompared { .. })
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.

@@ -5,7 +5,7 @@ use crate::figure::runs::Runs;
 use crate::figure::text::{filled, in_math, rounded, value_of, with_powers};
 use crate::geometry::Side;
 use crate::scene::{Exercise, Scene, Space, Spanned};
-use crate::trace::{Event, sentence};
+use crate::trace::{Event, told};
 use crate::typeset::as_markup;
 
 use super::askable::{askable, in_words};
@@ -218,8 +218,9 @@ fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
 /// The sentences of the trace that a reader works through, as markup.
 pub(super) fn steps(scene: &Scene, runs: &Runs) -> Vec<String> {
     let (run, names) = (runs.own(scene, scene.query.time), runs.called.names(scene));
-    let told = run.events().filter(|event| is_worked(event));
-    told.map(|event| with_powers(&as_markup(&with_minus(&sentence(event, &names))))).collect()
+    let turns = of_the_query(scene, runs).turns();
+    let way = told::way(told::told(&run.trace).filter(|event| is_worked(event)), &names, turns);
+    way.iter().map(|sentence| with_powers(&as_markup(&with_minus(sentence)))).collect()
 }
 
 /// Whether an event is a step of working an answer out: not that it begins, ends, or looks something up for

@@ -1,5 +1,6 @@
-//! The outward unit normals of the edges of B ⊖ A. A ray enters only through edges whose normal n looks
-//! against it, v · n < 0: those that it was not tested against for that have their normals muted.
+//! The outward unit normals nᵢ of the edges of B ⊖ A. A ray enters only through edges whose normal looks
+//! against it, v · nᵢ < 0: those that it was not tested against for that have their normals muted. The letter
+//! n without a number is the normal from A to B, which is against that of the edge that faces.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -36,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
         },
     ],
     labels: &[
-        LabelKey { key: "n", about: "the normal that looks most against the ray; without one, the first" },
+        LabelKey { key: "n", about: "the normal nᵢ that looks most against the ray; without one, the first" },
         LabelKey { key: "away", about: "the normal that looks most along the ray, with signs" },
     ],
     needs: "two convex bodies, one of them with edges",

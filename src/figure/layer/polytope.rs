@@ -1,7 +1,8 @@
-//! One step of EPA on B ⊖ A: the polytope, its edge nearest to the origin with its distance d, the direction
-//! n in which the search looks past that edge, and the vertex w that it finds there and that splits the edge.
+//! One step of EPA on B ⊖ A: the polytope, its edge e nearest to the origin with its distance d, its outward
+//! normal nₑ, along which the search looks past that edge, and the vertex w that it finds there and that
+//! splits the edge. Of the last one nₑ is −n: n is the normal from A to B, along which B is pushed out.
 //!
-//! The dashed line is the supporting line of B ⊖ A along n: nothing of B ⊖ A is beyond it. At the last step
+//! The dashed line is the supporting line of B ⊖ A along nₑ: nothing of B ⊖ A is beyond it. At the last step
 //! it is the line of the nearest edge itself, so that no way out is shorter, and the search stops. Of rounded
 //! bodies it looks at the cores alone.
 
@@ -28,7 +29,7 @@ const FILL: (f64, f64) = (0.1, 0.26);
 /// Opacity of the edge that was split.
 const SPLIT: f64 = 0.75;
 
-/// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
+/// The shortest and the longest that nₑ is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
 
 pub(super) const LAYER: Layer = Layer {
@@ -47,12 +48,12 @@ pub(super) const LAYER: Layer = Layer {
             name: "pushed",
             takes: Takes::Flag,
             default: "false",
-            about: "at the last step, the push of B by −d n, which brings the nearest edge to O, dotted",
+            about: "at the last step, the push of B by −d nₑ, which brings the nearest edge to O, dotted",
         },
     ],
     labels: &[
         LabelKey { key: "d", about: "distance of the nearest edge from the origin" },
-        LabelKey { key: "n", about: "the direction in which it looks for a vertex" },
+        LabelKey { key: "n", about: "the outward normal nₑ of that edge, along which it looks for a vertex" },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed, with pushed" },
@@ -177,7 +178,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
     sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(foot, tip), Role::Ink));
+    sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
     if let Some(w) = step.beyond {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
         sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));

@@ -7,6 +7,7 @@ mod clip;
 pub(crate) mod growth;
 mod motion;
 pub(crate) mod step;
+pub(crate) mod told;
 mod words;
 
 use super::{Event, Goal, Moment, SupportVertex, Trace};
@@ -15,7 +16,8 @@ use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use words::{aside, away, interval, list, moment, number, part, point, points};
 
-/// The whole trace, a line for each event, of bodies that are called `names`.
+/// The whole trace, a line for each event, of bodies that are called `names`; of an algorithm by components
+/// without the edges of B ⊖ A, at which it does not look.
 ///
 /// ```
 /// use tracefig::geometry::Names;
@@ -27,7 +29,7 @@ use words::{aside, away, interval, list, moment, number, part, point, points};
 #[must_use]
 pub fn story(trace: &Trace, names: &Names) -> String {
     let mut text = String::new();
-    for (k, event) in trace.events.iter().enumerate() {
+    for (k, event) in told::told(trace).enumerate() {
         if k > 0 && matches!(event, Event::Started { .. }) {
             text.push('\n');
         }

@@ -30,11 +30,10 @@ pub(super) fn advanced(
     next: Option<f64>,
 ) -> String {
     let on = next.map_or_else(|| "it stops here".to_owned(), |t| format!("on to t = {}", number(t)));
-    format!(
-        "Step {step}: at {at} they are {apart}, closing at {}, at most {} with the turning; {on}.",
-        number(closing),
-        number(bound)
-    )
+    // Of bodies that do not turn no point is faster.
+    let turning = format!(", at most {} with the turning", number(bound));
+    let turning = if bound == closing { "" } else { turning.as_str() };
+    format!("Step {step}: at {at} they are {apart}, closing at {}{turning}; {on}.", number(closing))
 }
 
 pub(super) fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {

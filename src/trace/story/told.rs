@@ -1,0 +1,226 @@
+//! What of a trace is told: nothing that the algorithm does not do by itself, and in an exercise's key no more
+//! rows than a reader follows.
+//!
+//! An algorithm by components records the edges of B ⊖ A for layers that draw them, and looks at none: its
+//! story leaves them out, as JSON lines do not.
+
+use super::words::{number, part, point, points};
+use super::{difference, sentence};
+use crate::geometry::{DVec2, Names};
+use crate::trace::{Culling, Event, Goal, Trace};
+
+/// Edges that a key tells each in a row of its own.
+const FEW: usize = 6;
+/// Vertices of B ⊖ A that a key lists.
+const LISTED: usize = 12;
+
+/// Whether an algorithm that looks at components told this, and at no edge of B ⊖ A.
+pub(crate) fn is_by_component(event: &Event) -> bool {
+    matches!(event, Event::Clamped { .. } | Event::ExtentsCompared { .. } | Event::CirclesCompared { .. })
+}
+
+/// Whether an event is about the edges of B ⊖ A, one by one.
+fn is_of_edges(event: &Event) -> bool {
+    matches!(
+        event,
+        Event::DifferenceEdgeFound { .. }
+            | Event::DifferenceRounded { .. }
+            | Event::EdgesMerged { .. }
+            | Event::OriginProjected { .. }
+            | Event::CandidateImproved { .. }
+            | Event::SupportFound { .. }
+    )
+}
+
+/// The events of a trace that are told, in their order.
+pub(crate) fn told(trace: &Trace) -> impl Iterator<Item = &Event> {
+    let is_by_components = trace.events.iter().any(is_by_component);
+    trace.events.iter().filter(move |event| !(is_by_components && is_of_edges(event)))
+}
+
+/// The sentences of events that a reader works through, of bodies that are called `names`: rows of many edges
+/// are gathered, and where nothing turns the edges are told once.
+pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, names: &Names, turns: bool) -> Vec<String> {
+    let events: Vec<&Event> = events.collect();
+    let is_advancing = events.iter().any(|event| matches!(event, Event::Advanced { .. }));
+    let (mut all, mut rest, mut is_first) = (Vec::new(), &events[..], true);
+    while let Some(&event) = rest.first() {
+        let is_row: fn(&Event) -> bool = match event {
+            Event::RayClipped { .. } => is_of_ray,
+            Event::DifferenceEdgeFound { .. } | Event::CandidateImproved { .. } => is_of_search,
+            _ => |_| false,
+        };
+        let count = rest.iter().take_while(|event| is_row(event)).count().max(1);
+        let (rows, after) = rest.split_at(count);
+        rest = after;
+        let edges = rows.iter().filter(|event| !matches!(event, Event::CandidateImproved { .. })).count();
+        if rows.len() == 1 || (edges <= FEW && !is_advancing) {
+            all.extend(rows.iter().map(|event| sentence(event, names)));
+        } else if is_of_ray(event) {
+            all.extend(along_ray(rows, names));
+        } else {
+            all.extend(outline(rows, names).filter(|_| is_first || turns));
+            all.extend(nearest(rows, names));
+            is_first = false;
+        }
+    }
+    all
+}
+
+/// Whether an event is of a ray that meets an edge.
+fn is_of_ray(event: &Event) -> bool {
+    matches!(event, Event::RayClipped { .. })
+}
+
+/// Whether an event is of a search for the nearest edge.
+fn is_of_search(event: &Event) -> bool {
+    matches!(event, Event::DifferenceEdgeFound { .. } | Event::CandidateImproved { .. })
+}
+
+/// The edges of B ⊖ A in one sentence, as they follow each other; `None` without any.
+fn outline(rows: &[&Event], names: &Names) -> Option<String> {
+    let edge = |event: &&Event| match event {
+        Event::DifferenceEdgeFound { from, to, .. } => Some((*from, *to)),
+        _ => None,
+    };
+    let edges: Vec<(DVec2, DVec2)> = rows.iter().filter_map(edge).collect();
+    let (what, count) = (difference(names), edges.len());
+    let mut at = edges.first()?.0;
+    let mut vertices = Vec::new();
+    while vertices.len() < count.min(LISTED) {
+        vertices.push(at);
+        // The end of an edge is the start of another one, to the bit.
+        at = edges.iter().find(|(from, _)| *from == at).map_or(at, |&(_, to)| to);
+    }
+    match count {
+        1..=LISTED => {
+            Some(format!("{what} has {count} edges, from vertex to vertex: {}.", points(&vertices)))
+        }
+        _ => Some(format!("{what} has {count} edges.")),
+    }
+}
+
+/// Which of the edges is nearest to the origin; `None` where none was found to be.
+fn nearest(rows: &[&Event], names: &Names) -> Option<String> {
+    rows.iter().rev().find_map(|event| match event {
+        Event::CandidateImproved { goal, distance, foot, source: (side, feature) } => {
+            let (edge, foot) = (format!("{} of {}", part(*feature), names.quoted(*side)), point(*foot));
+            let size = number(distance.abs());
+            Some(match goal {
+                Goal::LeastPositive => {
+                    format!("Nearest to the origin is {edge}: {size} away, at {foot}.")
+                }
+                Goal::LeastPenetrating => {
+                    format!("The origin is inside all its edges, least deep at {edge}: by {size}, at {foot}.")
+                }
+            })
+        }
+        _ => None,
+    })
+}
+
+/// The edges that the ray is held against; those that face away are counted.
+fn along_ray(rows: &[&Event], names: &Names) -> Vec<String> {
+    let is_away = |event: &&&Event| matches!(event, Event::RayClipped { outcome: Culling::BackFacing, .. });
+    let away = rows.iter().filter(is_away).count();
+    let met = rows.iter().filter(|event| !is_away(event)).map(|event| sentence(event, names));
+    let skipped = match away {
+        0 => None,
+        1 => Some("One edge faces away from the ray and is skipped.".to_owned()),
+        _ => Some(format!("{away} edges face away from the ray and are skipped.")),
+    };
+    skipped.into_iter().chain(met).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Feature, Side};
+    use crate::trace::Tracer;
+    use crate::trace::story::story;
+
+    /// Edges of a convex polygon as the events that tell them.
+    fn edges(vertices: &[DVec2]) -> Vec<Event> {
+        let next = vertices.iter().cycle().skip(1);
+        let edge = |(edge, (&from, &to)): (usize, (&DVec2, &DVec2))| Event::DifferenceEdgeFound {
+            source: if edge % 2 == 0 { Side::A } else { Side::B },
+            edge,
+            vertex: 0,
+            from,
+            to,
+            normal: DVec2::X,
+            distance: 1.0,
+        };
+        vertices.iter().zip(next).enumerate().map(edge).collect()
+    }
+
+    fn octagon() -> Vec<DVec2> {
+        [(2., -1.), (2., 1.), (1., 2.), (-1., 2.), (-2., 1.), (-2., -1.), (-1., -2.), (1., -2.)]
+            .map(DVec2::from)
+            .to_vec()
+    }
+
+    fn improved() -> Event {
+        let source = (Side::A, Feature::Edge(3));
+        Event::CandidateImproved { goal: Goal::LeastPositive, distance: 2.0, foot: DVec2::X, source }
+    }
+
+    #[test]
+    fn a_few_edges_are_told_each_and_many_as_one_whole() {
+        let names = Names::default();
+        let few = edges(&octagon()[..4]);
+        assert_eq!(way(few.iter(), &names, false).len(), 4);
+        let mut many = edges(&octagon());
+        many.reverse();
+        many.push(improved());
+        assert_eq!(
+            way(many.iter(), &names, false),
+            [
+                "B - A has 8 edges, from vertex to vertex: (1, -2) (2, -1) (2, 1) (1, 2) (-1, 2) (-2, 1) \
+                 (-2, -1) (-1, -2).",
+                "Nearest to the origin is edge 3 of A: 2 away, at (1, 0).",
+            ]
+        );
+    }
+
+    #[test]
+    fn where_nothing_turns_the_edges_are_told_once() {
+        let mut search = edges(&octagon());
+        search.push(improved());
+        let step = Event::AxisSwept { from: 0.0, to: 1.0, owner: Side::A, normal: DVec2::X };
+        let events: Vec<&Event> = search.iter().chain([&step]).chain(&search).collect();
+        let count = |turns| {
+            let told = way(events.iter().copied(), &Names::default(), turns);
+            told.iter().filter(|sentence| sentence.contains("has 8 edges")).count()
+        };
+        assert_eq!([count(false), count(true)], [1, 2]);
+    }
+
+    #[test]
+    fn a_story_by_components_has_no_edges_and_any_other_has_them() {
+        let mut trace = Trace::default();
+        for event in edges(&octagon()) {
+            trace.record(|| event);
+        }
+        assert_eq!(story(&trace, &Names::default()).lines().count(), 8);
+        let [centers, half_extents] = [[DVec2::ZERO, DVec2::splat(3.0)], [DVec2::ONE; 2]];
+        trace.record(|| Event::ExtentsCompared { centers, half_extents, gap: DVec2::ONE });
+        assert_eq!(story(&trace, &Names::default()).lines().count(), 1);
+    }
+
+    #[test]
+    fn edges_that_face_away_from_the_ray_are_counted() {
+        let clipped = |outcome| Event::RayClipped {
+            source: (Side::B, Feature::Edge(0)),
+            from: DVec2::X,
+            to: DVec2::Y,
+            outcome,
+            time: None,
+        };
+        let mut rows: Vec<Event> = (0..7).map(|_| clipped(Culling::BackFacing)).collect();
+        rows.push(clipped(Culling::Hit));
+        let told = way(rows.iter(), &Names::default(), false);
+        assert_eq!(told[0], "7 edges face away from the ray and are skipped.");
+        assert!(told.len() == 2 && told[1].contains("entered"), "{told:?}");
+    }
+}
