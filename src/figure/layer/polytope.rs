@@ -53,7 +53,9 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[
         LabelKey { key: "d", about: "distance of the nearest edge from the origin" },
-        LabelKey { key: "n", about: "the outward normal nₑ of that edge, along which it looks for a vertex" },
+        LabelKey {
+            key: "n", about: "the outward normal nₑ of that edge, along which it looks for a vertex"
+        },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed, with pushed" },
