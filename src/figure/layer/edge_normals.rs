@@ -37,7 +37,9 @@ pub(super) const LAYER: Layer = Layer {
         },
     ],
     labels: &[
-        LabelKey { key: "n", about: "the normal nᵢ that looks most against the ray; without one, the first" },
+        LabelKey {
+            key: "n", about: "the normal nᵢ that looks most against the ray; without one, the first"
+        },
         LabelKey { key: "away", about: "the normal that looks most along the ray, with signs" },
     ],
     needs: "two convex bodies, one of them with edges",
