@@ -75,7 +75,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(edge) = found.edges.iter().min_by(|e, f| against(e).total_cmp(&against(f))) {
         let (from, tip) = arrow(edge);
         sketch.since(cues.of(edge));
-        let text = if signs { r"$n \cdot v < 0$" } else { "$n$" };
+        let text = if signs { r"$n_i \cdot v < 0$" } else { "$n_i$" };
         let label = Label::new("n", text, Anchor::tip(from, tip), role);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
     }
@@ -83,7 +83,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(edge) = along.filter(|edge| signs && against(edge) > 0.0) {
         let (from, tip) = arrow(edge);
         sketch.since(cues.of(edge));
-        let label = Label::new("away", r"$n \cdot v > 0$", Anchor::tip(from, tip), Role::Muted);
+        let label = Label::new("away", r"$n_i \cdot v > 0$", Anchor::tip(from, tip), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
     }
 }
@@ -125,7 +125,7 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let said = labels(&draw(&plan, plan.theme, "normals"));
             let [n, away] = ["n", "away"].map(|key| said.get(key).map(|label| label.0.as_str()));
-            assert_eq!((n == Some(r"$n \cdot v < 0$"), away == Some(r"$n \cdot v > 0$")), (signs, signs));
+            assert_eq!((n == Some(r"$n_i \cdot v < 0$"), away == Some(r"$n_i \cdot v > 0$")), (signs, signs));
         }
     }
 }

@@ -1,5 +1,5 @@
-//! What of a trace is told: nothing that the algorithm does not do by itself, and in an exercise's key no more
-//! rows than a reader follows.
+//! What of a trace is told: nothing that the algorithm does not do by itself, and in an exercise's key no
+//! more rows than a reader follows.
 //!
 //! An algorithm by components records the edges of B ⊖ A for layers that draw them, and looks at none: its
 //! story leaves them out, as JSON lines do not.
