@@ -54,8 +54,8 @@ fn retain(items: &mut Vec<Item>, keep: &impl Fn(Shown) -> bool) {
 }
 
 impl Drawing {
-    /// The drawing as a step shows it, of the size of the whole; steps count from 1. The last step is the
-    /// finished figure.
+    /// The drawing as a step shows it, of the size of the whole; steps count from 1. All of it stays: no later
+    /// step takes anything away from what is a drawing of its own. The last step is the finished figure.
     ///
     /// ```
     /// use tracefig::{figure::{draw, draw_in_steps, plan}, scene::{Source, read}};
@@ -76,6 +76,7 @@ impl Drawing {
     pub fn at_step(&self, step: usize) -> Self {
         let mut drawing = self.clone();
         retain(&mut drawing.items, &|shown| shown.at(step));
+        drawing.items.iter_mut().for_each(|item| item.for_each_shown(&|shown| shown.until = None));
         drawing
     }
 

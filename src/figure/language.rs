@@ -127,13 +127,6 @@ const WORDS: &[[&str; 5]] = &[
         "Espacio de configuración",
     ],
     [
-        "Configuration space, last step",
-        "",
-        "Konfigurationsraum, letzter Schritt",
-        "Espace des configurations, dernière étape",
-        "Espacio de configuración, último paso",
-    ],
-    [
         "Configuration space, every step",
         "",
         "Konfigurationsraum, jeder Schritt",

@@ -198,3 +198,19 @@ fn a_place_that_is_no_number_is_an_error_that_names_its_group() {
     let error = rasterize(&drawing, 1.0).unwrap_err();
     assert_eq!(error, OutputError::NotFinite { outer: "labels".into(), group: "labels".into() });
 }
+
+#[test]
+fn a_step_that_is_a_file_of_its_own_has_what_later_steps_take_away() {
+    let mut whole = everything();
+    let Item::Group(labels) = &mut whole.items[5] else { panic!("labels are sixth") };
+    let Item::Text(text) = labels.items[0].clone() else { panic!("a label") };
+    let shown = crate::drawing::Shown { since: 1, until: Some(3) };
+    labels.items.push(Item::Text(Text { shown, origin: Point::new(300.0, 300.0), ..text }));
+    let options = Options { scale: 0.5, ..Options::default() };
+    for name in ["svg", "png", "pdf"] {
+        let format = format(name).unwrap();
+        let [first, last] = [1, 3].map(|step| format.encode(&whole.at_step(step), &options).unwrap());
+        assert!(first != last, "{name}");
+        assert!(format.encode(&whole, &options).unwrap() == last, "{name}: the file is the finished figure");
+    }
+}

@@ -335,3 +335,28 @@ fn a_pair_touches_at_the_same_points_whichever_body_is_called_a() {
     }
     assert!(met.iter().all(|&n| n > 50), "{met:?}");
 }
+
+/// A rounded triangle some 1e150 above a segment: the product of an edge of each is below all doubles beside
+/// the square of the distance.
+#[test]
+fn what_is_far_away_does_not_overlap_where_a_walk_along_the_difference_is_lost() {
+    let points = |all: &[[f64; 2]]| FieldValue::Points(all.iter().copied().map(DVec2::from).collect());
+    let corners = points(&[[-20.25, 0.0], [-13.5, -13.5], [0.0, -20.25]]);
+    let radius = ("radius", FieldValue::Number(2.375));
+    let triangle = Shape::of_kind("polygon", &[("vertices", corners), radius]).unwrap();
+    let ends = points(&[[6.75, 0.0], [0.0, 0.0]]);
+    let segment =
+        Shape::of_kind("capsule", &[("points", ends), ("radius", FieldValue::Number(0.0))]).unwrap();
+    for power in [20, 60, 100, 140, 145, 150, 152] {
+        for degrees in [0.0, -2.125, 90.0, 180.0] {
+            let away = 10_f64.powi(power);
+            let far = DVec2::new(-1.125, away);
+            let a = Body { angle: Angle::Degrees(degrees), ..body(triangle.clone(), far) };
+            let b = body(segment.clone(), DVec2::ZERO);
+            for pair in [Pair::at(&a, &b, 0.0), Pair::at(&b, &a, 0.0)] {
+                let Enclosure { lo, hi } = pair.separation().bounds;
+                assert!(lo > 0.999 * away && hi < 1.001 * away, "1e{power}, {degrees}: {lo:e} {hi:e}");
+            }
+        }
+    }
+}

@@ -14,7 +14,7 @@ title = "World"
 layers = ["shapes", { layer = "separation", points = true }]
 
 [[panels]]
-title = "Configuration space, last step"
+title = "Configuration space"
 space = "configuration"
 layers = ["axes", "difference", "simplex", "origin"]
 "#,

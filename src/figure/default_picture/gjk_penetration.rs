@@ -18,7 +18,7 @@ layers = [
 ]
 
 [[panels]]
-title = "Configuration space, last step"
+title = "Configuration space"
 space = "configuration"
 layers = ["axes", "difference", "polytope", "origin"]
 "#,

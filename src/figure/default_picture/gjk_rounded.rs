@@ -19,7 +19,7 @@ layers = [
 ]
 
 [[panels]]
-title = "Configuration space, last step"
+title = "Configuration space"
 space = "configuration"
 layers = ["axes", "difference", "simplex", "origin"]
 "#,

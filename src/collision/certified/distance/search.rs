@@ -121,7 +121,9 @@ fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
     match closest.feature {
         DifferenceFeature::Edge(facing) => {
             let measured = balls.measure(facing);
-            let core = measured.gap.widen(closest.beyond.min(farther(balls, facing, measured.gap)));
+            // Where another vertex supports the edge, the foot is known to be on no edge of B ⊖ A.
+            let beyond = if measured.facing == facing { closest.beyond } else { f64::INFINITY };
+            let core = measured.gap.widen(beyond.min(farther(balls, facing, measured.gap)));
             let found = Found { contact: Contact::Edge(measured), core, ties: 1 };
             let start = if found.is_loose() { vertex(balls, facing.start()) } else { None };
             Some(start.filter(|start| start.core.radius < core.radius).unwrap_or(found))
@@ -164,12 +166,15 @@ fn search(pair: &Pair, balls: &BallPair, hint: Option<DifferenceFeature>) -> Fou
         return through;
     }
     let outside = boundary::closest(pair, balls, best.facing).and_then(|closest| apart(balls, closest));
-    match outside {
+    let beyond = outside.map(|found| (found, found.core - best.gap));
+    match beyond {
         // On the line of an edge but off its end, or properly outside.
-        Some(found) if best.gap.is_positive() || (found.core - best.gap).is_positive() => found,
+        Some((found, beyond)) if beyond.is_positive() => found,
+        // No distance is less than a gap: a walk that says so was lost among products below all doubles.
+        Some((found, beyond)) if best.gap.is_positive() && !beyond.is_negative() => found,
         // Outside or not: a gap is then no bound of how far away the nearest point is.
-        Some(found) => through.widened((found.core - best.gap).magnitude()),
-        None => through.widened(farther(balls, best.facing, best.gap)),
+        Some((_, beyond)) if !best.gap.is_positive() => through.widened(beyond.magnitude()),
+        _ => through.widened(farther(balls, best.facing, best.gap)),
     }
 }
 
