@@ -54,8 +54,10 @@ fn retain(items: &mut Vec<Item>, keep: &impl Fn(Shown) -> bool) {
 }
 
 impl Drawing {
-    /// The drawing as a step shows it, of the size of the whole; steps count from 1. All of it stays: no later
-    /// step takes anything away from what is a drawing of its own. The last step is the finished figure.
+    /// The drawing as a step shows it, of the size of the whole; steps count from 1. The last step is the
+    /// finished figure.
+    ///
+    /// No later step takes anything away from it: it is a drawing of its own.
     ///
     /// ```
     /// use tracefig::{figure::{draw, draw_in_steps, plan}, scene::{Source, read}};
