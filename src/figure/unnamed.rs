@@ -152,13 +152,27 @@ enum Form {
 /// Signs between the terms of a relation, as LaTeX.
 const RELATIONS: [&str; 9] = [r"\geq", r"\leq", r"\ge", r"\le", r"\approx", r"\to", "=", "<", ">"];
 
-/// The formulas of a markup.
+/// The formulas of a markup; of two with nothing but blanks between them, one of which goes on over an equals
+/// sign, one.
 fn relations(markup: &str) -> Vec<Relation> {
-    let formulas = pieces(markup).unwrap_or_default().into_iter().filter_map(|piece| match piece {
-        Piece::Formula(_, latex) => Some(latex),
-        _ => None,
-    });
-    formulas.map(|latex| Relation { terms: terms(latex).into_iter().map(Term::of).collect() }).collect()
+    let (mut formulas, mut beside) = (Vec::<String>::new(), false);
+    for piece in pieces(markup).unwrap_or_default() {
+        match piece {
+            Piece::Formula(_, latex) => {
+                match formulas.last_mut() {
+                    Some(last) if beside && (last.ends_with('=') || latex.starts_with('=')) => {
+                        last.push_str(latex);
+                    }
+                    _ => formulas.push(latex.to_owned()),
+                }
+                beside = true;
+            }
+            Piece::Words(_, words) => beside &= words.trim().is_empty(),
+            Piece::Role(..) | Piece::Plain => {}
+        }
+    }
+    let relation = |latex: &String| Relation { terms: terms(latex).into_iter().map(Term::of).collect() };
+    formulas.iter().map(relation).collect()
 }
 
 /// A formula cut at its signs of relation.

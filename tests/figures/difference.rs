@@ -37,7 +37,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         f.says("$b$"),
         // The way from a vertex of A to one of B, backwards from b, and from the origin.
         world.arrow_toward(Difference, (3.0, -2.0), (2.0, 2.5)),
-        f.says("$a_3 =$ $(3, -2)$"),
+        f.says("$p =$ $(3, -2)$") && f.says("$q - p =$ $(-1, 4.5)$"),
     ];
     let grown = look(&f, 1, view);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();

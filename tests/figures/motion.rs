@@ -137,8 +137,8 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, 2.0 * t - 0.5))).is_some(),
         hit.marker(Ink, contact),
         // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the bound.
-        hit.curve(A, half(on_a), contact) && then.curve(A, half(on_a), contact),
-        hit.curve(B, (1.190_576_001, 0.826_436_508), contact),
+        then.curve(A, half(on_a), contact) && then.marker(A, half(on_a)),
+        then.curve(B, (1.190_576_001, 0.826_436_508), contact),
         hit.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(dashed),
         hit.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(dashed),
         then.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(dashed),

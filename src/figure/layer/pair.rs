@@ -23,6 +23,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "their numbers: A's, then B's",
         },
         OptionSpec {
+            name: "names",
+            takes: Takes::Lines,
+            default: "by their numbers",
+            about: "what A's vertex and B's are called, in LaTeX",
+        },
+        OptionSpec {
             name: "coordinates",
             takes: Takes::Flag,
             default: "false",
@@ -68,7 +74,11 @@ fn ends(context: &Context, options: &Options) -> Option<[End; 2]> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some([a, b]) = ends(context, options) else { return };
     let role = options.role(Role::Difference);
-    let [p, q] = [(Side::A, a), (Side::B, b)].map(|(side, end)| context.named(side).point(end.index));
+    let given = options.words("names").unwrap_or(&[]);
+    let named = |(nth, side, end): (usize, Side, End)| {
+        given.get(nth).cloned().unwrap_or_else(|| context.named(side).point(end.index))
+    };
+    let [p, q] = [(0, Side::A, a), (1, Side::B, b)].map(named);
     let written = |sketch: &Sketch, name: String, at: DVec2| {
         let place = options.flag("coordinates", false).then(|| coordinates(sketch, context, at));
         place.map_or_else(|| format!("${name}$"), |place| format!("${name} =$ {place}"))
@@ -137,6 +147,8 @@ mod tests {
         let (world, long) = said("world", both).unwrap();
         let texts: Vec<&str> = world.iter().map(|(_, text)| text.as_str()).collect();
         assert_eq!(texts, ["$a_0 =$ $(-1, -2)$", "$b_2 =$ $(6, 4)$"]);
+        let (named, _) = said("world", "vertices = [0, 2], names = ['p', 'q']").unwrap();
+        assert_eq!([&*named[0].1, &*named[1].1], ["$p =$ $(-1, -2)$", "$q =$ $(6, 4)$"]);
         let (configuration, _) = said("configuration", both).unwrap();
         assert_eq!(configuration[0].1, "$b_2 - a_0 =$ $(7, 6)$");
         assert!(long < 85.0_f64.sqrt() && long > 8.0, "{long}");
