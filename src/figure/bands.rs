@@ -16,26 +16,31 @@ pub(super) const A_QUARTER: f64 = 0.25;
 const LOWEST: f64 = 100.0;
 
 /// The largest free band, as a share of its row of panels.
-pub(super) fn widest(plan: &Plan, panels: &[Labelled]) -> f64 {
-    bands(plan, panels).into_iter().fold(0.0, f64::max)
+pub(super) fn widest(plan: &Plan, panels: &[Labelled], insets: &[Labelled]) -> f64 {
+    bands(plan, panels, insets).into_iter().fold(0.0, f64::max)
 }
 
-/// The upper and the lower end of what a panel shows, page pixels; none where it shows nothing.
-fn shown(panel: &Labelled) -> Option<(f64, f64)> {
+/// The upper and the lower end of what a panel shows, its inset too, page pixels; none where it shows nothing.
+fn shown(panel: &Labelled, insets: &[Labelled]) -> Option<(f64, f64)> {
     let subject = panel.obstacles.iter().filter(|o| o.weight != Weight::Background);
     let covers = subject.map(|o| match o.cover {
         Cover::Stroke { from, to, half } => (from.y.min(to.y) - half, from.y.max(to.y) + half),
         Cover::Marker { at, radius } | Cover::Head { at, radius } => (at.y - radius, at.y + radius),
     });
     let labels = panel.placed.iter().map(|label| (label.bounds.y0, label.bounds.y1));
-    covers.chain(labels).reduce(|(top, bottom), (y0, y1)| (top.min(y0), bottom.max(y1)))
+    let cell = panel.frame.panel;
+    let own = insets.iter().map(|inset| inset.frame.panel).filter(|rect| cell.union(*rect) == cell);
+    covers
+        .chain(labels)
+        .chain(own.map(|rect| (rect.y0, rect.y1)))
+        .reduce(|(top, bottom), (y0, y1)| (top.min(y0), bottom.max(y1)))
 }
 
 /// The larger free band of each row of panels, as a share of the row.
-fn bands(plan: &Plan, panels: &[Labelled]) -> Vec<f64> {
+fn bands(plan: &Plan, panels: &[Labelled], insets: &[Labelled]) -> Vec<f64> {
     // From each panel's upper edge down to the first and the last thing that it shows.
     let within = |panel: &Labelled| {
-        shown(panel).map(|(y0, y1)| (y0 - panel.frame.panel.y0, y1 - panel.frame.panel.y0))
+        shown(panel, insets).map(|(y0, y1)| (y0 - panel.frame.panel.y0, y1 - panel.frame.panel.y0))
     };
     let own: Vec<_> = panels.iter().map(within).collect();
     let sources: Vec<_> = plan.panels.iter().map(|panel| &panel.source).collect();
@@ -73,7 +78,8 @@ mod tests {
     /// The larger free band of each row of panels of a scene.
     fn bands_of(scene: &Scene) -> Vec<f64> {
         let plan = plan(scene).unwrap();
-        bands(&plan, &draw(&plan, plan.theme, "f").panels)
+        let figure = draw(&plan, plan.theme, "f");
+        bands(&plan, &figure.panels, &figure.insets)
     }
 
     /// What of some scenes has a free band that is too large.

@@ -255,7 +255,7 @@ impl Panels {
         let looser = Self::drawn(sheet, None);
         let left = looser.faults(sheet.plan);
         // What was full stays so, or nearly so where every label then stands well.
-        let widest = |panels: &Self| widest(sheet.plan, &panels.labelled);
+        let widest = |panels: &Self| widest(sheet.plan, &panels.labelled, &panels.insets);
         let most = if left == 0 { A_QUARTER } else { A_FIFTH };
         let is_better = left < now && (widest(&looser) <= most || widest(&self) > A_FIFTH);
         if is_better { looser } else { self }

@@ -63,8 +63,8 @@ pub(super) fn sought(
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
     let mut sketched = panel.sketch_at(share, &context, theme);
-    let enlarged = panel.inset(&sketched).map(|inset| {
-        let enlarged = panel.sketch_inset(&inset, &context, theme);
+    let enlarged = panel.inset(&sketched, before.map(|before| before.frame.panel)).map(|inset| {
+        let enlarged = panel.sketch_inset(&inset, &sketched, (&context, theme));
         let sought = seeking(plan, (theme, index), &enlarged);
         let mut labelled = labelled(plan, &enlarged, &sought, (&[], before));
         inset.without_the_cut_off(&mut labelled);
@@ -148,6 +148,7 @@ pub(super) fn draw_panel(
         detail.items = vec![ground, layers(sketched), frame, names];
         let mut detail = Item::Group(detail);
         detail.for_each_shown(&|shown| *shown = shown.after(first));
+        inset.comes(&mut detail);
         cues.extend(own);
         group.items.push(detail);
         labelled

@@ -1,15 +1,18 @@
 //! An inset: a detail of a panel, drawn again and enlarged in one of the panel's corners.
 //!
 //! Its layers are the panel's, in a frame of its own; so lines, markers and letters are as large as anywhere,
-//! and only places are farther apart. The corner that hides least is taken where the scene names none.
+//! and only places are farther apart. The corner that hides least is taken where the scene names none. What is
+//! too small to be seen is found in [`small`].
 
-use crate::drawing::{Contour, Group, Item, Path, Point, Rect, Role, Stroke};
+mod small;
+
+use crate::drawing::{Contour, Group, Item, Path, Point, Rect, Role, Shown, Stroke};
 use crate::geometry::DVec2;
-use crate::scene::Panel;
+use crate::scene::{Detail, Panel};
 
 use super::frame::Frame;
 use super::placement::Labelled;
-use super::sketch::{Anchor, Cover, Label, Obstacle, Request, Sketch, Sketched, Weight};
+use super::sketch::{Anchor, Cover, Label, Obstacle, Rank, Request, Sketch, Sketched, Weight};
 use super::theme::Theme;
 
 /// The most that an inset takes of its panel's width and height: three quarters of it stay in view.
@@ -50,13 +53,28 @@ pub(crate) struct Inset {
     detail: Rect,
     /// How many times it is enlarged.
     factor: f64,
+    /// From which step of the figure on it is there.
+    shown: Shown,
 }
 
 impl Inset {
     /// The inset that a panel asks for; `None` where it asks for none, or for one of so much of the panel
-    /// that nothing could be enlarged. `obstacles` are what the panel's layers drew in `frame`.
-    pub(crate) fn of(panel: &Panel, frame: &Frame, obstacles: &[Obstacle]) -> Option<Self> {
-        let [x0, y0, x1, y1] = panel.inset.as_ref()?.value;
+    /// that nothing could be enlarged. `before` is where it stood in the frame before of a figure that moves.
+    pub(crate) fn of(panel: &Panel, sketched: &Sketched, before: Option<Rect>) -> Option<Self> {
+        match asked(panel)? {
+            Detail::Rectangle(rectangle) => Self::of_rectangle(panel, rectangle, sketched),
+            Detail::Small => small::enlarged(sketched, before),
+        }
+    }
+
+    /// Whether a panel wants something enlarged for which it has no room.
+    pub(crate) fn lacks_room(panel: &Panel, sketched: &Sketched) -> bool {
+        asked(panel) == Some(Detail::Small) && small::lacks_room(sketched)
+    }
+
+    /// The inset of a rectangle of the panel's space; `None` where it is too large to be enlarged.
+    fn of_rectangle(panel: &Panel, [x0, y0, x1, y1]: [f64; 4], sketched: &Sketched) -> Option<Self> {
+        let Sketched { frame, obstacles, .. } = sketched;
         let (lo, hi) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
         let detail = Rect::new(place(frame, lo), place(frame, hi));
         let cell = frame.panel;
@@ -75,7 +93,7 @@ impl Inset {
         let (factor, rect) = places.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
         let scale = frame.scale * factor;
         let frame = Frame { center: 0.5 * (lo + hi), middle: rect.center(), scale, panel: rect, ..*frame };
-        Some(Self { frame, detail, factor })
+        Some(Self { frame, detail, factor, shown: Shown::ALWAYS })
     }
 
     /// Writes in the inset how many times it enlarges.
@@ -113,19 +131,26 @@ impl Inset {
         }
         let (from, to) = self.link();
         keep_off(from, to);
-        let (frame, detail) = (sketched.frame, self.detail);
-        let within = |anchor: &Anchor| {
-            let points = anchor.points();
-            let seen = |p: &DVec2| Rect::new(frame.page(*p), frame.page(*p)).union(detail) == detail;
-            !points.is_empty() && points.iter().all(seen)
-        };
         let is_named = |label: &Label| named.contains(&(label.key, &label.anchor));
-        sketched.requests.retain(|Request { label, .. }| !(within(&label.anchor) && is_named(label)));
+        let (frame, detail) = (sketched.frame, self.detail);
+        // The origin and bodies keep their names: a reader looks for them in the panel.
+        let is_there = |label: &Label| label.rank < Rank::Name && within(&detail, &frame, &label.anchor);
+        sketched.requests.retain(|Request { label, .. }| !(is_there(label) && is_named(label)));
     }
 
-    /// Leaves out notes, which the panel has already.
-    pub(crate) fn without_notes(sketched: &mut Sketched) {
-        sketched.requests.retain(|request| !matches!(request.label.anchor, Anchor::Corner(_)));
+    /// Leaves out notes, which the panel has already. Of what was too small to be seen only that is named which
+    /// lies there: not what begins or ends outside, nor what the panel names outside of the detail.
+    pub(crate) fn without_the_panels(&self, panel: &Panel, own: &Sketched, sketched: &mut Sketched) {
+        let is_small = asked(panel) == Some(Detail::Small);
+        let elsewhere = |key: &str| {
+            let same = own.requests.iter().filter(|request| request.label.key == key);
+            same.into_iter().any(|request| !within(&self.detail, &own.frame, &request.label.anchor))
+        };
+        sketched.requests.retain(|Request { label, .. }| {
+            !matches!(label.anchor, Anchor::Corner(_))
+                && (!is_small
+                    || within(&self.frame.panel, &self.frame, &label.anchor) && !elsewhere(label.key))
+        });
     }
 
     /// Leaves out labels that reach over the edge: of what begins outside of the detail, and is named in the
@@ -143,7 +168,9 @@ impl Inset {
         let (from, to) = self.link();
         group.items.push(Item::Path(Path::stroked(framed(&self.detail), stroke.clone())));
         group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
-        Item::Group(group)
+        let mut marks = Item::Group(group);
+        self.comes(&mut marks);
+        marks
     }
 
     /// The ground on which the inset is drawn, and its frame above all.
@@ -154,6 +181,16 @@ impl Inset {
         [ground, frame].map(Item::Path)
     }
 
+    /// Makes what every step would show come with the inset.
+    pub(crate) fn comes(&self, item: &mut Item) {
+        let always = |shown: &Shown| *shown == Shown::ALWAYS;
+        item.for_each_shown(&|shown| {
+            if always(shown) {
+                *shown = self.shown;
+            }
+        });
+    }
+
     /// The shortest line between a corner of the detail and one of the inset.
     fn link(&self) -> (Point, Point) {
         let corners = |r: &Rect| edges(r).map(|(from, _)| from);
@@ -162,6 +199,18 @@ impl Inset {
         let none = (self.detail.center(), self.frame.panel.center());
         all.min_by(|a, b| (a.1 - a.0).length().total_cmp(&(b.1 - b.0).length())).unwrap_or(none)
     }
+}
+
+/// What a panel asks to enlarge.
+fn asked(panel: &Panel) -> Option<Detail> {
+    panel.inset.as_ref().map(|inset| inset.value)
+}
+
+/// Whether all of what a label belongs to lies within a rectangle of the page.
+fn within(rect: &Rect, frame: &Frame, anchor: &Anchor) -> bool {
+    let points = anchor.points();
+    let seen = |p: &DVec2| Rect::new(frame.page(*p), frame.page(*p)).union(*rect) == *rect;
+    !points.is_empty() && points.iter().all(seen)
 }
 
 /// Where a point of the panel's own space lies on the page: of a body's panel, in the body's frame.

@@ -4,7 +4,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use crate::scene::{Panel, Scene};
+use crate::drawing::Rect;
+use crate::scene::{self, Detail, Panel, Scene, Spanned};
 
 use super::context::{Context, Moment};
 use super::cue::Cue;
@@ -12,10 +13,14 @@ use super::frame::{Extent, Frame};
 use super::inset::Inset;
 use super::layer::{LabelKey, Layer, Options};
 use super::lettering::Lettering;
+use super::limits::MAX_POINTS;
 use super::page::Measures;
 use super::runs::Runs;
 use super::sketch::{Request, Size, Sketch, Sketched};
 use super::theme::Theme;
+
+/// The most points of all lines of an inset that nobody asked for: a fifth of what a figure may have.
+const MOST_ENLARGED: usize = MAX_POINTS / 5;
 
 /// A panel of a scene, resolved.
 #[derive(Debug)]
@@ -90,18 +95,58 @@ impl PanelPlan<'_> {
         self.drawn(begun(frame, context, theme), context).finish()
     }
 
-    /// Lets every layer draw in the frame of an inset.
-    pub(crate) fn sketch_inset(&self, inset: &Inset, context: &Context, theme: &Theme) -> Sketched {
+    /// Lets every layer draw in the frame of an inset; `own` is what they drew in the panel.
+    pub(crate) fn sketch_inset(
+        &self,
+        inset: &Inset,
+        own: &Sketched,
+        (context, theme): (&Context, &Theme),
+    ) -> Sketched {
         let mut sketch = self.drawn(begun(inset.frame, context, theme).without_numbers(), context);
         inset.write_factor(&mut sketch);
         let mut sketched = sketch.finish();
-        Inset::without_notes(&mut sketched);
+        inset.without_the_panels(&self.source, own, &mut sketched);
         sketched
     }
 
-    /// The inset that the panel asks for, if it asks for one that enlarges, beside what its layers drew.
-    pub(crate) fn inset(&self, sketched: &Sketched) -> Option<Inset> {
-        Inset::of(&self.source, &sketched.frame, &sketched.obstacles)
+    /// The inset that the panel asks for, if it asks for one that enlarges, beside what its layers drew;
+    /// `before` is where it stood in the frame before of a figure that moves.
+    pub(crate) fn inset(&self, sketched: &Sketched, before: Option<Rect>) -> Option<Inset> {
+        Inset::of(&self.source, sketched, before)
+    }
+
+    /// The inset that the panel asks for, and where the scene asks for it.
+    ///
+    /// # Errors
+    ///
+    /// Where it shows so much that nothing could be enlarged.
+    pub(crate) fn asked_inset(
+        &self,
+        sketched: &Sketched,
+    ) -> Result<Option<(&Range<usize>, Inset)>, scene::Problem> {
+        let Some(Spanned { value, span }) = &self.source.inset else { return Ok(None) };
+        let found = self.inset(sketched, None);
+        if found.is_none() && *value != Detail::Small {
+            let message = "the inset shows too much of its panel to be enlarged".to_owned();
+            return Err(scene::Problem::new(scene::Fault::Conflict { message }, span.clone()));
+        }
+        Ok(found.map(|inset| (span, inset)))
+    }
+
+    /// Does without the inset of what is small, where nothing is, or where it would draw too much: a dotted
+    /// line is as much longer as it is enlarged.
+    pub(crate) fn keep_inset(&mut self, (scene, runs): (&Scene, &Runs), theme: &Theme, sketched: &Sketched) {
+        let asked = self.source.inset.as_ref().map(|inset| inset.value);
+        if asked != Some(Detail::Small) {
+            return;
+        }
+        let drawn = |inset: Inset| {
+            let context = self.context(scene, runs);
+            self.sketch_inset(&inset, sketched, (&context, theme)).points
+        };
+        if self.inset(sketched, None).is_none_or(|inset| drawn(inset) > MOST_ENLARGED) {
+            self.source.to_mut().inset = None;
+        }
     }
 
     /// What every layer draws in a panel.

@@ -234,16 +234,12 @@ pub(super) fn say(
 ) -> Result<(), scene::Problem> {
     let mut budget = Budget::default();
     for (panel, sketched) in panels.iter().zip(sketched) {
-        if let Some(inset) = panel.source.inset.as_ref() {
+        if let Some((inset, enlarged)) = panel.asked_inset(sketched)? {
             let context = panel.context(scene, runs);
-            let Some(enlarged) = panel.inset(sketched) else {
-                let message = "the inset shows too much of its panel to be enlarged".to_owned();
-                return Err(scene::Problem::new(scene::Fault::Conflict { message }, inset.span.clone()));
-            };
-            let enlarged = panel.sketch_inset(&enlarged, &context, theme);
-            within("the lines of the inset", "points", enlarged.points, MAX_POINTS, &inset.span)?;
-            areas_within(enlarged.painted, &inset.span)?;
-            budget.take(&enlarged, &inset.span)?;
+            let enlarged = panel.sketch_inset(&enlarged, sketched, (&context, theme));
+            within("the lines of the inset", "points", enlarged.points, MAX_POINTS, inset)?;
+            areas_within(enlarged.painted, inset)?;
+            budget.take(&enlarged, inset)?;
             let requests = enlarged.requests.iter().map(|request| (request, panel.span_of(request)));
             check_texts(&context, requests, (&mut budget, is_key), (problems, &mut Vec::new()))?;
         }

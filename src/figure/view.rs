@@ -8,6 +8,7 @@ use crate::geometry::{DVec2, Pose};
 use crate::scene::{Problem, Scene, Space};
 
 use super::frame::{Extent, Frame};
+use super::inset::Inset;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Page, Want, room};
 use super::panel::PanelPlan;
@@ -20,6 +21,8 @@ use super::theme::Theme;
 /// figures, their views taken away, one more pass moves the corner of a panel by up to 17 page pixels after
 /// two, where dimensions stand side by side (box-box), and by 5 elsewhere; a label has 40 of room.
 const PASSES: usize = 2;
+/// The room above a drawing that an inset takes which finds none beside it, page pixels.
+const ABOVE: f64 = 100.0;
 
 /// What holds both.
 pub(super) fn union(a: Extent, b: Extent) -> Extent {
@@ -56,7 +59,28 @@ pub(super) fn fit(
         page = arrange(scene, layout, panels, &extents);
         sketched = sketch(scene, runs, theme, panels)?;
     }
+    if make_room(panels, &sketched) {
+        page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
+        sketched = sketch(scene, runs, theme, panels)?;
+    }
+    for (panel, sketched) in panels.iter_mut().zip(&sketched) {
+        panel.keep_inset((scene, runs), theme, sketched);
+    }
     Ok((sketched, page))
+}
+
+/// Makes panels that lack room for an inset reach higher; whether one does.
+fn make_room(panels: &mut [PanelPlan], sketched: &[Sketched]) -> bool {
+    let mut higher = false;
+    for (panel, sketched) in panels.iter_mut().zip(sketched) {
+        let free = panel.source.view.is_none() && Inset::lacks_room(&panel.source, sketched);
+        if let Some((lo, hi)) = sketched.extent.filter(|_| free) {
+            let above = DVec2::new(0.0, ABOVE / panel.frame.scale);
+            panel.reach = union(panel.reach, Some((lo, hi + above)));
+            higher = true;
+        }
+    }
+    higher
 }
 
 /// Lets all layers draw in the frames that the panels have now.

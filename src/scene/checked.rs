@@ -201,6 +201,11 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
         Holds::Switch => matches!(node.value, NodeValue::Bool(_)) || wrong(node, row, p),
         Holds::Pair => numbers(node, row, 2, p),
         Holds::Rectangle => numbers(node, row, 4, p),
+        Holds::RectangleOr(word) => match &node.value {
+            NodeValue::List(_) => numbers(node, row, 4, p),
+            NodeValue::Text(text) if text == word => true,
+            _ => wrong(node, row, p),
+        },
         Holds::Points => points(node, row, p),
         Holds::Names | Holds::Drags => match as_list(node) {
             Some(items) if items.iter().all(|i| as_text(i).is_some()) => true,

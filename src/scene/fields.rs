@@ -7,6 +7,7 @@
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
+use super::Detail;
 use super::holds::Holds;
 use super::limits::{
     MAX_CANVAS, MAX_ITERATIONS, MAX_MARGIN, MAX_NUMBER, MAX_PANELS, MAX_TYPE, MIN_CANVAS, MIN_TYPE,
@@ -186,7 +187,12 @@ pub(super) static PANEL: TableRows = TableRows {
             Holds::Rectangle,
             "world rectangle that must be visible: [x0, y0, x1, y1]; default: a fit",
         ),
-        may("inset", Holds::Rectangle, "a detail, drawn again and enlarged in a corner: [x0, y0, x1, y1]"),
+        may(
+            "inset",
+            Holds::RectangleOr(Detail::SMALL),
+            "a detail, drawn again and enlarged: [x0, y0, x1, y1]; \"small\": what is too small to be seen, if \
+             anything is",
+        ),
         may(
             "inset_at",
             Holds::Word { what: "corner", known: corner_words },

@@ -48,6 +48,11 @@ pub enum Holds {
     Pair,
     /// A rectangle `[x0, y0, x1, y1]` by two opposite corners.
     Rectangle,
+    /// A rectangle, or a word.
+    RectangleOr(
+        /// What may stand instead.
+        &'static str,
+    ),
     /// A list of points `[x, y]`.
     Points,
     /// Names of shapes of the scene.
@@ -95,6 +100,7 @@ impl Holds {
             Self::Switch => "true or false".to_owned(),
             Self::Pair => "two numbers [x, y]".to_owned(),
             Self::Rectangle => "four numbers [x0, y0, x1, y1]".to_owned(),
+            Self::RectangleOr(word) => format!("four numbers [x0, y0, x1, y1], or \"{word}\""),
             Self::Points => "a list of points [[x, y], …]".to_owned(),
             Self::Names => "a list of names of shapes".to_owned(),
             Self::Drags => "a list of shapes, or of what they have, as [\"A\", \"B.velocity\"]".to_owned(),

@@ -211,12 +211,26 @@ pub struct Panel {
     /// A rectangle of its space that must be visible, x0, y0, x1, y1 in world units; `None` fits what is
     /// drawn.
     pub view: Option<Spanned<[f64; 4]>>,
-    /// A rectangle of its space that is drawn again, enlarged, in a corner: x0, y0, x1, y1 as `view`.
-    pub inset: Option<Spanned<[f64; 4]>>,
+    /// What is drawn again, enlarged, in a corner.
+    pub inset: Option<Spanned<Detail>>,
     /// The corner of the enlargement, as "NE"; `None` takes the one where it hides least.
     pub inset_at: Option<Spanned<String>>,
     /// Where the panel's table is, in bytes of the source.
     pub span: Range<usize>,
+}
+
+/// What an inset of a panel enlarges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Detail {
+    /// A rectangle of the panel's space: x0, y0, x1, y1 in world units.
+    Rectangle([f64; 4]),
+    /// A length of the answer that is too small to be seen in the panel, if there is one.
+    Small,
+}
+
+impl Detail {
+    /// The word for [`Detail::Small`] in a scene.
+    pub const SMALL: &'static str = "small";
 }
 
 /// A layer as asked for; names and options are checked by the figure's table of layers.

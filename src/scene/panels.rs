@@ -9,7 +9,7 @@ use super::limits::{MAX_ALL_LAYERS, MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
 use super::source::Source;
-use super::{LayerSpec, Panel, Space, Spanned, Value, When};
+use super::{Detail, LayerSpec, Panel, Space, Spanned, Value, When};
 
 /// Reads all panels; those that are wrong are told and left out.
 pub(super) fn read(top: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Vec<Panel> {
@@ -43,7 +43,8 @@ pub(crate) fn of_text(text: &str, at: &Range<usize>) -> Vec<Panel> {
             .as_mut()
             .map(|t| &mut t.span)
             .into_iter()
-            .chain(panel.when.as_mut().map(|w| &mut w.span));
+            .chain(panel.when.as_mut().map(|w| &mut w.span))
+            .chain(panel.inset.as_mut().map(|i| &mut i.span));
         spans.for_each(|span| *span = at.clone());
         for layer in panel.layers.iter_mut().flatten() {
             layer.name.span = at.clone();
@@ -57,7 +58,7 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
     let space = space(&table, names, p);
     let when = when(&table, p);
     let view = rectangle(&table, "view", p);
-    let inset = rectangle(&table, "inset", p);
+    let inset = inset(&table, p);
     let inset_at = table.text("inset_at");
     if let Some(corner) = inset_at.as_ref().filter(|_| table.get("inset").is_none()) {
         let message = "`inset_at` applies to a panel with an `inset`".to_owned();
@@ -74,6 +75,15 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
         inset_at,
         span: table.span.clone(),
     })
+}
+
+/// What a panel enlarges.
+fn inset(table: &Checked<'_>, p: &mut Problems) -> Option<Spanned<Detail>> {
+    if let Some(Spanned { span, .. }) = table.text("inset") {
+        return Some(Spanned { value: Detail::Small, span });
+    }
+    let Spanned { value, span } = rectangle(table, "inset", p)?;
+    Some(Spanned { value: Detail::Rectangle(value), span })
 }
 
 /// A rectangle by two opposite corners, of which the first is the lower left one.

@@ -90,6 +90,7 @@ fn holds(field: &Field) -> Value {
         Holds::Switch => json!({ "type": "boolean" }),
         Holds::Pair => numbers(2),
         Holds::Rectangle => numbers(4),
+        Holds::RectangleOr(word) => json!({ "anyOf": [numbers(4), { "const": word }] }),
         Holds::Points => json!({ "type": "array", "items": numbers(2) }),
         Holds::Names => {
             json!({ "type": "array", "items": { "type": "string" }, "minItems": 1, "maxItems": 2 })

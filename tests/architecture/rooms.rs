@@ -296,6 +296,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "scene",
             "drawing",
             "figure/frame",
+            "figure/inset",
             "figure/limits",
             "figure/page",
             "figure/panel",

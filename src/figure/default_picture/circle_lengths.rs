@@ -10,6 +10,7 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.count(|e| matches!(e, Event::CirclesCompared { .. })) > 0,
     panels: r#"
 [[panels]]
+inset = "small"
 layers = [
   { layer = "shapes", centers = true },
   { layer = "radii", as = "lengths" },

@@ -10,6 +10,7 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.overlaps() && case.count(|e| matches!(e, Event::CirclesCompared { .. })) > 0,
     panels: r#"
 [[panels]]
+inset = "small"
 layers = [
   { layer = "shapes", centers = true },
   { layer = "ghosts", of = "B", at = "separated" },

@@ -10,6 +10,7 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.count(|e| matches!(e, Event::Clamped { .. })) > 0,
     panels: r#"
 [[panels]]
+inset = "small"
 layers = [
   { layer = "shapes", centers = true },
   { layer = "half-extents", style = "dimension" },

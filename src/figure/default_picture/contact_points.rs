@@ -15,6 +15,7 @@ layers = ["shapes", { layer = "clipping", show = ["edges", "planes", "cut"] }]
 
 [[panels]]
 title = "Points of contact"
+inset = "small"
 layers = ["shapes", { layer = "clipping", show = ["edges", "cut", "depths"] }]
 "#,
 };

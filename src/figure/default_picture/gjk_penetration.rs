@@ -11,6 +11,7 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 title = "World"
+inset = "small"
 layers = [
   "shapes",
   { layer = "ghosts", of = "B", at = "separated" },
@@ -20,6 +21,7 @@ layers = [
 [[panels]]
 title = "Configuration space"
 space = "configuration"
+inset = "small"
 layers = ["axes", "difference", "polytope", "origin"]
 "#,
 };

@@ -12,6 +12,7 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 title = "World"
+inset = "small"
 layers = [
   "shapes",
   { layer = "ghosts", of = "B", at = "separated" },
@@ -21,6 +22,7 @@ layers = [
 [[panels]]
 title = "Configuration space"
 space = "configuration"
+inset = "small"
 layers = ["axes", "difference", "simplex", "origin"]
 "#,
 };

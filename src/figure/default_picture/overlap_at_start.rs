@@ -12,12 +12,14 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "World"
 time = "start"
+inset = "small"
 layers = ["shapes", { layer = "separation", points = true }, "velocity"]
 
 [[panels]]
 title = "Configuration space"
 space = "configuration"
 time = "start"
+inset = "small"
 layers = ["axes", "difference", "origin", "closest"]
 "#,
 };

@@ -9,11 +9,13 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 title = "World"
+inset = "small"
 layers = ["shapes", { layer = "separation", points = true }]
 
 [[panels]]
 title = "Configuration space"
 space = "configuration"
+inset = "small"
 layers = ["axes", "difference", "origin", "closest"]
 "#,
 };

@@ -9,6 +9,7 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 title = "World"
+inset = "small"
 layers = [
   "shapes",
   { layer = "ghosts", of = "B", at = "separated" },
@@ -18,6 +19,7 @@ layers = [
 [[panels]]
 title = "Configuration space"
 space = "configuration"
+inset = "small"
 layers = ["axes", "difference", "origin", "closest"]
 "#,
 };

@@ -13,12 +13,14 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "World"
 time = "start"
+inset = "small"
 layers = ["shapes", "approach", "velocity"]
 
 [[panels]]
 title = "Configuration space"
 space = "configuration"
 time = "start"
+inset = "small"
 layers = ["axes", "difference", "ray", "origin", "approach"]
 "#,
 };

@@ -22,12 +22,14 @@ layers = [
 title = "Step 1"
 space = "configuration"
 step = 1
+inset = "small"
 layers = [{ layer = "difference", at = "start" }, "velocity", "origin", "advancement"]
 
 [[panels]]
 title = "Step 2"
 space = "configuration"
 step = 2
+inset = "small"
 layers = [{ layer = "difference", at = "start" }, "velocity", "origin", "advancement"]
 "#,
 };

@@ -11,6 +11,7 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 time = "start"
+inset = "small"
 layers = ["shapes", "approach", "velocity", "spin"]
 "#,
 };

@@ -80,6 +80,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         |event: &Event| matches!(event, Event::Advanced { step, .. } if Some(*step) == context.step);
     let cue = context.cue(is_this);
     sketch.since(cue);
+    sketch.detail(&[s.estimate, s.closest, s.next.unwrap_or(s.closest)]);
     let tangent = TANGENT.map(|px| sketch.px(px));
     let past = s.next.map_or(0.0, |next| next.distance(s.closest)) + tangent[1];
     let along = tangent_direction(&s, context.closing_velocity());

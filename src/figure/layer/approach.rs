@@ -62,7 +62,7 @@ fn in_the_world(sketch: &mut Sketch, context: &Context, options: &Options, close
     let [p, q] = closest.points;
     let role = options.role(Role::Translation);
     sketch.part("approach").dimension(p, q, 0.0, Pen::dimension(role).width(1.5));
-    sketch.part("closest-points").marker(p, Marker::Disc, Side::A.into(), MARKER);
+    sketch.detail(&[p, q]).part("closest-points").marker(p, Marker::Disc, Side::A.into(), MARKER);
     sketch.part("closest-points").marker(q, Marker::Square, Side::B.into(), MARKER);
     sketch.label(label(closest, Anchor::middle(q, p), role));
 }
@@ -73,7 +73,7 @@ fn on_the_ray(sketch: &mut Sketch, context: &Context, options: &Options, closest
     let to = from + (closest.points[1] - closest.points[0]);
     let role = options.role(Role::Translation);
     sketch.part("approach").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
-    sketch.part("then").marker(from, Marker::Disc, Role::Ink, LARGE_MARKER);
+    sketch.detail(&[from, to]).part("then").marker(from, Marker::Disc, Role::Ink, LARGE_MARKER);
     sketch.label(label(closest, Anchor::middle(from, to), role));
 }
 

@@ -256,6 +256,7 @@ fn depth(
     options: &Options,
 ) {
     let role = options.role(Role::Translation);
+    sketch.detail(&[point.over, point.at]);
     sketch.part("depth").bar(point.over, point.at, 0.0, Pen::dimension(role).width(1.75));
     sketch.part("contact-point").marker(point.at, of(body), body.into(), MARKER);
     let anchor = if point.at == point.over {

@@ -110,6 +110,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     } else {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
+    sketch.detail(&[from, to]);
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 

@@ -171,6 +171,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     } else {
         sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, blue);
     }
+    sketch.detail(&[DVec2::ZERO, foot]);
     let beside = Anchor::middle(DVec2::ZERO, foot);
     // Of rounded bodies the depth is more, by their radii.
     let left =

@@ -167,6 +167,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
+    sketch.detail(&answer.points);
     if offset == 0.0 {
         right_angles(sketch, context, &run, &answer);
     }

@@ -185,6 +185,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         let values = options.flag("values", false);
         let blue = Role::Translation;
         sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
+        sketch.detail(&[DVec2::ZERO, v]);
         let text = if values { format!(r"$\|v\| = {}$", number(v.length())) } else { "$v$".to_owned() };
         sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
         let radius = radii(context);

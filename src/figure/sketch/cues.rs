@@ -50,7 +50,7 @@ impl Sketch<'_> {
     /// and a panel makes no room for it. It is the last that its layer draws.
     pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
         let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
-        let extent = self.extent;
+        let (extent, details) = (self.extent, self.details.len());
         self.since(from);
         self.cues.now.until = Some(self.cues.number(to));
         draw(self);
@@ -59,6 +59,7 @@ impl Sketch<'_> {
         self.unnamed.truncate(kept[2]);
         self.holds.truncate(kept[3]);
         self.extent = extent;
+        self.details.truncate(details);
         self.since(None);
     }
 }

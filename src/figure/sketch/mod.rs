@@ -5,7 +5,9 @@
 //! when it is asked for, and may touch that part's strokes only.
 
 mod construction;
+mod cover;
 mod cues;
+mod detail;
 mod label;
 mod line;
 mod look;
@@ -17,7 +19,7 @@ mod right_angle;
 mod round;
 mod words;
 
-use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
+use crate::drawing::{Contour, Group, Item, Paint, Path, Rect, Shown};
 use crate::figure::cue::Cue;
 use crate::figure::frame::Frame;
 use crate::figure::handle::Hold;
@@ -25,7 +27,9 @@ use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
 use crate::geometry::DVec2;
 
+pub(crate) use cover::{Cover, Obstacle, Weight};
 use cues::Cues;
+pub(crate) use detail::Detail;
 pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
 pub(crate) use marker::SPECK;
 pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
@@ -37,56 +41,6 @@ const SEEN: f64 = 14.0;
 /// The share of a panel's shorter edge that a mark may take at most: what is larger dwarfs what it is drawn
 /// at.
 const SHARE: f64 = 1.0 / 3.0;
-/// How much labels mind what is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Weight {
-    /// Crossed last: outlines, vectors, dimensions.
-    Normal,
-    /// Crossed before others: construction lines, ghosts.
-    Light,
-    /// Crossed before others, and not counted for the fit of the view: what lies outside of the subject, as
-    /// axes.
-    Background,
-}
-
-/// What a primitive covers on the page.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Cover {
-    /// A straight piece of a line.
-    Stroke {
-        /// One end, page pixels.
-        from: Point,
-        /// The other end, page pixels.
-        to: Point,
-        /// Half the line's width, page pixels.
-        half: f64,
-    },
-    /// A marker, as a disc.
-    Marker {
-        /// The centre of the disc, page pixels.
-        at: Point,
-        /// The radius of the disc, page pixels.
-        radius: f64,
-    },
-    /// An arrowhead, as a disc about its middle.
-    Head {
-        /// The middle of the head, page pixels.
-        at: Point,
-        /// Half the head's length, page pixels.
-        radius: f64,
-    },
-}
-
-/// Something that labels keep off.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Obstacle {
-    /// What it covers on the page.
-    pub(crate) cover: Cover,
-    /// How much labels mind it.
-    pub(crate) weight: Weight,
-    /// The part that it belongs to: the number of the call of [`Sketch::part`] in its panel.
-    pub(crate) part: usize,
-}
 
 /// A label that a layer asked for, with the part and layer that it belongs to.
 #[derive(Clone, Debug, PartialEq)]
@@ -131,6 +85,8 @@ pub(crate) struct Sketch<'f> {
     holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     extent: Option<(DVec2, DVec2)>,
+    /// What the panel is about and may be too small to see.
+    details: Vec<Detail>,
     /// Points of all lines so far.
     points: usize,
     /// Million page pixels of all areas so far.
@@ -155,6 +111,8 @@ pub(crate) struct Sketched {
     pub(crate) holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
     pub(crate) extent: Option<(DVec2, DVec2)>,
+    /// What the panel is about and may be too small to see.
+    pub(crate) details: Vec<Detail>,
     /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
     pub(crate) points: usize,
     /// Million page pixels of all areas.
@@ -183,6 +141,7 @@ impl<'f> Sketch<'f> {
             unnamed: Vec::new(),
             holds: Vec::new(),
             extent: None,
+            details: Vec::new(),
             points: 0,
             painted: 0.0,
             cues: Cues::default(),
@@ -200,11 +159,23 @@ impl<'f> Sketch<'f> {
 
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
-        let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, points, painted, .. } =
-            self;
+        let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, .. } = self;
+        let Self { details, points, painted, .. } = self;
         construction::end_at_lines(&mut layers);
         let cues = self.cues.known;
-        Sketched { frame, layers, obstacles, requests, unnamed, holds, extent, points, painted, cues }
+        Sketched {
+            frame,
+            layers,
+            obstacles,
+            requests,
+            unnamed,
+            holds,
+            extent,
+            details,
+            points,
+            painted,
+            cues,
+        }
     }
 
     /// Whether more was drawn than a figure may show: it will be refused.
@@ -374,22 +345,6 @@ impl<'f> Sketch<'f> {
             let (lo, hi) = self.extent.unwrap_or((q, q));
             self.extent = Some((lo.min(q), hi.max(q)));
         }
-    }
-
-    /// Makes labels keep off a line of `width` page pixels through points of the panel's space.
-    fn cover(&mut self, points: &[DVec2], width: f64) {
-        let page: Vec<Point> = points.iter().map(|&p| self.frame.page(p)).collect();
-        for pair in page.windows(2) {
-            self.keep_off(Cover::Stroke { from: pair[0], to: pair[1], half: 0.5 * width });
-        }
-    }
-
-    /// Makes labels keep off something of the current part.
-    fn keep_off(&mut self, cover: Cover) {
-        if self.is_full() {
-            return;
-        }
-        self.obstacles.push(Obstacle { cover, weight: self.weight, part: self.part });
     }
 }
 

@@ -1,7 +1,7 @@
 //! An inset shows its panel's detail at the enlarged place, and the panel's labels keep off it.
 
 use crate::drawing::{Group, Item, Path, Rect};
-use crate::figure::{Figure, Labelled, draw, plan};
+use crate::figure::{Figure, Labelled, draw, draw_in_steps, plan};
 use crate::geometry::DVec2;
 use crate::scene::{Explain, open_text};
 
@@ -121,4 +121,79 @@ fn an_inset_of_too_much_or_in_no_corner_is_refused() {
     assert_eq!(codes("inset = [1, 1, 0, 2]"), ["out-of-range"]);
     assert_eq!(codes("inset = [1, 1, 2, 2], inset_at = 'N'"), ["unknown-word"]);
     assert_eq!(codes("inset_at = 'NE'"), ["conflict"]);
+}
+
+/// The default picture of two bodies at a distance, on a page of a width.
+fn apart(gap: f64, query: &str, width: u32) -> Figure {
+    let text = format!(
+        "shapes.crate = {{ kind = 'box', half_extents = [1, 1], position = [0.3, {}] }}
+        shapes.floor = {{ kind = 'aabb', half_extents = [4, 0.5] }}
+        query = {{ kind = '{query}', of = ['crate', 'floor'] }}
+        canvas.width = {width}",
+        1.5 + gap
+    );
+    let scene = open_text("apart", &text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    draw_in_steps(&plan, plan.theme, "apart")
+}
+
+#[test]
+fn a_length_too_short_to_be_seen_is_enlarged_in_every_panel_and_a_longer_one_in_none() {
+    for (gap, query) in [(0.02, "separation"), (-0.02, "separation"), (0.001, "overlap"), (-0.02, "contact")]
+    {
+        for width in [700, 960, 1800] {
+            let figure = apart(gap, query, width);
+            // The first panel of points of contact shows no depth.
+            let wanted = if query == "contact" { 1 } else { 2 };
+            assert_eq!(figure.insets.len(), wanted, "{gap} {query} {width}");
+            let own = &figure.panels[figure.panels.len() - wanted..];
+            for (inset, panel) in figure.insets.iter().zip(own) {
+                let length = gap.abs() * inset.frame.scale;
+                // Where the inset has no room for its words, the panel has them.
+                let keys: Vec<_> = inset.placed.iter().chain(&panel.placed).map(|label| label.key).collect();
+                assert!(length > 10.0 && length < 90.0, "{gap} {query} {width}: {length} px");
+                assert!(keys.iter().any(|key| key.starts_with('d')), "{gap} {query} {width}: {keys:?}");
+            }
+        }
+    }
+    assert!(apart(0.5, "separation", 960).insets.is_empty());
+    assert!(apart(-0.5, "contact", 960).insets.is_empty());
+    assert!(apart(0.0, "separation", 960).insets.is_empty());
+}
+
+#[test]
+fn a_panel_without_room_for_an_inset_reaches_higher_and_is_no_emptier_for_it() {
+    let figure = apart(-0.02, "contact", 960);
+    let (panel, inset) = (figure.panels[1].frame.panel, figure.insets[0].frame.panel);
+    let over = figure.panels[1].placed.iter().find(|label| label.bounds.intersection(inset).is_some());
+    assert!(over.is_none() && panel.union(inset) == panel, "{over:?}");
+}
+
+#[test]
+fn an_inset_of_a_small_length_comes_with_the_answer() {
+    let figure = apart(0.02, "separation", 960);
+    let painted = |step: usize| {
+        let drawing = figure.drawing.at_step(step);
+        ["inset", "detail"].map(|name| {
+            group(&drawing.items, name)
+                .is_some_and(|own| !paths(&[Item::Group(own.clone())], name).is_empty())
+        })
+    };
+    assert_eq!(painted(1), [false, false]);
+    assert_eq!(painted(figure.drawing.steps.len()), [true, true]);
+}
+
+#[test]
+fn the_word_for_what_is_small_is_read_and_no_other() {
+    let codes = |panel: &str| match open_text("inset", &scene(panel)) {
+        Err(problems) => problems.problems.iter().map(|p| p.fault.to_string()).collect::<Vec<_>>(),
+        Ok(file) => plan(&file.scene)
+            .map_or_else(|problems| problems.iter().map(|p| p.fault.to_string()).collect(), |_| Vec::new()),
+    };
+    assert_eq!(codes("inset = 'small'"), [""; 0]);
+    let wrong = codes("inset = 'tiny'");
+    assert_eq!(
+        wrong,
+        ["`inset`: expected four numbers [x0, y0, x1, y1], or \"small\", got the text \"tiny\""]
+    );
 }

@@ -1,0 +1,135 @@
+//! What is too small to be seen: of the lengths that a panel is about the largest that is shorter than its own
+//! markers, enlarged where room is free.
+//!
+//! Bodies that an engine reports as touching are a hundredth of their size apart, or overlap by as much; on the
+//! page that is less than the width of an outline.
+
+use crate::drawing::{Offset, Point, Rect};
+use crate::figure::frame::Frame;
+use crate::figure::sketch::{Detail, Sketched};
+use crate::geometry::DVec2;
+
+use super::{Inset, MARGIN, factors, hidden};
+
+/// The length below which a detail is enlarged, page pixels: a marker and the ticks of a dimension are 7 – 9
+/// wide, so less than that is left between those at its ends.
+const SEEN: f64 = 16.0;
+/// The same where it was enlarged in the frame before, so that an inset does not come and go.
+const STILL_SEEN: f64 = 22.0;
+/// The least length that is enlarged, page pixels: less is a touch, or the rounding of one.
+const LEAST: f64 = 1e-3;
+/// The most that is enlarged.
+const MOST: f64 = 500.0;
+/// The least factor that is worth an inset.
+const WORTH: f64 = 2.0;
+/// The shares of its panel's width and height that an inset may take, the largest first.
+const SHARES: [f64; 4] = [0.46, 0.4, 0.34, 0.29];
+/// The widest and the highest that an inset is, page pixels, and the narrowest and the lowest.
+const LARGEST: [f64; 2] = [260.0, 190.0];
+const SMALLEST: [f64; 2] = [128.0, 76.0];
+/// The share of an inset that its detail takes: about it is what it belongs to.
+const FILLED: f64 = 0.4;
+/// Where an inset may stand, from its panel's middle: corners first, then between them, then within an area.
+const PLACES: [[f64; 2]; 21] = [
+    [1.0, -1.0],
+    [-1.0, -1.0],
+    [1.0, 1.0],
+    [-1.0, 1.0],
+    [1.0, 0.0],
+    [-1.0, 0.0],
+    [0.0, -1.0],
+    [0.0, 1.0],
+    [0.5, -1.0],
+    [-0.5, -1.0],
+    [0.5, 1.0],
+    [-0.5, 1.0],
+    [1.0, 0.5],
+    [1.0, -0.5],
+    [-1.0, 0.5],
+    [-1.0, -0.5],
+    [0.5, 0.5],
+    [0.5, -0.5],
+    [-0.5, 0.5],
+    [-0.5, -0.5],
+    [0.0, 0.0],
+];
+/// How much of a line an inset may hide rather than stand away from the edges of its panel, page pixels.
+const WITHIN: f64 = 40.0;
+/// How much of a line an inset may hide, page pixels: what it takes to be recognised stays in view.
+const HIDES: f64 = 60.0;
+/// How much of a line an inset may hide to be as wide, or as high, as its panel, page pixels.
+const LARGER: f64 = 200.0;
+/// How much of a line an inset may hide rather than stand elsewhere than in the frame before, page pixels.
+const RESTS: f64 = 60.0;
+
+/// The largest detail that is shorter than `seen`.
+fn unseen(sketched: &Sketched, seen: f64) -> Option<&Detail> {
+    let small = |detail: &&Detail| {
+        let length = diagonal(&detail.rect);
+        (LEAST..seen).contains(&length) && sketched.frame.panel.intersection(detail.rect).is_some()
+    };
+    let all = sketched.details.iter().filter(small);
+    all.max_by(|a, b| diagonal(&a.rect).total_cmp(&diagonal(&b.rect)))
+}
+
+/// Whether something is too small to be seen, and no place is free for an inset of it.
+pub(super) fn lacks_room(sketched: &Sketched) -> bool {
+    unseen(sketched, SEEN).is_some() && enlarged(sketched, None).is_none()
+}
+
+/// The inset of what is too small to be seen; `None` where nothing is, or where one would hide too much.
+pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>) -> Option<Inset> {
+    let frame = &sketched.frame;
+    let found = unseen(sketched, if before.is_some() { STILL_SEEN } else { SEEN })?;
+    let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
+    let sizes = shares.filter_map(|share| Some((share, sized(frame, &found.rect, share)?)));
+    let places = sizes.flat_map(|size| PLACES.map(|at| (size, at)));
+    let candidate = |((share, (factor, size)), at): (([f64; 2], (f64, [f64; 2])), [f64; 2])| {
+        let rect = placed(&frame.panel, size, at);
+        let detail = about(found.rect.center(), size.map(|edge| 0.5 * edge / factor));
+        let hides = hidden(&rect, &detail, &sketched.obstacles);
+        let rests = before.is_some_and(|before| (before.center() - rect.center()).length() < 1.0);
+        let within = at.iter().all(|along| along.abs() < 1.0);
+        let cost = hides - LARGER * (share[0] + share[1]) + if within { WITHIN } else { 0.0 }
+            - if rests { RESTS } else { 0.0 };
+        (hides <= HIDES).then_some((cost, factor, rect, detail))
+    };
+    let best = places.filter_map(candidate).min_by(|a, b| a.0.total_cmp(&b.0));
+    let (_, factor, rect, detail) = best?;
+    let middle = detail.center() - frame.middle;
+    let center = frame.center + DVec2::new(middle.dx, -middle.dy) / frame.scale;
+    let scale = frame.scale * factor;
+    let frame = Frame { center, middle: rect.center(), scale, panel: rect, ..*frame };
+    Some(Inset { frame, detail, factor, shown: found.shown })
+}
+
+/// From one end of a rectangle to the other.
+fn diagonal(rect: &Rect) -> f64 {
+    Offset::new(rect.width(), rect.height()).length()
+}
+
+/// How many times an inset of a share of its panel enlarges a detail, and its width and height; `None` where
+/// that is too small a panel, or too little.
+fn sized(frame: &Frame, detail: &Rect, share: [f64; 2]) -> Option<(f64, [f64; 2])> {
+    let size = [frame.panel.width(), frame.panel.height()];
+    let size = [0, 1].map(|k| (share[k] * size[k]).min(LARGEST[k]));
+    if size[0] < SMALLEST[0] || size[1] < SMALLEST[1] {
+        return None;
+    }
+    let room = FILLED * size[0].min(size[1]);
+    let factor = *factors((room / diagonal(detail)).min(MOST)).first()?;
+    (factor >= WORTH).then_some((factor, size))
+}
+
+/// The rectangle about a point with half a width and half a height.
+fn about(middle: Point, [x, y]: [f64; 2]) -> Rect {
+    Rect { x0: middle.x - x, y0: middle.y - y, x1: middle.x + x, y1: middle.y + y }
+}
+
+/// A rectangle of a width and a height at a place in its panel.
+fn placed(cell: &Rect, size: [f64; 2], [right, down]: [f64; 2]) -> Rect {
+    let half = size.map(|edge| 0.5 * edge);
+    let x = right * (0.5 * cell.width() - MARGIN - half[0]);
+    let y = down * (0.5 * cell.height() - MARGIN - half[1]);
+    about(Point::new(cell.center().x + x, cell.center().y + y), half)
+}
