@@ -42,6 +42,10 @@ const SERIES: [f64; 2] = [0.3, 0.8];
 /// roundings, and far below what is seen.
 const BEGINS: f64 = 1e-12;
 
+/// The length of an edge below which the diamonds at its ends leave less of its colour than they hide, in
+/// their own radii: a diamond is two of them wide, at either end one.
+const CROWDED: f64 = 5.0;
+
 pub(super) const LAYER: Layer = Layer {
     name: "difference",
     about: "the Minkowski difference B ⊖ A, edges by source",
@@ -245,10 +249,10 @@ fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> (P
     }
 }
 
-/// Marks the vertices of a sharp difference, but where most edges are shorter than a mark: it is the edges
-/// whose colours say where they come from.
+/// Marks the vertices of a sharp difference, but where most edges are hardly longer than a mark: it is the
+/// edges whose colours say where they come from.
 fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Option<Cue>) {
-    let is_hidden = |edge: &&Edge| sketch.on_page(edge.from.distance(edge.to)) < 2.0 * SMALL_MARKER;
+    let is_hidden = |edge: &&Edge| sketch.on_page(edge.from.distance(edge.to)) < CROWDED * SMALL_MARKER;
     if found.radius > 0.0 || 2 * found.edges.iter().filter(is_hidden).count() > found.edges.len() {
         return;
     }
@@ -336,6 +340,25 @@ pub(super) fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn vertices_are_marked_until_the_marks_would_hide_the_edges() {
+        for (edges, marks) in [(12, 24), (48, 0)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1 }}
+                shapes.B = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1.3, angle_deg = 3 }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = ['difference'] }}, {{ layers = ['shapes'] }}]"
+            );
+            let scene = open_text("many", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "many");
+            assert_eq!(paths(&figure.drawing.items, "vertices").len(), marks, "{edges}");
+        }
+    }
 
     #[test]
     fn of_many_steps_the_first_and_the_last_are_drawn() {

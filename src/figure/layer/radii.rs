@@ -215,7 +215,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
         sketch.part("lengths").bar(p, q, 0.0, length.weight);
-        let anchor = beside(p, q, -down);
+        // Between the lines that come down to the radii is no room for the words of the first.
+        let anchor = if i == 0 { Anchor::tip(p, q) } else { beside(p, q, -down) };
         sketch.label(Label::new(length.key, length.text.clone(), anchor, length.role));
     }
     let last = |point: DVec2| {
@@ -273,4 +274,31 @@ fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
             Pen::highlighted(Role::B),
         ),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::Rect;
+    use crate::figure::layer::tests::{paths, points};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn the_distance_of_slanted_circles_is_named_beyond_its_end_and_not_at_a_radius() {
+        for (place, radius) in [("[100, 50]", 90), ("[100, -60]", 80), ("[-80, 90]", 70)] {
+            let text = format!(
+                "shapes.Small = {{ kind = 'circle', radius = 40 }}
+                shapes.Large = {{ kind = 'circle', radius = {radius}, position = {place} }}
+                query = {{ kind = 'overlap', of = ['Small', 'Large'], algorithm = 'circles' }}"
+            );
+            let scene = open_text("slanted", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "slanted");
+            let label = figure.panels[0].placed.iter().find(|label| label.key == "centers").unwrap();
+            let end = points(paths(&figure.drawing.items, "lengths")[0])[1];
+            let near = label.bounds.grown(30.0);
+            assert!(near.union(Rect::new(end, end)) == near, "{place}: {:?} {end:?}", label.bounds);
+            assert_eq!(figure.faults(), [], "{place}");
+        }
+    }
 }
