@@ -20,7 +20,7 @@ pub(super) fn widest(plan: &Plan, panels: &[Labelled], insets: &[Labelled]) -> f
     bands(plan, panels, insets).into_iter().fold(0.0, f64::max)
 }
 
-/// The upper and the lower end of what a panel shows, its inset too, page pixels; none where it shows nothing.
+/// The upper and the lower end of what a panel and its inset show, page pixels; none where that is nothing.
 fn shown(panel: &Labelled, insets: &[Labelled]) -> Option<(f64, f64)> {
     let subject = panel.obstacles.iter().filter(|o| o.weight != Weight::Background);
     let covers = subject.map(|o| match o.cover {

@@ -1,8 +1,8 @@
 //! An inset: a detail of a panel, drawn again and enlarged in one of the panel's corners.
 //!
 //! Its layers are the panel's, in a frame of its own; so lines, markers and letters are as large as anywhere,
-//! and only places are farther apart. The corner that hides least is taken where the scene names none. What is
-//! too small to be seen is found in [`small`].
+//! and only places are farther apart. The corner that hides least is taken where the scene names none.
+//! What is too small to be seen is found in [`small`].
 
 mod small;
 
@@ -138,8 +138,8 @@ impl Inset {
         sketched.requests.retain(|Request { label, .. }| !(is_there(label) && is_named(label)));
     }
 
-    /// Leaves out notes, which the panel has already. Of what was too small to be seen only that is named which
-    /// lies there: not what begins or ends outside, nor what the panel names outside of the detail.
+    /// Leaves out notes, which the panel has already. Of what was too small to be seen only that is named
+    /// which lies there: not what begins or ends outside, nor what the panel names outside of the detail.
     pub(crate) fn without_the_panels(&self, panel: &Panel, own: &Sketched, sketched: &mut Sketched) {
         let is_small = asked(panel) == Some(Detail::Small);
         let elsewhere = |key: &str| {

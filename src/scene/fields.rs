@@ -190,8 +190,8 @@ pub(super) static PANEL: TableRows = TableRows {
         may(
             "inset",
             Holds::RectangleOr(Detail::SMALL),
-            "a detail, drawn again and enlarged: [x0, y0, x1, y1]; \"small\": what is too small to be seen, if \
-             anything is",
+            "a detail, drawn again and enlarged: [x0, y0, x1, y1]; or \"small\": what is too small to be \
+             seen, if anything is",
         ),
         may(
             "inset_at",

@@ -1,8 +1,8 @@
-//! What is too small to be seen: of the lengths that a panel is about the largest that is shorter than its own
-//! markers, enlarged where room is free.
+//! What is too small to be seen: of the lengths that a panel is about the largest that is shorter than its
+//! own markers, enlarged where room is free.
 //!
-//! Bodies that an engine reports as touching are a hundredth of their size apart, or overlap by as much; on the
-//! page that is less than the width of an outline.
+//! Bodies that an engine reports as touching are a hundredth of their size apart, or overlap by as much; on
+//! the page that is less than the width of an outline.
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
@@ -11,10 +11,10 @@ use crate::geometry::DVec2;
 
 use super::{Inset, MARGIN, factors, hidden};
 
-/// The length below which a detail is enlarged, page pixels: a marker and the ticks of a dimension are 7 – 9
-/// wide, so less than that is left between those at its ends.
+/// The length below which a detail is enlarged, page pixels: markers and ticks are 7 – 9 wide, so less than
+/// that is left between those at its ends.
 const SEEN: f64 = 16.0;
-/// The same where it was enlarged in the frame before, so that an inset does not come and go.
+/// The length below which it stays enlarged from the frame before on, so that an inset does not come and go.
 const STILL_SEEN: f64 = 22.0;
 /// The least length that is enlarged, page pixels: less is a touch, or the rounding of one.
 const LEAST: f64 = 1e-3;
