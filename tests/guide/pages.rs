@@ -166,3 +166,26 @@ fn same_live(text: &str) -> usize {
     };
     parts.map(same).count()
 }
+
+#[test]
+fn every_author_that_a_chapter_cites_is_among_the_sources() {
+    let sources = fs::read_to_string(src().join("sources.md")).unwrap();
+    let (mut missing, mut cited) = (Vec::new(), 0);
+    for (path, text) in all().into_iter().filter(|(path, _)| !path.ends_with("sources.md")) {
+        let (prose, _) = parted(&text);
+        let words: Vec<&str> = prose.split_whitespace().collect();
+        for pair in words.windows(2) {
+            let year: String = pair[1].chars().take_while(char::is_ascii_digit).collect();
+            let is_year = year.len() == 4 && (year.starts_with("19") || year.starts_with("20"));
+            let name: String = pair[0].chars().filter(|c| c.is_alphabetic()).collect();
+            if is_year && name.starts_with(char::is_uppercase) {
+                cited += 1;
+                if !sources.contains(&format!("{name} {year}**")) {
+                    missing.push(format!("{}: {name} {year}", path.display()));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "no source:\n{}", missing.join("\n"));
+    assert!(cited >= 12, "{cited} citations");
+}

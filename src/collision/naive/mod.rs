@@ -5,10 +5,15 @@
 //! method stands in its file, and a test there runs it on a pair where it is wrong.
 
 mod bodies;
+mod centre_ray;
 mod centres;
+mod clamped_centre;
+mod deepest_vertex;
+mod first_support;
 mod fixed_tolerance;
 mod forgotten_spin;
 mod largest_gap;
+mod single_precision;
 mod two_frames;
 
 use crate::collision::QueryKind;
@@ -33,15 +38,27 @@ pub enum Claim {
     Separation(f64, DVec2),
     /// They meet at this time.
     Hit(f64),
-    /// They do not meet.
+    /// They do not meet, or not touch.
     Miss,
+    /// They touch at this point of the world alone.
+    Contact(DVec2),
     /// It divides by 0.
     Nothing,
 }
 
 /// Rows of the table.
-const ROWS: [Naive; 5] =
-    [largest_gap::NAIVE, centres::NAIVE, fixed_tolerance::NAIVE, two_frames::NAIVE, forgotten_spin::NAIVE];
+const ROWS: [Naive; 10] = [
+    largest_gap::NAIVE,
+    centres::NAIVE,
+    fixed_tolerance::NAIVE,
+    clamped_centre::NAIVE,
+    first_support::NAIVE,
+    single_precision::NAIVE,
+    deepest_vertex::NAIVE,
+    two_frames::NAIVE,
+    centre_ray::NAIVE,
+    forgotten_spin::NAIVE,
+];
 
 /// Every naive method.
 ///

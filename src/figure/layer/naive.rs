@@ -3,9 +3,9 @@
 use crate::collision::naive::{Claim, Naive, WORDS, method};
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
-use crate::geometry::Side;
+use crate::geometry::{DVec2, Side};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
@@ -27,7 +27,10 @@ pub(super) const LAYER: Layer = Layer {
         default: "the first that takes the question",
         about: "the method: the largest gap between projections on edges' normals as the distance; the way \
             out along the line of the centres; a walk to the nearest point that ends when it gains less \
-            than 10⁻⁶; a look at both frames alone; conservative advancement without the spin",
+            than 10⁻⁶; a box's closest point by clamping, wherever the circle's centre is; B ⊖ A with one \
+            supporting vertex an edge; positions in single precision; the deepest vertex as the one contact; \
+            a look at both frames alone; the ray of A's centre against a B that was not grown; conservative \
+            advancement without the spin",
     }],
     labels: &[LabelKey { key: "naive", about: "what the method claims" }],
     needs: "a question that the method takes, bodies that it takes, and a panel in the world's frame",
@@ -52,6 +55,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Claim::Separation(s, n) => (format!("$s = {}$", number(s)), context.time, Some(n * -s)),
         Claim::Hit(t) => (format!("hit at $t = {}$", number(t)), t, None),
         Claim::Miss => ("no hit".to_owned(), 1.0, None),
+        Claim::Contact(at) => return contact(sketch, method, at, options.role(Role::Now)),
         Claim::Nothing => ("division by 0".to_owned(), context.time, None),
     };
     let role = options.role(Role::Now);
@@ -72,13 +76,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     let Some(outline) = named else { return };
-    label(sketch, method, &said, &outline, role);
+    label(sketch, method, &said, Anchor::inside(&outline), role);
 }
 
-/// Writes what a method claims where it would have a body.
-fn label(sketch: &mut Sketch, method: &Naive, said: &str, outline: &Outline, role: Role) {
+/// Draws the one point at which a method would have the bodies touch.
+fn contact(sketch: &mut Sketch, method: &Naive, at: DVec2, role: Role) {
+    sketch.part("claimed").marker(at, Marker::Diamond, role, MARKER);
+    label(sketch, method, "one point", Anchor::point(at), role);
+}
+
+/// Writes what a method claims where it would have a body, or a point.
+fn label(sketch: &mut Sketch, method: &Naive, said: &str, anchor: Anchor, role: Role) {
     let lines = vec![format!("{}:", method.name.replace('-', " ")), said.to_owned()];
-    let label = Label { lines, ..Label::new("naive", "", Anchor::inside(outline), role) };
+    let label = Label { lines, ..Label::new("naive", "", anchor, role) };
     sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
 
@@ -118,6 +128,16 @@ mod tests {
         assert!(labels(&drawn)["naive"].0.contains("no hit"));
         assert_eq!(paths(&drawn.drawing.items, "claimed-A").len(), 1);
         assert!(figure(bullet, wall, "linear-sweep", "{ layer = 'naive', method = 'centres' }").is_none());
+    }
+
+    #[test]
+    fn one_contact_is_a_point_and_moves_no_body() {
+        let on_it = "kind = 'box', half_extents = [1, 1], position = [0.5, 1.75]";
+        let method = "{ layer = 'naive', method = 'deepest-vertex' }";
+        let drawn = figure(BOX, on_it, "contact", method).unwrap();
+        assert!(labels(&drawn)["naive"].0.contains("one point"));
+        assert!(paths(&drawn.drawing.items, "claimed-B").is_empty());
+        assert_eq!(paths(&drawn.drawing.items, "claimed").len(), 1);
     }
 
     #[test]

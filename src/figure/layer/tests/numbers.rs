@@ -179,7 +179,7 @@ fn claimed(scene: &Scene, [a, b]: [Option<&Body>; 2], time: f64) -> Option<f64> 
     match (naive::method("", scene.query.kind)?.claims)([a?, b?], time)? {
         Claim::Separation(separation, _) => Some(separation),
         Claim::Hit(time) => Some(time),
-        Claim::Miss | Claim::Nothing => None,
+        Claim::Miss | Claim::Contact(_) | Claim::Nothing => None,
     }
 }
 
