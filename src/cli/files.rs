@@ -291,7 +291,8 @@ impl Files {
                 warn(file, &warnings, ink, messages);
             }
             if let Some(chosen) = chosen {
-                let found = Unfit::colors(&file.source.name, chosen, &drawing, self.allow_similar);
+                let formats = same_theme.iter().map(|planned| planned.format);
+                let found = Unfit::colors(&file.source.name, (chosen, &drawing), formats, self.allow_similar);
                 let is_refused = !found.is_empty() && !self.allow_similar;
                 unfit.extend(found);
                 if is_refused {

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use tracefig::drawing::Drawing;
 use tracefig::figure::Fault;
 use tracefig::figure::theme::{remedies, shortcomings};
+use tracefig::output::Format;
 use tracefig::scene::{Ink, Problem, Refused, SceneFile, visible};
 
 use super::console::Console;
@@ -30,9 +31,15 @@ pub(crate) struct Unfit {
 }
 
 impl Unfit {
-    /// What readers can't tell apart in a drawing with a theme of a user's own; nothing for a fit one.
-    /// `allowed` says that these are warnings, without the colours that would pass.
-    pub(crate) fn colors(scene: &str, chosen: &ChosenTheme, drawing: &Drawing, allowed: bool) -> Vec<Self> {
+    /// What readers can't tell apart in a drawing with a theme of a user's own; nothing for a fit one. The
+    /// dark side counts where one of the `formats` shows it. `allowed` says that these are warnings, without
+    /// the colours that would pass.
+    pub(crate) fn colors(
+        scene: &str,
+        (chosen, drawing): (&ChosenTheme, &Drawing),
+        mut formats: impl Iterator<Item = &'static Format>,
+        allowed: bool,
+    ) -> Vec<Self> {
         if chosen.file.is_none() {
             return Vec::new();
         }
@@ -49,7 +56,9 @@ impl Unfit {
             let (scene, theme) = (scene.clone(), theme.clone());
             Self { scene, theme, said, alone, is_refused: !allowed, severity }
         };
-        shortcomings(&chosen.theme, drawing).into_iter().map(unfit).collect()
+        let is_dark = formats.any(|format| format.in_the_dark);
+        let seen = shortcomings(&chosen.theme, drawing).into_iter().filter(|s| is_dark || !s.in_the_dark);
+        seen.map(unfit).collect()
     }
 
     /// The message where no other scene says the same.

@@ -19,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     about: "animated PNG of a sequence of drawings",
     media_type: "image/apng",
     usual: false,
+    in_the_dark: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
     in_steps: Some(write_steps),

@@ -24,6 +24,7 @@ pub(super) const FORMAT: Format = Format {
     about: "animation in 256 colours, for what takes no other",
     media_type: "image/gif",
     usual: false,
+    in_the_dark: false,
     depends: Depends::Pixels,
     write: Writer::Sequence(write),
     bind: None,

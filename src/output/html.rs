@@ -19,6 +19,7 @@ pub(super) const FORMAT: Format = Format {
     about: "self-contained page: the picture inline, its description below",
     media_type: "text/html",
     usual: false,
+    in_the_dark: true,
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(stepper::write),

@@ -70,6 +70,8 @@ pub struct Format {
     pub media_type: &'static str,
     /// Whether it is written where nobody says which formats.
     pub usual: bool,
+    /// Whether a file follows its reader into the dark, where the theme has a dark side; an image does not.
+    pub in_the_dark: bool,
     /// Which options its bytes depend on.
     pub(crate) depends: Depends,
     /// How a drawing becomes its bytes.

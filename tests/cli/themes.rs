@@ -303,3 +303,17 @@ fn a_file_that_is_no_theme_is_said_once_for_all_scenes_that_name_it() {
     assert_eq!(both.err.matches("got `black`").count(), 1, "{}", both.err);
     assert!(both.err.contains("(2 scenes: s0.toml, s1.toml)"), "{}", both.err);
 }
+
+#[test]
+fn a_dark_side_that_no_file_shows_refuses_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let colors = "[colors]\na = '#7A1FA2'\nb = '#00897B'\n[dark]\na = '#CE93D8'\nb = '#4DB6AC'\n";
+    fs::write(folder.path().join("own.toml"), colors).unwrap();
+    let figure = &figures()[0];
+    let code = |format: &str, theme: &str| {
+        render(folder.path(), &[figure, "--theme", theme, "--format", format, "-o", "out"]).code
+    };
+    assert_eq!(["png", "pdf"].map(|format| code(format, "own.toml")), [Some(0); 2]);
+    assert_eq!(["svg", "html"].map(|format| code(format, "own.toml")), [Some(1); 2]);
+    assert_eq!(code("png", "own.toml#dark"), Some(1));
+}

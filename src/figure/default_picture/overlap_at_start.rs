@@ -14,6 +14,7 @@ title = "World"
 time = "start"
 inset = "small"
 layers = ["shapes", { layer = "separation", points = true }, "velocity"]
+layers = ["shapes", { layer = "separation", points = true }, "velocity", "spin"]
 
 [[panels]]
 title = "Configuration space"

@@ -31,6 +31,7 @@ pub(super) const FORMAT: Format = Format {
     about: "vector page, its text found and copied; a page for each step, or sheets of several figures",
     media_type: "application/pdf",
     usual: false,
+    in_the_dark: false,
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(write_steps),

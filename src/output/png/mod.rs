@@ -26,6 +26,7 @@ pub(super) const FORMAT: Format = Format {
     about: "image at --scale pixels for a page pixel",
     media_type: "image/png",
     usual: true,
+    in_the_dark: false,
     depends: Depends::Packing,
     write: Writer::One(write),
     in_steps: None,

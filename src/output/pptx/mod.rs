@@ -25,6 +25,7 @@ pub(super) const FORMAT: Format = Format {
     about: "presentation: a slide a figure or a step, as SVG and PNG, with title, alt text and notes",
     media_type: "application/vnd.openxmlformats-officedocument.presentationml.presentation",
     usual: false,
+    in_the_dark: false,
     depends: Depends::Packing,
     write: Writer::One(write),
     in_steps: Some(write_steps),

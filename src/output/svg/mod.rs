@@ -29,6 +29,7 @@ pub(super) const FORMAT: Format = Format {
     about: "scalable picture with alternative text, its colours open to the page",
     media_type: "image/svg+xml",
     usual: true,
+    in_the_dark: true,
     depends: Depends::Page,
     write: Writer::One(write),
     in_steps: Some(steps::write),
