@@ -13,7 +13,6 @@ pub(super) const PICTURE: Picture = Picture {
 title = "World"
 time = "start"
 inset = "small"
-layers = ["shapes", { layer = "separation", points = true }, "velocity"]
 layers = ["shapes", { layer = "separation", points = true }, "velocity", "spin"]
 
 [[panels]]
