@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, sorted};
 use crate::trace::Event;
 
 use super::sketch::Outline;
@@ -179,8 +179,7 @@ struct Left<'e> {
 impl<'e> Left<'e> {
     /// All edges, before any is taken.
     fn new(edges: &'e [Edge], close: f64) -> Self {
-        let mut by_start: Vec<usize> = (0..edges.len()).collect();
-        by_start.sort_by(|&i, &j| edges[i].from.x.total_cmp(&edges[j].from.x));
+        let by_start = sorted(edges.len(), &|i, j| edges[i].from.x.total_cmp(&edges[j].from.x));
         Self { edges, close, by_start, taken: vec![false; edges.len()] }
     }
 

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use crate::geometry::sort_by;
 use crate::scene::{self, Scene, Variant};
 
 use super::asked_theme::theme_of;
@@ -190,7 +191,7 @@ fn resolve<'s>(
             warnings,
         });
     }
-    problems.sort_by_key(|p| (p.span.start, p.span.end));
+    sort_by(&mut problems, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));
     problems.dedup();
     problems.truncate(MAX_PROBLEMS);
     Err(problems)

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
-use crate::geometry::Names;
+use crate::geometry::{Names, sort_by};
 use crate::scene::{Scene, StepWords};
 use crate::trace::{self, Event, growth, step};
 
@@ -45,7 +45,7 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
         items[scope.items.clone()].iter().for_each(|item| collect(item, &mut used));
         cues.extend(used.into_iter().filter_map(|number| scope.cue(number)));
     }
-    cues.sort_by(Cue::order);
+    sort_by(&mut cues, Cue::order);
     cues.dedup();
     let told: Vec<Told> = cues.iter().filter_map(|cue| Told::of(bodies, &runs, *cue)).collect();
     let mut steps = vec![first(&called, &runs)];

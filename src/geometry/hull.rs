@@ -14,6 +14,7 @@ use crate::geometry::Ball;
 use crate::geometry::Dd;
 use crate::geometry::Rotation;
 use crate::geometry::UnitVector;
+use crate::geometry::sort_by;
 use crate::geometry::taming_power;
 
 /// The vertices of a convex core in counter-clockwise order, and what follows from them.
@@ -133,7 +134,7 @@ impl Hull {
         let first = (0..count).min_by(|i, j| angle(i).total_cmp(&angle(j))).unwrap_or(0);
         let mut angles: Vec<f64> = (0..count).map(|i| angle(&((first + i) % n))).collect();
         // Nearly parallel edges may come out of order by rounding.
-        angles.sort_by(f64::total_cmp);
+        sort_by(&mut angles, f64::total_cmp);
         Self { vertices, edges, normals, tails, offsets, reach, angles, first, exact: None, error: 0.0 }
     }
 

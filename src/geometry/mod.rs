@@ -9,6 +9,7 @@ mod names;
 pub(crate) mod number;
 mod rotation;
 pub mod shape;
+mod sorting;
 mod unit_vector;
 
 pub use body::{Body, Pose, perp};
@@ -21,6 +22,7 @@ pub(crate) use number::{
 };
 pub use rotation::Rotation;
 pub use shape::Shape;
+pub(crate) use sorting::{sort_by, sorted};
 pub use unit_vector::UnitVector;
 
 use serde::Serialize;

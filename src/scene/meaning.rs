@@ -10,6 +10,7 @@ use super::fields::ROOT;
 use super::holds::Holds;
 use super::live;
 use super::node::{Node, NodeValue};
+use crate::geometry::sort_by;
 
 /// Whether the order of a table's entries says something.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -39,7 +40,7 @@ pub(super) fn meaning(root: &Node) -> String {
 /// The entries of a table by key.
 fn sorted(node: &Node) -> Vec<(&str, &Node)> {
     let mut entries = in_order(node);
-    entries.sort_by_key(|&(key, _)| key);
+    sort_by(&mut entries, |(a, _), (b, _)| a.cmp(b));
     entries
 }
 

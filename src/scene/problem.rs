@@ -8,6 +8,7 @@ use std::fmt;
 use std::ops::Range;
 
 use crate::geometry::shape::{KINDS, Kind, ShapeError};
+use crate::geometry::sort_by;
 
 use super::codes;
 use super::suggest::{nearest_or_all, quoted};
@@ -353,7 +354,7 @@ impl Problems {
 
     /// The problems in the order of the file.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
-        self.found.sort_by_key(|p| (p.span.start, p.span.end));
+        sort_by(&mut self.found, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));
         self.found
     }
 }

@@ -5,7 +5,7 @@ use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Size, Sketch, Weight};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, sort_by};
 
 use super::number_of;
 
@@ -108,7 +108,7 @@ pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DV
     let even = (0..=pieces).map(|i| until * (number_of(i) / number_of(pieces)));
     let more = more.iter().copied().filter(|time| (0.0..until).contains(time));
     let mut times: Vec<f64> = even.chain(more).collect();
-    times.sort_by(f64::total_cmp);
+    sort_by(&mut times, f64::total_cmp);
     times.dedup();
     let at = |time| DVec2::new(time, Pair::at(query.a, b, time).separation().separation);
     times.into_iter().map(at).collect()

@@ -7,7 +7,7 @@
 
 use crate::figure::context::Context;
 use crate::figure::sketch::{Outline, Pen, Sketch, Wash, Weight};
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, sort_by};
 use crate::scene::When;
 
 use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
@@ -88,7 +88,7 @@ fn core(context: &Context, side: Side, time: f64) -> Vec<DVec2> {
 fn hull(before: &[DVec2], after: &[DVec2]) -> Vec<(DVec2, bool)> {
     let mut points: Vec<(DVec2, bool)> =
         before.iter().map(|&p| (p, false)).chain(after.iter().map(|&p| (p, true))).collect();
-    points.sort_by(|(p, _), (q, _)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    sort_by(&mut points, |(p, _), (q, _)| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
     let mut hull = half_hull(points.iter());
     hull.pop();
     hull.extend(half_hull(points.iter().rev()));

@@ -6,6 +6,7 @@ use super::Candidate;
 use super::cost::pair_cost;
 use super::rest::Stay;
 use super::weights::Weights;
+use crate::geometry::sorted;
 
 /// Passes of improvement; each lowers the sum of costs, so that they end, and this many are never seen.
 const PASSES: usize = 64;
@@ -93,8 +94,8 @@ impl Choices<'_> {
 
     /// The places of a label that cost least by themselves.
     pub(super) fn cheapest(&self, label: usize, count: usize) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.places[label].len()).collect();
-        order.sort_by(|&a, &b| self.places[label][a].1.total_cmp(&self.places[label][b].1));
+        let places = &self.places[label];
+        let mut order = sorted(places.len(), &|a, b| places[a].1.total_cmp(&places[b].1));
         order.truncate(count);
         order
     }

@@ -4,6 +4,7 @@
 //! stands around the area.
 
 use crate::drawing::{Offset, Point, Rect};
+use crate::geometry::sort_by;
 
 use super::Candidate;
 use super::pole::FINE;
@@ -37,7 +38,7 @@ pub(super) fn places(things: &Things, size: (f64, f64), w: &Places) -> Vec<Candi
             inside.push(Candidate::new(rect, off_pole + off_middle + shared));
         }
     }
-    inside.sort_by(|a, b| a.reluctance.total_cmp(&b.reluctance));
+    sort_by(&mut inside, |a, b| a.reluctance.total_cmp(&b.reluctance));
     let spread = (w.spread * size.0).max(w.least_spread);
     let mut all: Vec<Candidate> = Vec::new();
     for candidate in inside {

@@ -6,6 +6,7 @@
 //! only. All lengths are page pixels.
 
 use crate::drawing::{Offset, Point, Rect};
+use crate::geometry::sort_by;
 
 use super::polyline::Polyline;
 use super::rect::nearest_in;
@@ -45,14 +46,14 @@ pub(super) fn grid(area: &Polyline, avoid: &[&Polyline], panel: &Rect, w: &Place
             }
         }
     }
-    points.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sort_by(&mut points, |a, b| b.1.total_cmp(&a.1));
     // Where many points are as remote, as along the middle of a box, the one nearest to the area's middle is
     // best.
     let starts =
         points.iter().take(w.refined).map(|&(p, _)| p).chain(area.contains(middle).then_some(middle));
     let mut refined: Vec<(Point, f64)> = starts.map(|p| climb(p, 0.5 * step, &bounds, &room)).collect();
     refined.extend(points);
-    refined.sort_by(|a, b| b.1.total_cmp(&a.1));
+    sort_by(&mut refined, |a, b| b.1.total_cmp(&a.1));
     refined
 }
 

@@ -6,6 +6,7 @@ use std::cell::Cell;
 use crate::drawing::Rect;
 use crate::figure::frame::Frame;
 use crate::figure::sketch::Obstacle;
+use crate::geometry::{sort_by, sorted};
 
 use super::anywhere::anywhere;
 use super::candidates::{candidates, nudged};
@@ -216,8 +217,7 @@ impl Choices<'_> {
     /// The labels at their places, without those that clash beyond help.
     fn finish(&self, seekers: &[Seeker], ground: &Ground, scene: &Surroundings) -> Labelled {
         let Ground { frame, obstacles, things, .. } = *ground;
-        let mut order: Vec<usize> = (0..seekers.len()).collect();
-        order.sort_by_key(|&i| std::cmp::Reverse(seekers[i].sought.rank));
+        let order = sorted(seekers.len(), &|i, j| seekers[j].sought.rank.cmp(&seekers[i].sought.rank));
         let mut kept: Vec<usize> = Vec::new();
         let mut dropped = Vec::new();
         for &i in &order {
@@ -227,7 +227,7 @@ impl Choices<'_> {
                 kept.push(i);
             }
         }
-        kept.sort_unstable();
+        sort_by(&mut kept, Ord::cmp);
         let placed = kept.iter().map(|&i| self.placed(i, &seekers[i], scene)).collect();
         let (obstacles, things) = (obstacles.to_vec(), things.to_vec());
         Labelled { frame: *frame, obstacles, things, placed, dropped }

@@ -5,6 +5,7 @@
 //! cut by nothing and cuts nothing, as it is not in the finished figure.
 
 use crate::drawing::{Cap, Contour, Group, Item, Path, Point, Role, Segment, Stroke};
+use crate::geometry::sort_by;
 
 /// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased
 /// edge. At half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside
@@ -137,7 +138,7 @@ fn pieces_of(line: Straight, unbroken: &[Straight]) -> Vec<[Point; 2]> {
     if covered.is_empty() {
         return whole;
     }
-    covered.sort_by(|a, b| a.0.total_cmp(&b.0));
+    sort_by(&mut covered, |a, b| a.0.total_cmp(&b.0));
     let (mut free, mut begin) = (Vec::new(), 0.0_f64);
     for (from, to) in covered.into_iter().chain([(length, length)]) {
         if from - begin >= LEFT {

@@ -15,6 +15,7 @@ use glam::DVec2;
 use robust::{Coord, orient2d};
 
 use super::ShapeError;
+use crate::geometry::sorted;
 use crate::geometry::taming_power;
 
 /// Indices of the strictly convex vertices, counter-clockwise, starting from the first of them in the file.
@@ -63,10 +64,9 @@ pub(super) fn convex_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> 
 /// file; of equal vertices the first, none on an edge.
 pub(super) fn hull_core(vertices: &[DVec2]) -> Result<Vec<usize>, ShapeError> {
     let scale = tamer(vertices);
-    let mut order: Vec<usize> = (0..vertices.len()).collect();
     // −0 is 0 here.
     let key = |i: usize| vertices[i] + DVec2::ZERO;
-    order.sort_by(|&i, &j| {
+    let mut order = sorted(vertices.len(), &|i, j| {
         let (p, q) = (key(i), key(j));
         p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)).then(i.cmp(&j))
     });
