@@ -21,6 +21,7 @@ use crate::geometry::{Angle, Body, DVec2};
 use crate::scene::{Grip, Scene};
 
 use super::frame::Frame;
+use super::language::Language;
 use super::playhead::playhead;
 
 /// Something on the page that can be dragged.
@@ -156,7 +157,7 @@ impl Hold {
 }
 
 impl Handle {
-    /// What it is, in words, as "vertex 2 of B".
+    /// What it is, in words, as "vertex 2 of B"; in the scene's language, where we have it.
     ///
     /// ```
     /// use tracefig::{figure::{draw, plan}, scene::{Source, read}};
@@ -195,6 +196,16 @@ impl Handle {
     }
 }
 
+/// What handles are called, as rows of a [`Language`].
+const NAMES: &[[&str; 5]] = &[
+    ["position of *", "*", "Lage von *", "position de *", "posición de *"],
+    ["half-extents of *", "*", "Halbmaße von *", "demi-étendues de *", "semiejes de *"],
+    ["vertex * of *", "*, *", "Ecke * von *", "sommet * de *", "vértice * de *"],
+    ["velocity of *", "*", "Geschwindigkeit von *", "vitesse de *", "velocidad de *"],
+    ["angle of *", "*", "Winkel von *", "angle de *", "ángulo de *"],
+    ["radius of *", "*", "Radius von *", "rayon de *", "radio de *"],
+];
+
 /// What is changed, wherever it stands.
 #[derive(Clone, Copy)]
 struct Named {
@@ -209,14 +220,15 @@ struct Named {
 impl Named {
     fn name(self, scene: &Scene) -> String {
         let name = scene.shapes.get(self.body).map_or("", |(name, _)| name.value.as_str());
-        match self.grip {
+        let english = match self.grip {
             Grip::Position => format!("position of {name}"),
             Grip::Vertices if self.is_half(scene) => format!("half-extents of {name}"),
             Grip::Vertices => format!("vertex {} of {name}", self.vertex),
             Grip::Velocity => format!("velocity of {name}"),
             Grip::Angle => format!("angle of {name}"),
             Grip::Radius => format!("radius of {name}"),
-        }
+        };
+        Language::of(scene).of_rows(NAMES, &english)
     }
 
     /// Whether it sets how far a box reaches, which is one value for all its vertices.

@@ -207,6 +207,11 @@ impl Language {
         self.said(WORDS, english)
     }
 
+    /// What another table has for words of ours that must be said: in English where the language has none.
+    pub(crate) fn of_rows(self, rows: &[[&str; 5]], english: &str) -> String {
+        if self.column == WORDLESS { english.to_owned() } else { self.said(rows, english) }
+    }
+
     /// What is written in English, as a row has it; as it is where no row is of it.
     fn said(self, rows: &[[&str; 5]], english: &str) -> String {
         let found = rows.iter().find_map(|row| Some((row, taken(row[0], english)?)));

@@ -154,6 +154,32 @@ fn random_edits_never_end_in_a_panic() {
     assert!(made * 4 > count && drawn * 40 > count, "{made} made and {drawn} drawn of {count}");
 }
 
+#[test]
+fn handles_are_called_in_the_language_of_the_scene() {
+    let names = |lang: &str| {
+        let mut scene = open(&figures()[0]).unwrap().json_value();
+        scene["lang"] = lang.into();
+        scene["live"] = json!({ "drag": ["A.position", "A.vertices", "B.radius", "B.angle_deg"] });
+        scene["shapes"]["B"] = json!({ "kind": "circle", "radius": 1, "position": [3, 1] });
+        let panel = Live::open(&json!({ "scene": scene }).to_string()).unwrap().draw().unwrap().panel;
+        let panel: Value = serde_json::from_str(&panel).unwrap();
+        let handles = panel["handles"].as_array().unwrap().iter();
+        let mut names: Vec<_> = handles.map(|handle| handle["name"].as_str().unwrap().to_owned()).collect();
+        names.retain(|name| name.ends_with('A') || name.ends_with('B'));
+        names.dedup();
+        names
+    };
+    let english = names("en");
+    assert!(english.contains(&"position of A".to_owned()) && english.len() > 2, "{english:?}");
+    assert_eq!(names("zh"), english);
+    for lang in ["de", "fr-CH", "es"] {
+        let (own, foreign) = (names(lang), english.iter());
+        assert!(own.iter().zip(foreign).all(|(own, english)| own != english), "{own:?}");
+        assert_eq!(own.len(), english.len());
+    }
+    assert!(names("de").contains(&"Lage von A".to_owned()));
+}
+
 /// What a sum of numbers and of their quotients comes to; `None` where it is none.
 fn sum(words: &str) -> Option<f64> {
     let plain = words.replace("- (-", "+ (").replace("- ", "+ -").replace(['(', ')', '$'], "");

@@ -134,7 +134,10 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/playhead", &["geometry", "scene", "figure/question"]),
-    ("figure/handle", &["geometry", "scene", "drawing", "figure/frame", "figure/playhead"]),
+    (
+        "figure/handle",
+        &["geometry", "scene", "drawing", "figure/frame", "figure/language", "figure/playhead"],
+    ),
     ("figure/theme", &["drawing"]),
     ("figure/page", &["scene", "drawing", "figure/theme"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
@@ -309,7 +312,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("output", &["drawing", "typeset"]),
     ("drift", &["scene", "trace", "figure", "drawing", "output"]),
-    ("live", &["geometry", "scene", "drawing", "figure", "drift", "output"]),
+    ("live", &["geometry", "scene", "typeset", "drawing", "figure", "drift", "output"]),
     ("report", &["geometry", "trace", "collision", "scene", "typeset", "drawing", "figure", "output"]),
     // Speaks to the library from outside, as `tracefig::…`, so it sees the public API and no more.
     ("cli", &[]),
