@@ -49,6 +49,11 @@ async function opened(file, about, options = {}) {
     if (options.javaScriptEnabled === false) return { page };
     await page.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live);
     const ready = performance.now() - start;
+    await page.waitForFunction(() => {
+        const { live, drawn } = document.querySelector(".tracefig-live").dataset;
+        return drawn !== undefined || live.startsWith("no");
+    });
+    const drawn = performance.now() - start;
     const live = await page.evaluate(() => document.querySelector(".tracefig-live").dataset.live);
     if (live !== "yes") fail(about, `is not live: ${live}`);
     await page.evaluate(() => {
@@ -58,7 +63,7 @@ async function opened(file, about, options = {}) {
             Object.assign(drawn, { answer: detail.answer, sentence: detail.sentence });
         });
     });
-    return { page, ready };
+    return { page, ready, drawn };
 }
 
 // Keeps the picture, or says whether it is as it was kept.
@@ -123,7 +128,7 @@ async function figure(stem) {
     const html = readFileSync(file, "utf8");
     const committed = readFileSync(join(figures, `${stem}.svg`), "utf8").trimEnd();
     if (!html.includes(`<figure>${committed}</figure>`)) fail(stem, "does not hold the committed picture");
-    const { page, ready } = await opened(file, stem);
+    const { page, ready, drawn } = await opened(file, stem);
     if ((await page.locator(".knobs").count()) === 0) {
         await page.close();
         return { ms: [], cpu: [] };
@@ -161,13 +166,13 @@ async function figure(stem) {
     if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
     await page.close();
     const shares = [ms, cpu].flatMap((values) => [quantile(values, 0.5), quantile(values, 0.95)]);
-    const numbers = [ready, ...shares].map((x) => x.toFixed(1).padStart(7));
+    const numbers = [ready, drawn, ...shares].map((x) => x.toFixed(1).padStart(7));
     const sizes = [html.length, gzipSync(html).length].map((x) => String(x).padStart(8));
     console.log(`${stem.padEnd(26)}${sizes.join("")}${numbers.join(" ")}  ${String(knobs.length).padStart(2)} handles`);
     return { ms, cpu };
 }
 
-console.log(`${"figure".padEnd(26)}   bytes      gz  ready  median     p95 median     p95 ms of processor time`);
+console.log(`${"figure".padEnd(26)}   bytes      gz  ready   drawn  median     p95 median     p95 ms of processor time`);
 const all = { ms: [], cpu: [] };
 for (const stem of stems) {
     const { ms, cpu } = await figure(stem);
@@ -181,8 +186,8 @@ for (const [about, values] of [["on the clock", all.ms], ["processor time", all.
 
 // One page with all it needs, and what is left of it without scripts and without a module.
 const bytes = readFileSync(alone);
-const { page, ready } = await opened(alone, "alone");
-console.log(`alone: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip, ready in ${ready.toFixed(0)} ms`);
+const { page, ready, drawn } = await opened(alone, "alone");
+console.log(`alone: ${bytes.length} bytes, ${gzipSync(bytes, { level: 9 }).length} with gzip, ready in ${ready.toFixed(0)} ms, drawn in ${drawn.toFixed(0)}`);
 await page.close();
 const { page: bare } = await opened(alone, "without scripts", { javaScriptEnabled: false });
 const controls = await bare.locator("button, input, .knob").count();
@@ -192,7 +197,7 @@ const broken = join(work, "broken.html");
 writeFileSync(broken, bytes.toString().replace(" 'wasm-unsafe-eval'", ""));
 const torn = await browser.newPage();
 await torn.goto(pathToFileURL(broken).href);
-await torn.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live);
+await torn.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live?.startsWith("no"));
 if ((await torn.locator("button, input, .knob").count()) > 0) fail("without the module", "has controls that do nothing");
 await torn.close();
 

@@ -8,12 +8,6 @@ function make(name, attributes = {}, ...inner) {
     return element;
 }
 
-// What a reader drags, in the words of a hint: a body alone is its place.
-function thing({ name, grip, paths: [path] }) {
-    const [, body] = path;
-    return { position: body, vertices: `the vertices of ${body}` }[grip] ?? `the ${name}`;
-}
-
 function button(words, act, attributes = {}) {
     const made = make("button", { type: "button", ...attributes }, words);
     made.addEventListener("click", act);
@@ -50,7 +44,7 @@ class Knob {
         const { name, value, range: [lo, hi] } = handle;
         const first = (numbers) => [numbers].flat()[0];
         const heard = {
-            role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": inWords(value),
+            role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": this.figure.inWords(value),
             "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
         };
         this.wear("transform", `translate(${x} ${y})`);

@@ -1,19 +1,12 @@
 // Drags over a figure, as scripts that measure want them.
-import { readFileSync, readdirSync } from 'node:fs';
-import { join, parse } from 'node:path';
-import { prefix } from './module.mjs';
+import { requests } from './scenes.mjs';
 
 /** The committed figures: the name, what the module opens, and the last body with its place. */
 export function figures(folder = new URL('../figures', import.meta.url).pathname) {
-    const scenes = readdirSync(folder).filter((name) => name.endsWith('.toml')).sort();
-    return scenes.map((name) => {
-        const stem = parse(name).name;
-        const id = prefix(readFileSync(join(folder, `${stem}.svg`), 'utf8'));
-        const scene = readFileSync(join(folder, name), 'utf8');
-        const bodies = scene.split(/^\[shapes\./m).slice(1);
-        const at = /^position\s*=\s*\[([^,]+),([^\]]+)\]/m.exec(bodies.at(-1).split(/^\[/m)[0]);
-        const place = at ? [Number(at[1]), Number(at[2])] : [0, 0];
-        return { stem, request: { scene, id }, path: ['shapes', bodies.length - 1, 'position'], place };
+    return Array.from(requests(folder), ([stem, request]) => {
+        const bodies = Object.values(request.scene.shapes);
+        const place = bodies.at(-1).position ?? [0, 0];
+        return { stem, request, path: ['shapes', bodies.length - 1, 'position'], place };
     });
 }
 

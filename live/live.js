@@ -1,6 +1,6 @@
-// A figure on a page that a reader drags, steps through and asks by numbers. What is on the page before stays
-// until the module's first drawing is the same; without the module there is nothing but that, and no control
-// that does nothing.
+// A figure on a page that a reader drags, steps through and asks by numbers. The page says where its handles
+// are, so that they are there at once; what is done with them waits for the module, which comes behind them.
+// Its first drawing must be the picture of the page: else, and without the module, that stays and they go.
 
 const REACH = 22; // How near a pointer comes to a handle, CSS pixels: with it a finger's 44.
 const PAUSE = 400; // Milliseconds of rest before a reader hears the result.
@@ -11,85 +11,111 @@ const WHOLE = 0xffffffff; // The step that shows the finished figure.
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 const phone = matchMedia("(max-width: 600px)"); // There one is as wide as the page, whatever a book says.
 
-class Figure {
+class Figure extends Edited {
     // Makes a figure of the page live; it stays as it is where that can't be.
     static async start(root, alone) {
         const request = root.querySelector("script[type='application/json']").textContent;
-        const figure = new Figure(root, request, await Engine.start(request), alone);
-        if (!figure.engine.draw()) throw new Error(figure.engine.info.error);
-        const fits = figure.picture.begin(figure.engine.svg);
-        if (!fits) throw new Error("the drawing is another one than the picture of the page");
-        figure.build();
-        root.dataset.live = "yes";
+        const figure = new Figure(root, request, alone);
+        if (figure.info && "compileStreaming" in WebAssembly) figure.build();
+        // What is on the page is seen first.
+        figure.begun = new Promise(requestAnimationFrame).then(() => figure.begin(request));
+        try {
+            await figure.begun;
+        } catch (error) {
+            for (const made of figure.around ?? []) made.remove();
+            throw error;
+        }
+        if (figure.around) figure.shown();
+        else figure.build();
+        root.dataset.drawn = "";
     }
 
-    constructor(root, request, engine, alone) {
-        Object.assign(this, { root, engine, alone });
-        this.scene = JSON.parse(request).scene;
+    constructor(root, request, alone) {
+        const { scene, info } = JSON.parse(request);
+        super(scene);
+        Object.assign(this, { root, alone, info });
         this.stage = root.querySelector("figure");
         this.picture = new Picture(this.stage.querySelector("svg"));
-        this.edits = new Map(); // What differs from the scene, by the keys of its handle.
-        this.first = new Map(); // What the scene says there.
         this.knobs = new Map();
         this.rows = new Map();
         this.step = WHOLE;
     }
 
+    // What a reader drags, in the words of a hint: a body alone is its place.
+    thing({ name, grip, paths: [[, body]] }) {
+        return { position: body, vertices: this.word("vertices", body) }[grip] ?? this.word("the", name);
+    }
+
+    // Draws for the first time, which must give the picture of the page.
+    async begin(request) {
+        const engine = await Engine.start(request);
+        if (!engine.draw()) throw new Error(engine.info.error);
+        const fits = this.picture.begin(engine.svg);
+        if (!fits) throw new Error("the drawing is another one than the picture of the page");
+        this.engine = engine;
+        this.info = engine.info;
+    }
+
     // ---- The page around the picture
 
     build() {
-        this.info = this.engine.info;
-        this.overlay = make("svg", { class: "knobs", role: "group", "aria-label": "What can be moved" });
+        this.overlay = make("svg", { class: "knobs", role: "group", "aria-label": this.word("moved") });
         this.say = make("p", { class: "say", role: "status" });
         this.why = make("p", { class: "why", "aria-hidden": "true" });
         this.bar = make("div", { class: "bar" });
         this.numbers = make("div", { class: "numbers" });
-        const summary = make("summary", {}, "By numbers");
+        const summary = make("summary", {}, this.word("numbers"));
         const details = make("details", { class: "numbers-of" }, summary, this.numbers);
         this.stage.append(this.overlay);
         this.stage.after(this.why, this.bar, this.say, details);
+        this.around = [this.overlay, this.why, this.bar, this.say, details];
         this.fill();
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
         this.shown();
         new ResizeObserver(() => this.fit()).observe(this.root);
-        if (this.alone) addEventListener("hashchange", () => this.forget() ?? this.fromAddress());
+        const anew = () => this.alive(() => this.forget() ?? this.fromAddress());
+        if (this.alone) addEventListener("hashchange", anew);
         this.fromAddress();
         this.speak(0);
+        this.root.dataset.live = "yes";
     }
 
     fill() {
         const live = this.scene.live ?? {};
         const time = this.info.handles.find((handle) => handle.grip === "time");
         if (time) this.bar.append(this.playhead(time));
-        if (this.engine.x.tf_step && (this.info.steps?.length ?? 0) > 1 && live.steps !== false) {
+        if ((this.info.steps?.length ?? 0) > 1 && live.steps !== false) {
             const go = (to) => () => this.toStep(to());
             const last = () => this.info.steps.length;
             const now = () => Math.min(this.step, last() + 1);
             const [back, on] = [() => Math.max(now() - 1, 1), () => (now() >= last() ? WHOLE : now() + 1)];
             this.count = make("span", { class: "count" });
-            const before = button(sign("◀"), go(back), { "aria-label": "previous step" });
-            const after = button(sign("▶"), go(on), { "aria-label": "next step" });
+            const before = button(sign("◀"), go(back), { "aria-label": this.word("before") });
+            const after = button(sign("▶"), go(on), { "aria-label": this.word("after") });
             this.bar.append(make("span", { class: "steps" }, before, this.count, after));
         }
-        const things = [...new Set(this.info.handles.filter(({ at }) => at).map(thing))];
-        if (things.length > 0) this.bar.before(make("p", { class: "hint" }, `Drag ${things.join(", ")}.`));
-        const reset = button("Reset", () => this.reset(), { class: "reset" });
-        const copy = button("Copy as TOML", () => this.copy());
+        const things = [...new Set(this.info.handles.filter(({ at }) => at).map(this.thing, this))];
+        const hint = make("p", { class: "hint" }, this.word("drag", things.join(", ")));
+        if (things.length > 0) this.bar.before(hint);
+        this.around.push(hint);
+        const reset = button(this.word("reset"), () => this.reset(), { class: "reset" });
+        const copy = button(this.word("copy"), () => this.copy());
         this.bar.append(make("span", { class: "acts" }, reset, copy));
     }
 
     playhead(handle) {
-        const range = make("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": "time" });
+        const bounds = { type: "range", min: 0, max: 1, step: 0.01 };
+        const range = make("input", { ...bounds, "aria-label": this.word("time") });
         const said = make("output", {});
         const show = (value) => {
             if (document.activeElement !== range) range.value = value;
-            said.value = `t = ${Number(value).toFixed(2)}`;
+            said.value = `t = ${this.number(Number(value).toFixed(2))}`;
             range.setAttribute("aria-valuetext", said.value);
         };
         range.addEventListener("input", () => this.want(handle, Number(range.value)));
         range.addEventListener("change", () => this.settle());
         this.showTime = show;
-        return make("label", { class: "time" }, "time", range, said);
+        return make("label", { class: "time" }, this.word("time"), range, said);
     }
 
     // ---- From values to a picture
@@ -101,33 +127,28 @@ class Figure {
     // Sets a value in the next frame; of several the last.
     want(handle, value) {
         this.wanted = { handle, value };
-        this.frame ??= requestAnimationFrame(() => {
-            this.frame = undefined;
-            this.alive(() => this.attempt(this.wanted.handle, this.wanted.value));
-        });
+        this.frame ??= requestAnimationFrame(() => this.alive(() => this.frame && this.attemptWanted()));
     }
 
-    // After a trap the module is of no use: another one takes its place and the picture stays.
+    attemptWanted() {
+        this.frame = undefined;
+        this.attempt(this.wanted.handle, this.wanted.value);
+    }
+
+    // Does something with the module, as soon as it is there. After a trap it is of no use: another one takes
+    // its place and the picture stays.
     alive(act) {
+        if (!this.engine) {
+            this.begun?.then(() => this.alive(act), () => {});
+            return;
+        }
         try {
             act();
         } catch (error) {
             if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-            this.refuse("That can’t be drawn.");
+            this.refuse(this.word("not"));
             this.engine.open().then(() => this.engine.set(this.all()) && this.draw());
         }
-    }
-
-    // What is to be set where; what the scene says already, as it says it.
-    pairs(handle, value) {
-        const own = String(value) === String(this.first.get(keyOf(handle)));
-        return handle.paths.map((path) => [path, own ? (valueAt(this.scene, path) ?? null) : value]);
-    }
-
-    // Every edit, with the width that the page has.
-    all() {
-        const edits = [...this.edits.values()].flatMap(({ paths, value }) => this.pairs({ paths }, value));
-        return this.width ? [...edits, [["canvas"], this.canvas()]] : edits;
     }
 
     // Sets a value, or of the way there as much as can be, and says why not all.
@@ -149,13 +170,6 @@ class Figure {
         if (!this.draw()) return;
         this.remember(handle, reached);
         this.refuse(why);
-    }
-
-    remember(handle, value) {
-        const key = keyOf(handle);
-        if (String(value) === String(this.first.get(key))) this.edits.delete(key);
-        else this.edits.set(key, { paths: handle.paths, value });
-        this.root.toggleAttribute("data-changed", this.edits.size > 0);
     }
 
     refuse(why) {
@@ -204,11 +218,12 @@ class Figure {
         }
         for (const knob of this.knobs.values()) knob.element.classList.toggle("gone", !seen.has(knob));
         const held = this.info.handles.map(({ panel, name }) => `${panel} ${name}`).join();
-        if (!stays || held !== this.heldBy) this.hold();
+        // The module's first picture is compared with that of the page as it came.
+        if (this.engine && (!stays || held !== this.heldBy)) this.hold();
         this.heldBy = held;
         if (this.count) {
             const [now, last] = [this.step, this.info.steps.length];
-            this.count.textContent = now >= last ? `${last} steps` : `step ${now} of ${last}`;
+            this.count.textContent = now >= last ? this.word("steps", last) : this.word("step", now, last);
         }
     }
 
@@ -241,6 +256,10 @@ class Figure {
         this.measure();
         if (width === this.room) return this.shown();
         this.room = width;
+        this.alive(() => this.refit(width));
+    }
+
+    refit(width) {
         this.layOut(width);
         // What can't be folded, as a formula, needs more; then letters are a little smaller.
         const words = this.picture.svg.querySelectorAll('[id$="-caption"],[id$="-headline"]');
@@ -253,7 +272,7 @@ class Figure {
     layOut(width) {
         const before = this.width;
         this.width = width;
-        this.engine.x.tf_rest?.();
+        this.engine.x.tf_rest();
         if (!this.engine.set([[["canvas"], this.canvas()]]) || !this.draw()) this.width = before;
     }
 
@@ -282,7 +301,7 @@ class Figure {
         // Words that can be marked may lie over a body.
         const under = document.elementsFromPoint(event.clientX, event.clientY);
         const held = under.map((element) => element.closest("[data-held]")).find(Boolean);
-        const knob = nearest ?? this.bodies.get(held);
+        const knob = nearest ?? this.bodies?.get(held);
         if (!knob) return;
         event.preventDefault();
         knob.grab(event);
@@ -295,17 +314,20 @@ class Figure {
 
     // After a change: labels go to where a still picture has them, the address says it, and a voice.
     settle() {
+        this.alive(() => this.settleNow());
+    }
+
+    settleNow() {
         if (this.frame) {
             cancelAnimationFrame(this.frame);
-            this.frame = undefined;
-            this.alive(() => this.attempt(this.wanted.handle, this.wanted.value));
+            this.attemptWanted();
         }
         const labels = () => [...this.picture.svg.querySelectorAll('[id*="-label-"]')];
         const places = () => labels().map((label) => [label, label.getBoundingClientRect()]);
         const before = new Map(places());
         const why = this.why.textContent;
-        this.engine.x.tf_rest?.();
-        this.alive(() => this.draw());
+        this.engine.x.tf_rest();
+        this.draw();
         this.refuse(why);
         for (const [label, { x, y }] of still.matches ? [] : places()) {
             const from = before.get(label);
@@ -322,7 +344,7 @@ class Figure {
 
     speak(pause = PAUSE) {
         clearTimeout(this.voice);
-        this.voice = setTimeout(() => (this.say.textContent = this.words()), pause);
+        this.voice = setTimeout(() => this.tell(this.words(), "en"), pause);
     }
 
     words() {
@@ -332,66 +354,23 @@ class Figure {
         return `${step.title}: ${step.sentences.join(" ")}`;
     }
 
+    tell(words, language) {
+        this.say.lang = language;
+        this.say.textContent = words;
+    }
+
     toStep(step) {
         this.step = step;
-        this.engine.x.tf_step(step);
-        this.alive(() => this.draw());
-        this.speak(0);
+        this.alive(() => {
+            this.engine.x.tf_step(step);
+            this.draw();
+            this.speak(0);
+        });
     }
 
     row(handle) {
         const key = keyOf(handle);
         if (!this.rows.has(key)) this.rows.set(key, new Row(this, handle));
         return this.rows.get(key);
-    }
-
-    // ---- Away from here
-
-    // Takes all edits back, without drawing.
-    forget() {
-        const paths = [...this.edits.values()].flatMap((edit) => edit.paths);
-        this.engine.set(paths.map((path) => [path, valueAt(this.scene, path) ?? null]));
-        this.edits.clear();
-        this.root.removeAttribute("data-changed");
-    }
-
-    reset() {
-        this.forget();
-        this.step = WHOLE;
-        this.engine.x.tf_step?.(WHOLE);
-        this.why.textContent = "";
-        this.settle();
-    }
-
-    async copy() {
-        const written = toml(edited(this.scene, this.edits.values()));
-        try {
-            await navigator.clipboard.writeText(written);
-            this.say.textContent = "The scene is on the clipboard.";
-        } catch {
-            const named = { class: "text", readonly: "", rows: 12, "aria-label": "The scene as TOML" };
-            this.text ??= make("textarea", named);
-            this.bar.after(this.text);
-            this.text.value = written;
-            this.text.select();
-        }
-    }
-
-    toAddress() {
-        if (!this.alone) return;
-        const part = ({ paths: [path], value }) => `${addressOf(path)}=${[value].flat().join(",")}`;
-        history.replaceState(null, "", `#${[...this.edits.values()].map(part).join("&")}`);
-    }
-
-    // Takes over what the address says of things that can be moved here.
-    fromAddress() {
-        const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
-        const said = new Map(parts.map((part) => part.split("=")));
-        for (const handle of this.info.handles) {
-            const numbers = said.get(addressOf(handle.paths[0]))?.split(",").map(Number);
-            if (numbers?.length !== [handle.value].flat().length || !numbers.every(Number.isFinite)) continue;
-            this.attempt(handle, Array.isArray(handle.value) ? numbers : numbers[0]);
-        }
-        if (parts.length > 0) this.settle();
     }
 }

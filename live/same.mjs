@@ -3,22 +3,21 @@
 //
 // For each scene of the first folder it draws every STEM.svg and STEM.THEME.svg that lies in the second.
 import { readFileSync, readdirSync } from 'node:fs';
-import { join, parse } from 'node:path';
+import { join } from 'node:path';
 import { bytes, instance, prefix } from './module.mjs';
+import { requests } from './scenes.mjs';
 
 const [scenes, folder, module] = process.argv.slice(2);
 const tracefig = await instance(bytes(module));
 let [same, all] = [0, 0];
-for (const file of readdirSync(scenes).filter((name) => name.endsWith('.toml')).sort()) {
-    const stem = parse(file).name;
-    const scene = readFileSync(join(scenes, file), 'utf8');
+for (const [stem, { scene, faces }] of requests(scenes)) {
     const is_ours = (name) => name.startsWith(`${stem}.`) && name.endsWith('.svg');
     const pictures = readdirSync(folder).filter(is_ours);
     for (const name of pictures) {
         const wanted = readFileSync(join(folder, name), 'utf8');
         const theme = name.slice(stem.length + 1, -'.svg'.length) || undefined;
         all += 1;
-        const request = { scene, id: prefix(wanted), theme };
+        const request = { scene, faces, id: prefix(wanted), theme };
         if (tracefig.open(request) && tracefig.draw() && tracefig.svg() === wanted) {
             same += 1;
         } else {

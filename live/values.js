@@ -39,7 +39,6 @@ const within = (value, [lo, hi]) =>
 const between = (a, b, t) => (Array.isArray(a) ? a.map((x, i) => x + (b[i] - x) * t) : a + (b - a) * t);
 
 const digits = (x) => String(Number(x.toPrecision(4))).replace("-", "−");
-const inWords = (value) => (Array.isArray(value) ? `(${value.map(digits).join(", ")})` : digits(value));
 
 // A path as a part of a page's address.
 const addressOf = (path) => path.map(encodeURIComponent).join("/");

@@ -12,6 +12,7 @@ pub mod figure;
 pub mod geometry;
 pub mod live;
 pub mod output;
+#[cfg(not(tracefig_page))]
 pub mod report;
 pub mod scene;
 pub mod trace;

@@ -5,6 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 use tracefig::drawing::{Drawing, Role};
 use tracefig::figure::plain;
+use tracefig::live::{self, Frame, whole_faces};
 use tracefig::output::{FORMATS, INLINE, LivePage, Module, OutputError, WriteLive};
 use tracefig::scene::{SceneFile, Source, Variant};
 
@@ -85,12 +86,21 @@ impl LiveFile {
         let up = up(job, target);
         let (beside, index) = (format!("{up}{RUNTIME}"), index_of(job, target));
         let module = if self.live == Live::Shared { Module::Beside(&beside) } else { Module::Inside(MODULE) };
-        let request = request(file, &drawing.id, theme, None);
+        let request = with_info(request(file, &drawing.id, theme, None));
         let (heading, index) = (heading(file, job), index.map(|name| format!("{up}{name}")));
         (self.write)(
             drawing,
             &LivePage { request: &request, heading: &heading, module, index: index.as_deref() },
         )
+    }
+}
+
+/// A request with what its figure says at rest, so that the page has its handles before it has the module.
+fn with_info(request: String) -> String {
+    match live::Live::open(&request).and_then(|mut live| live.draw()) {
+        Ok(Frame { panel, .. }) => format!("{{\"info\":{panel},{}", &request[1..]),
+        // The page then says why.
+        Err(_) => request,
     }
 }
 
@@ -124,6 +134,9 @@ pub(crate) fn request(
             Inline::Following(roles) => json!({ "words": names(roles) }),
             Inline::OnItsOwn => json!({}),
         };
+    }
+    if let Some(faces) = whole_faces(file) {
+        rest["faces"] = faces;
     }
     // The order of a scene's keys stays: the scene is written as it is.
     let (mut scene, rest) = (file.json(), rest.to_string());

@@ -47,7 +47,9 @@ mod size;
 #[cfg(test)]
 mod tests;
 
-pub use algorithm::{ALGORITHMS, Algorithm, Ready, Stops, closest_approach};
+#[cfg(not(tracefig_page))]
+pub use algorithm::Ready;
+pub use algorithm::{ALGORITHMS, Algorithm, Stops, closest_approach};
 pub use answer::{
     Answer, AnswerField, Bounds, ClosestApproach, Contact, ContactPoint, Impact, MotionBound, Outcome,
     Overlap, Reason, Separation,

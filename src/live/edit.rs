@@ -9,9 +9,13 @@ const EXPECTED: &str = "a list of [path, value], where a path is a list of keys 
 
 /// Makes all edits in a scene; after an error it is half edited.
 pub(super) fn apply(scene: &mut Value, edits: &str) -> Result<(), Refusal> {
-    let edits: Vec<(Vec<Value>, Value)> = serde_json::from_str(edits)
-        .map_err(|error| Refusal::Malformed { expected: EXPECTED, got: error.to_string() })?;
-    edits.into_iter().try_for_each(|(path, value)| set(scene, &path, value))
+    let malformed = |got: String| Refusal::Malformed { expected: EXPECTED, got };
+    let written = serde_json::from_str(edits).map_err(|error| malformed(error.to_string()))?;
+    let Value::Array(edits) = written else { return Err(malformed(written.to_string())) };
+    edits.into_iter().try_for_each(|edit| match edit.as_array().map(Vec::as_slice) {
+        Some([Value::Array(path), value]) => set(scene, path, value.clone()),
+        _ => Err(malformed(edit.to_string())),
+    })
 }
 
 /// Sets what a path leads to.

@@ -5,6 +5,7 @@
 //! [`Live::draw`] gives the bytes that `tracefig render` writes for that scene, with the result in words.
 
 mod edit;
+mod faces;
 mod panel;
 mod refusal;
 mod request;
@@ -19,6 +20,8 @@ use crate::figure::{Figure, Plan, draw_after, off_page, plan, plan_in};
 use crate::output::{OutputError, found_words, inline_with, svg_key, svg_with};
 use crate::scene::{SceneFile, open_text};
 
+#[cfg(not(tracefig_page))]
+pub use faces::whole_faces;
 pub use refusal::Refusal;
 use request::{Inline, Look, Request};
 
@@ -99,7 +102,10 @@ impl Live {
     /// `{"key": TEXT, "file": {…}}`: a theme file as JSON, with the text that stands for it in the figure's
     /// hash; without one it is the scene's own. With `"inline": {}` the picture is an element for the
     /// middle of a page (`output::inline`); with `"inline": {"words": ["a"]}` that page's style sheet sets
-    /// its colours, those of words of these roles apart from those of lines, and says when it is dark.
+    /// its colours, those of words of these roles apart from those of lines, and says when it is dark. The
+    /// module of live pages has cut faces, and takes from `"faces"` the whole ones that the scene needs
+    /// besides ([`whole_faces`]); the library itself has them all.
+    /// An `"info"`, which the page reads itself, is passed over.
     ///
     /// # Errors
     /// Where the text is no such JSON, or the scene is none.

@@ -31,7 +31,7 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
         draws.drawing.steps.iter().map(|step| json!({ "title": step.title, "sentences": step.sentences }));
     let said = json!({
         "sentence": Account::of(plan.scene, &plan.runs, &run).sentence(),
-        "answer": Solution::of(plan.scene).json(),
+        "answer": Solution::told(plan.scene, run.answer.clone()).json(),
         "notes": notes,
         "handles": handles_json(&draws.handles, plan.scene),
         "steps": steps.collect::<Vec<_>>(),

@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
-use serde::Deserialize;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
+use super::faces::bring_all;
 use super::refusal::Refusal;
 use crate::drawing::Role;
 use crate::figure::theme::{self, Theme};
@@ -14,43 +14,6 @@ const EXPECTED: &str = "an object with a `scene`";
 
 /// What every id of an SVG begins with where nobody says it.
 const USUAL_ID: &str = "fig";
-
-/// A request as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Written {
-    /// The scene.
-    scene: Value,
-    /// What every id of the SVG begins with.
-    id: Option<String>,
-    /// The theme.
-    theme: Option<WrittenTheme>,
-    /// How it stands inside a page; without it, it is a file.
-    inline: Option<WrittenInline>,
-}
-
-/// How a picture stands inside a page, as it is written.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WrittenInline {
-    /// The roles whose words have a colour of their own, where the page's style sheet sets all colours.
-    words: Option<Vec<String>>,
-}
-
-/// A theme as it is written.
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum WrittenTheme {
-    /// One of the house by its name.
-    House(String),
-    /// One of a user's own.
-    Own {
-        /// What stands for it in the hash of a figure.
-        key: String,
-        /// Its file.
-        file: Value,
-    },
-}
 
 /// How a figure is to look.
 #[derive(Clone, Debug)]
@@ -88,41 +51,91 @@ pub(super) struct Inline {
 
 impl Inline {
     /// Reads how a picture stands inside a page.
-    fn read(written: &WrittenInline) -> Result<Self, Refusal> {
-        let roles = |names: &Vec<String>| names.iter().map(|name| role(name)).collect();
-        Ok(Self { words: written.words.as_ref().map(roles).transpose()? })
+    fn read(written: Value) -> Result<Self, Refusal> {
+        let mut written = Fields::of(written)?;
+        let words = written.take("words").map(|words| match words {
+            Value::Array(names) => names.iter().map(role).collect::<Result<Vec<_>, _>>(),
+            other => Err(malformed(&other)),
+        });
+        written.end()?;
+        Ok(Self { words: words.transpose()? })
     }
 }
 
 impl Request {
-    /// Reads a request.
+    /// Reads a request, and sets from the faces that it brings.
     pub(super) fn read(text: &str) -> Result<Self, Refusal> {
-        let written: Written = serde_json::from_str(text)
+        let written = serde_json::from_str(text)
             .map_err(|error| Refusal::Malformed { expected: EXPECTED, got: error.to_string() })?;
-        let id = written.id.unwrap_or_else(|| USUAL_ID.to_owned());
-        let look = written.theme.map_or(Ok(Look::Own), look)?;
-        let inline = written.inline.as_ref().map(Inline::read).transpose()?;
-        Ok(Self { scene: written.scene, id, look, inline })
+        let mut written = Fields::of(written)?;
+        let scene = written.take("scene").ok_or_else(|| malformed(&Value::Null))?;
+        let id = written.take("id").map(text_of).transpose()?.unwrap_or_else(|| USUAL_ID.to_owned());
+        let look = written.take("theme").map_or(Ok(Look::Own), look)?;
+        let inline = written.take("inline").map(Inline::read).transpose()?;
+        // What the page shows before the module is there.
+        written.take("info");
+        if let Some(faces) = written.take("faces") {
+            bring_all(&Fields::of(faces)?.0)?;
+        }
+        written.end()?;
+        Ok(Self { scene, id, look, inline })
     }
 }
 
-/// The role of a name.
-fn role(name: &str) -> Result<Role, Refusal> {
-    let found = Role::ALL.into_iter().find(|role| role.name() == name);
-    found.ok_or_else(|| Refusal::Malformed { expected: "roles of words", got: format!("`{name}`") })
+/// The entries of a table that were not taken yet.
+struct Fields(Map<String, Value>);
+
+impl Fields {
+    /// The entries of a value that is a table.
+    fn of(value: Value) -> Result<Self, Refusal> {
+        match value {
+            Value::Object(fields) => Ok(Self(fields)),
+            other => Err(malformed(&other)),
+        }
+    }
+
+    /// Takes an entry; nothing is as if it were not there.
+    fn take(&mut self, key: &str) -> Option<Value> {
+        self.0.shift_remove(key).filter(|value| !value.is_null())
+    }
+
+    /// Refuses what nobody took.
+    fn end(self) -> Result<(), Refusal> {
+        self.0.keys().next().map_or(Ok(()), |key| Err(malformed(&Value::String(key.clone()))))
+    }
 }
 
-/// A theme that a request names.
-fn look(written: WrittenTheme) -> Result<Look, Refusal> {
+/// A request that has something else where it should have this.
+fn malformed(got: &Value) -> Refusal {
+    Refusal::Malformed { expected: EXPECTED, got: got.to_string() }
+}
+
+/// A value that is a text.
+fn text_of(value: Value) -> Result<String, Refusal> {
+    if let Value::String(text) = value { Ok(text) } else { Err(malformed(&value)) }
+}
+
+/// The role of a name.
+fn role(name: &Value) -> Result<Role, Refusal> {
+    let found = Role::ALL.into_iter().find(|role| name == role.name());
+    found.ok_or_else(|| Refusal::Malformed { expected: "roles of words", got: name.to_string() })
+}
+
+/// A theme that a request names or gives: one of the house by its name, or one of a user's own, its file with
+/// what stands for it in the hash of a figure.
+fn look(written: Value) -> Result<Look, Refusal> {
     let (theme, key) = match written {
-        WrittenTheme::House(name) => match theme::find(&name) {
+        Value::String(name) => match theme::find(&name) {
             Some(theme) => (Cow::Borrowed(theme), name),
             None => return Err(Refusal::Theme { reason: format!("there is none called `{name}`") }),
         },
-        WrittenTheme::Own { key, file } => match theme::of_json(&file) {
-            Ok(theme) => (Cow::Owned(theme), key),
-            Err(error) => return Err(Refusal::Theme { reason: error.to_string() }),
-        },
+        own => {
+            let mut own = Fields::of(own)?;
+            let key = own.take("key").ok_or_else(|| malformed(&Value::Null)).and_then(text_of)?;
+            let theme = theme::of_json(&own.take("file").unwrap_or_default());
+            own.end()?;
+            (Cow::Owned(theme.map_err(|error| Refusal::Theme { reason: error.to_string() })?), key)
+        }
     };
     Ok(Look::Given { theme: Box::new(theme), key })
 }

@@ -17,9 +17,34 @@ pub(crate) fn base64(bytes: &[u8]) -> String {
     text
 }
 
+/// The bytes of such a text; `None` where it is none.
+pub(crate) fn of_base64(text: &str) -> Option<Vec<u8>> {
+    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
+    let (mut bits, mut count) = (0_u32, 0);
+    for letter in text.trim_end_matches('=').bytes() {
+        let six = LETTERS.iter().position(|&known| known == letter)?;
+        bits = bits << 6 | u32::try_from(six).ok()?;
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push(u8::try_from(bits >> count & 0xFF).ok()?);
+        }
+    }
+    (text.len() % 4 == 0).then_some(bytes)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::base64;
+    use super::{base64, of_base64};
+
+    #[test]
+    fn a_text_gives_its_bytes_again_and_other_texts_none() {
+        for length in 0..=6 {
+            assert_eq!(of_base64(&base64(&b"foobar"[..length])).unwrap(), b"foobar"[..length]);
+        }
+        assert_eq!(of_base64("+/+/").unwrap(), [0xFB, 0xFF, 0xBF]);
+        assert_eq!([of_base64("Zg"), of_base64("Zm9*")], [None, None]);
+    }
 
     #[test]
     fn the_examples_of_the_standard_come_out() {

@@ -8,8 +8,11 @@ use super::live_page::STYLE;
 
 /// The script of live figures in a book, as one.
 const SCRIPT: &str = concat!(
+    "const WORDS = ",
+    include_str!("../../live/words.json"),
     include_str!("../../live/values.js"),
     include_str!("../../live/picture.js"),
+    include_str!("../../live/edited.js"),
     include_str!("../../live/live.js"),
     include_str!("../../live/controls.js"),
     include_str!("../../live/book.js"),

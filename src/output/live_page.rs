@@ -17,8 +17,11 @@ use crate::drawing::Drawing;
 /// The script of live figures, as one.
 const SCRIPT: &str = concat!(
     "\"use strict\";{\n",
+    "const WORDS = ",
+    include_str!("../../live/words.json"),
     include_str!("../../live/values.js"),
     include_str!("../../live/picture.js"),
+    include_str!("../../live/edited.js"),
     include_str!("../../live/live.js"),
     include_str!("../../live/controls.js"),
     include_str!("../../live/start.js"),
@@ -155,6 +158,27 @@ mod tests {
         for handler in ["onclick", "onload", "eval(", "new Function", "fetch("] {
             assert!(!script.contains(handler), "{handler}");
         }
+    }
+
+    #[test]
+    fn controls_have_every_word_in_every_language() {
+        let words: serde_json::Value = serde_json::from_str(include_str!("../../live/words.json")).unwrap();
+        let own = words["en"].as_object().unwrap();
+        let places = |said: &serde_json::Value| said.as_str().unwrap().matches("{}").count();
+        for (language, table) in words.as_object().unwrap() {
+            assert!(table.as_object().unwrap().keys().eq(own.keys()), "{language}");
+            for (key, said) in own {
+                assert_eq!(places(said), places(&table[key]), "{key} in {language}");
+                let is_said = SCRIPT.contains(&format!("this.word(\"{key}\""));
+                assert!(is_said, "{key} is said nowhere");
+            }
+        }
+        let asked = SCRIPT.split("this.word(\"").skip(1).map(|rest| rest.split('"').next().unwrap());
+        for key in asked {
+            assert!(own.contains_key(key), "{key} has no words");
+        }
+        let known: Vec<_> = words.as_object().unwrap().keys().collect();
+        assert_eq!(known, ["en", "de", "fr", "es"]);
     }
 
     #[test]

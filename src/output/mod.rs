@@ -37,7 +37,7 @@ mod zip;
 
 use crate::drawing::Drawing;
 
-pub(crate) use base64::base64;
+pub(crate) use base64::{base64, of_base64};
 pub use gallery::{Gallery, gallery};
 pub use handout::{Handout, MOST_A_SHEET, PAPERS, Paper};
 pub use hold::InSteps;

@@ -22,6 +22,7 @@ mod node;
 mod open;
 mod panels;
 mod problem;
+#[cfg(not(tracefig_page))]
 mod project;
 mod project_fields;
 mod question;
@@ -33,6 +34,7 @@ mod source;
 mod steps;
 mod stream;
 mod suggest;
+#[cfg(not(tracefig_page))]
 mod toml;
 mod varied;
 mod visible;
@@ -53,6 +55,7 @@ pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
 pub(crate) use panels::of_text as panels_of_text;
 pub use problem::{Explain, Fault, Problem};
+#[cfg(not(tracefig_page))]
 pub use project::{CanvasDefaults, DeclaredHandout, PROJECT_FILE, Project, project};
 pub use project_fields::{PROJECT_TABLES, STEP_FILES};
 pub use read::read;

@@ -34,8 +34,12 @@ impl Solution {
     /// ```
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
+        Self::told(scene, scene.query.algorithm.answer(&scene.query_of_bodies()))
+    }
+
+    /// What follows from an answer to the scene's question that is known.
+    pub(crate) fn told(scene: &Scene, answer: Answer) -> Self {
         let query = scene.query_of_bodies();
-        let answer = scene.query.algorithm.answer(&query);
         let closest = closest_approach(&query, &answer);
         let off = scene.query.expected.and_then(|theirs| theirs.off(&query, &answer, closest.as_ref()));
         Self { kind: query.kind, answer, closest, off }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::json;
 use super::node::Node;
 use super::problem::{Fault, Problem};
+#[cfg(not(tracefig_page))]
 use super::toml;
 
 /// The language a scene is written in; the structure is the same.
@@ -107,7 +108,11 @@ impl Source {
             return Err(vec![Problem::new(Fault::Empty, 0..0)]);
         }
         match self.syntax {
+            #[cfg(not(tracefig_page))]
             Syntax::Toml => toml::parse(&self.text),
+            // The page holds its scene as JSON.
+            #[cfg(tracefig_page)]
+            Syntax::Toml => Err(vec![Problem::new(Fault::Empty, 0..0)]),
             Syntax::Json => json::parse(&self.text),
         }
     }

@@ -12,9 +12,13 @@ use ttf_parser::{GlyphId, OutlineBuilder};
 use super::line::{Face, Glyph};
 use super::pairs::Pairs;
 
-static REGULAR: &[u8] = include_bytes!("fonts/tracefig-sans-regular.ttf");
-static SEMIBOLD: &[u8] = include_bytes!("fonts/tracefig-sans-semibold.ttf");
-static MATH: &[u8] = include_bytes!("fonts/tracefig-math.otf");
+/// The files of the faces, in the order of [`Face`].
+#[cfg(not(tracefig_page))]
+static FILES: [&[u8]; 3] = [
+    include_bytes!("fonts/tracefig-sans-regular.ttf"),
+    include_bytes!("fonts/tracefig-sans-semibold.ttf"),
+    include_bytes!("fonts/tracefig-math.otf"),
+];
 
 /// Units of an [`Outline`] in an em.
 pub const UNITS_PER_EM: f64 = 1000.0;
@@ -85,16 +89,12 @@ impl Loaded {
     /// The face, read at the first call; `None` where the embedded bytes are no font.
     pub(super) fn of(face: Face) -> Option<&'static Self> {
         static FACES: [OnceLock<Option<Loaded>>; 3] = [OnceLock::new(), OnceLock::new(), OnceLock::new()];
-        let (slot, bytes) = match face {
-            Face::Regular => (&FACES[0], REGULAR),
-            Face::Semibold => (&FACES[1], SEMIBOLD),
-            Face::Math => (&FACES[2], MATH),
-        };
-        slot.get_or_init(|| Self::load(face, bytes)).as_ref()
+        let slot = &FACES[face as usize];
+        slot.get_or_init(|| Self::load(face, file(face))).as_ref()
     }
 
     /// A face of words, or that of formulas, from the bytes of its file.
-    fn load(face: Face, bytes: &'static [u8]) -> Option<Self> {
+    pub(super) fn load(face: Face, bytes: &'static [u8]) -> Option<Self> {
         let source = match face {
             Face::Regular | Face::Semibold => {
                 Source::Words(Box::new(ttf_parser::Face::parse(bytes, 0).ok()?))
@@ -130,6 +130,18 @@ impl Loaded {
     }
 }
 
+/// The file of a face, whole.
+#[cfg(not(tracefig_page))]
+pub(super) fn file(face: Face) -> &'static [u8] {
+    FILES[face as usize]
+}
+
+/// The file of a face: the one that a page brought, else the cut one.
+#[cfg(tracefig_page)]
+fn file(face: Face) -> &'static [u8] {
+    super::cut::brought(face).unwrap_or_else(|| super::cut::file(face))
+}
+
 /// A layout dimension in ems, as the nearest double or its neighbour: both parts of the rational are far
 /// below 2⁵³.
 #[expect(
@@ -141,7 +153,7 @@ pub(super) fn ems(dim: &Dim) -> f64 {
 }
 
 /// The outline of a glyph, with its bounds.
-fn build(face: &ttf_parser::Face, id: u16) -> Outline {
+pub(super) fn build(face: &ttf_parser::Face, id: u16) -> Outline {
     #[expect(clippy::cast_possible_truncation, reason = "a thousand is exact")]
     let scale = UNITS_PER_EM as f32 / f32::from(face.units_per_em());
     let mut pen = Pen { scale, outline: Outline::default(), low: [f32::MAX; 2], high: [f32::MIN; 2] };

@@ -9,6 +9,7 @@
 //! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
 mod accents;
+mod cut;
 mod draft;
 mod face;
 mod formula;
@@ -22,12 +23,19 @@ mod pairs;
 mod paragraph;
 mod plain;
 mod vec_accent;
+#[cfg(not(tracefig_page))]
+mod whole;
 mod words;
 
+pub(crate) use cut::bring;
 pub(crate) use inner_words::{escaped, group};
 pub(crate) use kept::{line, paragraph};
 pub(crate) use markup::{Piece, as_markup, ends_in_formula, pieces};
 pub(crate) use plain::{command_in_words, plain};
+#[cfg(not(tracefig_page))]
+pub(crate) use whole::beyond;
+#[cfg(test)]
+pub(crate) use whole::has;
 pub(crate) use words::advance_of;
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};

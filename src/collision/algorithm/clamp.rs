@@ -31,8 +31,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: DISCRETE,
     shapes,
     stops: Stops::Exactly,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: None,
 };
 

@@ -22,8 +22,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: DISCRETE,
     shapes: convex_pair,
     stops: Stops::Exactly,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: Some(|query| {
         let kind = query.kind;
         let pair = Pair::at(query.a, query.b.unwrap_or(query.a), query.time).refined();

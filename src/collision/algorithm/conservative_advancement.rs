@@ -35,8 +35,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: &[QueryKind::TimeOfImpact],
     shapes: convex_pair,
     stops: Stops::AtTolerance,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: None,
 };
 

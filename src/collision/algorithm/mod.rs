@@ -47,7 +47,9 @@ pub use motion::closest_approach;
 
 use crate::collision::{Answer, Query, QueryKind};
 use crate::geometry::Body;
-use crate::trace::{NoTrace, Trace};
+#[cfg(not(tracefig_page))]
+use crate::trace::NoTrace;
+use crate::trace::Trace;
 
 /// A row in the table of algorithms.
 ///
@@ -89,15 +91,18 @@ pub struct Algorithm {
     /// Whether [`Query::tolerance`] has a say in its answer.
     pub stops: Stops,
     /// Answers without a trace.
+    #[cfg(not(tracefig_page))]
     pub quiet: fn(&Query, &mut NoTrace) -> Answer,
     /// Answers, and records what it did.
     pub traced: fn(&Query, &mut Trace) -> Answer,
     /// Prepares a query to be asked again and again, where poses, cosines and sines can be worked out
     /// beforehand; None where each answer starts from the scene's numbers.
+    #[cfg(not(tracefig_page))]
     pub ready: Option<for<'q> fn(&Query<'q>) -> Ready<'q>>,
 }
 
 /// A query whose bodies are placed already: each call searches anew and answers it.
+#[cfg(not(tracefig_page))]
 pub type Ready<'q> = Box<dyn Fn() -> Answer + 'q>;
 
 /// What ends an algorithm's search.
@@ -128,7 +133,10 @@ impl Algorithm {
     /// ```
     #[must_use]
     pub fn answer(&self, query: &Query) -> Answer {
-        (self.quiet)(query, &mut NoTrace)
+        #[cfg(not(tracefig_page))]
+        return (self.quiet)(query, &mut NoTrace);
+        #[cfg(tracefig_page)]
+        return (self.traced)(query, &mut Trace::default());
     }
 
     /// Whether it answers this kind of question about these bodies.

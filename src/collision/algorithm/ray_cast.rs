@@ -30,8 +30,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: &[QueryKind::LinearSweep],
     shapes: unturning_pair,
     stops: Stops::Exactly,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: Some(|query| {
         let sweep = sweep_of(query);
         Box::new(move || impact(sweep.first_contact()))

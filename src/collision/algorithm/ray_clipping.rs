@@ -27,8 +27,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: &[QueryKind::LinearSweep],
     shapes: unturning_pair,
     stops: Stops::AtTolerance,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: None,
 };
 

@@ -37,8 +37,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: DISCRETE,
     shapes: convex_pair,
     stops: Stops::Exactly,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: None,
 };
 

@@ -26,8 +26,10 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
     kinds: &[QueryKind::TimeOfImpact],
     shapes: convex_pair,
     stops: Stops::AtTolerance,
+    #[cfg(not(tracefig_page))]
     quiet: answer,
     traced: answer,
+    #[cfg(not(tracefig_page))]
     ready: Some(|query| {
         let (tolerance, limit) = (query.tolerance, query.max_iterations);
         let pair = MovingPair::new(query.a, query.b.unwrap_or(query.a));
