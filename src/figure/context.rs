@@ -51,8 +51,13 @@ fn pieces(turn: f64) -> Option<u32> {
     let turns = turn / std::f64::consts::TAU;
     match turns {
         0.0 => Some(1),
-        _ => (1..=MOST_TURNS).find(|&whole| f64::from(whole) >= turns).map(|whole| whole * PIECES),
+        _ => whole_turns(turns, MOST_TURNS).map(|whole| whole * PIECES),
     }
+}
+
+/// The whole turns, one at least, that hold so many turns; `None` where there would be more than `most`.
+pub(crate) fn whole_turns(turns: f64, most: u32) -> Option<u32> {
+    (1..=most).find(|&whole| f64::from(whole) >= turns)
 }
 
 /// What a layer may know of the figure, at its panel's moment.

@@ -3,18 +3,16 @@
 
 use crate::collision::Pair;
 use crate::drawing::Role;
-use crate::figure::context::Context;
+use crate::figure::context::{Context, whole_turns};
 use crate::figure::sketch::{Anchor, Label, Pen, Size, Sketch, Weight};
 use crate::geometry::{DVec2, sort_by};
-
-use super::number_of;
 
 /// Pieces of a curve at least, and for each full turn of its bodies: a chord is then within half a pixel of a
 /// curve that bends once over its panel, and a body of eight vertices that turns by another comes nearer and
 /// goes away eight times, six pieces each.
-const PIECES: usize = 48;
+const PIECES: u32 = 48;
 /// Turns of the bodies whose curve is drawn: more are a blur, and at fewer pieces each another curve.
-const MOST_TURNS: usize = 64;
+const MOST_TURNS: u32 = 64;
 
 /// How much longer the axes are than what they measure, in parts of that.
 const LONGER: f64 = 0.08;
@@ -103,9 +101,9 @@ pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DV
     let query = context.scene.query_of_bodies();
     let Some(b) = query.b else { return Vec::new() };
     let turns = until * [query.a, b].map(|body| body.spin.degrees().abs() / 360.0).into_iter().sum::<f64>();
-    let Some(whole) = (1..=MOST_TURNS).find(|&whole| number_of(whole) >= turns) else { return Vec::new() };
+    let Some(whole) = whole_turns(turns, MOST_TURNS) else { return Vec::new() };
     let pieces = PIECES * whole;
-    let even = (0..=pieces).map(|i| until * (number_of(i) / number_of(pieces)));
+    let even = (0..=pieces).map(|i| until * (f64::from(i) / f64::from(pieces)));
     let more = more.iter().copied().filter(|time| (0.0..until).contains(time));
     let mut times: Vec<f64> = even.chain(more).collect();
     sort_by(&mut times, f64::total_cmp);
