@@ -5,6 +5,11 @@
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
 const MOST: usize = 12;
+/// The part of a bound by which a number may pass it that is written for it: what proving the bound added to
+/// a round number, far below the third digit. At 0 the bound of 5 would be written 5.01.
+const NOTHING: f64 = 1e-9;
+/// Half of a digit's unit, which takes a number that was rounded to one side to the other.
+const HALF: f64 = 0.5;
 /// Decimal exponents within which a number is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
@@ -45,6 +50,33 @@ impl Digits {
             }
         }
         format!("{}…{}", self.written(lo, most), self.written(hi, most))
+    }
+
+    /// A number that is not less than the one given: of an upper bound.
+    #[must_use]
+    pub(crate) fn at_least(self, value: f64) -> String {
+        self.to_a_side(value, 1.0)
+    }
+
+    /// A number that is not more than the one given: of a lower bound.
+    #[must_use]
+    pub(crate) fn at_most(self, value: f64) -> String {
+        self.to_a_side(value, -1.0)
+    }
+
+    /// The nearest number of so many digits, or its neighbour where that one lies on the other side.
+    fn to_a_side(self, value: f64, side: f64) -> String {
+        let nearest = self.of(value, value);
+        let lacks = |text: &str| text.parse().is_ok_and(|n: f64| side * (value - n) > NOTHING * value.abs());
+        if !lacks(&nearest) {
+            return nearest;
+        }
+        let last = match self {
+            Self::Significant(digits) => exponent(value) + 1 - exponent_of(digits.min(MOST)),
+            Self::Decimals(digits) => -exponent_of(digits.min(decimals_within(value.abs()))),
+        };
+        let beyond = value + side * HALF * libm::exp10(f64::from(last));
+        self.of(beyond, beyond)
     }
 
     /// A double to so many digits.
@@ -133,6 +165,22 @@ mod tests {
             Digits::Decimals(2).of(1.234_567_890_123_45e20, 1.234_567_890_123_45e20),
             "1.23456789012e20"
         );
+    }
+
+    #[test]
+    fn a_bound_has_as_many_digits_as_are_asked_for_on_its_own_side() {
+        for (digits, value, up, down) in [
+            (Digits::Decimals(2), 2.651_29, "2.66", "2.65"),
+            (Digits::Decimals(3), 2.651_29, "2.652", "2.651"),
+            (Digits::Decimals(1), 2.5, "2.5", "2.5"),
+            (Digits::Decimals(2), -0.004, "0.00", "-0.01"),
+            (Digits::Decimals(0), 99.2, "100", "99"),
+            (Digits::Significant(2), 99.2, "100", "99"),
+            (Digits::Significant(5), 0.308_487_2, "0.30849", "0.30848"),
+            (Digits::Significant(1), 9.4e-9, "1e-8", "9e-9"),
+        ] {
+            assert_eq!((digits.at_least(value), digits.at_most(value)), (up.into(), down.into()), "{value}");
+        }
     }
 
     #[test]

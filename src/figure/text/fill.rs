@@ -58,7 +58,7 @@ pub(crate) fn fill(
             let fault = Fault::BadMarkup { markup: format!("{{={written}}}"), reason: reason.to_owned() };
             return Err(Problem::new(fault, at.clone()));
         };
-        let number = digits.of(quantity.lo, quantity.hi);
+        let number = quantity.written(digits);
         out.push_str(&if ends_in_formula(&out) {
             decimal.in_latex(in_math(&number))
         } else {
@@ -140,6 +140,17 @@ mod tests {
         assert!(drawing.desc.contains("t = 0.343"), "{}", drawing.desc);
         assert_eq!(drawing.languages_of_words(), [Some("en"), Some("en")]);
         assert!(says(&drawn("").unwrap().items, "$d = 2.4$"));
+    }
+
+    #[test]
+    fn a_motion_bound_is_never_rounded_down() {
+        let text = "caption = '{=bound} {=bound:.1} {=bound:.4g}'
+            shapes.A = { kind = 'circle', radius = 0.5, velocity = [1, 2.651] }
+            query = { kind = 'motion-bound', of = ['A'] }";
+        let scene = crate::scene::open_text("s.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        // It is √(1 + 2.651²) = 2.83332…, which a third digit has below itself.
+        assert_eq!(plan.caption.words.as_deref(), Some("2.84 2.9 2.834"));
     }
 
     #[test]

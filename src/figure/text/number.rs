@@ -5,10 +5,6 @@ use super::digits::Digits;
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Significant(3);
 
-/// The part of a bound by which a number may pass it that is written for it: what proving the bound added to
-/// a round number, far below the third digit. At 0 the bound of 5 would be written 5.01.
-const NOTHING: f64 = 1e-9;
-
 /// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
 #[must_use]
 pub(crate) fn rounded(lo: f64, hi: f64) -> String {
@@ -18,31 +14,13 @@ pub(crate) fn rounded(lo: f64, hi: f64) -> String {
 /// A number to three digits that is not less than the one given: of an upper bound.
 #[must_use]
 pub(crate) fn rounded_up(value: f64) -> String {
-    directed(value, |rounded| rounded >= value - NOTHING * value.abs(), 1)
+    USUAL.at_least(value)
 }
 
 /// A number to three digits that is not more than the one given: of a lower bound.
 #[must_use]
 pub(crate) fn rounded_down(value: f64) -> String {
-    directed(value, |rounded| rounded <= value + NOTHING * value.abs(), -1)
-}
-
-/// A number to three digits, or its neighbour a digit away in the last place where that one will not do.
-fn directed(value: f64, will_do: impl Fn(f64) -> bool, away: i64) -> String {
-    const LAST: i32 = 2;
-    let nearest = format!("{value:.2e}");
-    let neighbour = || {
-        let (mantissa, exponent) = nearest.split_once('e')?;
-        let (digits, exponent): (i64, i32) =
-            (mantissa.replace('.', "").parse().ok()?, exponent.parse().ok()?);
-        // Below a power of ten the last place is a finer one.
-        let (digits, exponent) =
-            if digits * away == -100 { (1000, exponent - 1) } else { (digits, exponent) };
-        format!("{}e{}", digits + away, exponent - LAST).parse::<f64>().ok()
-    };
-    let is_good = nearest.parse::<f64>().is_ok_and(will_do);
-    let found = if is_good { value } else { neighbour().unwrap_or(value) };
-    rounded(found, found)
+    USUAL.at_most(value)
 }
 
 /// A double as LaTeX, to at most three significant digits.

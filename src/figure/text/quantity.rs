@@ -3,7 +3,8 @@
 use crate::collision::Separation;
 use crate::geometry::Enclosure;
 
-use super::number::{in_math, rounded};
+use super::digits::Digits;
+use super::number::{USUAL, in_math};
 
 /// A number with its bounds; both are the same where the trace tells only a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,17 +13,36 @@ pub(crate) struct Quantity {
     pub(crate) lo: f64,
     /// Not below the exact value.
     pub(crate) hi: f64,
+    /// Whether it bounds something from above, so that it is never rounded down.
+    is_at_most: bool,
 }
 
 impl Quantity {
     /// A value that the trace tells as a double.
     pub(crate) fn exactly(value: f64) -> Self {
-        Self { lo: value, hi: value }
+        Self { lo: value, hi: value, is_at_most: false }
+    }
+
+    /// A double that something is proved not to be more than.
+    pub(crate) fn at_most(value: f64) -> Self {
+        Self { is_at_most: true, ..Self::exactly(value) }
     }
 
     /// A value that is told with its bounds.
     pub(crate) fn within(Enclosure { lo, hi }: Enclosure) -> Self {
-        Self { lo, hi }
+        Self { lo, hi, is_at_most: false }
+    }
+
+    /// Minus this number.
+    #[must_use]
+    pub(crate) fn negated(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo, is_at_most: false }
+    }
+
+    /// The number in so many digits, and no more than its bounds share.
+    #[must_use]
+    pub(crate) fn written(self, digits: Digits) -> String {
+        if self.is_at_most { digits.at_least(self.hi) } else { digits.of(self.lo, self.hi) }
     }
 
     /// The signed separation: negative inside.
@@ -34,7 +54,7 @@ impl Quantity {
     /// never negative.
     pub(crate) fn distance_or_depth(found: &Separation) -> Self {
         match found.bounds {
-            Enclosure { lo, hi } if hi <= 0.0 => Self { lo: -hi, hi: -lo },
+            bounds if bounds.hi <= 0.0 => Self::within(bounds).negated(),
             bounds if bounds.lo >= 0.0 => Self::within(bounds),
             _ => Self::exactly(found.separation.abs()),
         }
@@ -43,7 +63,7 @@ impl Quantity {
     /// The number as LaTeX, to three digits at most and no more than its bounds share.
     #[must_use]
     pub(crate) fn latex(self) -> String {
-        in_math(&rounded(self.lo, self.hi))
+        in_math(&self.written(USUAL))
     }
 }
 

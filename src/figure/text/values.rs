@@ -202,7 +202,7 @@ fn distance_or_depth(context: &Context) -> Option<Quantity> {
 /// The bounds of the depth; `None` for bodies that are apart.
 fn depth(context: &Context) -> Option<Quantity> {
     let s = separation(context)?;
-    (s.hi <= 0.0).then_some(Quantity { lo: -s.hi, hi: -s.lo })
+    (s.hi <= 0.0).then_some(s.negated())
 }
 
 /// The bounds of the time of first contact, or the panel's moment.
@@ -216,8 +216,7 @@ fn time(context: &Context) -> Option<Quantity> {
 
 /// The bounds of the least separation of a miss.
 fn least(context: &Context) -> Option<Quantity> {
-    let bounds = context.closest()?.bounds;
-    Some(Quantity { lo: bounds.lo, hi: bounds.hi })
+    Some(Quantity::within(context.closest()?.bounds))
 }
 
 /// The unit normal from A to B at the panel's moment.
@@ -240,7 +239,7 @@ fn hit_normal(context: &Context) -> Option<DVec2> {
 fn bound(context: &Context) -> Option<Quantity> {
     let run = context.run();
     match &run.answer {
-        Answer::MotionBound(found) => Some(Quantity::exactly(found.bound)),
+        Answer::MotionBound(found) => Some(Quantity::at_most(found.bound)),
         Answer::Impact(_) => first_step(context).map(Quantity::exactly),
         _ => None,
     }
