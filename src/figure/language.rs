@@ -56,7 +56,7 @@ const WORDS: &[[&str; 5]] = &[
     ["no hit", "", "kein Treffer", "pas de contact", "sin contacto"],
     ["division by 0", "", "Division durch 0", "division par 0", "división por 0"],
     ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
-    ["* of $*", "* $*", "* von $*", "* de $*", "* de $*"],
+    ["*, drawn at *", "*, *", "*, gezeichnet zu *", "*, dessiné à *", "*, dibujado a *"],
     ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],
     ["* more steps", "+ *", "* weitere Schritte", "* étapes de plus", "* pasos más"],
     ["touch", "", "Berührung", "ils se touchent", "se tocan"],

@@ -105,7 +105,8 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
     let view = [-5.9, -3.5, 7.9, 3.3];
-    let (w, then, hit) = (look(&f, 0, view), look(&f, 2, view), look(&f, 3, view));
+    let after = [-4.6, -2.1, 6.6, 3.0];
+    let (w, then, hit) = (look(&f, 0, view), look(&f, 2, after), look(&f, 3, after));
     let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 1.6), (-1.4, 0.4)];
     let shape_b = [(-2.0, -1.2), (1.2, -1.7), (2.4, 0.7), (1.0, 1.6), (-2.0, 1.2)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
@@ -141,8 +142,6 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         then.curve(B, (1.190_576_001, 0.826_436_508), contact),
         hit.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(dashed),
         hit.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(dashed),
-        then.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(dashed),
-        then.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(dashed),
         f.says("$d = 6$"),
         f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
         f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
@@ -204,7 +203,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
     shows![
         one.circle(A, (-2.25, 3.25), 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.circle(A, (-0.9, 1.3), 1.0).is_some_and(dashed),
+        one.circle(Now, (-0.9, 1.3), 1.0).is_some_and(dashed),
         one.circle(A, (2.25, -3.25), 1.0).is_some_and(dashed),
         one.any_line((-2.25 + x, 3.25 + y), (2.25 + x, -3.25 + y)),
         one.any_line((-2.25 - x, 3.25 - y), (2.25 - x, -3.25 - y)),
@@ -271,7 +270,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
-        f.says(r"$n \cdot v < 0$") && f.says(r"$n \cdot v > 0$"),
+        f.says(r"$n_i \cdot v < 0$") && f.says(r"$n_i \cdot v > 0$"),
         f.says("$t = 0$") && f.says("$t = 1$"),
         f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
         f.says("$v$ $= (-7.5, -6.25)$"),
@@ -310,7 +309,7 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
         let world = look(&f, i, [-1.5, -5.8, 8.0, 2.6]);
-        let conf = look(&f, 3 + i, [-0.85, -7.7, 8.65, 2.7]);
+        let conf = look(&f, 3 + i, [-0.75, -7.7, 8.75, 2.7]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -340,6 +339,6 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
         // (4.65, -1.2) · (0.96, -0.28), and 2.6 · 2.
         f.says(r"$v_A \cdot n + r_A \omega_A = 4.8 + 5.2 = 10$"),
         f.says("$t_2 = 4 / 10 = 0.4$") && f.says("$t_3 = 0.4 + 1.12 / 10 = 0.512$"),
-        f.says("$0.596 < 0.6$, the tolerance"),
+        f.says("$0.512 + 0.596 / 10 = 0.572$, and so on"),
     ];
 }

@@ -95,7 +95,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let to = from + foot;
     right_angle(sketch, context, from, foot);
     if options.flag("turned", false) {
-        half_turn(sketch, context, from, foot);
+        half_turn(sketch, from, foot);
     }
     sketch.part("closest");
     if overlap {
@@ -114,17 +114,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 
-/// Draws B ⊖ A and the way from the origin before the half turn, dotted and the other way, and an arc arrow
-/// from there to the way.
-fn half_turn(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
-    if let Some(found) = difference(context, context.difference_time()) {
-        let before = found.outline().turned_about(from);
-        sketch.part("unturned-difference").weight(Weight::Light).area(
-            &before,
-            None,
-            Some(Pen::ghost(Role::Muted)),
-        );
-    }
+/// Draws the way from the origin before the half turn, the other way, and an arc arrow from it to the way.
+fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
     let (start, radius) = (angle_of(-foot), sketch.px(TURN).min(SHARE * foot.length()));
     sketch.part("unturned").weight(Weight::Light).line(from, from - foot, Pen::dimension(Role::Muted));
     let before = Label::new("unturned", "before the turn", Anchor::tip(from, from - foot), Role::Muted);

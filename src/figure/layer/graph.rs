@@ -64,10 +64,10 @@ pub(super) const LAYER: Layer = Layer {
             about: "the separation at which it stops, as a line",
         },
         OptionSpec {
-            name: "kinks",
+            name: "kink",
             takes: Takes::Flag,
             default: "false",
-            about: "marks where another vertex becomes the nearest, and says so at the sharpest kink",
+            about: "marks the sharpest kink of the curve, where another vertex becomes the nearest",
         },
     ],
     labels: &[
@@ -79,7 +79,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
         LabelKey { key: "worst", about: "the first of the lines of the fastest approach" },
         LabelKey { key: "tolerance", about: "the separation at which it stops, with tolerance" },
-        LabelKey { key: "kink", about: "the sharpest kink of the curve, with kinks" },
+        LabelKey { key: "kink", about: "the sharpest kink of the curve, with kink" },
     ],
     needs: "an algorithm that advances in steps",
     fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
@@ -135,22 +135,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .part("curve")
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
-    if options.flag("kinks", false) {
-        kinks(sketch, context, &chart, &points);
+    if options.flag("kink", false) {
+        kink(sketch, context, &chart, &points);
     }
     marks(sketch, (context, &chart), &all, (role, values));
 }
 
-/// Marks where another vertex becomes the nearest, and names the sharpest such kink.
-fn kinks(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
-    let kinks = turns(context, points);
-    sketch.part("kinks").weight(Weight::Background);
-    for &(at, _) in &kinks {
-        sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
-    }
-    let Some((at, _)) = kinks.into_iter().max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else {
-        return;
-    };
+/// Marks and names the sharpest kink of the curve, where another vertex becomes the nearest.
+fn kink(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
+    let kinks = turns(context, points).into_iter();
+    let Some((at, _)) = kinks.max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else { return };
+    sketch.part("kink").weight(Weight::Background);
+    sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
     let anchor = Anchor::point_toward(chart.place(at.x, at.y), chart.vector(DVec2::new(1.0, 1.0)));
     let lines = ["from here on another", "vertex is the nearest"].map(str::to_owned).to_vec();
     let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };

@@ -65,12 +65,12 @@ mod tests {
             shapes.B = {{ kind = 'box', half_extents = [9, 1] }}
             query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
                 tolerance = 0.1 }}
-            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', kinks = true }}] }}]"
+            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', kink = true }}] }}]"
         );
         let scene = open_text("kinks", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "kinks");
-        (paths(&figure.drawing.items, "kinks").len(), labels(&figure).contains_key("kink"))
+        (paths(&figure.drawing.items, "kink").len(), labels(&figure).contains_key("kink"))
     }
 
     #[test]

@@ -3,7 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
@@ -38,13 +38,14 @@ pub(super) const LAYER: Layer = Layer {
             name: "turned",
             takes: Takes::Flag,
             default: "false",
-            about: "in the world: the same way backwards, from B's origin, as \"grown\" has it",
+            about: "in the world: the way backwards from B's origin, and B moved along it, for \"grown\"",
         },
     ],
     labels: &[
         LabelKey { key: "pair.A", about: "the vertex of A" },
         LabelKey { key: "pair.B", about: "the vertex of B" },
         LabelKey { key: "pair", about: "the point of B ⊖ A" },
+        LabelKey { key: "moved", about: "where B's vertex lies on A's, with turned" },
     ],
     needs: "two bodies with the vertices of `vertices`",
     fed: |context, options| Fed::by_the_scene(ends(context, options).is_some()),
@@ -94,7 +95,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if options.flag("turned", false) {
         let Some(pose) = context.pose(Side::B, context.time) else { return };
-        way(sketch, (pose.position, MARKER), pose.position - (b.at - a.at), role);
+        if let Some(outline) = context.outline(Side::B, context.time) {
+            let moved = outline.moved(a.at - b.at);
+            sketch.part("moved").weight(Weight::Light).area(&moved, None, Some(Pen::ghost(Role::B)));
+        }
+        let (ends, text) = ((pose.position, MARKER), format!("${q}$ moved to ${p}$"));
+        way(sketch, ends, pose.position - (b.at - a.at), role);
+        sketch.part("moved").marker(a.at, Marker::Square, Role::B, SMALL_MARKER);
+        let label = Label::new("moved", text, Anchor::point_toward(a.at, a.at - b.at), Role::B);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
         return;
     }
     way(sketch, (a.at, MARKER), b.at, role);

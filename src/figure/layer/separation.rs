@@ -28,7 +28,7 @@ const MOST: usize = 5;
 const NAMED: f64 = 10.0;
 
 /// Opacity of the disc's area, and of its line.
-const DISC: [f64; 2] = [0.1, 0.6];
+const DISC: [f64; 2] = [0.06, 0.6];
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.

@@ -139,9 +139,9 @@ pub(super) fn text(symbol: &str, v: DVec2, options: &Options) -> String {
     match (options.flag("values", false), drawn == symbol) {
         (false, _) => drawn,
         (true, true) => format!("{symbol} {}", value()),
-        // "¼ of v = (4, 8)": the components are those of the whole.
         (true, false) => {
-            format!("{} of {symbol} {}", drawn.strip_suffix(symbol).unwrap_or("").trim_end(), value())
+            let factor = drawn.strip_suffix(symbol).unwrap_or("").trim_end();
+            format!("{symbol} {}, drawn at {factor}", value())
         }
     }
 }
