@@ -145,7 +145,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-5.4, -3.4, 8.6, 6.6]);
+    let world = look(&f, 0, [-6.0, -3.6, 9.2, 6.8]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),

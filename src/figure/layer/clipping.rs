@@ -7,7 +7,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
@@ -16,7 +16,7 @@ use crate::trace::Event;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far a plane reaches past the reference edge and past the incident edge, page pixels.
-const PAST: f64 = 62.0;
+const PAST: f64 = 48.0;
 
 /// Width of the edges, page pixels: more than an outline, which lies under them.
 const EDGE: f64 = 4.5;
@@ -26,6 +26,9 @@ const READABLE: [f64; 2] = [24.0, 48.0];
 
 /// Length of the arrow from a plane to the inside of the strip, which is kept, page pixels.
 const KEPT: f64 = 26.0;
+
+/// Opacity of the strip between the planes.
+const STRIP: f64 = 0.08;
 
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
@@ -186,6 +189,8 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let high = heights[0].max(heights[1]).max(0.0) + past;
     let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
     let [p, q] = found.reference;
+    let strip = Outline::polygon(&[ends[0][0], ends[1][0], ends[1][1], ends[0][1]]);
+    sketch.part("strip").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, STRIP)), None);
     let inward = (q - p).normalize_or_zero() * sketch.px(KEPT).min(0.3 * (q - p).length());
     for ([foot, top], inward) in ends.into_iter().zip([inward, -inward]) {
         sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
@@ -333,6 +338,7 @@ mod tests {
             // A shaft and its head.
             let [arrows, kept] = ["incident-normal", "kept"].map(|part| paths(&figure.drawing.items, part));
             assert_eq!([kept.len() / 2, arrows.len() / 2], [planes, normals], "{show}");
+            assert_eq!(paths(&figure.drawing.items, "strip").len(), planes / 2, "{show}");
             let lines = paths(&figure.drawing.items, "plane");
             let [[p, q], [r, s]] =
                 match kept.iter().step_by(2).map(|shaft| points(shaft)).collect::<Vec<_>>()[..] {
