@@ -25,7 +25,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "rival",
             takes: Takes::Flag,
             default: "false",
-            about: "of bodies that overlap, the next longer way out to an edge",
+            about: "of bodies that overlap, the next local minimum: a longer way to an edge, square to it",
         },
         OptionSpec {
             name: "pushed",
@@ -145,7 +145,9 @@ pub(super) struct WayOut {
     pub(super) length: f64,
 }
 
-/// The next way out of B ⊖ A that is longer than `least`, from a point inside it.
+/// The next way out of B ⊖ A that is longer than `least`, from a point inside it: a local minimum of the way
+/// to its boundary, as its end is the foot on an edge. A line of another edge may be nearer, with its foot
+/// beyond the edge.
 pub(super) fn longer_way(found: &Difference, from: DVec2, least: f64) -> Option<WayOut> {
     let way = |edge: &Edge| {
         let (p, q) = found.drawn(edge);

@@ -54,7 +54,7 @@ pub(super) const LAYER: Layer = Layer {
             ]),
             default: "\"hit\"",
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or by the \
-                next longer way out, or at every step",
+                next local minimum, a longer push, or at every step",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
         OptionSpec {

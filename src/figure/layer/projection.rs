@@ -12,7 +12,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
-use crate::figure::text::number;
+use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
@@ -201,8 +201,11 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
 /// Writes where A ends and where B begins, each over its own interval, away from the other's.
 fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(TRACK);
-    for (key, side, along, out) in [("end.A", Side::A, t.a.hi, -1.0), ("begin.B", Side::B, t.b.lo, 1.0)] {
-        let text = format!("${}$", number(along));
+    let [a, b] = terms([t.a.hi, t.b.lo], t.gap);
+    for (key, side, along, text, out) in
+        [("end.A", Side::A, t.a.hi, a, -1.0), ("begin.B", Side::B, t.b.lo, b, 1.0)]
+    {
+        let text = format!("${text}$");
         let anchor = Anchor::point_toward(at(along, out * track), (down + t.n) * out);
         sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }
@@ -301,9 +304,10 @@ fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) 
         false => "gap $=",
     };
     // Subtracted so that what is left is positive.
-    let [more, less] = if t.gap < 0.0 { [t.a.hi, t.b.lo] } else { [t.b.lo, t.a.hi] };
-    let minus = if less < 0.0 { format!("- ({})", number(less)) } else { format!("- {}", number(less)) };
-    let terms = if values { format!(" {} {minus} =", number(more)) } else { String::new() };
+    let [a, b] = terms([t.a.hi, t.b.lo], t.gap);
+    let (more, less, is_below) = if t.gap < 0.0 { (a, b, t.b.lo < 0.0) } else { (b, a, t.a.hi < 0.0) };
+    let minus = if is_below { format!("- ({less})") } else { format!("- {less}") };
+    let terms = if values { format!(" {more} {minus} =") } else { String::new() };
     let mut lines = vec![format!("{word}{terms} {}$", number(t.gap.abs()))];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.

@@ -77,7 +77,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "rival",
             takes: Takes::Flag,
             default: "false",
-            about: "of bodies that overlap, the next longer way out, square to another edge",
+            about: "of bodies that overlap, the next local minimum: a longer push that no slightly other direction \
+                shortens",
         },
         OptionSpec {
             name: "disc",
@@ -96,7 +97,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "p", about: "the signed penetration of two circles" },
-        LabelKey { key: "rival", about: "length of the next longer way out" },
+        LabelKey { key: "rival", about: "length of the next longer push, with rival" },
         LabelKey { key: "s_k", about: "the separation at a step, where it is long enough" },
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],

@@ -9,6 +9,7 @@ use crate::typeset::ends_in_formula;
 
 use super::decimal::Decimal;
 use super::digits::Digits;
+use super::givers::givers;
 use super::number::{USUAL, in_math, in_words};
 use super::outcome::another_answer_has;
 use super::values::{VALUES, value_of};
@@ -48,8 +49,15 @@ pub(crate) fn fill(
                 lacking.push(name.to_owned());
                 continue;
             }
-            let fault =
-                scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) };
+            let fault = match givers(name, context) {
+                Some(givers) => {
+                    let message = format!("this answer has no `{name}`: {givers}");
+                    scene::Fault::Conflict { message }
+                }
+                None => {
+                    scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) }
+                }
+            };
             return Err(Problem::new(fault.into(), at.clone()));
         };
         let Some(digits) = digits else {

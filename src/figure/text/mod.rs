@@ -12,6 +12,7 @@ mod decimal;
 mod digits;
 mod fill;
 mod fold;
+mod givers;
 mod number;
 mod outcome;
 mod overrides;
@@ -27,7 +28,7 @@ pub(crate) use caption::{
 };
 pub(crate) use decimal::Decimal;
 pub(crate) use fill::filled;
-pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up};
+pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up, terms};
 pub(crate) use overrides::{label_key, overridden};
 pub use plain::plain;
 pub(crate) use quantity::{Quantity, distance_or_depth};

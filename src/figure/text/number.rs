@@ -29,6 +29,22 @@ pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
 }
 
+/// The terms of a sum, of which the result is written by [`number`], as LaTeX: to the last digit of the result,
+/// and of each other where one is short, so that who adds them up as they are written has the result.
+#[must_use]
+pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
+    let after_point = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    let whole = rounded(result, result);
+    let texts = terms.map(|term| rounded(term, term));
+    if texts.iter().chain([&whole]).any(|text| text.contains('e')) {
+        return terms.map(number);
+    }
+    let is_exact = |(text, term): &(&String, f64)| text.parse() == Ok(*term);
+    let own = texts.iter().zip(terms).filter(is_exact).map(|(text, _)| after_point(text)).max();
+    let decimals = Digits::Decimals(after_point(&whole).max(own.unwrap_or(0)));
+    terms.map(|term| in_math(&decimals.of(term, term)))
+}
+
 /// A number from [`rounded`] as LaTeX.
 #[must_use]
 pub(crate) fn in_math(number: &str) -> String {
@@ -84,6 +100,21 @@ mod tests {
         assert_eq!(rounded(9.999, 9.999), "10");
         assert_eq!(rounded(0.000_999_9, 0.000_999_9), "0.001");
         assert_eq!(number(4.293_51), "4.29");
+    }
+
+    #[test]
+    fn a_sum_comes_out_as_it_is_written() {
+        for (of, result, shown) in [
+            ([2.956_9, 2.859_9], 0.097, ["2.957", "2.860"]),
+            ([1.634_2, 0.164_1], 1.470_1, ["1.63", "0.16"]),
+            ([2.5, 0.5], 2.0, ["2.5", "0.5"]),
+            ([3.0, 1.0], 2.0, ["3", "1"]),
+            ([2.5, 0.123_4], 2.376_6, ["2.50", "0.12"]),
+            ([1e-7, 0.0], 1e-7, ["10^{-7}", "0"]),
+            ([4.0, -2.25], 6.25, ["4.00", "-2.25"]),
+        ] {
+            assert_eq!(terms(of, result), shown, "{of:?}");
+        }
     }
 
     #[test]
