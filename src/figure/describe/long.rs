@@ -5,13 +5,13 @@ use std::fmt::Write;
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
-use crate::geometry::shape::KINDS;
-use crate::geometry::{Body, DVec2};
+use crate::geometry::Body;
 use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
 use crate::trace::told::is_by_component;
 
-use super::number::{point, value};
+use super::body::{body_in_words, kind_in_words};
+use super::number::value;
 use super::result::Account;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
@@ -37,55 +37,6 @@ fn bystanders(scene: &Scene) -> String {
     };
     let all: Vec<String> = others.map(named).collect();
     if all.is_empty() { String::new() } else { format!("Beside, and asked nothing: {}. ", all.join(", ")) }
-}
-
-/// The kind of a body with its article.
-fn kind_in_words(body: &Body) -> &'static str {
-    KINDS.iter().find(|kind| kind.name == body.shape.kind).map_or(body.shape.kind, |kind| kind.in_words[0])
-}
-
-/// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
-fn body_in_words(name: &str, body: &Body) -> String {
-    let shape = &body.shape;
-    let mut text = format!("{name} is {}", kind_in_words(body));
-    if shape.vertices.len() > 2 && shape.half_extents.is_none() {
-        let _ = write!(text, " of {} vertices", shape.vertices.len());
-    }
-    if let Some(h) = body.shape.half_extents {
-        let _ = write!(text, " of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
-    }
-    if body.shape.radius > 0.0 {
-        let _ = write!(text, " of radius {}", value(body.shape.radius));
-    }
-    let origin = body.pose_at(0.0).position;
-    let middle = middle(body);
-    let _ = write!(text, " at {}", point(middle.unwrap_or(origin)));
-    let about = middle.map(|_| format!(" about {}", point(origin))).unwrap_or_default();
-    if body.angle_at(0.0) != 0.0 {
-        let _ = write!(text, ", turned by {}°{about}", value(body.angle_at(0.0)));
-    }
-    if body.velocity != DVec2::ZERO {
-        let _ = write!(text, ", moving by {}", point(body.velocity));
-    }
-    if !body.spin.is_zero() {
-        let _ = write!(text, ", turning by {}°{about}", value(body.spin.degrees()));
-    }
-    text.push('.');
-    text
-}
-
-/// The mean of a body's vertices beside its origin that is rounding, in parts of how far the vertices are
-/// from it: no eye tells as much apart.
-const CENTERED: f64 = 1e-9;
-
-/// The mean of a body's vertices at t = 0, where the body is not centred on its origin: it says better where
-/// the body is.
-fn middle(body: &Body) -> Option<DVec2> {
-    #[expect(clippy::cast_precision_loss, reason = "a count of vertices is far below 2^53")]
-    let count = body.shape.vertices.len().max(1) as f64;
-    let mean = body.shape.vertices.iter().copied().sum::<DVec2>() / count;
-    let reach = body.shape.vertices.iter().map(|p| p.length()).fold(0.0, f64::max);
-    (mean.length() > CENTERED * reach).then(|| body.pose_at(0.0).point(mean))
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.
@@ -161,18 +112,6 @@ mod tests {
         let runs = Runs::default();
         let run = runs.own(&scene, 0.0);
         long((&scene, &run), &Account::of(&scene, &runs, &run), &[])
-    }
-
-    #[test]
-    fn a_body_is_told_by_where_it_is_and_by_what_it_turns_about() {
-        let told = told(
-            "shapes.gate = { kind = 'capsule', points = [[0, 0], [3, 0]], radius = 0.1, position = [1, 1],
-                angular_velocity_deg = 90 }
-            shapes.post = { kind = 'regular-polygon', edges = 7, circumradius = 1, position = [0, 5] }
-            query = { kind = 'time-of-impact', of = ['gate', 'post'] }",
-        );
-        assert!(told.contains(" at (2.5, 1), turning by 90° about (1, 1)."), "{told}");
-        assert!(told.contains(" at (0, 5)."), "{told}");
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! the result with its number, how many steps it took, and what each panel shows. Words only: formulas are
 //! read out as they would be written in running text.
 
+mod body;
 mod long;
 mod number;
 mod result;

@@ -7,8 +7,8 @@ use crate::geometry::{Angle, Body, DVec2, Names, Side};
 use crate::scene::{Scene, Spanned};
 
 use super::phrases::{
-    AT, IS, MOMENT, MOTION, MOVED, MOVING, OF_RADIUS, OF_SIZE, OF_VERTICES, TURNED, TURNED_BY_SINE, TURNING,
-    WITH_VERTICES, Words,
+    AT, FROM_TO, IS, MOMENT, MOTION, MOVED, MOVING, OF_RADIUS, OF_SIZE, OF_VERTICES, POINT, REGULAR, SEGMENT,
+    TURNED, TURNED_BY_SINE, TURNING, WITH_VERTICES, Words,
 };
 
 /// Vertices that are listed; more are on the picture only.
@@ -32,21 +32,22 @@ pub(super) fn givens(scene: &Scene, names: &Names) -> String {
 /// A body in a sentence: its kind, its size, where it is at t = 0, how it moves.
 fn body_in_words(name: &str, body: &Body, words: Words) -> String {
     let shape = &body.shape;
-    let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
-    let mut text = words.say(&IS, &[name, kind.map_or(shape.kind, |kind| words.word(&kind.in_words))]);
-    text.push_str(&match (shape.half_extents, shape.vertices.len()) {
-        (Some(h), _) => words.say(&OF_SIZE, &[&words.number(2.0 * h.x), &words.number(2.0 * h.y)]),
-        (None, 2..=MOST_VERTICES) => {
-            let vertices: Vec<String> = shape.vertices.iter().map(|&v| words.point(v)).collect();
-            words.say(&WITH_VERTICES, &[&vertices.join(words.between_points())])
+    let is_bare = shape.radius == 0.0 && shape.half_extents.is_none();
+    let kind = match shape.vertices.len() {
+        1 if is_bare => words.word(&POINT),
+        2 if is_bare => words.word(&SEGMENT),
+        _ => {
+            let kind = KINDS.iter().find(|kind| kind.name == shape.kind);
+            kind.map_or(shape.kind, |kind| words.word(&kind.in_words))
         }
-        (None, count) if count > MOST_VERTICES => words.say(&OF_VERTICES, &[&count.to_string()]),
-        (None, _) => String::new(),
-    });
+    };
+    let mut text = words.say(&IS, &[name, kind]);
+    text.push_str(&core(body, words));
     if shape.radius > 0.0 {
         text.push_str(&words.say(&OF_RADIUS, &[&words.number(shape.radius)]));
     }
-    let shifted = shape.vertices.len() > 1 && shape.half_extents.is_none();
+    let is_of_points = shape.half_extents.is_none() && shape.circumradius.is_none();
+    let shifted = shape.vertices.len() > 1 && is_of_points;
     match (shifted, middle(body)) {
         (true, place) if place == DVec2::ZERO => {}
         (true, place) => text.push_str(&words.say(&MOVED, &[&words.point(place)])),
@@ -61,6 +62,26 @@ fn body_in_words(name: &str, body: &Body, words: Words) -> String {
     }
     text.push('.');
     text
+}
+
+/// How large a body is without its radius: half-extents, circumradius or vertices.
+fn core(body: &Body, words: Words) -> String {
+    let shape = &body.shape;
+    if let Some(h) = shape.half_extents {
+        return words.say(&OF_SIZE, &[&words.number(2.0 * h.x), &words.number(2.0 * h.y)]);
+    }
+    if let Some(circumradius) = shape.circumradius {
+        return words.say(&REGULAR, &[&shape.vertices.len().to_string(), &words.number(circumradius)]);
+    }
+    match shape.vertices[..] {
+        [] | [_] => String::new(),
+        [from, to] => words.say(&FROM_TO, &[&words.point(from), &words.point(to)]),
+        _ if shape.vertices.len() <= MOST_VERTICES => {
+            let vertices: Vec<String> = shape.vertices.iter().map(|&v| words.point(v)).collect();
+            words.say(&WITH_VERTICES, &[&vertices.join(words.between_points())])
+        }
+        _ => words.say(&OF_VERTICES, &[&shape.vertices.len().to_string()]),
+    }
 }
 
 /// Where the body is: of a circle or box the middle, else the origin.
@@ -125,6 +146,20 @@ mod tests {
         assert!(given("shapes.A = { kind = 'aabb', half_extents = [1, 1] }").contains("of 2 by 2 at (0, 0)"));
         let moving =
             "shapes.A = { kind = 'box', half_extents = [1, 0.25], velocity = [2.5, 0], angle_deg = 30 }";
+        assert_eq!(
+            given(
+                "shapes.A = { kind = 'regular-polygon', edges = 5, circumradius = 1.25, position = [1, 0] }"
+            ),
+            "A is a regular polygon with 5 edges and circumradius 1.25, the lowest edge level, at (1, 0)."
+        );
+        let capsule = "kind = 'capsule', points = [[0, 0], [2, 0]], position = [1, 3], velocity = [6, -1]";
+        let told = given(&format!("shapes.A = {{ {capsule}, radius = 0 }}"));
+        assert!(
+            told.starts_with(
+                "A is a segment from (0, 0) to (2, 0), as seen from its origin at (1, 3), moving by (6, −1)."
+            ),
+            "{told}"
+        );
         for (lang, said) in [
             (
                 "de",

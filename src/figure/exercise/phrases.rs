@@ -23,10 +23,28 @@ pub(super) const WITH_VERTICES: Phrase =
     [" with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *"];
 /// The vertices of a polygon, counted.
 pub(super) const OF_VERTICES: Phrase = [" of * vertices", " mit * Ecken", " de * sommets", " de * vértices"];
+/// A regular polygon: its edges, its circumradius, and how it stands.
+pub(super) const REGULAR: Phrase = [
+    " with * edges and circumradius *, the lowest edge level,",
+    " mit * Kanten und dem Umkreisradius *, die unterste Kante waagrecht,",
+    " à * arêtes, de rayon circonscrit *, l’arête la plus basse horizontale,",
+    " de * aristas y circunradio *, con la arista más baja horizontal,",
+];
+/// The two ends of a capsule.
+pub(super) const FROM_TO: Phrase = [" from * to *", " von * bis *", " de * à *", " de * a *"];
+/// A circle without a radius.
+pub(super) const POINT: Phrase = ["a point", "ein Punkt", "un point", "un punto"];
+/// A capsule without a radius.
+pub(super) const SEGMENT: Phrase = ["a segment", "eine Strecke", "un segment", "un segmento"];
 /// The radius of a body.
 pub(super) const OF_RADIUS: Phrase = [" of radius *", " vom Radius *", " de rayon *", " de radio *"];
-/// By how much the vertices of a body are moved.
-pub(super) const MOVED: Phrase = [", moved by *", ", um * verschoben", ", déplacé de *", ", desplazado *"];
+/// Where the origin of a body is, from which its vertices are given.
+pub(super) const MOVED: Phrase = [
+    ", as seen from its origin at *",
+    ", gesehen vom Ursprung des Körpers bei *",
+    ", vus de l’origine du corps en *",
+    ", vistos desde el origen del cuerpo en *",
+];
 /// Where a body is.
 pub(super) const AT: Phrase = [" at *", " bei *", " en *", " en *"];
 /// By which angle a body is turned.
@@ -173,6 +191,10 @@ mod tests {
             OF_SIZE,
             WITH_VERTICES,
             OF_VERTICES,
+            REGULAR,
+            FROM_TO,
+            POINT,
+            SEGMENT,
             OF_RADIUS,
             MOVED,
             AT,

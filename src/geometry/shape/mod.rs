@@ -41,6 +41,8 @@ pub struct Shape {
     pub radius: f64,
     /// Half-extents of a box or AABB.
     pub half_extents: Option<DVec2>,
+    /// How far the vertices of a regular polygon are from its middle, as the scene has it.
+    pub circumradius: Option<f64>,
     /// Indices into `vertices` of the strictly convex core, counter-clockwise, duplicates and collinear
     /// vertices dropped. Empty for an `outline`, which is not convex.
     pub core: Vec<usize>,
@@ -220,6 +222,7 @@ impl Shape {
             vertices,
             radius: 0.0,
             half_extents: None,
+            circumradius: None,
             core: Vec::new(),
             hull: Hull::default(),
             edges: Edges::OfFile,

@@ -63,7 +63,13 @@ fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
         ShapeError::new("degenerate", "circumradius", message)
     })?;
     let hull = Hull::new(core.iter().map(|&i| vertices[i]).collect());
-    Ok(Shape { radius, core, hull, ..Shape::bare("regular-polygon", vertices) })
+    Ok(Shape {
+        radius,
+        core,
+        hull,
+        circumradius: Some(circumradius),
+        ..Shape::bare("regular-polygon", vertices)
+    })
 }
 
 /// How many edges: from 3 to [`MOST`].

@@ -1,0 +1,137 @@
+//! A body in words: its kind, its size, where it is at the start, how it moves.
+//!
+//! Every place is one that the scene has: a body with vertices of its own is told by them, as seen from its
+//! origin, about which it turns.
+
+use std::fmt::Write;
+
+use crate::geometry::shape::KINDS;
+use crate::geometry::{Body, DVec2};
+
+use super::number::{point, value};
+
+/// What has no size at all, and what has no width.
+const WITHOUT_WIDTH: [&str; 2] = ["a point", "a segment"];
+
+/// The kind of a body with its article.
+pub(super) fn kind_in_words(body: &Body) -> &'static str {
+    let shape = &body.shape;
+    let is_bare = shape.radius == 0.0 && shape.half_extents.is_none();
+    let bare = shape.vertices.len().checked_sub(1).and_then(|more| WITHOUT_WIDTH.get(more));
+    match bare.filter(|_| is_bare) {
+        Some(kind) => kind,
+        None => KINDS.iter().find(|kind| kind.name == shape.kind).map_or(shape.kind, |kind| kind.in_words[0]),
+    }
+}
+
+/// A body in a sentence.
+pub(super) fn body_in_words(name: &str, body: &Body) -> String {
+    let mut text = format!("{name} is {}{}", kind_in_words(body), size(body));
+    if body.shape.radius > 0.0 {
+        let _ = write!(text, " of radius {}", value(body.shape.radius));
+    }
+    text.push_str(&place(body));
+    if body.angle_at(0.0) != 0.0 {
+        let _ = write!(text, ", turned by {}°", value(body.angle_at(0.0)));
+    }
+    if body.velocity != DVec2::ZERO {
+        let _ = write!(text, ", moving by {}", point(body.velocity));
+    }
+    if !body.spin.is_zero() {
+        let about = if is_centered(body) { "" } else { " about its origin" };
+        let _ = write!(text, ", turning by {}°{about}", value(body.spin.degrees()));
+    }
+    text.push('.');
+    text
+}
+
+/// How large the core of a body is, in its own frame.
+fn size(body: &Body) -> String {
+    let shape = &body.shape;
+    if let Some(h) = shape.half_extents {
+        return format!(" of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
+    }
+    if let Some(circumradius) = shape.circumradius {
+        return format!(" with {} edges, circumradius {}", shape.vertices.len(), value(circumradius));
+    }
+    match shape.vertices[..] {
+        [] | [_] => String::new(),
+        [from, to] => format!(" from {} to {}", point(from), point(to)),
+        [first, ..] => {
+            let (least, most) =
+                shape.vertices.iter().fold((first, first), |(least, most), &p| (least.min(p), most.max(p)));
+            let extent = most - least;
+            format!(
+                " of {} vertices, spanning {} by {} from {} to {}",
+                shape.vertices.len(),
+                value(extent.x),
+                value(extent.y),
+                point(least),
+                point(most)
+            )
+        }
+    }
+}
+
+/// Whether the scene says of a body where its middle is, and that is its origin.
+fn is_centered(body: &Body) -> bool {
+    let shape = &body.shape;
+    shape.half_extents.is_some() || shape.circumradius.is_some() || shape.vertices[..] == [DVec2::ZERO]
+}
+
+/// Where a body is at the start.
+fn place(body: &Body) -> String {
+    let origin = body.pose_at(0.0).position;
+    match body.shape.vertices[..] {
+        _ if is_centered(body) => format!(" at {}", point(origin)),
+        // A circle may lie beside its body's origin.
+        [center] => format!(" at {}", point(body.pose_at(0.0).point(center))),
+        _ if origin == DVec2::ZERO => String::new(),
+        _ => format!(", as seen from its origin at {}", point(origin)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::open_text;
+
+    /// The sentence of a body with these keys.
+    fn told(keys: &str) -> String {
+        let text = format!("shapes.it = {{ {keys} }}\nquery = {{ kind = 'bounds', of = ['it'] }}");
+        let scene = open_text("body.toml", &text).unwrap().scene;
+        body_in_words("it", &scene.shapes[0].1)
+    }
+
+    #[test]
+    fn a_body_is_told_by_the_places_that_the_scene_has() {
+        for (keys, words) in [
+            (
+                "kind = 'capsule', points = [[0, 0], [3, 0]], radius = 0.1, position = [1, 1], \
+                 angular_velocity_deg = 90",
+                "a capsule from (0, 0) to (3, 0) of radius 0.1, as seen from its origin at (1, 1), turning by \
+                 90° about its origin",
+            ),
+            (
+                "kind = 'regular-polygon', edges = 7, circumradius = 1.5, position = [0, 5]",
+                "a regular polygon with 7 edges, circumradius 1.5 at (0, 5)",
+            ),
+            (
+                "kind = 'polygon', vertices = [[-1, 0], [3, -1], [2, 2]], angle_deg = 30",
+                "a convex polygon of 3 vertices, spanning 4 by 3 from (-1, -1) to (3, 2), turned by 30°",
+            ),
+            ("kind = 'circle', radius = 0, position = [2, 1]", "a point at (2, 1)"),
+            (
+                "kind = 'circle', radius = 1, center = [2, 0], position = [1, 1]",
+                "a circle of radius 1 at (3, 1)",
+            ),
+            ("kind = 'capsule', points = [[0, 0], [1, 0]], radius = 0", "a segment from (0, 0) to (1, 0)"),
+            (
+                "kind = 'box', half_extents = [1, 0.5], position = [1, 0], angular_velocity_deg = 9",
+                "a box of 2 by 1 at (1, 0), turning by 9°",
+            ),
+        ] {
+            assert_eq!(told(keys), format!("it is {}.", words.replace("(-1, -1)", "(−1, −1)")));
+        }
+    }
+}
