@@ -1,7 +1,7 @@
 //! What a layer may know: the scene, the panel it stands in, and what the algorithms answer and tell.
 //!
-//! Places are those that the panel shows: in the panel of a moving body's frame, what is at another moment is
-//! where it is as seen from that body then (`moving_frame.rs`).
+//! Places are those that the panel shows: in a moving body's frame, what is at another moment is where it is
+//! as seen from that body then (`moving_frame.rs`).
 
 use std::sync::Arc;
 
@@ -77,6 +77,11 @@ pub(crate) struct Context<'f> {
 }
 
 impl Context<'_> {
+    /// What `look` finds where another scene is asked.
+    pub(crate) fn where_asked<T>(&self, scene: &Scene, look: impl FnOnce(&Context) -> T) -> T {
+        look(&Context { scene, runs: &Runs::default(), ..*self })
+    }
+
     /// The query's bodies: A, and B where it is about two.
     #[must_use]
     pub(crate) fn sides(&self) -> Vec<Side> {
@@ -96,7 +101,6 @@ impl Context<'_> {
     }
 
     /// A body's name, to be set in type.
-    #[must_use]
     pub(crate) fn named(&self, side: Side) -> Name<'_> {
         self.runs.called.side(self.scene, side)
     }

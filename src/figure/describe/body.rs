@@ -109,8 +109,8 @@ mod tests {
             (
                 "kind = 'capsule', points = [[0, 0], [3, 0]], radius = 0.1, position = [1, 1], \
                  angular_velocity_deg = 90",
-                "a capsule from (0, 0) to (3, 0) of radius 0.1, as seen from its origin at (1, 1), turning by \
-                 90° about its origin",
+                "a capsule from (0, 0) to (3, 0) of radius 0.1, as seen from its origin at (1, 1), turning \
+                 by 90° about its origin",
             ),
             (
                 "kind = 'regular-polygon', edges = 7, circumradius = 1.5, position = [0, 5]",

@@ -77,8 +77,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "rival",
             takes: Takes::Flag,
             default: "false",
-            about: "of bodies that overlap, the next local minimum: a longer push that no slightly other direction \
-                shortens",
+            about: "of bodies that overlap, the next local minimum: a longer push that no slightly \
+                    other direction shortens",
         },
         OptionSpec {
             name: "disc",

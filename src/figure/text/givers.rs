@@ -2,7 +2,6 @@
 
 use crate::collision::{ALGORITHMS, Algorithm, QUERIES, Question};
 use crate::figure::context::Context;
-use crate::figure::runs::Runs;
 use crate::scene::{Scene, SceneQuery};
 
 use super::values::{VALUES, value_of};
@@ -38,8 +37,7 @@ fn has(name: &str, context: &Context, (question, algorithm): (&Question, &'stati
     if !algorithm.takes(&asked.query_of_bodies()) {
         return false;
     }
-    let runs = Runs::default();
-    value_of(name, &Context { scene: &asked, runs: &runs, ..*context }).is_some()
+    context.where_asked(&asked, |context| value_of(name, context).is_some())
 }
 
 #[cfg(test)]

@@ -29,8 +29,8 @@ pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
 }
 
-/// The terms of a sum, of which the result is written by [`number`], as LaTeX: to the last digit of the result,
-/// and of each other where one is short, so that who adds them up as they are written has the result.
+/// The terms of a sum, of which the result is written by [`number`], as LaTeX: to the last digit of the
+/// result, and of a term that is exact, so that who adds them up as they are written has the result.
 #[must_use]
 pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
     let after_point = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
