@@ -1,6 +1,6 @@
 //! What a picture calls the bodies: by the text of `[labels]`, else by the scene's name, else by a letter.
 //!
-//! A label that is made of a name, as v_A or "A pushed out", follows the text that the scene gives to the
+//! A label that is made of a name, as `v_A` or "A pushed out", follows the text that the scene gives to the
 //! name, as a reader of the picture knows no other. A name with a letter that the embedded faces lack is
 //! replaced by a capital, as the article has them, and a note says so. Words that are never set in type keep
 //! the scene's names.

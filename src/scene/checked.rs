@@ -212,16 +212,7 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
             _ => wrong(node, row, p),
         },
         Holds::Texts(_) => texts(node).is_some() || wrong(node, row, p),
-        Holds::Moment => match &node.value {
-            NodeValue::Number(_) => in_range(node, row, 0.0, 1.0, p),
-            NodeValue::Text(word) if When::of_word(word).is_some() => true,
-            NodeValue::Text(word) => {
-                let known = When::WORDS.map(|(word, _)| word.to_owned()).to_vec();
-                p.add(Fault::UnknownWord { what: "moment", got: word.clone(), known }, &node.span);
-                false
-            }
-            _ => wrong(node, row, p),
-        },
+        Holds::Moment => moment(node, row, p),
         Holds::LabelPlace => match &node.value {
             NodeValue::Text(_) => true,
             NodeValue::List(_) => numbers(node, row, 2, p),
@@ -230,6 +221,20 @@ fn holds(node: &Node, row: &Field, p: &mut Problems) -> bool {
         Holds::Layers | Holds::List(_) => as_list(node).is_some() || wrong(node, row, p),
         Holds::Tables(_) | Holds::Table => node.entries().is_some() || wrong(node, row, p),
         Holds::Anything => true,
+    }
+}
+
+/// Whether a value is a time or the word for a moment; notes what is wrong.
+fn moment(node: &Node, row: &Field, p: &mut Problems) -> bool {
+    match &node.value {
+        NodeValue::Number(_) => in_range(node, row, 0.0, 1.0, p),
+        NodeValue::Text(word) if When::of_word(word).is_some() => true,
+        NodeValue::Text(word) => {
+            let known = When::WORDS.map(|(word, _)| word.to_owned()).to_vec();
+            p.add(Fault::UnknownWord { what: "moment", got: word.clone(), known }, &node.span);
+            false
+        }
+        _ => wrong(node, row, p),
     }
 }
 

@@ -118,13 +118,12 @@ fn handout(node: &Node, p: &mut Problems) -> Option<DeclaredHandout> {
     let table = check(node, "handout", HANDOUT.place, HANDOUT.fields, p)?;
     let mut variants = Vec::new();
     for word in table.texts("variants") {
-        match Variant::of_word(&word.value) {
-            Some(variant) => variants.push(variant),
-            None => {
-                let known = Variant::OF_AN_EXERCISE.map(|variant| variant.word().to_owned()).to_vec();
-                p.add(Fault::UnknownWord { what: "variant", got: word.value, known }, &word.span);
-            }
-        }
+        let Some(variant) = Variant::of_word(&word.value) else {
+            let known = Variant::OF_AN_EXERCISE.map(|variant| variant.word().to_owned()).to_vec();
+            p.add(Fault::UnknownWord { what: "variant", got: word.value, known }, &word.span);
+            continue;
+        };
+        variants.push(variant);
     }
     let numbers = table.switch("numbers");
     let numbered = table.get("numbers").map(|node| node.span.clone());

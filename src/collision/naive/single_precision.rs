@@ -20,7 +20,6 @@ pub(super) const NAIVE: Naive = Naive {
 };
 
 /// A body that is at a time where single precision keeps it.
-#[expect(clippy::cast_possible_truncation, reason = "the digits that are lost are the fault")]
 fn kept(body: &Body, time: f64) -> Body {
     let at = body.pose_at(time).position;
     Body { position: body.position + (at.as_vec2().as_dvec2() - at), ..body.clone() }

@@ -82,9 +82,12 @@ pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>) -> Option<Inse
     let frame = &sketched.frame;
     let found = unseen(sketched, if before.is_some() { STILL_SEEN } else { SEEN })?;
     let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
-    let sizes = shares.filter_map(|share| Some((share, sized(frame, &found.rect, share)?)));
-    let places = sizes.flat_map(|size| PLACES.map(|at| (size, at)));
-    let candidate = |((share, (factor, size)), at): (([f64; 2], (f64, [f64; 2])), [f64; 2])| {
+    let sizes = shares.filter_map(|share| {
+        let (factor, size) = sized(frame, &found.rect, share)?;
+        Some((share, factor, size))
+    });
+    let places = sizes.flat_map(|(share, factor, size)| PLACES.map(|at| (share, factor, size, at)));
+    let candidate = |(share, factor, size, at): ([f64; 2], f64, [f64; 2], [f64; 2])| {
         let rect = placed(&frame.panel, size, at);
         let detail = about(found.rect.center(), size.map(|edge| 0.5 * edge / factor));
         let hides = hidden(&rect, &detail, &sketched.obstacles);

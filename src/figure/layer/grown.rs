@@ -80,22 +80,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Some(Pen::outline(Role::A)),
     );
     if options.flag("copies", true) {
-        sketch.part("copies").weight(Weight::Light);
-        let mut last = None;
-        for vertex in vertices(context) {
-            let copy = outline_b.turned_about(b).moved(vertex - b);
-            sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
-            last = Some(copy);
-        }
-        if let Some(copy) = last {
-            let name = context.named(Side::B);
-            let text = match letter_of_b(context) {
-                Some(letter) => format!("{} turned about {letter}", name.primed(0)),
-                None => format!("{} turned about its origin", name.primed(0)),
-            };
-            let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
-            sketch.label(label.rank(Rank::Word).size(Size::Note));
-        }
+        copies(sketch, context, &outline_b, b);
     }
     let around = if options.flag("around", false) {
         around(sketch, context, &found, &outline_b, b)
@@ -119,6 +104,26 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
             .rank(Rank::Point),
     );
+}
+
+/// Draws B turned about its point `b`, with that at every vertex of A: what A is grown by.
+fn copies(sketch: &mut Sketch, context: &Context, outline_b: &Outline, b: DVec2) {
+    sketch.part("copies").weight(Weight::Light);
+    let mut last = None;
+    for vertex in vertices(context) {
+        let copy = outline_b.turned_about(b).moved(vertex - b);
+        sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
+        last = Some(copy);
+    }
+    if let Some(copy) = last {
+        let name = context.named(Side::B);
+        let text = match letter_of_b(context) {
+            Some(letter) => format!("{} turned about {letter}", name.primed(0)),
+            None => format!("{} turned about its origin", name.primed(0)),
+        };
+        let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
 }
 
 /// Draws the edges of B ⊖ A where they are once it is turned.
