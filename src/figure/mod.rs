@@ -60,6 +60,7 @@ pub use draw::{Figure, draw, draw_after, draw_in_steps};
 pub use fault::{Fault, off_page};
 pub use frame::Frame;
 pub use handle::{Handle, Pull, Setting, handles_json};
+pub(crate) use language::Language;
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use motion::draw_in_motion;
 pub use placement::{LabelFault, Labelled, Placed};

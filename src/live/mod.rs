@@ -16,7 +16,7 @@ use serde_json::Value;
 
 use crate::drawing::Drawing;
 use crate::drift::{facts, fingerprint, metadata, text_chunk};
-use crate::figure::{Figure, Plan, draw_after, off_page, plan, plan_in};
+use crate::figure::{Figure, Language, Plan, draw_after, off_page, plan, plan_in};
 use crate::output::{OutputError, found_words, inline_with, svg_key, svg_with};
 use crate::scene::{SceneFile, open_text};
 
@@ -147,6 +147,12 @@ impl Live {
     /// # Ok::<(), tracefig::live::Refusal>(())
     /// ```
     pub fn set(&mut self, edits: &str) -> Result<(), Refusal> {
+        let language = Language::of(&self.now.file.scene);
+        self.edit(edits).map_err(|refusal| refusal.in_language(language))
+    }
+
+    /// Changes the scene, or says in English why not.
+    fn edit(&mut self, edits: &str) -> Result<(), Refusal> {
         let mut json = self.now.json.clone();
         edit::apply(&mut json, edits)?;
         let before = std::mem::replace(&mut self.now, State::of(json)?);
@@ -223,6 +229,7 @@ impl Live {
                 Ok(frame)
             }
             Err(refusal) => {
+                let refusal = refusal.in_language(Language::of(&self.now.file.scene));
                 if let Some(drawn) = self.drawn.take() {
                     (self.now, self.is_drawn) = (drawn, true);
                 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::json;
 
-use crate::figure;
+use crate::figure::{self, Language};
 use crate::output::OutputError;
 use crate::scene::{Explain, Problem, Refused, Source};
 
@@ -40,9 +40,41 @@ pub enum Refusal {
         /// Why.
         why: String,
     },
+    /// What is asked for is no scene or no figure, said in the scene's own language.
+    Foreign {
+        /// The sentence.
+        said: String,
+    },
     /// The picture can't be written.
     Output(OutputError),
 }
+
+/// What is said of the scenes that there can't be, as rows of a [`Language`]. Reasons are those of messages
+/// about files, in English, but for the one that a drag meets.
+const WORDS: &[[&str; 5]] = &[
+    [
+        "* can't be so: it would not be convex",
+        "*",
+        "* kann so nicht sein: nicht mehr konvex",
+        "* ne peut pas être ainsi : ce ne serait plus convexe",
+        "* no puede ser así: ya no sería convexo",
+    ],
+    [
+        "the scene can't be so: *",
+        "*",
+        "Die Szene kann so nicht sein",
+        "La scène ne peut pas être ainsi",
+        "La escena no puede ser así",
+    ],
+    [
+        "the figure can't be so: *",
+        "*",
+        "Das Bild kann so nicht sein",
+        "La figure ne peut pas être ainsi",
+        "La figura no puede ser así",
+    ],
+    ["* can't be so: *", "*", "* kann so nicht sein", "* ne peut pas être ainsi", "* no puede ser así"],
+];
 
 impl Refusal {
     /// What a page is told of a call that was refused, as JSON.
@@ -63,6 +95,16 @@ impl Refusal {
     /// What is wrong with a figure.
     pub(super) fn of_figure(source: &Source, problems: &[Problem<figure::Fault>]) -> Self {
         Self::first(source, problems, "the figure")
+    }
+
+    /// What is wrong in a language, where it is said to who drags.
+    pub(super) fn in_language(self, language: Language) -> Self {
+        if !matches!(self, Self::Wrong { .. }) {
+            return self;
+        }
+        let english = self.to_string();
+        let said = language.of_rows(WORDS, &english);
+        if said == english { self } else { Self::Foreign { said } }
     }
 
     /// The first problem: a sentence says one thing.
@@ -97,6 +139,7 @@ impl fmt::Display for Refusal {
             Self::NoPlace { path } => write!(f, "{path} leads nowhere in the scene"),
             Self::Theme { reason } => write!(f, "the theme can't be used: {reason}"),
             Self::Wrong { what, why } => write!(f, "{what} can't be so: {why}"),
+            Self::Foreign { said } => f.write_str(said),
             Self::Output(error) => error.fmt(f),
         }
     }

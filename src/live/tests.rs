@@ -159,7 +159,7 @@ fn handles_are_called_in_the_language_of_the_scene() {
     let names = |lang: &str| {
         let mut scene = open(&figures()[0]).unwrap().json_value();
         scene["lang"] = lang.into();
-        scene["live"] = json!({ "drag": ["A.position", "A.vertices", "B.radius", "B.angle_deg"] });
+        scene["live"] = json!({ "drag": ["A.position", "A.vertices", "B.radius"] });
         scene["shapes"]["B"] = json!({ "kind": "circle", "radius": 1, "position": [3, 1] });
         let panel = Live::open(&json!({ "scene": scene }).to_string()).unwrap().draw().unwrap().panel;
         let panel: Value = serde_json::from_str(&panel).unwrap();
@@ -178,6 +178,25 @@ fn handles_are_called_in_the_language_of_the_scene() {
         assert_eq!(own.len(), english.len());
     }
     assert!(names("de").contains(&"Lage von A".to_owned()));
+}
+
+#[test]
+fn a_refused_drag_is_told_in_the_language_of_the_scene() {
+    let said = |lang: &str, edit: Value| {
+        let mut scene = open(&figures()[0]).unwrap().json_value();
+        scene["lang"] = lang.into();
+        let mut live = Live::open(&json!({ "scene": scene }).to_string()).unwrap();
+        live.set(&edit.to_string()).unwrap_err().to_string()
+    };
+    let polygon = json!({"kind": "polygon", "vertices": [[0, 0], [2, 0], [1, 0.5], [1, 2]]});
+    let hollow = || json!([[["shapes", "A"], polygon.clone()]]);
+    assert_eq!(said("zh", hollow()), "A can't be so: it would not be convex");
+    assert_eq!(said("de-AT", hollow()), "A kann so nicht sein: nicht mehr konvex");
+    for lang in ["de", "fr", "es"] {
+        for edit in [hollow(), json!([[["query", "time"], 7]]), json!([[["shapes", "A", "kind"], "box"]])] {
+            assert!(!said(lang, edit.clone()).contains("can't"), "{lang}: {edit}");
+        }
+    }
 }
 
 /// What a sum of numbers and of their quotients comes to; `None` where it is none.

@@ -11,7 +11,7 @@ use super::page_colors::{colored, push_schemes};
 use super::sha256::sha256;
 use super::svg::searchable;
 use super::xml::escape;
-use super::{OutputError, validity};
+use super::{OutputError, page, validity};
 use crate::drawing::Drawing;
 
 /// The script of live figures, as one.
@@ -118,7 +118,9 @@ pub(super) fn write(drawing: &Drawing, page: &LivePage<'_>) -> Result<Vec<u8>, O
 fn push_figure(out: &mut String, drawing: &Drawing, request: &str) {
     out.push_str("<div class=\"tracefig-live\">\n<figure>");
     out.push_str(searchable(drawing, None).trim_end());
-    out.push_str("</figure>\n<details class=\"words\"><summary>Description</summary><p>");
+    out.push_str("</figure>\n<details class=\"words\"><summary>Description</summary>");
+    let [_, of_desc] = drawing.languages_of_words();
+    page::open(out, "p", of_desc);
     escape(out, &drawing.desc);
     out.push_str("</p></details>\n<script type=\"application/json\">");
     // A text of the scene must not end the element that it stands in.
