@@ -16,7 +16,7 @@ use super::exercise;
 use super::fault::{Fault, Problem};
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
-use super::layer::is_key;
+use super::layer::{EXPECTED, is_key};
 use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Measures, Page};
@@ -206,7 +206,7 @@ pub(super) fn panels_of<'s>(
     moments: &[Option<f64>],
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> (bool, Vec<PanelPlan<'s>>) {
-    let mut sheets = default_picture::sheets(scene, runs, problems);
+    let mut sheets = default_picture::sheets(scene, runs, EXPECTED.name, problems);
     for (sheet, time) in sheets.iter_mut().zip(moments) {
         if let Some(time) = time {
             sheet.pin(*time);

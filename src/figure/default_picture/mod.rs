@@ -146,6 +146,11 @@ pub(crate) struct Sheet<'s> {
 }
 
 impl Sheet<'_> {
+    /// Whether it shows the world by layers of ours.
+    fn is_our_world(&self) -> bool {
+        self.ours && self.panel.space == Space::World
+    }
+
     /// Shows another moment than the scene says.
     pub(crate) fn pin(&mut self, time: f64) {
         let span = self.panel.span.clone();
@@ -154,8 +159,26 @@ impl Sheet<'_> {
 }
 
 /// The panels of a scene, those that it leaves out filled in; in `problems`, a panel whose layers are not
-/// given and for which no picture has any.
-pub(crate) fn sheets<'s>(scene: &'s Scene, runs: &Runs, problems: &mut Vec<Problem>) -> Vec<Sheet<'s>> {
+/// given and for which no picture has any. What someone else answered is shown by the layer `compared`,
+/// in the first panel of ours where bodies are.
+pub(crate) fn sheets<'s>(
+    scene: &'s Scene,
+    runs: &Runs,
+    compared: &str,
+    problems: &mut Vec<Problem>,
+) -> Vec<Sheet<'s>> {
+    let mut sheets = of_the_table(scene, runs, problems);
+    if scene.query.expected.is_some()
+        && let Some(world) = sheets.iter_mut().find(|sheet| sheet.is_our_world())
+    {
+        let layers = &mut world.panel.to_mut().layers;
+        layers.iter_mut().for_each(|layers| layers.push(LayerSpec::named(compared)));
+    }
+    sheets
+}
+
+/// The panels of a scene, those that it leaves out as the table has them.
+fn of_the_table<'s>(scene: &'s Scene, runs: &Runs, problems: &mut Vec<Problem>) -> Vec<Sheet<'s>> {
     let whole = scene.panels.iter().all(|panel| panel.layers.is_some());
     if whole && !scene.panels.is_empty() {
         let given = |panel| Sheet { panel: Cow::Borrowed(panel), ours: false };

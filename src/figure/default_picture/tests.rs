@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Case, PICTURES, Picture};
 use crate::collision::ALGORITHMS;
+use crate::figure::layer::EXPECTED;
 use crate::figure::runs::Runs;
 use crate::figure::{draw, plan};
 use crate::geometry::Side;
@@ -149,4 +150,19 @@ fn bodies_that_only_touch_are_not_pushed_out() {
         assert_eq!(layers(query, "2"), "shapes separation", "{query}");
         assert_eq!(layers(query, "1.5"), "shapes ghosts separation", "{query}");
     }
+}
+
+#[test]
+fn what_someone_else_answered_stands_in_the_picture() {
+    let labels = |expected: &str| -> Vec<&str> {
+        let bodies = pair("minkowski", "[2.5, 3]", "velocity = [3, 0]");
+        let text = format!("{bodies}[query]\nkind = 'separation'\nof = ['crate', 'B']\n{expected}");
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "s");
+        figure.panels.iter().flat_map(|panel| &panel.placed).map(|label| label.key).collect()
+    };
+    let [without, with] = ["", "expected = { separation = 1.5 }"].map(labels);
+    let is_it = |key: &&str| EXPECTED.labels.iter().any(|label| label.key == *key);
+    assert!(with.len() == without.len() + 1 && with.iter().any(is_it), "{without:?} {with:?}");
 }

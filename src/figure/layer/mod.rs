@@ -176,6 +176,9 @@ pub static LAYERS: &[Layer] = &[
     note::LAYER,
 ];
 
+/// The layer of what someone else answered, which a picture has where a scene says that.
+pub(crate) static EXPECTED: &Layer = &expected::LAYER;
+
 /// The layer of a name; `None` where there is none.
 pub(crate) fn find(name: &str) -> Option<&'static Layer> {
     LAYERS.iter().find(|l| l.name == name)
