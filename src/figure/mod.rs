@@ -29,6 +29,7 @@ mod limits;
 mod motion;
 mod moving_frame;
 mod name;
+mod narrow;
 mod page;
 mod panel;
 mod placement;

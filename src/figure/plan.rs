@@ -19,6 +19,7 @@ use super::language::Language;
 use super::layer::{EXPECTED, is_key};
 use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
+use super::narrow;
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
@@ -156,7 +157,7 @@ fn resolve<'s>(
         caption = caption_of_words(&measures, words, &account.sentence_markup(&runs.called));
     }
     let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
-    let layout = Layout {
+    let mut layout = Layout {
         measures,
         columns: scene.canvas.columns,
         titles,
@@ -168,6 +169,13 @@ fn resolve<'s>(
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &layout, &mut panels));
+        let fitted = fitted.and_then(|found| {
+            let Some(columns) = narrow::columns((scene, &runs), &layout, &panels, &found.0) else {
+                return Ok(found);
+            };
+            layout.columns = Some(columns);
+            view::fit(scene, &runs, theme, &layout, &mut panels)
+        });
         let said = fitted.and_then(|(sketched, fitted)| {
             page = Some(fitted);
             say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings))

@@ -295,6 +295,20 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     (
+        "figure/narrow",
+        &[
+            "scene",
+            "typeset",
+            "figure/layer",
+            "figure/page",
+            "figure/panel",
+            "figure/placement",
+            "figure/runs",
+            "figure/sketch",
+            "figure/text",
+        ],
+    ),
+    (
         "figure/view",
         &[
             "geometry",

@@ -36,6 +36,9 @@ const GAP: f64 = 22.0;
 /// The least distance of two steps along the axis that have their times below their numbers, page pixels.
 const VALUE_GAP: f64 = 30.0;
 
+/// The share of a line of fastest approach beside which its words stand: at its foot are the times.
+const ABOVE_AXIS: f64 = 0.6;
+
 /// Room below for the times, page pixels.
 const VALUE_ROOM: f64 = 16.0;
 
@@ -165,7 +168,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
         if k == 0 {
             let speed = values.then(|| format!("${}$ in a unit of time", number(step.bound)));
             let lines = std::iter::once("fastest approach".to_owned()).chain(speed).collect();
-            let label = Label::new("worst", "", Anchor::middle(from, to), Role::Muted);
+            let label = Label::new("worst", "", Anchor::middle(from, from.lerp(to, ABOVE_AXIS)), Role::Muted);
             sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1).filter(|_| k + 1 < MOST) {

@@ -23,6 +23,7 @@ impl Sketch<'_> {
         let Some(u) = (q - p).unit().filter(|_| (q - p).length() >= SPECK) else { return self };
         let shift = u.left() * offset;
         let (a, b) = (p + shift, q + shift);
+        self.reach_on_page(&[a, b]);
         self.extension(p, a);
         self.extension(q, b);
         self.page_ticked(a, b, u, pen);
@@ -36,6 +37,7 @@ impl Sketch<'_> {
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         if let Some(u) = (q - p).unit() {
             let shift = u.left() * offset;
+            self.reach_on_page(&[p + shift, q + shift]);
             self.page_ticked(p + shift, q + shift, u, pen);
         }
         self

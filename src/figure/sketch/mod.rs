@@ -19,7 +19,7 @@ mod right_angle;
 mod round;
 mod words;
 
-use crate::drawing::{Contour, Group, Item, Paint, Path, Rect, Shown};
+use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
 use crate::figure::cue::Cue;
 use crate::figure::frame::Frame;
 use crate::figure::handle::Hold;
@@ -322,6 +322,19 @@ impl<'f> Sketch<'f> {
             part.items.push(item);
         }
         self
+    }
+
+    /// Counts points on the page for the fit of the view: what lies beside what it measures.
+    fn reach_on_page(&mut self, points: &[Point]) {
+        if self.weight == Weight::Background {
+            return;
+        }
+        for &p in points {
+            let off = p - self.frame.middle;
+            let q = self.frame.center + DVec2::new(off.dx, -off.dy) / self.frame.scale;
+            let (lo, hi) = self.extent.unwrap_or((q, q));
+            self.extent = Some((lo.min(q), hi.max(q)));
+        }
     }
 
     /// Puts an area on the page into the current part.

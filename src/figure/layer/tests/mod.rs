@@ -2,6 +2,7 @@
 
 mod handles;
 mod insets;
+mod inside;
 mod marks;
 mod moments;
 mod motion;
