@@ -87,6 +87,7 @@ const WORDS: &[[&str; 5]] = &[
         "* girado alrededor de su origen",
     ],
     ["* turned about *", "", "* um * gedreht", "* tourné autour de *", "* girado alrededor de *"],
+    ["* moved to *", "", "* auf * geschoben", "* déplacé en *", "* movido a *"],
     ["* moved around *", "", "* um * geschoben", "* déplacé autour de *", "* movido alrededor de *"],
     ["from *", "*", "von *", "de *", "de *"],
     ["vertex *", "*", "Ecke *", "sommet *", "vértice *"],

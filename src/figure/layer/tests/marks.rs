@@ -29,7 +29,7 @@ fn a_vector_that_is_not_drawn_at_its_length_says_its_scale() {
     assert_eq!(said("{ layer = 'velocity', scale = 0.5 }", "v_A"), "½ $v_A$");
     assert_eq!(said("{ layer = 'velocity', values = true }", "v_A"), "$v_A$ $= (4, 2)$");
     let both = said("{ layer = 'velocity', scale = 0.5, values = true }", "v_A");
-    assert_eq!(both, "½ $v_A$, $v_A$ $= (4, 2)$");
+    assert_eq!(both, "$v_A$ $= (4, 2)$, drawn at ½");
     assert_eq!(said("{ layer = 'normal', length = 2 }", "n"), "$2$ $n$");
 }
 
