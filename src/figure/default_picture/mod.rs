@@ -171,8 +171,7 @@ pub(crate) fn sheets<'s>(
     if scene.query.expected.is_some()
         && let Some(world) = sheets.iter_mut().find(|sheet| sheet.is_our_world())
     {
-        let layers = &mut world.panel.to_mut().layers;
-        layers.iter_mut().for_each(|layers| layers.push(LayerSpec::named(compared)));
+        world.panel.to_mut().layers.get_or_insert_default().push(LayerSpec::named(compared));
     }
     sheets
 }
