@@ -41,7 +41,7 @@ pub(super) fn columns(
     let (gap, last) = (beside.x0 - cell.x1, panels.get(now - 1)?.frame.panel.x1);
     let width = |columns: u32| (last - cell.x0 + gap) / f64::from(columns) - gap;
     // A last row with one panel of many is none.
-    let even = |columns: &u32| panels.len() % usize::try_from(*columns).unwrap_or(1) == 0;
+    let even = |columns: &u32| panels.len().is_multiple_of(usize::try_from(*columns).unwrap_or(1));
     let fewer = (1..u32::try_from(now).unwrap_or(1)).rev().filter(even);
     let fits = fewer.into_iter().find(|columns| widest <= SHARE * width(*columns)).unwrap_or(1);
     usize::try_from(fits).ok()

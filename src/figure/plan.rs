@@ -168,14 +168,7 @@ fn resolve<'s>(
     if all {
         // Layers whose runs are too many need not be drawn to be refused.
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
-        let fitted = fitted.and_then(|()| view::fit(scene, &runs, theme, &layout, &mut panels));
-        let fitted = fitted.and_then(|found| {
-            let Some(columns) = narrow::columns((scene, &runs), &layout, &panels, &found.0) else {
-                return Ok(found);
-            };
-            layout.columns = Some(columns);
-            view::fit(scene, &runs, theme, &layout, &mut panels)
-        });
+        let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             page = Some(fitted);
             say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings))
@@ -203,6 +196,19 @@ fn resolve<'s>(
     problems.dedup();
     problems.truncate(MAX_PROBLEMS);
     Err(problems)
+}
+
+/// Gives every panel its frame, in fewer columns where labels would not fit, and says what layers draw there.
+fn fit(
+    (scene, runs): (&Scene, &Runs),
+    theme: &Theme,
+    layout: &mut Layout,
+    panels: &mut [PanelPlan],
+) -> Result<(Vec<Sketched>, Page), scene::Problem> {
+    let found = view::fit(scene, runs, theme, layout, panels)?;
+    let Some(columns) = narrow::columns((scene, runs), layout, panels, &found.0) else { return Ok(found) };
+    layout.columns = Some(columns);
+    view::fit(scene, runs, theme, layout, panels)
 }
 
 /// Whether all panels of a scene can be, and those that can: one that can't be is left out and told. In
