@@ -103,7 +103,7 @@ fn only_bodies_that_overlap_are_separated() {
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "ghosts");
         assert_eq!(paths(&figure.drawing.items, "ghost-B").is_empty(), apart);
-        assert_eq!(figure.warnings.iter().any(|w| w.fault.to_string().contains("apart already")), apart);
+        assert_eq!(figure.warnings.iter().any(|w| w.fault.to_string().contains("no push is needed")), apart);
     }
 }
 

@@ -14,6 +14,11 @@ fn words(markup: &str, names: &[String]) -> Vec<String> {
     let words = |piece| if let Piece::Words(_, words) = piece { Some(words) } else { None };
     let outside: Vec<&str> = pieces(markup).unwrap_or_default().into_iter().filter_map(words).collect();
     let outside = outside.join(" ");
+    // A long name is broken where its lines end.
+    let unbroken = outside.replace(' ', "");
+    if names.contains(&unbroken) {
+        return Vec::new();
+    }
     let outside = names.iter().fold(outside, |text, name| text.replace(name.as_str(), " "));
     let words = outside.split(|c: char| !c.is_alphabetic()).filter(|word| word.len() > 1 && word.is_ascii());
     words.map(str::to_owned).collect()
@@ -23,6 +28,7 @@ fn words(markup: &str, names: &[String]) -> Vec<String> {
 fn words_of_ours(scene: &Scene, figure: &Figure) -> Vec<String> {
     let mut names: Vec<String> = scene.shapes.iter().map(|(name, _)| name.value.clone()).collect();
     names.extend(scene.shapes.iter().flat_map(|(name, _)| name.value.split(' ').map(str::to_owned)));
+    names.extend(scene.shapes.iter().map(|(name, _)| name.value.replace(' ', "")));
     names.sort_by_key(|name| std::cmp::Reverse(name.len()));
     // What the scene says is in its own words.
     let is_given =
