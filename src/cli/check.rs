@@ -104,7 +104,9 @@ impl Runs for Check {
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         let mut kept = inputs_of(&plan.jobs);
-        declared.iter().for_each(|document| kept.keep(&document.path, "a handout of this project"));
+        for document in &declared {
+            kept.keep(&document.path, "a handout of this project");
+        }
         let pictures = match self.places.planned(&plan.jobs, kept, self.json) {
             Ok(pictures) => pictures,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),

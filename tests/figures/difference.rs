@@ -88,8 +88,11 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
     let world = look(&f, 0, [-7.8, -4.1, 7.8, 6.7]);
+    // Vertices of A, whose x axis is (24, 7)/25.
+    let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
+    let (a_1, a_2) = (turned(4.0, 2.5), turned(-4.0, 2.5));
     shows![
-        world.polygon(A, &[(-3.14, -3.52), (4.54, -1.28), (3.14, 3.52), (-4.54, 1.28)]).is_some(),
+        world.polygon(A, &[turned(-4.0, -2.5), turned(4.0, -2.5), a_1, a_2]).is_some(),
         world.polygon(B, &[(-2.06, -0.08), (2.74, 1.32), (1.9, 4.2), (-2.9, 2.8)]).is_some(),
         // From the middle of what the parallel edges share, along (-7, 24)/25.
         world.arrow(Translation, (0.34, 0.62), (-0.22, 2.54)),
@@ -101,14 +104,14 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
             .is_some_and(|p| p.fill.is_none()),
         // The edges that face each other, 5 and 8 long.
         world.emphasised(B, (-2.06, -0.08), (2.74, 1.32)),
-        world.emphasised(A, (3.14, 3.52), (-4.54, 1.28)),
+        world.emphasised(A, a_1, a_2),
         world.arrow(B, (-2.06, -0.08), (2.74, 1.32)),
-        world.arrow(A, (3.14, 3.52), (-4.54, 1.28)),
+        world.arrow(A, a_1, a_2),
         world.text_near("$b_1$", (-2.06, -0.08), 40.0),
         world.text_near("$b_2$", (2.74, 1.32), 40.0),
         f.says("$5$ long") && f.says("$8$ long"),
-        world.marker(A, (3.14, 3.52)),
-        world.text_near("$a_1$", (3.14, 3.52), 40.0) && world.text_near("$a_2$", (-4.54, 1.28), 40.0),
+        world.marker(A, a_1),
+        world.text_near("$a_1$", a_1, 40.0) && world.text_near("$a_2$", a_2, 40.0),
     ];
     let conf = look(&f, 1, [-7.9, -5.0, 7.7, 8.0]);
     edges_wear_their_source(
