@@ -73,7 +73,7 @@ impl Declared {
         let named: Vec<_> = said.scenes.iter().map(|scene| project.folder().join(&scene.value)).collect();
         let scenes = if named.is_empty() { default_scenes(Some(project)) } else { named };
         let jobs = bound_jobs(find(&scenes, Some(project))?.scenes, &mut Projects::new(&flags))?;
-        Ok(Self { sheets, jobs, path })
+        Ok(Self { path, sheets, jobs })
     }
 
     /// Writes it.
