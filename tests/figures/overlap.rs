@@ -206,7 +206,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         // There the radius goes on.
         back.along(B, rim, center),
         back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        f.says("$V$") && f.says(r"$V_x = 3.9 \to 1.5$") && f.says(r"$V_y = 4 \to 3$"),
+        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 4$"),
         f.says("$h_x = 1.5$") && f.says("$h_y = 3$") && f.says("$B_c$"),
         f.says("$D = (2.4, 1)$"),
         f.says("$r = 1.6$"),

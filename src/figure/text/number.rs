@@ -5,6 +5,9 @@ use super::digits::Digits;
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Significant(3);
 
+/// The part of a number that rounding may have added to it in a few operations.
+const ROUNDING: f64 = 1e-14;
+
 /// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
 #[must_use]
 pub(crate) fn rounded(lo: f64, hi: f64) -> String {
@@ -30,7 +33,8 @@ pub(crate) fn number(value: f64) -> String {
 }
 
 /// The terms of a sum, of which the result is written by [`number`], as LaTeX: to the last digit of the
-/// result, and of a term that is exact, so that who adds them up as they are written has the result.
+/// result, and of each other where one is short, so that who adds them up as they are written has the result.
+/// A term that is short is written as anywhere else.
 #[must_use]
 pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
     let after_point = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
@@ -39,10 +43,13 @@ pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
     if texts.iter().chain([&whole]).any(|text| text.contains('e')) {
         return terms.map(number);
     }
-    let is_exact = |(text, term): &(&String, f64)| text.parse() == Ok(*term);
-    let own = texts.iter().zip(terms).filter(is_exact).map(|(text, _)| after_point(text)).max();
+    let is_short = |text: &str, term: f64| {
+        text.parse().is_ok_and(|written: f64| (written - term).abs() <= ROUNDING * term.abs())
+    };
+    let short = [0, 1].map(|i| is_short(&texts[i], terms[i]));
+    let own = [0, 1].into_iter().filter(|&i| short[i]).map(|i| after_point(&texts[i])).max();
     let decimals = Digits::Decimals(after_point(&whole).max(own.unwrap_or(0)));
-    terms.map(|term| in_math(&decimals.of(term, term)))
+    [0, 1].map(|i| if short[i] { in_math(&texts[i]) } else { in_math(&decimals.of(terms[i], terms[i])) })
 }
 
 /// A number from [`rounded`] as LaTeX.
@@ -109,9 +116,9 @@ mod tests {
             ([1.634_2, 0.164_1], 1.470_1, ["1.63", "0.16"]),
             ([2.5, 0.5], 2.0, ["2.5", "0.5"]),
             ([3.0, 1.0], 2.0, ["3", "1"]),
-            ([2.5, 0.123_4], 2.376_6, ["2.50", "0.12"]),
+            ([2.5, 0.123_4], 2.376_6, ["2.5", "0.12"]),
             ([1e-7, 0.0], 1e-7, ["10^{-7}", "0"]),
-            ([4.0, -2.25], 6.25, ["4.00", "-2.25"]),
+            ([4.0, -2.25], 6.25, ["4", "-2.25"]),
         ] {
             assert_eq!(terms(of, result), shown, "{of:?}");
         }
