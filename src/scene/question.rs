@@ -155,9 +155,12 @@ fn of_one_scale(
     let &[(_, a), (name, b)] = bodies else { return true };
     let vertices = [a, b].into_iter().flat_map(|body| &body.shape.vertices).copied();
     let moved = [b.position - a.position, b.velocity - a.velocity];
-    let moved = if question.when == When::OverTheMotion { moved } else { [DVec2::ZERO; 2] };
+    let is_moved = question.when == When::OverTheMotion;
+    let moved = if is_moved { moved } else { [DVec2::ZERO; 2] };
+    let turned = if is_moved { [a, b].map(turning_speed) } else { [0.0; 2] };
     let radii = [a.shape.radius, b.shape.radius];
-    let largest = vertices.chain(moved).map(|v| v.abs().max_element()).chain(radii).fold(0.0, f64::max);
+    let lengths = vertices.chain(moved).map(|v| v.abs().max_element());
+    let largest = lengths.chain(radii).chain(turned).fold(0.0, f64::max);
     let sizes = [a, b].into_iter().flat_map(edges).chain(radii);
     let least = sizes.filter(|&x| x > 0.0).fold(f64::INFINITY, f64::min);
     // Halves of the exponent each, as the ratio itself may overflow.
@@ -168,6 +171,13 @@ fn of_one_scale(
     let reason = format!("expected that {ratio}, got {least:e} and {largest:e}");
     p.add(Fault::UnsuitedShape { body: name.to_owned(), reason }, &span_of(table, "of"));
     false
+}
+
+/// How fast the farthest vertex of a body's core goes by turning, a component of its place for its distance,
+/// in world units per unit of time.
+fn turning_speed(body: &Body) -> f64 {
+    let reach = body.shape.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
+    body.spin.arc(reach)
 }
 
 /// The larger component of each edge of a body's core, in world units.
@@ -243,5 +253,24 @@ mod tests {
         assert_eq!(codes(still, 1.0, 1e200), [""; 0]);
         assert_eq!(codes(moving, 1.0, 1e99), [""; 0]);
         assert_eq!(codes(moving, 1.0, 1e145), ["unsuited-shape"]);
+    }
+
+    /// A miss was "proved" of a segment that spins past a box beside it, by 1e138 degrees and more.
+    #[test]
+    fn turning_so_fast_that_products_underflow_is_refused() {
+        let codes = |kind: &str, spin: f64| {
+            let text = format!(
+                "shapes.A = {{ kind = 'capsule', points = [[0, 3.3125], [0, 0]], radius = 0,
+                    position = [6.0625, -0.01], angular_velocity_deg = {spin:e} }}
+                 shapes.B = {{ kind = 'aabb', half_extents = [5.625, 3.3125], position = [0, -0.625] }}
+                 query = {{ kind = '{kind}', of = ['A', 'B'] }}"
+            );
+            let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
+            wrong.iter().map(|problem| problem.fault.code()).collect::<Vec<_>>()
+        };
+        let [still, moving] = [QueryKind::Separation, QueryKind::TimeOfImpact].map(QueryKind::word);
+        assert_eq!(codes(moving, -1e99), [""; 0]);
+        assert_eq!(codes(moving, -1e138), ["unsuited-shape"]);
+        assert_eq!(codes(still, -1e138), [""; 0]);
     }
 }
