@@ -87,7 +87,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-7.8, -4.1, 7.8, 6.7]);
+    let world = look(&f, 0, [-7.8, -4.15, 7.8, 6.65]);
     // Vertices of A, whose x axis is (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let (a_1, a_2) = (turned(4.0, 2.5), turned(-4.0, 2.5));
