@@ -283,8 +283,14 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
         all.push(("turning without end", turning_without_end(degrees), None));
     }
     // Ten thousand turns a second take more steps of advancement than a trace may have.
-    for (degrees, steps) in [("36000", None), ("3.6e7", Some("over-limit")), ("1e300", None)] {
-        all.push(("spinning, swept axis", spin("swept-axis", degrees, "end"), None));
+    let too_fast = Some("unsuited-shape");
+    for (degrees, axis, steps) in [
+        ("36000", None, None),
+        ("3.6e7", None, Some("over-limit")),
+        ("1e90", None, None),
+        ("1e300", too_fast, too_fast),
+    ] {
+        all.push(("spinning, swept axis", spin("swept-axis", degrees, "end"), axis));
         all.push(("spinning, advancement", spin("conservative-advancement", degrees, "steps"), steps));
     }
     all.extend(labels());
