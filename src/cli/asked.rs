@@ -10,6 +10,7 @@ use tracefig::scene::Variant;
 use tracefig::scene::limits::MAX_SCALE;
 
 use super::in_time::InTime;
+use super::positive::up_to;
 use super::project::{OpenProject, nearest};
 use super::settings::{Flags, usual_formats};
 use super::themes::AskedTheme;
@@ -57,9 +58,7 @@ pub(crate) struct Asked {
 
 /// A scale as written on the command line.
 fn scale(text: &str) -> Result<f64, String> {
-    let expected = || format!("expected a number above 0 and up to {MAX_SCALE}");
-    let scale: f64 = text.parse().map_err(|_| expected())?;
-    if scale > 0.0 && scale <= MAX_SCALE { Ok(scale) } else { Err(expected()) }
+    up_to(MAX_SCALE, text)
 }
 
 impl Asked {

@@ -7,6 +7,7 @@ use tracefig::output::{Format, InMotion};
 use tracefig::scene::{Problem, Scene};
 
 use super::in_time::InTime;
+use super::positive::up_to;
 
 /// The most pictures of a motion: half a minute of the usual ones.
 const MOST_FRAMES: i64 = 600;
@@ -32,9 +33,7 @@ pub(crate) struct MotionOptions {
 
 /// Pictures a second, as written on the command line.
 fn fps(text: &str) -> Result<f64, String> {
-    let expected = || format!("expected a number above 0 and up to {MOST_FPS}");
-    let fps: f64 = text.parse().map_err(|_| expected())?;
-    if fps > 0.0 && fps <= MOST_FPS { Ok(fps) } else { Err(expected()) }
+    up_to(MOST_FPS, text)
 }
 
 impl MotionOptions {

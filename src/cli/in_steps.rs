@@ -6,6 +6,7 @@ use tracefig::output::{Format, InSteps};
 use tracefig::scene::STEP_FILES;
 
 use super::in_time::InTime;
+use super::positive::up_to;
 use super::step_files::StepFiles;
 
 /// The most seconds that a step is shown: a GIF counts hundredths in 16 bits.
@@ -31,9 +32,7 @@ pub(crate) struct StepOptions {
 
 /// Seconds as written on the command line.
 fn seconds(text: &str) -> Result<f64, String> {
-    let expected = || format!("expected a number above 0 and up to {MOST_SECONDS}");
-    let seconds: f64 = text.parse().map_err(|_| expected())?;
-    if seconds > 0.0 && seconds <= MOST_SECONDS { Ok(seconds) } else { Err(expected()) }
+    up_to(MOST_SECONDS, text)
 }
 
 impl StepOptions {

@@ -39,6 +39,7 @@ mod orphans;
 mod outputs;
 mod parallel;
 mod partition;
+mod positive;
 mod project;
 mod qti;
 mod questions;
