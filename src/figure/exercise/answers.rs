@@ -2,7 +2,7 @@
 
 use crate::figure::context::Context;
 use crate::figure::runs::Runs;
-use crate::figure::text::{filled, in_math, rounded, value_of, with_powers};
+use crate::figure::text::{Digits, filled, in_math, rounded, value_of, with_powers};
 use crate::geometry::Side;
 use crate::scene::{Exercise, Scene, Space, Spanned};
 use crate::trace::{Event, told};
@@ -66,7 +66,7 @@ impl Asked {
 
     /// The number of three digits at most that both bounds round to; `None` where they round apart.
     pub(super) fn short(&self) -> Option<f64> {
-        rounded(self.lo, self.hi).parse().ok()
+        Digits::Significant(3).of(self.lo, self.hi).parse().ok()
     }
 
     /// How far from [`Asked::value`] an answer may lie that counts as right, in the same unit: its bounds,

@@ -1,4 +1,5 @@
-//! How many digits of a number are asked for: `.3` three after the point, `.3g` three in all.
+//! How many digits of a number are asked for: `.3` three after the point, `.3g` three in all. Where nothing
+//! is asked for, a number has three, or all it has where those are no more than five.
 //!
 //! A number lies between its bounds. A digit that the two ends do not share is not proved, and is never
 //! written: the most digits at which both ends round to the same text are all there are.
@@ -10,6 +11,11 @@ const MOST: usize = 12;
 const NOTHING: f64 = 1e-9;
 /// Half of a digit's unit, which takes a number that was rounded to one side to the other.
 const HALF: f64 = 0.5;
+/// Digits in all of a number that has more than `WHOLE`.
+const USUAL: usize = 3;
+/// Most digits in all with which a number is written whole where nobody asks: with three, a width of 261 has
+/// a half of 130, and a place at 1234 stands at 1230. More than five are no longer read at a glance.
+const WHOLE: usize = 5;
 /// Decimal exponents within which a number is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
@@ -20,6 +26,8 @@ pub(crate) enum Digits {
     Significant(usize),
     /// Digits after the point, zeros at their end included.
     Decimals(usize),
+    /// What a number has where nobody asks for digits: all, where they are few, else three.
+    Usual,
 }
 
 impl Digits {
@@ -39,7 +47,11 @@ impl Digits {
     /// and a power of ten is written `1.5e-9`.
     #[must_use]
     pub(crate) fn of(self, lo: f64, hi: f64) -> String {
+        if let Some(whole) = self.whole(lo, hi) {
+            return whole;
+        }
         let (most, least) = match self {
+            Self::Usual => (USUAL, 1),
             Self::Significant(most) => (most.min(MOST), 1),
             Self::Decimals(most) => (most.min(decimals_within(lo.abs().max(hi.abs()))), 0),
         };
@@ -50,6 +62,13 @@ impl Digits {
             }
         }
         format!("{}…{}", self.written(lo, most), self.written(hi, most))
+    }
+
+    /// All digits of a number that has few, where nobody asks for fewer or more.
+    fn whole(self, lo: f64, hi: f64) -> Option<String> {
+        let all = significant(lo, MOST);
+        let few = || significant(lo, WHOLE) == all && significant(hi, MOST) == all;
+        (self == Self::Usual && few()).then_some(all)
     }
 
     /// A number that is not less than the one given: of an upper bound.
@@ -73,6 +92,7 @@ impl Digits {
         }
         let last = match self {
             Self::Significant(digits) => exponent(value) + 1 - exponent_of(digits.min(MOST)),
+            Self::Usual => exponent(value) + 1 - exponent_of(USUAL),
             Self::Decimals(digits) => -exponent_of(digits.min(decimals_within(value.abs()))),
         };
         let beyond = value + side * HALF * libm::exp10(f64::from(last));
@@ -88,7 +108,7 @@ impl Digits {
                 if is_zero { text.trim_start_matches('-').to_owned() } else { text }
             }
             Self::Decimals(_) => significant(value, MOST),
-            Self::Significant(_) => significant(value, digits),
+            Self::Significant(_) | Self::Usual => significant(value, digits),
         }
     }
 }
@@ -181,6 +201,26 @@ mod tests {
         ] {
             assert_eq!((digits.at_least(value), digits.at_most(value)), (up.into(), down.into()), "{value}");
         }
+    }
+
+    #[test]
+    fn a_number_of_few_digits_is_written_whole_where_nobody_asks_for_fewer() {
+        for (value, text) in [
+            (130.5, "130.5"),
+            (8.125, "8.125"),
+            (1234.0, "1234"),
+            (0.1 + 0.2, "0.3"),
+            (-0.031_25, "-0.03125"),
+            (123_456.0, "123000"),
+            (1.0 / 3.0, "0.333"),
+            (2.000_04, "2"),
+            (5e-9, "5e-9"),
+        ] {
+            assert_eq!(Digits::Usual.of(value, value), text, "{value}");
+            assert_eq!(Digits::Significant(3).of(130.5, 130.5), "130", "three are asked for");
+        }
+        let bounds = (Digits::Usual.at_least(8.125), Digits::Usual.at_most(8.125));
+        assert_eq!(bounds, ("8.125".into(), "8.125".into()));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Everything that a figure says in letters, from the scene's markup to lines that are set.
 //!
 //! `{=name}` in a text stands for a value of the answer ([`values`]), a [`quantity`] written as a
-//! [`number`](number::number) of three significant digits at most ([`fill`](fill::fill)). Headline and
+//! [`number`](number::number) of three digits, or all where they are few ([`fill`](fill::fill)). Headline and
 //! [`caption`] are broken into lines, a long caption in two [`columns`](columns::columns), a label gets its
 //! [`wording`], and [`plain`](plain::plain) reads markup out in words for the alternative text.
 
@@ -27,6 +27,7 @@ pub(crate) use caption::{
     Across, Block, across, caption_of_words, named, paragraphs, set, spoken, with_powers,
 };
 pub(crate) use decimal::Decimal;
+pub(crate) use digits::Digits;
 pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up, terms};
 pub(crate) use overrides::{label_key, overridden};

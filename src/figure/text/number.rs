@@ -1,14 +1,15 @@
-//! Numbers as text: three significant digits at most, and no more than the bounds allow.
+//! Numbers as text: three significant digits, or all where they are few, and no more than the bounds allow.
 
 use super::digits::Digits;
 
 /// The digits of a number on a figure where nobody asks for others.
-pub(crate) const USUAL: Digits = Digits::Significant(3);
+pub(crate) const USUAL: Digits = Digits::Usual;
 
 /// The part of a number that rounding may have added to it in a few operations.
 const ROUNDING: f64 = 1e-14;
 
-/// A number lying in [lo, hi], to at most three digits: digits that the two ends do not share are left out.
+/// A number lying in [lo, hi], to three digits, or all it has where they are few: digits that the two ends do
+/// not share are left out.
 #[must_use]
 pub(crate) fn rounded(lo: f64, hi: f64) -> String {
     USUAL.of(lo, hi)
@@ -26,7 +27,7 @@ pub(crate) fn rounded_down(value: f64) -> String {
     USUAL.at_most(value)
 }
 
-/// A double as LaTeX, to at most three significant digits.
+/// A double as LaTeX, as [`rounded`] has it.
 #[must_use]
 pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
@@ -83,12 +84,12 @@ mod tests {
         for (value, up, down) in [
             (6.20244, "6.21", "6.2"),
             (6.2, "6.2", "6.2"),
-            (9.999, "10", "9.99"),
+            (9.999_123, "10", "9.99"),
             (0.1 + 0.2, "0.3", "0.3"),
             (0.300_001, "0.301", "0.3"),
             (-6.20244, "-6.2", "-6.21"),
             (0.0, "0", "0"),
-            (1.234_5e9, "1.24e9", "1.23e9"),
+            (1.234_567e9, "1.24e9", "1.23e9"),
         ] {
             assert_eq!((rounded_up(value).as_str(), rounded_down(value).as_str()), (up, down), "{value}");
         }
@@ -96,27 +97,27 @@ mod tests {
     }
 
     #[test]
-    fn three_digits_at_most_and_no_trailing_zeros() {
+    fn three_digits_or_all_where_they_are_few_and_no_trailing_zeros() {
         assert_eq!(rounded(4.293_51, 4.293_51), "4.29");
         assert_eq!(rounded(11.5, 11.5), "11.5");
         assert_eq!(rounded(0.791_532, 0.791_532), "0.792");
-        assert_eq!(rounded(1234.0, 1234.0), "1230");
+        assert_eq!(rounded(1234.0, 1234.0), "1234", "written whole");
         assert_eq!(rounded(-2.500_000_000_000_000_4, -2.5), "-2.5");
         assert_eq!(rounded(0.0, 0.0), "0");
         assert_eq!(rounded(1.09e-9, 1.09e-9), "1.09e-9");
-        assert_eq!(rounded(9.999, 9.999), "10");
-        assert_eq!(rounded(0.000_999_9, 0.000_999_9), "0.001");
+        assert_eq!(rounded(9.999_123, 9.999_123), "10");
+        assert_eq!(rounded(0.000_999_912, 0.000_999_912), "0.001");
         assert_eq!(number(4.293_51), "4.29");
     }
 
     #[test]
     fn a_sum_comes_out_as_it_is_written() {
         for (of, result, shown) in [
-            ([2.956_9, 2.859_9], 0.097, ["2.957", "2.860"]),
-            ([1.634_2, 0.164_1], 1.470_1, ["1.63", "0.16"]),
+            ([2.956_91, 2.859_91], 0.097, ["2.957", "2.860"]),
+            ([1.634_234, 0.164_123], 1.470_111, ["1.63", "0.16"]),
             ([2.5, 0.5], 2.0, ["2.5", "0.5"]),
             ([3.0, 1.0], 2.0, ["3", "1"]),
-            ([2.5, 0.123_4], 2.376_6, ["2.5", "0.12"]),
+            ([2.5, 0.123_456], 2.376_544, ["2.5", "0.12"]),
             ([1e-7, 0.0], 1e-7, ["10^{-7}", "0"]),
             ([4.0, -2.25], 6.25, ["4", "-2.25"]),
         ] {

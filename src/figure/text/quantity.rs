@@ -60,7 +60,7 @@ impl Quantity {
         }
     }
 
-    /// The number as LaTeX, to three digits at most and no more than its bounds share.
+    /// The number as LaTeX, to three digits, or all it has where they are few.
     #[must_use]
     pub(crate) fn latex(self) -> String {
         in_math(&self.written(USUAL))
