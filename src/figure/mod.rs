@@ -48,6 +48,7 @@ mod standing;
 mod steps;
 mod text;
 pub mod theme;
+mod tongue;
 mod unnamed;
 mod view;
 

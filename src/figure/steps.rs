@@ -4,13 +4,14 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
-use crate::geometry::{Names, sort_by};
+use crate::geometry::sort_by;
 use crate::scene::{Scene, StepWords};
-use crate::trace::{self, Event, growth, step};
+use crate::trace::{self, Event, Voice, growth, step};
 
 use super::cue::{Cue, Teller};
 use super::describe::Account;
 use super::runs::{Run, Runs, tells_difference};
+use super::tongue::tongue;
 
 /// Items of a page that share their cues: a panel and its title.
 pub(super) struct Scope {
@@ -38,7 +39,7 @@ impl Scope {
 /// Numbers the steps in all items, and tells them.
 pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Scene, &Runs)) -> Vec<Step> {
     let (runs, called) = (runs.all(), runs.called.names(scene));
-    let bodies = (scene, &called);
+    let voice = Voice { names: &called, tongue: tongue(scene) };
     let mut cues = Vec::new();
     for scope in scopes {
         let mut used = BTreeSet::new();
@@ -47,8 +48,8 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
     }
     sort_by(&mut cues, Cue::order);
     cues.dedup();
-    let told: Vec<Told> = cues.iter().filter_map(|cue| Told::of(bodies, &runs, *cue)).collect();
-    let mut steps = vec![first(&called, &runs)];
+    let told: Vec<Told> = cues.iter().filter_map(|cue| Told::of((scene, voice), &runs, *cue)).collect();
+    let mut steps = vec![first(voice, &runs)];
     let mut numbers = Vec::with_capacity(told.len());
     let mut is_open = false;
     let has_bodies = scopes.iter().any(|scope| scope.shows_bodies);
@@ -137,11 +138,11 @@ fn collect(item: &Item, used: &mut BTreeSet<usize>) {
 }
 
 /// The step before the first event: what the scene says.
-fn first(names: &Names, runs: &[std::sync::Arc<Run>]) -> Step {
+fn first(voice: Voice, runs: &[std::sync::Arc<Run>]) -> Step {
     let own = runs.iter().filter(|run| run.is_own()).find_map(|run| run.events().next());
     own.map_or_else(Step::default, |event| Step {
-        title: step::title(event, 0, names),
-        sentences: vec![trace::sentence(event, names)],
+        title: step::title(event, 0, voice),
+        sentences: vec![trace::sentence_in(event, voice)],
     })
 }
 
@@ -161,9 +162,9 @@ struct Told {
 
 impl Told {
     /// What a cue says; `None` where no run has it.
-    fn of((scene, names): (&Scene, &Names), runs: &[std::sync::Arc<Run>], cue: Cue) -> Option<Self> {
+    fn of((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>], cue: Cue) -> Option<Self> {
         let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
-        let title = step::title(event, cue.part, names);
+        let title = step::title(event, cue.part, voice);
         let is_given = cue.teller != Teller::Own && tells_difference(event);
         let ends = step::ends_step(event);
         let told = |title, sentence| Self { cue, title, sentence, ends, is_given };
@@ -171,26 +172,24 @@ impl Told {
             Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
                 if is_whole(&cue) && run.events().any(tells_edge) =>
             {
-                let title = trace::difference(names);
                 let edges = run.events().filter(|event| tells_edge(event)).count();
-                let sentence = format!("{title} has {edges} edges.");
-                told(title, sentence)
+                told(trace::difference(voice.names), step::sentence_of_difference(edges, voice))
             }
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
-                let title = if of_a_moment { step::title_at(cue.asked) } else { title };
+                let title = if of_a_moment { step::title_at(cue.asked, voice) } else { title };
                 let beside =
                     |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
                 let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
-                told(title, Account::beside(scene, run, other).sentence_of_bodies(names))
+                told(title, Account::beside(scene, run, other).sentence_of_bodies(voice.names))
             }
             Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
                 let all = &run.trace.events;
                 let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
-                let title = growth::title(before, event, after).unwrap_or(title);
-                told(title, step::sentence_of_part(event, cue.part, names))
+                let title = growth::title(before, event, after, voice).unwrap_or(title);
+                told(title, step::sentence_of_part(event, cue.part, voice))
             }
-            _ => told(title, step::sentence_of_part(event, cue.part, names)),
+            _ => told(title, step::sentence_of_part(event, cue.part, voice)),
         })
     }
 }

@@ -6,12 +6,14 @@
 mod event;
 mod json;
 mod story;
+mod tongue;
 mod vocabulary;
 
 pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
 pub use json::{HEADER, VALUES, json_lines};
-pub(crate) use story::{difference, growth, step, told};
+pub(crate) use story::{Voice, difference, growth, sentence_in, step, told};
 pub use story::{sentence, story};
+pub(crate) use tongue::{Phrase, Tongue};
 pub use vocabulary::{EventField, EventKind};
 
 /// Listens to an algorithm.

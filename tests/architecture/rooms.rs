@@ -238,6 +238,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/text",
         ],
     ),
+    ("figure/tongue", &["trace", "scene", "figure/language", "figure/text"]),
     (
         "figure/describe",
         &[
@@ -249,6 +250,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/question",
             "figure/runs",
             "figure/text",
+            "figure/tongue",
         ],
     ),
     (
@@ -274,6 +276,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/runs",
             "figure/standing",
             "figure/text",
+            "figure/tongue",
         ],
     ),
     (

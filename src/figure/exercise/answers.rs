@@ -3,9 +3,10 @@
 use crate::figure::context::Context;
 use crate::figure::runs::Runs;
 use crate::figure::text::{Digits, filled, in_math, rounded, value_of, with_powers};
+use crate::figure::tongue::tongue;
 use crate::geometry::Side;
 use crate::scene::{Exercise, Scene, Space, Spanned};
-use crate::trace::{Event, told};
+use crate::trace::{Event, Voice, told};
 use crate::typeset::as_markup;
 
 use super::askable::{askable, in_words};
@@ -219,7 +220,8 @@ fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
 pub(super) fn steps(scene: &Scene, runs: &Runs) -> Vec<String> {
     let (run, names) = (runs.own(scene, scene.query.time), runs.called.names(scene));
     let turns = of_the_query(scene, runs).turns();
-    let way = told::way(told::told(&run.trace).filter(|event| is_worked(event)), &names, turns);
+    let voice = Voice { names: &names, tongue: tongue(scene) };
+    let way = told::way(told::told(&run.trace).filter(|event| is_worked(event)), voice, turns);
     way.iter().map(|sentence| with_powers(&as_markup(&with_minus(sentence)))).collect()
 }
 

@@ -78,7 +78,7 @@ fn core(body: &Body, words: Words) -> String {
         [from, to] => words.say(&FROM_TO, &[&words.point(from), &words.point(to)]),
         _ if shape.vertices.len() <= MOST_VERTICES => {
             let vertices: Vec<String> = shape.vertices.iter().map(|&v| words.point(v)).collect();
-            words.say(&WITH_VERTICES, &[&vertices.join(words.between_points())])
+            words.say(&WITH_VERTICES, &[&vertices.join(words.tongue.between())])
         }
         _ => words.say(&OF_VERTICES, &[&shape.vertices.len().to_string()]),
     }

@@ -1,18 +1,12 @@
 //! The sentences of an exercise in the languages that the words of labels have.
 //!
-//! A scene in any other language has them in English, with English numbers. The sentences of the trace are
-//! English everywhere: they are what `tracefig trace` says.
+//! A scene in any other language has them in English, with English numbers.
 
-use crate::figure::language::Language;
 use crate::figure::text::Decimal;
+use crate::figure::tongue::tongue;
 use crate::geometry::DVec2;
 use crate::scene::Scene;
-
-/// A phrase in English, German, French and Spanish. A star stands for what a scene says, in its order.
-pub(super) type Phrase = [&'static str; 4];
-
-/// What stands in a phrase for what a scene says.
-const STAR: char = '*';
+use crate::trace::{Phrase, Tongue};
 
 /// A body and what it is.
 pub(super) const IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
@@ -118,36 +112,30 @@ pub(super) const MORE: Phrase = [
 /// The words of an exercise in the language of its scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Words {
-    /// Which of a [`Phrase`].
-    column: usize,
+    /// The language of the sentences.
+    pub(super) tongue: Tongue,
     /// The sign in numbers.
     decimal: Decimal,
 }
 
 impl Words {
     /// English, whatever a scene says.
-    pub(super) const ENGLISH: Self = Self { column: 0, decimal: Decimal::Point };
+    pub(super) const ENGLISH: Self = Self { tongue: Tongue::ENGLISH, decimal: Decimal::Point };
 
     /// The words of a scene.
     pub(super) fn of(scene: &Scene) -> Self {
-        let column = Language::of(scene).of_sentences();
-        if column == 0 { Self::ENGLISH } else { Self { column, decimal: Decimal::of(scene) } }
+        let tongue = tongue(scene);
+        if tongue == Tongue::ENGLISH { Self::ENGLISH } else { Self { tongue, decimal: Decimal::of(scene) } }
     }
 
     /// A phrase without a star.
     pub(super) fn word(self, phrase: &Phrase) -> &'static str {
-        phrase[self.column]
+        self.tongue.word(phrase)
     }
 
     /// A phrase with what stands for its stars.
     pub(super) fn say(self, phrase: &Phrase, parts: &[&str]) -> String {
-        let mut pieces = self.word(phrase).split(STAR);
-        let mut said = pieces.next().unwrap_or_default().to_owned();
-        for (piece, part) in pieces.zip(parts) {
-            said.push_str(part);
-            said.push_str(piece);
-        }
-        said
+        self.tongue.say(phrase, parts)
     }
 
     /// Two things and more, of which the last two are named together.
@@ -170,13 +158,7 @@ impl Words {
 
     /// A point as `(x, y)`; where numbers have commas, something else parts them.
     pub(super) fn point(self, p: DVec2) -> String {
-        let between = if self.decimal == Decimal::Comma { "; " } else { ", " };
-        format!("({}{between}{})", self.number(p.x), self.number(p.y))
-    }
-
-    /// What stands between two points.
-    pub(super) fn between_points(self) -> &'static str {
-        if self.decimal == Decimal::Comma { "; " } else { ", " }
+        format!("({}{}{})", self.number(p.x), self.tongue.between(), self.number(p.y))
     }
 }
 
@@ -217,10 +199,10 @@ mod tests {
             MORE,
         ];
         for phrase in all {
-            let stars = phrase.map(|said| said.matches(STAR).count());
+            let stars = phrase.map(|said| said.matches('*').count());
             assert_eq!(stars, [stars[0]; 4], "{phrase:?}");
         }
-        let german = Words { column: 1, decimal: Decimal::Comma };
+        let german = Words { tongue: Tongue::new(1, true), decimal: Decimal::Comma };
         assert_eq!(german.say(&IS, &["A*", "B"]), "A* ist B");
         assert_eq!(german.point(DVec2::new(1.5, -2.0)), "(1,5; −2)");
         assert_eq!(german.listed(&["a", "b", "c"].map(str::to_owned)), "a, b und c");

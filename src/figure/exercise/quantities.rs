@@ -5,7 +5,7 @@ use crate::collision::QueryKind;
 use crate::figure::question::is_of_a_moment;
 
 use super::measure::Measure;
-use super::phrases::Phrase;
+use crate::trace::Phrase;
 
 /// A value that can be asked for.
 pub(crate) struct Askable {

@@ -1,40 +1,35 @@
 //! How an edge was clipped, in words.
 
-use super::words::{number, part, point};
-use crate::geometry::{DVec2, Feature, Names, Side};
+use super::phrases::events::{CONTACT, CUT, FACED, NO_CONTACT, OVER};
+use super::words::Voice;
+use crate::geometry::{DVec2, Feature, Side};
 
 /// The edges that face each other.
 pub(super) fn faced(
-    names: &Names,
+    voice: Voice,
     body: Side,
     [reference, incident]: [Feature; 2],
     [from, to]: [DVec2; 2],
     normal: DVec2,
 ) -> String {
-    format!(
-        "Reference: {} of {}, {} to {}, outward {}; {} of {} faces it.",
-        part(reference),
-        names.quoted(body),
-        point(from),
-        point(to),
-        point(normal),
-        part(incident),
-        names.quoted(body.other())
-    )
+    let [reference, incident] = [reference, incident].map(|feature| voice.part(feature));
+    let [from, to, normal] = [from, to, normal].map(|p| voice.point(p));
+    let (own, other) = (voice.of(body), voice.of(body.other()));
+    voice.say(&FACED, &[&reference, &own, &from, &to, &normal, &incident, &other])
 }
 
 /// What a plane cut off.
-pub(super) fn cut(plane: DVec2, end: DVec2, at: DVec2) -> String {
-    format!("The plane at {} cuts off the end {}: it ends at {}.", point(plane), point(end), point(at))
+pub(super) fn cut(voice: Voice, plane: DVec2, end: DVec2, at: DVec2) -> String {
+    voice.say(&CUT, &[&voice.point(plane), &voice.point(end), &voice.point(at)])
 }
 
 /// What became of an end.
-pub(super) fn found(names: &Names, [a, b]: [DVec2; 2], separation: f64, touches: bool) -> String {
+pub(super) fn found(voice: Voice, [a, b]: [DVec2; 2], separation: f64, touches: bool) -> String {
     let places =
-        format!("{} of {} over {} of {}", point(a), names.quoted(Side::A), point(b), names.quoted(Side::B));
+        voice.say(&OVER, &[&voice.point(a), &voice.of(Side::A), &voice.point(b), &voice.of(Side::B)]);
     if touches {
-        format!("Contact: {places}, {} deep.", number(0.0_f64.max(-separation)))
+        voice.say(&CONTACT, &[&places, &voice.number(0.0_f64.max(-separation))])
     } else {
-        format!("No contact: {places}, {} apart.", number(separation))
+        voice.say(&NO_CONTACT, &[&places, &voice.number(separation)])
     }
 }

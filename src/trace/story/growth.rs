@@ -1,9 +1,12 @@
 //! What is new in a simplex or polytope: the vertices that it has and the one before had not, and those that
 //! it does without.
 
-use super::words::point;
+use super::phrases::BOTH;
+use super::phrases::steps::{ADD, AROUND, BEGIN_AT, BEGIN_WITH, DROP, NONE_BEYOND, NOTHING_NEW};
+use super::words::Voice;
 use crate::geometry::DVec2;
 use crate::trace::Event;
+use crate::trace::tongue::Phrase;
 
 /// The vertices of a simplex or polytope; `None` of another event.
 fn vertices(event: &Event) -> Option<&[DVec2]> {
@@ -21,15 +24,15 @@ fn alike(a: &Event, b: &Event) -> bool {
 /// What a step is called that ends with a simplex or polytope, among the events `before` and `after` it:
 /// "Begin at (9, 2)", "Add (5, 0), drop (9, 2)", "Add (1, 3): no vertex is beyond". `None` of another event.
 #[must_use]
-pub(crate) fn title(before: &[Event], event: &Event, after: &[Event]) -> Option<String> {
+pub(crate) fn title(before: &[Event], event: &Event, after: &[Event], voice: Voice) -> Option<String> {
     let now = vertices(event)?;
     let last = before.iter().rev().find_map(vertices);
     let begins = !before.iter().any(|earlier| alike(earlier, event));
     let title = match (event, last) {
-        (Event::PolytopeExpanded { .. }, _) if begins => format!("{} vertices around the origin", now.len()),
-        (_, None) if now.len() == 1 => format!("Begin at {}", point(now[0])),
-        (_, None) => format!("Begin with {} vertices", now.len()),
-        (_, Some(last)) => changed(last, now),
+        (Event::PolytopeExpanded { .. }, _) if begins => voice.say(&AROUND, &[&now.len().to_string()]),
+        (_, None) if now.len() == 1 => voice.say(&BEGIN_AT, &[&voice.point(now[0])]),
+        (_, None) => voice.say(&BEGIN_WITH, &[&now.len().to_string()]),
+        (_, Some(last)) => changed(last, now, voice),
     };
     let is_last = !after.iter().any(|later| vertices(later).is_some());
     let is_found = match event {
@@ -37,24 +40,25 @@ pub(crate) fn title(before: &[Event], event: &Event, after: &[Event]) -> Option<
         Event::PolytopeExpanded { beyond, .. } => *beyond <= 0.0,
         _ => false,
     };
-    Some(if is_last && is_found { format!("{title}: no vertex is beyond") } else { title })
+    Some(if is_last && is_found { voice.say(&NONE_BEYOND, &[&title]) } else { title })
 }
 
 /// What came and what went.
-fn changed(last: &[DVec2], now: &[DVec2]) -> String {
+fn changed(last: &[DVec2], now: &[DVec2], voice: Voice) -> String {
     let lacks = |of: &[DVec2], all: &[DVec2]| -> Vec<String> {
-        all.iter().filter(|p| !of.contains(p)).map(|&p| point(p)).collect()
+        all.iter().filter(|p| !of.contains(p)).map(|&p| voice.point(p)).collect()
     };
-    let said = |verb: &str, points: Vec<String>| {
-        (!points.is_empty()).then(|| format!("{verb} {}", points.join(" and ")))
+    let said = |verb: &Phrase, points: Vec<String>| {
+        let points = points.into_iter().reduce(|before, next| voice.say(&BOTH, &[&before, &next]));
+        points.map(|points| voice.say(verb, &[&points]))
     };
     let parts: Vec<String> =
-        said("add", lacks(last, now)).into_iter().chain(said("drop", lacks(now, last))).collect();
+        said(&ADD, lacks(last, now)).into_iter().chain(said(&DROP, lacks(now, last))).collect();
     let text = parts.join(", ");
     let mut letters = text.chars();
     match letters.next() {
         Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => "Nothing new".to_owned(),
+        None => voice.word(&NOTHING_NEW),
     }
 }
 
@@ -78,14 +82,16 @@ mod tests {
             simplex(&[[9.0, 2.0], [-1.0, 7.0]]),
             simplex(&[[-1.0, 7.0], [5.0, 0.0]]),
         ];
-        let titles: Vec<_> = (0..3).filter_map(|k| title(&all[..k], &all[k], &all[k + 1..])).collect();
+        let names = crate::geometry::Names::default();
+        let voice = Voice::english(&names);
+        let titles: Vec<_> = (0..3).filter_map(|k| title(&all[..k], &all[k], &all[k + 1..], voice)).collect();
         assert_eq!(
             titles,
             ["Begin at (9, 2)", "Add (-1, 7)", "Add (5, 0), drop (9, 2): no vertex is beyond"]
         );
-        assert_eq!(title(&[], &Event::Finished { outcome: "apart" }, &[]), None);
+        assert_eq!(title(&[], &Event::Finished { outcome: "apart" }, &[], voice), None);
         // The last simplex of a search that goes on with a polytope holds the origin.
         let held = simplex(&[[0.0, 0.0]]);
-        assert_eq!(title(&all[..1], &held, &[]).unwrap(), "Add (0, 0), drop (9, 2)");
+        assert_eq!(title(&all[..1], &held, &[], voice).unwrap(), "Add (0, 0), drop (9, 2)");
     }
 }

@@ -1,113 +1,110 @@
 //! What is told of bodies that move: rays, steps, swept axes, closest approaches, bounds on the
 //! motion; and of what someone else answered.
 
-use super::words::{list, number, part, point};
-use crate::geometry::{DVec2, Feature, Names, Side};
-use crate::trace::{Culling, SupportVertex};
+use super::phrases::moving::{
+    AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF, ON_TO,
+    PATH, PATHS, POINT_BY, RAY, SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY, WITH_TURNING,
+};
+use super::words::Voice;
+use crate::geometry::{DVec2, Feature, Side};
+use crate::trace::{Culling, Moment, SupportVertex};
 
 pub(super) fn ray(
-    names: &Names,
+    voice: Voice,
     (side, feature): (Side, Feature),
     [from, to]: [DVec2; 2],
     outcome: Culling,
     time: Option<f64>,
 ) -> String {
     let came = match outcome {
-        Culling::BackFacing => "it faces away, skipped",
-        Culling::Missed => "missed",
-        Culling::Hit => "entered",
+        Culling::BackFacing => &FACES_AWAY,
+        Culling::Missed => &MISSED,
+        Culling::Hit => &ENTERED,
     };
-    let when = time.map_or_else(String::new, |t| format!(" at t = {}", number(t)));
-    let what = format!("{} of {}, {} to {}", part(feature), names.quoted(side), point(from), point(to));
-    format!("The ray against {what}: {came}{when}.")
+    let when = time.map_or_else(String::new, |t| voice.say(&AT_TIME, &[&voice.number(t)]));
+    let (part, body) = (voice.part(feature), voice.of(side));
+    voice.say(&RAY, &[&part, &body, &voice.point(from), &voice.point(to), &voice.word(came), &when])
 }
 
 pub(super) fn advanced(
-    step: usize,
-    at: &str,
-    apart: &str,
+    voice: Voice,
+    (step, at): (usize, &Moment),
+    (separation, normal): (f64, DVec2),
     [closing, bound]: [f64; 2],
     next: Option<f64>,
 ) -> String {
-    let on = next.map_or_else(|| "it stops here".to_owned(), |t| format!("on to t = {}", number(t)));
-    // Of bodies that do not turn no point is faster.
-    let turning = format!(", at most {} with the turning", number(bound));
-    let turning = if bound == closing { "" } else { turning.as_str() };
-    format!("Step {step}: at {at} they are {apart}, closing at {}{turning}; {on}.", number(closing))
+    let on = next.map_or_else(|| voice.word(&STOPS), |t| voice.say(&ON_TO, &[&voice.number(t)]));
+    let (separation, normal) = (voice.number(separation), voice.point(normal));
+    let (speed, turning) = (voice.number(closing), with_turning(voice, [closing, bound]));
+    let moment = voice.moment(at);
+    voice.say(&STEP, &[&step.to_string(), &moment, &separation, &normal, &speed, &turning, &on])
 }
 
-pub(super) fn swept([from, to]: [f64; 2], owner: &str, normal: DVec2) -> String {
-    format!(
-        "From t = {} to {} they stay apart along {}, a direction in the frame of {owner}.",
-        number(from),
-        number(to),
-        point(normal)
-    )
+/// The bound on how fast bodies come nearer; empty where they do not turn and no point is faster.
+pub(super) fn with_turning(voice: Voice, [closing, bound]: [f64; 2]) -> String {
+    if bound == closing { String::new() } else { voice.say(&WITH_TURNING, &[&voice.number(bound)]) }
+}
+
+pub(super) fn swept(voice: Voice, [from, to]: [f64; 2], owner: Side, normal: DVec2) -> String {
+    let [from, to] = [from, to].map(|t| voice.number(t));
+    voice.say(&SWEPT, &[&from, &to, &voice.point(normal), &voice.of(owner)])
 }
 
 pub(super) fn closest_approach(
-    names: &Names,
-    (time, when): (f64, &str),
-    apart: &str,
+    voice: Voice,
+    at: &Moment,
     [separation, least]: [f64; 2],
+    normal: DVec2,
 ) -> String {
     // At the ends of the motion nothing says that they do not come nearer before or after it.
-    let ends = if time <= 0.0 {
-        ", where the motion begins"
-    } else if time >= 1.0 {
-        ", where the motion ends"
+    let ends = if at.time <= 0.0 {
+        voice.word(&BEGINS)
+    } else if at.time >= 1.0 {
+        voice.word(&ENDS)
     } else {
-        ""
+        String::new()
     };
-    let (reached, proved) = (number(separation), number(least));
-    let than = if proved == reached { String::new() } else { format!(" than {proved}") };
-    format!("{} come closest at {when}{ends}: {apart}, and never less{than}.", names.all())
+    let [reached, proved] = [separation, least].map(|x| voice.number(x));
+    let than = if proved == reached { String::new() } else { voice.say(&THAN, &[&proved]) };
+    let (moment, normal) = (voice.moment(at), voice.point(normal));
+    voice.say(&CLOSEST, &[&voice.all(), &moment, &ends, &reached, &normal, &than])
 }
 
 /// How far someone else's answer is off: lengths in world units and in units of S ε.
 pub(super) fn compared(
-    names: &Names,
+    voice: Voice,
     size: f64,
     [separation, time, normal]: [Option<f64>; 3],
     points: Option<[f64; 2]>,
 ) -> String {
     let unit = size * f64::EPSILON;
-    let length = |x: f64| match number(x) {
-        told if unit > 0.0 => format!("{told} ({} S eps)", number(x / unit)),
+    let length = |x: f64| match voice.number(x) {
+        told if unit > 0.0 => format!("{told} ({} S eps)", voice.number(x / unit)),
         told => told,
     };
-    let point = |side: Side, x: f64| format!("the point on {} by {}", names.quoted(side), length(x));
+    let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&voice.of(side), &length(x)]);
     let parts = [
-        separation.map(|x| format!("the separation by {}", length(x))),
-        time.map(|x| format!("the time by {}", number(x))),
-        normal.map(|x| format!("the normal by {} deg", number(x))),
+        separation.map(|x| voice.say(&SEPARATION_BY, &[&length(x)])),
+        time.map(|x| voice.say(&TIME_BY, &[&voice.number(x)])),
+        normal.map(|x| voice.say(&NORMAL_BY, &[&voice.number(x)])),
         points.map(|[a, _]| point(Side::A, a)),
         points.map(|[_, b]| point(Side::B, b)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     if parts.is_empty() {
-        return "Nothing of what was expected can be held against this answer.".to_owned();
+        return voice.word(&INCOMPARABLE);
     }
-    format!("What was expected is off, with S = {}: {}.", number(size), parts.join(", "))
+    voice.say(&OFF, &[&voice.number(size), &parts.join(voice.tongue.between())])
 }
 
 pub(super) fn motion(
-    names: &Names,
+    voice: Voice,
     side: Side,
     farthest: &[SupportVertex],
     [radius, theta, arc, linear]: [f64; 4],
 ) -> String {
-    let path = if names.of(Side::B).is_empty() {
-        format!("its path adds {}", number(linear))
-    } else {
-        format!("the way that the two pass each other adds {}, once", number(linear))
-    };
-    format!(
-        "{} turns by {} rad; its farthest point is {} from its origin ({}), so L = {}; {path}.",
-        names.quoted(side),
-        number(theta),
-        number(radius),
-        list(farthest),
-        number(arc),
-    )
+    let path = if voice.names.of(Side::B).is_empty() { &PATH } else { &PATHS };
+    let path = voice.say(path, &[&voice.number(linear)]);
+    let [radius, theta, arc] = [radius, theta, arc].map(|x| voice.number(x));
+    voice.say(&BOUND, &[&voice.of(side), &theta, &radius, &voice.list(farthest), &arc, &path])
 }

@@ -4,9 +4,12 @@
 //! search for a vertex, belongs to the step of that. An event that tells several things one after the other
 //! has a part for each, so that a figure can show them in that order.
 
-use super::sentence;
-use super::words::{number, part, point};
-use crate::geometry::{DVec2, Names, Side};
+use super::motion::with_turning;
+use super::phrases::events::EDGES;
+use super::phrases::steps as words;
+use super::{Voice, sentence_in};
+use crate::geometry::DVec2;
+use crate::trace::tongue::Phrase;
 use crate::trace::{Event, SupportVertex};
 
 /// The part of the last [`Event::DifferenceEdgeFound`] with which the whole of B ⊖ A is known.
@@ -86,159 +89,152 @@ pub(crate) fn ends_step(event: &Event) -> bool {
 
 /// What a step is called that shows how the bodies stand at a moment.
 #[must_use]
-pub(crate) fn title_at(time: f64) -> String {
-    format!("At t = {}", number(time))
+pub(crate) fn title_at(time: f64, voice: Voice) -> String {
+    voice.say(&words::AT, &[&voice.number(time)])
 }
 
-/// What a step is called that ends with a part of an event, of bodies that are called `names`.
+/// What a step is called that ends with a part of an event.
 #[must_use]
-pub(crate) fn title(event: &Event, of: usize, names: &Names) -> String {
-    let edge_of = |edge: usize, side: Side| format!("Edge {edge} of {}", names.quoted(side));
-    match event {
-        Event::Started { .. } => "The question".to_owned(),
-        Event::CirclesCompared { .. } => "Centres and radii".to_owned(),
-        Event::PenetrationMeasured { .. } => "The penetration".to_owned(),
-        Event::BoundsFound { .. } => match of {
-            bounds::BOX => "The box",
-            bounds::CENTER => "Centre and half-extents",
-            side => SIDES.get(side).map_or("The box", |(title, _)| title),
+pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
+    voice.word(match event {
+        Event::Started { .. } => &words::QUESTION,
+        Event::CirclesCompared { .. } => &words::SQUARES,
+        Event::PenetrationMeasured { .. } => &words::PENETRATION,
+        Event::BoundsFound { .. } if of == bounds::CENTER => &words::CENTER,
+        Event::BoundsFound { .. } => SIDES.get(of).map_or(&words::BOX, |(title, _)| title),
+        Event::ExtentsCompared { .. } => &words::EXTENTS,
+        Event::Clamped { .. } if of == clamped::WAY => &words::WAY,
+        Event::Clamped { .. } if of == clamped::CUT => &words::CLAMPED,
+        Event::Clamped { .. } => &words::CLOSEST_POINT,
+        Event::SupportFound { .. } => &words::FARTHEST,
+        Event::DifferenceEdgeFound { source, edge, .. } if of != WHOLE => {
+            return voice.say(&words::EDGE_OF, &[&edge.to_string(), &voice.of(*source)]);
         }
-        .to_owned(),
-        Event::ExtentsCompared { .. } => "The extents".to_owned(),
-        Event::Clamped { .. } => match of {
-            clamped::WAY => "From centre to centre",
-            clamped::CUT => "Cut to the half-extents",
-            _ => "The closest point",
+        Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. } => {
+            return super::difference(voice.names);
         }
-        .to_owned(),
-        Event::SupportFound { .. } => "The farthest vertex".to_owned(),
-        Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. } if of == WHOLE => {
-            super::difference(names)
-        }
-        Event::DifferenceEdgeFound { source, edge, .. } => edge_of(*edge, *source),
-        Event::EdgesMerged { taken, .. } => format!("An edge of {}", names.quoted(*taken)),
-        Event::DifferenceRounded { .. } => super::difference(names),
-        Event::OriginProjected { .. } => "The nearest point".to_owned(),
-        Event::CandidateImproved { .. } => "The least distance".to_owned(),
+        Event::EdgesMerged { taken, .. } => return voice.say(&words::AN_EDGE_OF, &[&voice.of(*taken)]),
+        Event::OriginProjected { .. } => &words::NEAREST_POINT,
+        Event::CandidateImproved { .. } => &words::LEAST,
         Event::AxisTested { source: (side, feature), .. } => {
-            format!("The normal of {} of {}", part(*feature), names.quoted(*side))
+            return voice.say(&words::NORMAL_OF, &[&voice.part(*feature), &voice.of(*side)]);
         }
-        Event::SeparatingAxisFound { .. } => "A separating axis".to_owned(),
+        Event::SeparatingAxisFound { .. } => &words::SEPARATING,
         Event::SimplexUpdated { vertices, closest, .. } => {
-            let what = match vertices.len() {
-                1 => "A vertex",
-                2 => "An edge",
-                _ => "A triangle",
-            };
-            if *closest == DVec2::ZERO {
-                format!("{what} that holds the origin")
-            } else {
-                format!("{what}: at most {} away", number(closest.length()))
-            }
+            return of_simplex(vertices.len(), *closest, voice);
         }
-        Event::PolytopeExpanded { nearest, .. } => format!("A polytope: at least {} deep", number(*nearest)),
-        Event::RayClipped { .. } => "The ray".to_owned(),
-        Event::Advanced { step, .. } => match of {
-            advanced::APART => format!("Step {step}: how far apart"),
-            _ => format!("Step {step}: how far it is safe"),
-        },
-        Event::AxisSwept { .. } => "An axis that parts them".to_owned(),
-        Event::ClosestApproachFound { .. } => "The closest approach".to_owned(),
-        Event::ExpectationCompared { .. } => "What was expected".to_owned(),
-        Event::MotionBounded { .. } => of_turn(of).to_owned(),
-        Event::EdgesFaced { .. } => "The edges that face".to_owned(),
-        Event::EdgeCut { .. } => "Cut off".to_owned(),
-        Event::ContactFound { .. } => "A point of contact".to_owned(),
-        Event::Finished { .. } => "The answer".to_owned(),
+        Event::PolytopeExpanded { nearest, .. } => {
+            return voice.say(&words::AT_LEAST, &[&voice.number(*nearest)]);
+        }
+        Event::RayClipped { .. } => &words::RAY,
+        Event::Advanced { step, .. } => {
+            let what = if of == advanced::APART { &words::HOW_FAR } else { &words::HOW_SAFE };
+            return voice.say(what, &[&step.to_string()]);
+        }
+        Event::AxisSwept { .. } => &words::SWEPT,
+        Event::ClosestApproachFound { .. } => &words::CLOSEST,
+        Event::ExpectationCompared { .. } => &words::EXPECTED,
+        Event::MotionBounded { .. } if of == turned::FARTHEST => &words::FARTHEST,
+        Event::MotionBounded { .. } if of == turned::ARC => &words::ARC,
+        Event::MotionBounded { .. } => &words::BOUND,
+        Event::EdgesFaced { .. } => &words::FACED,
+        Event::EdgeCut { .. } => &words::CUT,
+        Event::ContactFound { .. } => &words::CONTACT,
+        Event::Finished { .. } => &words::ANSWER,
+    })
+}
+
+/// What a step is called that ends with a simplex of so many vertices.
+fn of_simplex(vertices: usize, closest: DVec2, voice: Voice) -> String {
+    let what = voice.word(match vertices {
+        1 => &words::A_VERTEX,
+        2 => &words::AN_EDGE,
+        _ => &words::A_TRIANGLE,
+    });
+    if closest == DVec2::ZERO {
+        voice.say(&words::HOLDS, &[&what])
+    } else {
+        voice.say(&words::AT_MOST, &[&what, &voice.number(closest.length())])
     }
 }
 
-/// What a step is called that ends with a part of a motion bound.
-fn of_turn(of: usize) -> &'static str {
-    match of {
-        turned::FARTHEST => "The farthest vertex",
-        turned::ARC => "Its arc",
-        _ => "The bound",
-    }
-}
-
-/// What a part of an event says in one sentence, of bodies that are called `names`.
+/// What a part of an event says in one sentence.
 #[must_use]
-pub(crate) fn sentence_of_part(event: &Event, of: usize, names: &Names) -> String {
+pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String {
     match event {
         Event::BoundsFound { of: body, min, max, touching } => {
-            let whose = body.map_or_else(|| names.all(), |side| names.quoted(side));
-            bounds_part(&whose, of, [*min, *max], touching)
+            let whose = body.map_or_else(|| voice.all(), |side| voice.of(side));
+            bounds_part(&whose, of, ([*min, *max], touching), voice)
         }
         Event::Clamped { body, v, half_extents, clamped, closest, d, .. } => {
-            let (own, other) = (names.quoted(*body), names.quoted(body.other()));
+            let (own, other) = (voice.of(*body), voice.of(body.other()));
+            let point = |p: &DVec2| voice.point(*p);
             match of {
-                clamped::WAY => {
-                    format!(
-                        "V leads from the centre of {own} to that of {other}: {} in {own}'s frame.",
-                        point(*v)
-                    )
-                }
-                clamped::CUT => {
-                    format!("The half-extents {} cut it down to {}.", point(*half_extents), point(*clamped))
-                }
-                _ => format!(
-                    "That leads to {}, the point of {own} closest to {other}; from there D = {}.",
-                    point(*closest),
-                    point(*d)
-                ),
+                clamped::WAY => voice.say(&words::LEADS, &[&own, &other, &point(v), &own]),
+                clamped::CUT => voice.say(&words::CUT_DOWN, &[&point(half_extents), &point(clamped)]),
+                _ => voice.say(&words::LEADS_TO, &[&point(closest), &own, &other, &point(d)]),
             }
         }
         Event::MotionBounded { body, radius, theta, arc, vertices, .. } => {
-            let own = names.quoted(*body);
+            let own = voice.of(*body);
             match of {
                 turned::FARTHEST => {
-                    format!(
-                        "Farthest from the origin of {own}, by r = {}: {}.",
-                        number(*radius),
-                        first(vertices)
-                    )
+                    let vertex = first(vertices, voice);
+                    voice.say(&words::FARTHEST_BY, &[&own, &voice.number(*radius), &vertex])
                 }
-                turned::ARC => format!("{own} turns by theta = {} rad.", number(*theta)),
-                _ => format!("No point of {own} turns farther than L = theta r = {}.", number(*arc)),
+                turned::ARC => voice.say(&words::TURNS, &[&own, &voice.number(*theta)]),
+                _ => voice.say(&words::NO_FARTHER, &[&own, &voice.number(*arc)]),
             }
         }
         Event::Advanced { separation, normal, closing_speed, bound, next, .. } => match (of, next) {
             (advanced::APART, _) => {
-                format!("They are {} apart along {}.", number(*separation), point(*normal))
+                voice.say(&words::APART, &[&voice.number(*separation), &voice.point(*normal)])
             }
             (_, Some(next)) => {
-                let turning = format!(", at most {} with the turning", number(*bound));
-                let turning = if bound == closing_speed { "" } else { turning.as_str() };
-                let (speed, next) = (number(*closing_speed), number(*next));
-                format!("They close in at {speed}{turning}: nothing touches before t = {next}.")
+                let (speed, turning) =
+                    (voice.number(*closing_speed), with_turning(voice, [*closing_speed, *bound]));
+                voice.say(&words::CLOSE_IN, &[&speed, &turning, &voice.number(*next)])
             }
-            (_, None) => "It stops here.".to_owned(),
+            (_, None) => voice.word(&words::STOPS),
         },
-        _ => sentence(event, names),
+        _ => sentence_in(event, voice),
     }
 }
 
+/// What B ⊖ A as a whole is told as.
+#[must_use]
+pub(crate) fn sentence_of_difference(edges: usize, voice: Voice) -> String {
+    voice.say(&EDGES, &[&super::difference(voice.names), &edges.to_string()])
+}
+
 /// What the sides of a box are called: as a title, and in a sentence.
-const SIDES: [(&str, &str); 4] =
-    [("Leftmost", "leftmost"), ("Lowest", "lowest"), ("Rightmost", "rightmost"), ("Highest", "highest")];
+static SIDES: [(&Phrase, &Phrase); 4] = [
+    (&words::LEFTMOST, &words::IS_LEFTMOST),
+    (&words::LOWEST, &words::IS_LOWEST),
+    (&words::RIGHTMOST, &words::IS_RIGHTMOST),
+    (&words::HIGHEST, &words::IS_HIGHEST),
+];
 
 /// A part of the search for the box of `whose`.
-fn bounds_part(whose: &str, of: usize, [min, max]: [DVec2; 2], touching: &[Vec<SupportVertex>; 4]) -> String {
+fn bounds_part(
+    whose: &str,
+    of: usize,
+    ([min, max], touching): ([DVec2; 2], &[Vec<SupportVertex>; 4]),
+    voice: Voice,
+) -> String {
     match (SIDES.get(of), touching.get(of)) {
-        (Some((_, word)), Some(vertices)) => format!("The {word} of {whose} is {}.", first(vertices)),
-        _ if of == bounds::CENTER => format!(
-            "Its centre is {}, its half-extents are {}.",
-            point(0.5 * (min + max)),
-            point(0.5 * (max - min))
-        ),
-        _ => format!("The box runs from {} to {}.", point(min), point(max)),
+        (Some((_, phrase)), Some(vertices)) => voice.say(phrase, &[whose, &first(vertices, voice)]),
+        _ if of == bounds::CENTER => {
+            let (center, half_extents) = (0.5 * (min + max), 0.5 * (max - min));
+            voice.say(&words::CENTER_IS, &[&voice.point(center), &voice.point(half_extents)])
+        }
+        _ => voice.say(&words::BOX_RUNS, &[&voice.point(min), &voice.point(max)]),
     }
 }
 
 /// The first of some vertices, and that there are more.
-fn first(vertices: &[SupportVertex]) -> String {
-    let Some(vertex) = vertices.first() else { return "no vertex".to_owned() };
-    let tie = if vertices.len() > 1 { ", among others" } else { "" };
-    format!("vertex {} at {}{tie}", vertex.index, point(vertex.point))
+fn first(vertices: &[SupportVertex], voice: Voice) -> String {
+    let Some(vertex) = vertices.first() else { return voice.word(&words::NO_VERTEX) };
+    let told = voice.vertex(vertex);
+    if vertices.len() > 1 { voice.say(&words::AMONG_OTHERS, &[&told]) } else { told }
 }

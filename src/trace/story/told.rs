@@ -4,9 +4,10 @@
 //! An algorithm by components records the edges of B ⊖ A for layers that draw them, and looks at none: its
 //! story leaves them out, as JSON lines do not.
 
-use super::words::{number, part, point, points};
-use super::{difference, sentence};
-use crate::geometry::{DVec2, Names};
+use super::phrases::events::{EDGES, LEAST_DEEP, NEAREST, OUTLINE};
+use super::phrases::moving::{MANY_AWAY, ONE_AWAY};
+use super::{Voice, difference, sentence_in};
+use crate::geometry::DVec2;
 use crate::trace::{Culling, Event, Goal, Trace};
 
 /// Edges that a key tells each in a row of its own.
@@ -38,9 +39,9 @@ pub(crate) fn told(trace: &Trace) -> impl Iterator<Item = &Event> {
     trace.events.iter().filter(move |event| !(is_by_components && is_of_edges(event)))
 }
 
-/// The sentences of events that a reader works through, of bodies that are called `names`: rows of many edges
-/// are gathered, and where nothing turns the edges are told once.
-pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, names: &Names, turns: bool) -> Vec<String> {
+/// The sentences of events that a reader works through: rows of many edges are gathered, and where nothing
+/// turns the edges are told once.
+pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, voice: Voice, turns: bool) -> Vec<String> {
     let events: Vec<&Event> = events.collect();
     let is_advancing = events.iter().any(|event| matches!(event, Event::Advanced { .. }));
     let (mut all, mut rest, mut is_first) = (Vec::new(), &events[..], true);
@@ -55,12 +56,12 @@ pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, names: &Names, tu
         rest = after;
         let edges = rows.iter().filter(|event| !matches!(event, Event::CandidateImproved { .. })).count();
         if rows.len() == 1 || (edges <= FEW && !is_advancing) {
-            all.extend(rows.iter().map(|event| sentence(event, names)));
+            all.extend(rows.iter().map(|event| sentence_in(event, voice)));
         } else if is_of_ray(event) {
-            all.extend(along_ray(rows, names));
+            all.extend(along_ray(rows, voice));
         } else {
-            all.extend(outline(rows, names).filter(|_| is_first || turns));
-            all.extend(nearest(rows, names));
+            all.extend(outline(rows, voice).filter(|_| is_first || turns));
+            all.extend(nearest(rows, voice));
             is_first = false;
         }
     }
@@ -78,13 +79,13 @@ fn is_of_search(event: &Event) -> bool {
 }
 
 /// The edges of B ⊖ A in one sentence, as they follow each other; `None` without any.
-fn outline(rows: &[&Event], names: &Names) -> Option<String> {
+fn outline(rows: &[&Event], voice: Voice) -> Option<String> {
     let edge = |event: &&Event| match event {
         Event::DifferenceEdgeFound { from, to, .. } => Some((*from, *to)),
         _ => None,
     };
     let edges: Vec<(DVec2, DVec2)> = rows.iter().filter_map(edge).collect();
-    let (what, count) = (difference(names), edges.len());
+    let (what, count) = (difference(voice.names), edges.len());
     let mut at = edges.first()?.0;
     let mut vertices = Vec::new();
     while vertices.len() < count.min(LISTED) {
@@ -92,42 +93,38 @@ fn outline(rows: &[&Event], names: &Names) -> Option<String> {
         // The end of an edge is the start of another one, to the bit.
         at = edges.iter().find(|(from, _)| *from == at).map_or(at, |&(_, to)| to);
     }
-    match count {
-        1..=LISTED => {
-            Some(format!("{what} has {count} edges, from vertex to vertex: {}.", points(&vertices)))
-        }
-        _ => Some(format!("{what} has {count} edges.")),
-    }
+    let counted = count.to_string();
+    Some(match count {
+        1..=LISTED => voice.say(&OUTLINE, &[&what, &counted, &voice.points(&vertices)]),
+        _ => voice.say(&EDGES, &[&what, &counted]),
+    })
 }
 
 /// Which of the edges is nearest to the origin; `None` where none was found to be.
-fn nearest(rows: &[&Event], names: &Names) -> Option<String> {
+fn nearest(rows: &[&Event], voice: Voice) -> Option<String> {
     rows.iter().rev().find_map(|event| match event {
         Event::CandidateImproved { goal, distance, foot, source: (side, feature) } => {
-            let (edge, foot) = (format!("{} of {}", part(*feature), names.quoted(*side)), point(*foot));
-            let size = number(distance.abs());
-            Some(match goal {
-                Goal::LeastPositive => {
-                    format!("Nearest to the origin is {edge}: {size} away, at {foot}.")
-                }
-                Goal::LeastPenetrating => {
-                    format!("The origin is inside all its edges, least deep at {edge}: by {size}, at {foot}.")
-                }
-            })
+            let phrase = match goal {
+                Goal::LeastPositive => &NEAREST,
+                Goal::LeastPenetrating => &LEAST_DEEP,
+            };
+            let (edge, body) = (voice.part(*feature), voice.of(*side));
+            let (size, foot) = (voice.number(distance.abs()), voice.point(*foot));
+            Some(voice.say(phrase, &[&edge, &body, &size, &foot]))
         }
         _ => None,
     })
 }
 
 /// The edges that the ray is held against; those that face away are counted.
-fn along_ray(rows: &[&Event], names: &Names) -> Vec<String> {
+fn along_ray(rows: &[&Event], voice: Voice) -> Vec<String> {
     let is_away = |event: &&&Event| matches!(event, Event::RayClipped { outcome: Culling::BackFacing, .. });
     let away = rows.iter().filter(is_away).count();
-    let met = rows.iter().filter(|event| !is_away(event)).map(|event| sentence(event, names));
+    let met = rows.iter().filter(|event| !is_away(event)).map(|event| sentence_in(event, voice));
     let skipped = match away {
         0 => None,
-        1 => Some("One edge faces away from the ray and is skipped.".to_owned()),
-        _ => Some(format!("{away} edges face away from the ray and are skipped.")),
+        1 => Some(voice.word(&ONE_AWAY)),
+        _ => Some(voice.say(&MANY_AWAY, &[&away.to_string()])),
     };
     skipped.into_iter().chain(met).collect()
 }
@@ -135,7 +132,7 @@ fn along_ray(rows: &[&Event], names: &Names) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Feature, Side};
+    use crate::geometry::{Feature, Names, Side};
     use crate::trace::Tracer;
     use crate::trace::story::story;
 
@@ -169,12 +166,12 @@ mod tests {
     fn a_few_edges_are_told_each_and_many_as_one_whole() {
         let names = Names::default();
         let few = edges(&octagon()[..4]);
-        assert_eq!(way(few.iter(), &names, false).len(), 4);
+        assert_eq!(way(few.iter(), Voice::english(&names), false).len(), 4);
         let mut many = edges(&octagon());
         many.reverse();
         many.push(improved());
         assert_eq!(
-            way(many.iter(), &names, false),
+            way(many.iter(), Voice::english(&names), false),
             [
                 "B - A has 8 edges, from vertex to vertex: (1, -2) (2, -1) (2, 1) (1, 2) (-1, 2) (-2, 1) \
                  (-2, -1) (-1, -2).",
@@ -189,8 +186,9 @@ mod tests {
         search.push(improved());
         let step = Event::AxisSwept { from: 0.0, to: 1.0, owner: Side::A, normal: DVec2::X };
         let events: Vec<&Event> = search.iter().chain([&step]).chain(&search).collect();
+        let names = Names::default();
         let count = |turns| {
-            let told = way(events.iter().copied(), &Names::default(), turns);
+            let told = way(events.iter().copied(), Voice::english(&names), turns);
             told.iter().filter(|sentence| sentence.contains("has 8 edges")).count()
         };
         assert_eq!([count(false), count(true)], [1, 2]);
@@ -219,7 +217,7 @@ mod tests {
         };
         let mut rows: Vec<Event> = (0..7).map(|_| clipped(Culling::BackFacing)).collect();
         rows.push(clipped(Culling::Hit));
-        let told = way(rows.iter(), &Names::default(), false);
+        let told = way(rows.iter(), Voice::english(&Names::default()), false);
         assert_eq!(told[0], "7 edges face away from the ray and are skipped.");
         assert!(told.len() == 2 && told[1].contains("entered"), "{told:?}");
     }

@@ -1,0 +1,187 @@
+//! What is told of bodies that stand.
+
+use crate::trace::tongue::phrases;
+
+phrases! {
+    /// An algorithm begins: its name, the bodies, the moment.
+    STARTED: "* looks at * at *.",
+        "* betrachtet * bei *.",
+        "* examine * à *.",
+        "* examina * en *.";
+    /// It ends.
+    FINISHED: "Done: *.", "Fertig: *.", "Fini : *.", "Listo: *.";
+    /// The early-out of circles: distance, its square, the sign, both radii, their square, what follows.
+    SQUARES: "Centres and radii, squared: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
+        "Mittelpunkte und Radien im Quadrat: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
+        "Centres et rayons, au carré : *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
+        "Centros y radios, al cuadrado: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.";
+    /// The squares are enough.
+    SETTLED: "; that settles it, without a root",
+        "; das entscheidet, ohne Wurzel",
+        " ; cela suffit, sans racine",
+        "; con eso basta, sin raíz";
+    /// The penetration of circles: centres, p, N, from, to, P.
+    PENETRATION: "p = * - (r1 + r2) = *, N = * from * to *, P = N p = *.",
+        "p = * - (r1 + r2) = *; N = * von * nach *; P = N p = *.",
+        "p = * - (r1 + r2) = * ; N = * de * vers * ; P = N p = *.",
+        "p = * - (r1 + r2) = *; N = * de * a *; P = N p = *.";
+    /// A bounding box: whose, from, to.
+    BOX: "The box of * runs from * to *",
+        "Die Bounding-Box von * reicht von * bis *",
+        "La boîte englobante de * va de * à *",
+        "La caja envolvente de * va de * a *";
+    /// The box of both bodies.
+    TOGETHER: "* together", "* zusammen", "* ensemble", "* juntos";
+    /// What is on its left.
+    LEFT: "left", "links", "à gauche", "a la izquierda";
+    /// What is at its bottom.
+    BOTTOM: "bottom", "unten", "en bas", "abajo";
+    /// What is on its right.
+    RIGHT: "right", "rechts", "à droite", "a la derecha";
+    /// What is at its top.
+    TOP: "top", "oben", "en haut", "arriba";
+    /// A circle's centre in the frame of a box: whose, V, what it is clamped to, by what, the closest point,
+    /// D, and the distance.
+    CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *; *_c = *, D = *, |D| - r = *.",
+        "Im System von *: V = *, von den halben Ausdehnungen auf * begrenzt, *; *_c = *; D = *; |D| - r = *.",
+        "Dans le repère de * : V = *, borné à * par les demi-étendues * ; *_c = * ; D = * ; |D| - r = *.",
+        "En el sistema de *: V = *, limitado a * por las semiextensiones *; *_c = *; D = *; |D| - r = *.";
+    /// The farthest vertices of a body: direction, body, vertices, a tie.
+    SUPPORT: "Farthest along * on *: **.",
+        "Am weitesten entlang * auf *: **.",
+        "Le plus loin le long de * sur * : **.",
+        "Lo más lejano a lo largo de * en *: **.";
+    /// Several are as far.
+    TIE: ", a tie", ", gleichauf", ", à égalité", ", empatados";
+    /// An edge of B ⊖ A: edge, body, vertex, the other body, from, to, of what, and where the origin is.
+    DIFFERENCE_EDGE: "Edge * of * with vertex * of * is the edge * to * of *; the origin is * its line.",
+        "Kante * von * mit Ecke * von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
+        "L’arête * de * avec le sommet * de * est l’arête * à * de * ; l’origine est * de sa droite.",
+        "La arista * de * con el vértice * de * es la arista * a * de *; el origen está * de su recta.";
+    /// The next edge of a merge: edge, body, why.
+    MERGED: "Next the edge * of *: *.",
+        "Als Nächstes die Kante * von *: *.",
+        "Ensuite l’arête * de * : *.",
+        "Ahora la arista * de *: *.";
+    /// The other body has none left.
+    NO_MORE: "* has no more", "* hat keine mehr", "* n’en a plus", "* no tiene más";
+    /// The other body's next one comes later: body, edge.
+    TURNS_MORE: "*'s next, *, turns more",
+        "die nächste von *, *, ist weiter gedreht",
+        "la suivante de *, *, est plus tournée",
+        "la siguiente de *, *, está más girada";
+    /// The difference of two circles: what, its radius, its centre.
+    DISC: "* is a disc of radius * around *.",
+        "* ist eine Scheibe vom Radius * um *.",
+        "* est un disque de rayon * autour de *.",
+        "* es un disco de radio * alrededor de *.";
+    /// The difference of bodies of which one is round.
+    ROUNDED: "* is rounded by a radius of *.",
+        "* ist mit einem Radius von * gerundet.",
+        "* est arrondi d’un rayon de *.",
+        "* está redondeado con un radio de *.";
+    /// Where the origin projects to, and how far that is.
+    PROJECTED: "The origin projects to * there, *.",
+        "Der Ursprung projiziert sich dort auf *, *.",
+        "L’origine s’y projette en *, *.",
+        "El origen se proyecta allí en *, *.";
+    /// The best edge so far of those that the origin is inside of: distance, place, edge, body.
+    LEAST_PENETRATING: "Least penetrating so far: * at *, by * of *.",
+        "Bisher am wenigsten eingedrungen: * bei *, durch * von *.",
+        "Moindre pénétration jusqu’ici : * en *, par * de *.",
+        "Menor penetración hasta ahora: * en *, por * de *.";
+    /// The best one so far of those that it is outside of.
+    LEAST_POSITIVE: "Least positive so far: * at *, by * of *.",
+        "Bisher der kleinste positive Wert: * bei *, durch * von *.",
+        "Plus petite valeur positive jusqu’ici : * en *, par * de *.",
+        "Menor valor positivo hasta ahora: * en *, por * de *.";
+    /// Both bodies along an axis: the axis, whose normal of which body, a body and its interval, the other
+    /// one and its, and what lies between.
+    AXIS: "Along *, the normal of * of *: * spans *, * spans *, *.",
+        "Entlang *, der Normalen von * von *: * reicht von *, * von *; *.",
+        "Le long de *, normale (* de *) : * va de *, * va de * ; *.",
+        "A lo largo de *, normal de * de *: * va de *, * va de *; *.";
+    /// They are apart there.
+    GAP: "a gap of *", "eine Lücke von *", "un écart de *", "un hueco de *";
+    /// They are not: the second body, by how much, the first one.
+    OVERLAP: "where * begins * before * ends",
+        "dabei beginnt * um * vor dem Ende von *",
+        "où * commence * avant la fin de *",
+        "donde * empieza * antes del final de *";
+    /// The separating axis, and how far apart.
+    SEPARATED: "* separates them by *: no need to look further.",
+        "* trennt sie um *: Weiter braucht man nicht zu suchen.",
+        "* les sépare de * : inutile de chercher plus loin.",
+        "* los separa por *: no hace falta buscar más.";
+    /// A simplex: vertices, the point closest to the origin, where to look next.
+    SIMPLEX: "The simplex is *; closest to the origin is *, so look along *.",
+        "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *.",
+        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de *.",
+        "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *.";
+    /// A polytope: count, vertices, how near its nearest edge is, along what, and what is beyond.
+    POLYTOPE: "The polytope has * vertices, *; its nearest edge is * from the origin along *; *.",
+        "Das Polytop hat * Ecken, *; seine nächste Kante ist * vom Ursprung entfernt, entlang *; *.",
+        "Le polytope a * sommets, * ; son arête la plus proche est à * de l’origine le long de * ; *.",
+        "El politopo tiene * vértices, *; su arista más cercana está a * del origen a lo largo de *; *.";
+    /// A vertex lies beyond: which, by how much.
+    SPLITS: "farthest there is *, * beyond it: it splits the edge",
+        "am weitesten dort liegt *, um * dahinter: Sie teilt die Kante",
+        "le plus loin y est *, à * au-delà : il divise l’arête",
+        "lo más lejano allí es *, * más allá: divide la arista";
+    /// None does.
+    WAY_OUT: "no vertex is beyond it: it is the way out",
+        "keine Ecke liegt dahinter: Das ist der Weg hinaus",
+        "aucun sommet n’est au-delà : c’est la sortie",
+        "ningún vértice está más allá: es la salida";
+    /// The edges that face each other: part, body, from, to, outward normal, the other part and body.
+    FACED: "Reference: * of *, * to *, outward *; * of * faces it.",
+        "Referenz: * von *, * bis *, nach außen *; * von * liegt ihr gegenüber.",
+        "Référence : * de *, * à *, vers l’extérieur * ; * de * lui fait face.",
+        "Referencia: * de *, * a *, hacia fuera *; * de * está enfrente.";
+    /// What a plane cut off: where the plane is, the end, where that is now.
+    CUT: "The plane at * cuts off the end *: it ends at *.",
+        "Die Ebene bei * schneidet das Ende * ab: Es endet bei *.",
+        "Le plan en * coupe le bout * : il finit en *.",
+        "El plano en * corta el extremo *: acaba en *.";
+    /// A point of each body.
+    OVER: "* of * over * of *", "* von * über * von *", "* de * sur * de *", "* de * sobre * de *";
+    /// A contact: places, depth.
+    CONTACT: "Contact: *, * deep.",
+        "Kontakt: *, * tief.",
+        "Contact : *, profondeur *.",
+        "Contacto: *, profundidad *.";
+    /// No contact: places, gap.
+    NO_CONTACT: "No contact: *, * apart.",
+        "Kein Kontakt: *, * entfernt.",
+        "Pas de contact : *, distance *.",
+        "Sin contacto: *, distancia *.";
+    /// All edges of B ⊖ A: what, how many, the vertices.
+    OUTLINE: "* has * edges, from vertex to vertex: *.",
+        "* hat * Kanten, von Ecke zu Ecke: *.",
+        "* a * arêtes, de sommet en sommet : *.",
+        "* tiene * aristas, de vértice a vértice: *.";
+    /// How many they are.
+    EDGES: "* has * edges.", "* hat * Kanten.", "* a * arêtes.", "* tiene * aristas.";
+    /// The nearest of them: edge, body, how far, where.
+    NEAREST: "Nearest to the origin is * of *: * away, at *.",
+        "Dem Ursprung am nächsten ist * von *: * entfernt, bei *.",
+        "Le plus près de l’origine : * de *, à une distance de *, en *.",
+        "Lo más cercano al origen es * de *: a una distancia de *, en *.";
+    /// The one that the origin is least inside of.
+    LEAST_DEEP: "The origin is inside all its edges, least deep at * of *: by *, at *.",
+        "Der Ursprung liegt innerhalb aller Kanten, am wenigsten tief bei * von *: um *, bei *.",
+        "L’origine est à l’intérieur de toutes les arêtes, le moins pour * de * : de *, en *.",
+        "El origen está dentro de todas las aristas, lo menos hondo en * de *: *, en *.";
+}
+
+/// How an algorithm says that it ended: as events have it, then in the other languages.
+pub(crate) static OUTCOMES: [crate::trace::Phrase; 8] = [
+    ["overlapping", "überlappend", "recouvrement", "solapados"],
+    ["separating axis", "Trennachse", "axe séparateur", "eje separador"],
+    ["apart", "getrennt", "séparés", "separados"],
+    ["undecided", "unentschieden", "indécis", "sin decidir"],
+    ["touching", "in Berührung", "en contact", "en contacto"],
+    ["hit", "Treffer", "contact", "contacto"],
+    ["miss", "kein Treffer", "pas de contact", "sin contacto"],
+    ["unresolved", "ungeklärt", "non résolu", "sin resolver"],
+];

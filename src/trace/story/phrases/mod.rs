@@ -1,0 +1,30 @@
+//! The sentences of a story in each language, a file for what they are about; here what stands in many.
+
+pub(super) mod events;
+pub(super) mod moving;
+pub(super) mod steps;
+
+use crate::trace::tongue::phrases;
+
+phrases! {
+    /// The two bodies.
+    BOTH: "* and *", "* und *", "* et *", "* y *";
+    /// A moment with the angle of a body.
+    AT_ANGLE: "* at * deg", "* bei * Grad", "* à * degrés", "* a * grados";
+    /// A vertex by its index.
+    VERTEX: "vertex *", "Ecke *", "sommet *", "vértice *";
+    /// An edge by its index.
+    EDGE: "edge *", "Kante *", "arête *", "arista *";
+    /// A vertex and its place.
+    VERTEX_AT: "vertex * at *", "Ecke * bei *", "sommet * en *", "vértice * en *";
+    /// Inside of a boundary, by a length.
+    INSIDE: "* inside", "* im Inneren", "à * à l’intérieur", "* por dentro";
+    /// Away from a boundary, by a length.
+    AWAY: "* away", "* entfernt", "à une distance de *", "a una distancia de *";
+    /// Inside of a line, by a length.
+    INSIDE_LINE: "* inside", "um * innerhalb", "à * en dedans", "* por dentro";
+    /// Outside of a line, by a length.
+    OUTSIDE_LINE: "* outside", "um * außerhalb", "à * en dehors", "* por fuera";
+    /// An interval.
+    SPAN: "* to *", "* bis *", "* à *", "* a *";
+}

@@ -1,0 +1,216 @@
+//! What steps of a figure are called, and what the parts of an event say.
+
+use crate::trace::tongue::phrases;
+
+phrases! {
+    /// How the bodies stand at a moment.
+    AT: "At t = *", "Bei t = *", "À t = *", "En t = *";
+    /// The first step.
+    QUESTION: "The question", "Die Frage", "La question", "La pregunta";
+    /// The early-out of circles.
+    SQUARES: "Centres and radii", "Mittelpunkte und Radien", "Centres et rayons", "Centros y radios";
+    /// Their penetration.
+    PENETRATION: "The penetration", "Das Eindringen", "La pénétration", "La penetración";
+    /// A bounding box.
+    BOX: "The box", "Die Bounding-Box", "La boîte englobante", "La caja envolvente";
+    /// Its centre.
+    CENTER: "Centre and half-extents",
+        "Mittelpunkt und halbe Ausdehnungen",
+        "Centre et demi-étendues",
+        "Centro y semiextensiones";
+    /// What touches it on the left.
+    LEFTMOST: "Leftmost", "Ganz links", "Le plus à gauche", "Lo más a la izquierda";
+    /// Below.
+    LOWEST: "Lowest", "Ganz unten", "Le plus bas", "Lo más bajo";
+    /// On the right.
+    RIGHTMOST: "Rightmost", "Ganz rechts", "Le plus à droite", "Lo más a la derecha";
+    /// Above.
+    HIGHEST: "Highest", "Ganz oben", "Le plus haut", "Lo más alto";
+    /// The extents of two boxes.
+    EXTENTS: "The extents", "Die Ausdehnungen", "Les étendues", "Las extensiones";
+    /// V of a circle and a box.
+    WAY: "From centre to centre", "Von Mitte zu Mitte", "De centre à centre", "De centro a centro";
+    /// What is left of it.
+    CLAMPED: "Cut to the half-extents",
+        "Auf die halben Ausdehnungen begrenzt",
+        "Borné aux demi-étendues",
+        "Limitado a las semiextensiones";
+    /// Where it leads.
+    CLOSEST_POINT: "The closest point",
+        "Der nächste Punkt",
+        "Le point le plus proche",
+        "El punto más cercano";
+    /// A support.
+    FARTHEST: "The farthest vertex", "Die fernste Ecke", "Le sommet le plus éloigné", "El vértice más lejano";
+    /// An edge of B ⊖ A: index, body.
+    EDGE_OF: "Edge * of *", "Kante * von *", "Arête * de *", "Arista * de *";
+    /// The next one of a merge.
+    AN_EDGE_OF: "An edge of *", "Eine Kante von *", "Une arête de *", "Una arista de *";
+    /// Where the origin projects to.
+    NEAREST_POINT: "The nearest point",
+        "Der nächste Punkt",
+        "Le point le plus proche",
+        "El punto más cercano";
+    /// The best edge so far.
+    LEAST: "The least distance", "Der kleinste Abstand", "La plus petite distance", "La menor distancia";
+    /// An axis that is tested: edge, body.
+    NORMAL_OF: "The normal of * of *", "Die Normale von * von *", "Normale : * de *", "La normal de * de *";
+    /// One that separates.
+    SEPARATING: "A separating axis", "Eine Trennachse", "Un axe séparateur", "Un eje separador";
+    /// A simplex of one vertex.
+    A_VERTEX: "A vertex", "Eine Ecke", "Un sommet", "Un vértice";
+    /// A simplex of two.
+    AN_EDGE: "An edge", "Eine Kante", "Une arête", "Una arista";
+    /// A simplex of three.
+    A_TRIANGLE: "A triangle", "Ein Dreieck", "Un triangle", "Un triángulo";
+    /// It holds the origin.
+    HOLDS: "* that holds the origin",
+        "*: enthält den Ursprung",
+        "* : contient l’origine",
+        "*: contiene el origen";
+    /// It does not: what, how far.
+    AT_MOST: "*: at most * away",
+        "*: höchstens * entfernt",
+        "* : distance d’au plus *",
+        "*: a una distancia de * a lo sumo";
+    /// A polytope: how deep.
+    AT_LEAST: "A polytope: at least * deep",
+        "Ein Polytop: mindestens * tief",
+        "Un polytope : profondeur d’au moins *",
+        "Un politopo: profundidad de al menos *";
+    /// A ray.
+    RAY: "The ray", "Der Strahl", "Le rayon", "El rayo";
+    /// The first part of a step.
+    HOW_FAR: "Step *: how far apart",
+        "Schritt *: wie weit entfernt",
+        "Étape * : à quelle distance",
+        "Paso *: a qué distancia";
+    /// The second one.
+    HOW_SAFE: "Step *: how far it is safe",
+        "Schritt *: wie weit es sicher ist",
+        "Étape * : jusqu’où c’est sûr",
+        "Paso *: hasta dónde es seguro";
+    /// A swept axis.
+    SWEPT: "An axis that parts them",
+        "Eine Achse, die sie trennt",
+        "Un axe qui les sépare",
+        "Un eje que los separa";
+    /// The closest approach.
+    CLOSEST: "The closest approach", "Die größte Annäherung", "Au plus près", "El mayor acercamiento";
+    /// Another's answer.
+    EXPECTED: "What was expected", "Das Erwartete", "Ce qui était attendu", "Lo esperado";
+    /// The arc of a turn.
+    ARC: "Its arc", "Ihr Bogen", "Son arc", "Su arco";
+    /// The bound on it.
+    BOUND: "The bound", "Die Schranke", "La borne", "La cota";
+    /// The edges of a contact.
+    FACED: "The edges that face",
+        "Die Kanten, die sich gegenüberliegen",
+        "Les arêtes face à face",
+        "Las aristas enfrentadas";
+    /// An end that was cut off.
+    CUT: "Cut off", "Abgeschnitten", "Coupé", "Recortado";
+    /// A point of contact.
+    CONTACT: "A point of contact", "Ein Kontaktpunkt", "Un point de contact", "Un punto de contacto";
+    /// The last step.
+    ANSWER: "The answer", "Die Antwort", "La réponse", "La respuesta";
+    /// V: from which body, to which, V, in whose frame.
+    LEADS: "V leads from the centre of * to that of *: * in *'s frame.",
+        "V führt vom Mittelpunkt von * zu dem von *: * im System von *.",
+        "V mène du centre de * à celui de * : * dans le repère de *.",
+        "V va del centro de * al de *: * en el sistema de *.";
+    /// What is left of it: half-extents, V clamped.
+    CUT_DOWN: "The half-extents * cut it down to *.",
+        "Die halben Ausdehnungen * begrenzen es auf *.",
+        "Les demi-étendues * le bornent à *.",
+        "Las semiextensiones * lo limitan a *.";
+    /// Where that leads: point, body, the other body, D.
+    LEADS_TO: "That leads to *, the point of * closest to *; from there D = *.",
+        "Das führt zu *, dem Punkt von *, der * am nächsten liegt; von dort ist D = *.",
+        "Cela mène à *, le point de * le plus proche de * ; de là, D = *.",
+        "Eso lleva a *, el punto de * más cercano a *; desde ahí D = *.";
+    /// The farthest vertex of a body that turns: body, radius, vertex.
+    FARTHEST_BY: "Farthest from the origin of *, by r = *: *.",
+        "Am weitesten vom Ursprung von *, um r = *: *.",
+        "Le plus loin de l’origine de *, à r = * : *.",
+        "Lo más lejano del origen de *, a r = *: *.";
+    /// The angle of its turn.
+    TURNS: "* turns by theta = * rad.",
+        "* dreht sich um theta = * rad.",
+        "* tourne de theta = * rad.",
+        "* gira theta = * rad.";
+    /// The bound on its turn.
+    NO_FARTHER: "No point of * turns farther than L = theta r = *.",
+        "Kein Punkt von * dreht sich weiter als L = theta r = *.",
+        "Aucun point de * ne tourne de plus que L = theta r = *.",
+        "Ningún punto de * gira más que L = theta r = *.";
+    /// A step of an advancement: separation, normal.
+    APART: "They are * apart along *.",
+        "Sie sind * voneinander entfernt, entlang *.",
+        "Ils sont à une distance de * le long de *.",
+        "Están a * a lo largo de *.";
+    /// How far it is safe: speed, bound, time.
+    CLOSE_IN: "They close in at **: nothing touches before t = *.",
+        "Sie nähern sich mit **: Nichts berührt sich vor t = *.",
+        "Ils se rapprochent à ** : rien ne se touche avant t = *.",
+        "Se acercan a **: nada se toca antes de t = *.";
+    /// No step follows.
+    STOPS: "It stops here.", "Hier ist Schluss.", "Fin des étapes.", "Aquí se detiene.";
+    /// The vertex on the left: body, vertex.
+    IS_LEFTMOST: "The leftmost of * is *.",
+        "Ganz links in * liegt *.",
+        "Le plus à gauche, dans * : *.",
+        "Lo más a la izquierda en *: *.";
+    /// Below.
+    IS_LOWEST: "The lowest of * is *.",
+        "Ganz unten in * liegt *.",
+        "Le plus bas, dans * : *.",
+        "Lo más bajo en *: *.";
+    /// On the right.
+    IS_RIGHTMOST: "The rightmost of * is *.",
+        "Ganz rechts in * liegt *.",
+        "Le plus à droite, dans * : *.",
+        "Lo más a la derecha en *: *.";
+    /// Above.
+    IS_HIGHEST: "The highest of * is *.",
+        "Ganz oben in * liegt *.",
+        "Le plus haut, dans * : *.",
+        "Lo más alto en *: *.";
+    /// The centre and the half-extents of a box.
+    CENTER_IS: "Its centre is *, its half-extents are *.",
+        "Der Mittelpunkt ist *, die halben Ausdehnungen sind *.",
+        "Son centre est *, ses demi-étendues sont *.",
+        "Su centro es *, sus semiextensiones son *.";
+    /// The box.
+    BOX_RUNS: "The box runs from * to *.",
+        "Die Bounding-Box reicht von * bis *.",
+        "La boîte englobante va de * à *.",
+        "La caja envolvente va de * a *.";
+    /// There is no vertex.
+    NO_VERTEX: "no vertex", "keine Ecke", "aucun sommet", "ningún vértice";
+    /// There are others as far.
+    AMONG_OTHERS: "*, among others", "*, unter anderen", "*, entre autres", "*, entre otros";
+    /// A polytope at the beginning.
+    AROUND: "* vertices around the origin",
+        "* Ecken um den Ursprung",
+        "* sommets autour de l’origine",
+        "* vértices alrededor del origen";
+    /// A simplex of one vertex at the beginning.
+    BEGIN_AT: "Begin at *", "Beginn bei *", "Début en *", "Comienzo en *";
+    /// A simplex of several.
+    BEGIN_WITH: "Begin with * vertices",
+        "Beginn mit * Ecken",
+        "Début avec * sommets",
+        "Comienzo con * vértices";
+    /// The search ends.
+    NONE_BEYOND: "*: no vertex is beyond",
+        "*: keine Ecke liegt dahinter",
+        "* : aucun sommet au-delà",
+        "*: ningún vértice más allá";
+    /// A vertex that came.
+    ADD: "add *", "hinzu kommt *", "ajouter *", "añadir *";
+    /// One that went.
+    DROP: "drop *", "weg fällt *", "retirer *", "quitar *";
+    /// None.
+    NOTHING_NEW: "Nothing new", "Nichts Neues", "Rien de neuf", "Nada nuevo";
+}

@@ -1,0 +1,64 @@
+//! Events in sentences.
+
+use super::{Event, sentence};
+use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
+use crate::trace::{Moment, SupportVertex};
+
+#[test]
+fn a_tie_is_told_with_both_vertices() {
+    let at = |index, x, y| SupportVertex { index, point: DVec2::new(x, y) };
+    let event = Event::SupportFound {
+        body: Side::B,
+        direction: DVec2::new(0.6, -0.8),
+        vertices: vec![at(0, 0.3, -0.4), at(1, 3.5, 2.0)],
+    };
+    let expected =
+        "Farthest along (0.6, -0.8) on B: vertex 0 at (0.3, -0.4) and vertex 1 at (3.5, 2), a tie.";
+    assert_eq!(sentence(&event, &Names::default()), expected);
+}
+
+#[test]
+fn bodies_have_the_names_of_the_scene_in_words_and_in_formulas() {
+    let names = Names::new("bullet", Some("the wall"));
+    let at = Moment { time: 0.5, angle_a: 0.0, angle_b: 90.0 };
+    let compared = Event::ExtentsCompared {
+        centers: [DVec2::ZERO, DVec2::splat(3.0)],
+        half_extents: [DVec2::ONE; 2],
+        gap: DVec2::ONE,
+    };
+    let overlapping = Event::AxisTested {
+        axis: DVec2::X,
+        source: (Side::B, Feature::Edge(3)),
+        interval_a: Enclosure { lo: 0.0, hi: 2.0 },
+        interval_b: Enclosure { lo: 1.5, hi: 4.0 },
+        gap: -0.5,
+    };
+    let told = [
+        (
+            overlapping,
+            "Along (1, 0), the normal of edge 3 of \"the wall\": bullet spans 0 to 2, \"the wall\" spans \
+             1.5 to 4, where \"the wall\" begins 0.5 before bullet ends.",
+        ),
+        (
+            Event::Started { algorithm: "any", at },
+            "any looks at bullet and \"the wall\" at t = 0.5 \
+             (bullet at 0 deg, \"the wall\" at 90 deg).",
+        ),
+        (
+            compared,
+            "D = |c_\"the wall\" - c_bullet| - (h_bullet + h_\"the wall\") \
+             = (3, 3) - ((1, 1) + (1, 1)) = (1, 1).",
+        ),
+    ];
+    for (event, expected) in told {
+        assert_eq!(sentence(&event, &names), expected);
+    }
+}
+
+#[test]
+fn a_query_about_one_body_does_not_speak_of_another() {
+    let at = Moment { time: 0.0, angle_a: 30.0, angle_b: 0.0 };
+    let event = Event::Started { algorithm: "any", at };
+    let told = sentence(&event, &Names::new("crate_1", None));
+    assert_eq!(told, "any looks at crate_1 at t = 0 (crate_1 at 30 deg).");
+}

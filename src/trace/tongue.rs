@@ -1,0 +1,101 @@
+//! The languages in which sentences of ours are told, and how numbers stand in them.
+//!
+//! A sentence is a [`Phrase`], the same one in every language, with stars for its values. No sentence is made
+//! from another one: a language has its own words around the values, which stand in the same order.
+
+/// A phrase in English, German, French and Spanish. A star stands for a value, in their order.
+pub(crate) type Phrase = [&'static str; 4];
+
+/// What stands in a phrase for a value.
+const STAR: char = '*';
+
+/// Declares phrases, and for tests the list of them.
+macro_rules! phrases {
+    ($($(#[doc = $about:literal])+ $NAME:ident: $en:literal, $de:literal, $fr:literal, $es:literal;)+) => {
+        $($(#[doc = $about])+ pub(crate) static $NAME: $crate::trace::Phrase = [$en, $de, $fr, $es];)+
+
+        /// Every phrase of this file.
+        #[cfg(test)]
+        pub(crate) const ALL: &[&$crate::trace::Phrase] = &[$(&$NAME),+];
+    };
+}
+pub(crate) use phrases;
+
+/// A language of sentences, and the sign that its numbers have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Tongue {
+    /// Which of a [`Phrase`].
+    column: usize,
+    /// Whether numbers have a comma: points then have a semicolon.
+    has_comma: bool,
+}
+
+impl Tongue {
+    /// English, with points in its numbers.
+    pub(crate) const ENGLISH: Self = Self { column: 0, has_comma: false };
+
+    /// A column of the phrases, with a comma in its numbers or a point.
+    pub(crate) const fn new(column: usize, has_comma: bool) -> Self {
+        Self { column, has_comma }
+    }
+
+    /// A phrase without a star.
+    pub(crate) fn word(self, phrase: &Phrase) -> &'static str {
+        phrase.get(self.column).unwrap_or(&phrase[0])
+    }
+
+    /// A phrase with the values that stand for its stars.
+    pub(crate) fn say(self, phrase: &Phrase, values: &[&str]) -> String {
+        let mut pieces = self.word(phrase).split(STAR);
+        let mut said = pieces.next().unwrap_or_default().to_owned();
+        for (piece, value) in pieces.zip(values) {
+            said.push_str(value);
+            said.push_str(piece);
+        }
+        said
+    }
+
+    /// A number, or several, that are written with points.
+    pub(crate) fn decimal(self, number: String) -> String {
+        if self.has_comma { number.replace('.', ",") } else { number }
+    }
+
+    /// A point by its coordinates, written with points.
+    pub(crate) fn point(self, [x, y]: [String; 2]) -> String {
+        self.decimal(format!("({x}{}{y})", self.between()))
+    }
+
+    /// What parts two numbers, points or phrases with such.
+    pub(crate) const fn between(self) -> &'static str {
+        if self.has_comma { "; " } else { ", " }
+    }
+}
+
+/// Phrases of which a language has another count of stars than English.
+#[cfg(test)]
+pub(crate) fn unlike<'p>(all: impl IntoIterator<Item = &'p &'static Phrase>) -> Vec<&'static Phrase> {
+    let stars = |said: &str| said.matches(STAR).count();
+    let is_unlike = |phrase: &Phrase| phrase.iter().any(|said| stars(said) != stars(phrase[0]));
+    all.into_iter().copied().filter(|phrase| is_unlike(phrase)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
+
+    #[test]
+    fn values_stand_for_stars_and_a_star_in_a_value_stays() {
+        assert_eq!(Tongue::new(1, true).say(&IS, &["A*", "B"]), "A* ist B");
+        assert_eq!(Tongue::ENGLISH.say(&IS, &["A", "B"]), "A is B");
+        assert_eq!(unlike([&&IS]), [&[""; 4]; 0]);
+    }
+
+    #[test]
+    fn where_numbers_have_commas_coordinates_have_semicolons() {
+        let at = || ["1.5".to_owned(), "-2".to_owned()];
+        assert_eq!(Tongue::new(1, true).point(at()), "(1,5; -2)");
+        assert_eq!(Tongue::new(3, false).point(at()), "(1.5, -2)");
+    }
+}
