@@ -2,13 +2,21 @@
 //! is asked for, a number has three, or all it has where those are no more than five.
 //!
 //! A number lies between its bounds. A digit that the two ends do not share is not proved, and is never
-//! written: the most digits at which both ends round to the same text are all there are.
+//! written: the most digits at which both ends round to the same text are all there are. Ends as near to each
+//! other as the rounding of doubles are one number, and half a digit is rounded away from 0, as at school: else
+//! 2.125, known to sixteen digits, would have two of them, as its ends lie on the two sides of a half.
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
 const MOST: usize = 12;
-/// The part of a bound by which a number may pass it that is written for it: what proving the bound added to
-/// a round number, far below the third digit. At 0 the bound of 5 would be written 5.01.
+/// The part of a bound by which a number may pass it that is written for it, and of a number by which its
+/// bounds may differ and be one number: what proving a bound added to a round number, far below the third
+/// digit. At 0 the bound of 5 would be written 5.01.
 const NOTHING: f64 = 1e-9;
+/// The part of a number that rounding of doubles may have taken from it: half a digit is meant where so much
+/// lacks. At 0 the double nearest to 1.005, which is just below it, has 1.00 for two digits.
+const LACKING: f64 = 1e-13;
+/// Digits in all by which a number is told to be whole: what searching for it may have added is below them.
+const TOLD: usize = 10;
 /// Half of a digit's unit, which takes a number that was rounded to one side to the other.
 const HALF: f64 = 0.5;
 /// Digits in all of a number that has more than `WHOLE`.
@@ -50,6 +58,7 @@ impl Digits {
         if let Some(whole) = self.whole(lo, hi) {
             return whole;
         }
+        let (lo, hi) = as_one(lo, hi);
         let (most, least) = match self {
             Self::Usual => (USUAL, 1),
             Self::Significant(most) => (most.min(MOST), 1),
@@ -61,13 +70,14 @@ impl Digits {
                 return p;
             }
         }
-        format!("{}…{}", self.written(lo, most), self.written(hi, most))
+        let [lo, hi] = [lo, hi].map(|end| self.whole(end, end).unwrap_or_else(|| self.written(end, most)));
+        format!("{lo}…{hi}")
     }
 
     /// All digits of a number that has few, where nobody asks for fewer or more.
     fn whole(self, lo: f64, hi: f64) -> Option<String> {
-        let all = significant(lo, MOST);
-        let few = || significant(lo, WHOLE) == all && significant(hi, MOST) == all;
+        let all = significant(lo, WHOLE);
+        let few = || [lo, hi].iter().all(|&end| significant(end, TOLD) == all);
         (self == Self::Usual && few()).then_some(all)
     }
 
@@ -108,7 +118,8 @@ impl Digits {
                 if is_zero { text.trim_start_matches('-').to_owned() } else { text }
             }
             Self::Decimals(_) => significant(value, MOST),
-            Self::Significant(_) | Self::Usual => significant(value, digits),
+            Self::Significant(_) => significant(value, digits),
+            Self::Usual => in_digits(value, digits, Zeros::Kept),
         }
     }
 }
@@ -129,9 +140,34 @@ fn decimals_within(size: f64) -> usize {
     usize::try_from(exponent_of(MOST).saturating_sub(1).saturating_sub(exponent(size))).unwrap_or(0)
 }
 
+/// The ends of a number's bounds, or twice the one that is farther from 0 where they are as good as one.
+fn as_one(lo: f64, hi: f64) -> (f64, f64) {
+    let far = if hi.abs() > lo.abs() { hi } else { lo };
+    let one = far + LACKING * far;
+    if hi - lo <= NOTHING * far.abs() && one.is_finite() { (one, one) } else { (lo, hi) }
+}
+
+/// What becomes of zeros at a number's end, after the point.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Zeros {
+    /// They say how far it was rounded.
+    Kept,
+    /// They say nothing.
+    Dropped,
+}
+
 /// A double to `digits` significant digits, without trailing zeros; with a power of ten where it is very
 /// large or small.
 fn significant(value: f64, digits: usize) -> String {
+    in_digits(value, digits, Zeros::Dropped)
+}
+
+/// A double to `digits` significant digits, with a power of ten where it is very large or small.
+fn in_digits(value: f64, digits: usize, zeros: Zeros) -> String {
+    let trimmed = |text: &str| match zeros {
+        Zeros::Dropped if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        _ => text.to_owned(),
+    };
     if value == 0.0 {
         return "0".to_owned();
     }
@@ -140,17 +176,12 @@ fn significant(value: f64, digits: usize) -> String {
     let exponent: i32 = exponent.parse().unwrap_or(0);
     let within = *PLAIN.start()..=*PLAIN.end().max(&(exponent_of(digits) - 1));
     if !within.contains(&exponent) {
-        return format!("{}e{exponent}", without_zeros(mantissa));
+        return format!("{}e{exponent}", trimmed(mantissa));
     }
     // The scientific form has rounded already; printing it again with enough decimals does not round twice.
     let rounded: f64 = scientific.parse().unwrap_or(value);
     let decimals = usize::try_from(exponent_of(digits) - 1 - exponent).unwrap_or(0);
-    without_zeros(&format!("{rounded:.decimals$}")).to_owned()
-}
-
-/// Decimals without zeros at their end.
-fn without_zeros(text: &str) -> &str {
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+    trimmed(&format!("{rounded:.decimals$}"))
 }
 
 #[cfg(test)]
@@ -213,14 +244,41 @@ mod tests {
             (-0.031_25, "-0.03125"),
             (123_456.0, "123000"),
             (1.0 / 3.0, "0.333"),
-            (2.000_04, "2"),
+            (2.000_04, "2.00"),
             (5e-9, "5e-9"),
         ] {
             assert_eq!(Digits::Usual.of(value, value), text, "{value}");
-            assert_eq!(Digits::Significant(3).of(130.5, 130.5), "130", "three are asked for");
+            assert_eq!(Digits::Significant(3).of(130.5, 130.5), "131", "three are asked for");
         }
         let bounds = (Digits::Usual.at_least(8.125), Digits::Usual.at_most(8.125));
         assert_eq!(bounds, ("8.125".into(), "8.125".into()));
+    }
+
+    #[test]
+    fn half_a_digit_is_rounded_as_at_school_and_takes_no_digit_with_it() {
+        let around = |x: f64| (x.next_down(), x.next_up());
+        for (value, digits, text) in [
+            (2.125, Digits::Significant(3), "2.13"),
+            (-2.125, Digits::Significant(3), "-2.13"),
+            (1.005, Digits::Decimals(2), "1.01"),
+            (130.5, Digits::Decimals(0), "131"),
+            (0.687_5, Digits::Decimals(3), "0.688"),
+            (0.687_5, Digits::Usual, "0.6875"),
+            (99.95, Digits::Usual, "99.95"),
+        ] {
+            let (lo, hi) = around(value);
+            assert_eq!([digits.of(value, value), digits.of(lo, hi)], [text, text]);
+        }
+        assert_eq!(Digits::Significant(3).of(2.12, 2.13), "2.1", "these differ by a digit");
+    }
+
+    #[test]
+    fn zeros_say_how_far_a_number_was_rounded() {
+        for (value, text) in [(1.099_91, "1.10"), (0.349_721, "0.350"), (9.999_123, "10.0"), (1.1, "1.1")] {
+            assert_eq!(Digits::Usual.of(value, value), text);
+        }
+        assert_eq!(Digits::Usual.of(1.099_912_3e-9, 1.099_912_3e-9), "1.10e-9");
+        assert_eq!(Digits::Significant(3).of(1.099_91, 1.099_91), "1.1", "asked for at most");
     }
 
     #[test]

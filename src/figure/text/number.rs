@@ -82,12 +82,12 @@ mod tests {
     #[test]
     fn a_bound_is_rounded_to_its_own_side() {
         for (value, up, down) in [
-            (6.20244, "6.21", "6.2"),
+            (6.20244, "6.21", "6.20"),
             (6.2, "6.2", "6.2"),
-            (9.999_123, "10", "9.99"),
+            (9.999_123, "10.0", "9.99"),
             (0.1 + 0.2, "0.3", "0.3"),
             (0.300_001, "0.301", "0.3"),
-            (-6.20244, "-6.2", "-6.21"),
+            (-6.20244, "-6.20", "-6.21"),
             (0.0, "0", "0"),
             (1.234_567e9, "1.24e9", "1.23e9"),
         ] {
@@ -97,7 +97,7 @@ mod tests {
     }
 
     #[test]
-    fn three_digits_or_all_where_they_are_few_and_no_trailing_zeros() {
+    fn three_digits_or_all_where_they_are_few() {
         assert_eq!(rounded(4.293_51, 4.293_51), "4.29");
         assert_eq!(rounded(11.5, 11.5), "11.5");
         assert_eq!(rounded(0.791_532, 0.791_532), "0.792");
@@ -105,8 +105,8 @@ mod tests {
         assert_eq!(rounded(-2.500_000_000_000_000_4, -2.5), "-2.5");
         assert_eq!(rounded(0.0, 0.0), "0");
         assert_eq!(rounded(1.09e-9, 1.09e-9), "1.09e-9");
-        assert_eq!(rounded(9.999_123, 9.999_123), "10");
-        assert_eq!(rounded(0.000_999_912, 0.000_999_912), "0.001");
+        assert_eq!(rounded(9.999_123, 9.999_123), "10.0");
+        assert_eq!(rounded(0.000_999_912, 0.000_999_912), "0.00100");
         assert_eq!(number(4.293_51), "4.29");
     }
 
