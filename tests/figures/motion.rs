@@ -148,7 +148,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         // v·n = (7, 1)·(1, 0), 3 · 1 and 2.5 · 0.8; 6 / 12 = 0.5, and what is left then.
         f.says(r"$v \cdot n = 7$"),
         f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$") && f.says("$12$"),
-        f.says("$t = 0.5$") && f.says("$0.76$"),
+        f.says("$t = 0.5$") && f.says("$0.760$"),
         f.says("2.16 left"),
     ];
 }

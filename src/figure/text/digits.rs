@@ -2,9 +2,9 @@
 //! is asked for, a number has three, or all it has where those are no more than five.
 //!
 //! A number lies between its bounds. A digit that the two ends do not share is not proved, and is never
-//! written: the most digits at which both ends round to the same text are all there are. Ends as near to each
-//! other as the rounding of doubles are one number, and half a digit is rounded away from 0, as at school: else
-//! 2.125, known to sixteen digits, would have two of them, as its ends lie on the two sides of a half.
+//! written: the most digits at which both ends round to the same text are all there are. Ends as near to
+//! each other as the rounding of doubles are one number, and half a digit is rounded away from 0, as at
+//! school: else 2.125, known to sixteen digits, would have two, as its ends lie on two sides of a half.
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
 const MOST: usize = 12;
