@@ -4,58 +4,58 @@ super::numbers! {
     /// Costs of hiding, touching, crowding and misleading.
     Costs {
         /// Room that labels keep from strokes of other things, page pixels.
-        /// Twice: 11 + 36 labels; half: 2 + 2 labels.
+        /// Twice: 62 + 223 labels, five faults more; half: 26 + 79 labels, three faults more.
         stroke_room: f64 = 2.0;
         /// Touching an outline, vector or dimension of something else.
-        /// Twice: nothing; half: 0 + 2 labels.
+        /// Twice: 5 + 30 labels, three faults more; half: 3 + 28 labels, one fault fewer.
         stroke: f64 = 18.0;
         /// Each page pixel of such a stroke inside the label.
-        /// Twice: nothing; half: 0 + 2 labels.
+        /// Twice: 2 + 27 labels, two faults more; half: 3 + 8 labels.
         stroke_px: f64 = 0.5;
         /// Touching a construction line, a ghost or an axis of something else, or any stroke of the thing
         /// that the label belongs to.
-        /// Twice: 1 + 2 labels; half: nothing.
+        /// Twice: 2 + 20 labels, two faults fewer; half: 5 + 24 labels.
         light: f64 = 11.0;
         /// Each page pixel of such a stroke inside the label.
-        /// Twice: 0 + 2 labels; half: nothing.
+        /// Twice: 1 + 12 labels; half: 1 + 12 labels.
         light_px: f64 = 0.3;
         /// A foreign stroke nearer than this crowds a label, page pixels.
-        /// Twice: 27 + 63 labels; half: 6 + 55 labels.
+        /// Twice: 57 + 335 labels; half: 28 + 223 labels.
         crowd_reach: f64 = 7.0;
         /// A foreign stroke right beside a label, falling to nothing at `crowd_reach`.
-        /// Twice: 14 + 18 labels; half: 2 + 34 labels.
+        /// Twice: 41 + 127 labels; half: 20 + 122 labels.
         crowd: f64 = 1.2;
         /// A line between a label and the point that it names.
-        /// Twice: 3 + 0 labels; half: 2 + 0 labels.
+        /// Twice: 5 + 4 labels; half: 1 + 8 labels.
         parted: f64 = 7.0;
         /// Room that labels keep from markers and arrowheads, page pixels.
-        /// Twice: 9 + 3 labels; half: 6 + 7 labels.
+        /// Twice: 22 + 61 labels, two faults more; half: 24 + 30 labels.
         marker_room: f64 = 1.5;
         /// Touching a marker or an arrowhead.
-        /// Twice and half: nothing.
+        /// Twice: 1 + 15 labels, one fault more; half: 5 + 10 labels, one fault more.
         marker: f64 = 30.0;
         /// A foreign marker nearer than this misleads, page pixels.
-        /// Twice: 11 + 7 labels; half: 3 + 0 labels.
+        /// Twice: 23 + 86 labels, two faults more; half: 14 + 31 labels.
         mislead_reach: f64 = 8.0;
         /// A foreign marker so near that a reader could take the label for its.
-        /// Twice: 5 + 2 labels; half: 1 + 0 labels.
+        /// Twice: 24 + 42 labels; half: 4 + 27 labels.
         mislead: f64 = 2.5;
         /// The name of an area seems to name a marker nearer than this, page pixels.
-        /// Twice: 16 + 17 labels; half: 2 + 4 labels.
+        /// Twice: 23 + 110 labels, two faults more; half: 10 + 54 labels.
         naming_reach: f64 = 30.0;
         /// A marker right beside the name of an area, falling to nothing at `naming_reach`.
-        /// Twice: 1 + 5 labels; half: 0 + 1 labels.
+        /// Twice: 3 + 36 labels, two faults more; half: 6 + 40 labels.
         naming: f64 = 6.0;
         /// How far a label may reach over the edge of its panel, page pixels: a quarter of the gap between
         /// panels.
-        /// Twice: 0 + 3 labels, three faults more; half: 0 + 3 labels. A label that reaches farther than it
-        /// does as tuned is a fault, so most of those at twice are of this number's making.
+        /// Twice: 0 + 23 labels, 15 faults more; half: 4 + 24 labels, two faults more. A label that reaches
+        /// farther than it does as tuned is a fault, so most of those at twice are of this number's making.
         spill: f64 = 6.0;
         /// Reaching over the panel's edge into that gap.
-        /// Twice: 0 + 3 labels; half: 1 + 2 labels.
+        /// Twice: 2 + 8 labels; half: 1 + 8 labels.
         spilled: f64 = 1.5;
         /// Each page pixel of reaching into that gap.
-        /// Twice: 0 + 4 labels; half: 1 + 0 labels.
+        /// Twice: 2 + 9 labels; half: 1 + 4 labels.
         spilled_px: f64 = 0.3;
         /// Reaching farther over the panel's edge than `spill`.
         /// Twice and half: nothing.
@@ -64,37 +64,37 @@ super::numbers! {
         /// Twice and half: nothing.
         edge_px: f64 = 2.0;
         /// Room that labels keep from each other, page pixels.
-        /// Twice and half: nothing.
+        /// Twice: 4 + 5 labels; half: 1 + 6 labels, one fault more.
         label_room: f64 = 3.0;
         /// Two labels that overlap, or come nearer than `label_room`.
-        /// Twice and half: nothing.
+        /// Twice: 0 + 3 labels, two faults more; half: nothing.
         overlap: f64 = 70.0;
         /// Two labels at this distance are as good as apart, page pixels.
-        /// Twice: 14 + 31 labels; half: 4 + 9 labels.
+        /// Twice: 55 + 157 labels; half: 25 + 91 labels.
         label_comfort: f64 = 18.0;
         /// Two labels that nearly touch, falling to nothing at `label_comfort`.
-        /// Twice: 1 + 5 labels; half: 2 + 4 labels.
+        /// Twice: 10 + 45 labels; half: 13 + 50 labels.
         close: f64 = 4.0;
         /// A stroke under a leader line.
-        /// Twice: 0 + 2 labels; half: nothing.
+        /// Twice: 2 + 9 labels; half: 2 + 12 labels.
         leader: f64 = 3.0;
         /// A label or another leader line under a leader line.
         /// Twice and half: nothing.
         under: f64 = 40.0;
         /// Standing as near to another thing as to its own, or nearer, without a leader line.
-        /// Twice: 0 + 4 labels; half: 0 + 2 labels.
+        /// Twice: nothing; half: 2 + 7 labels.
         nearer: f64 = 40.0;
         /// How much nearer to its own thing than to any other a label should stand, page pixels.
-        /// Twice: 7 + 7 labels; half: 2 + 1 labels.
+        /// Twice: 15 + 49 labels; half: 7 + 22 labels.
         doubt_reach: f64 = 8.0;
         /// Standing just nearer to its own thing than to another one, falling to nothing at `doubt_reach`.
-        /// Twice: nothing; half: 0 + 1 labels.
+        /// Twice: 2 + 19 labels; half: 2 + 7 labels.
         doubt: f64 = 5.0;
         /// Standing elsewhere than the same label of the same thing in an earlier panel.
-        /// Twice: 1 + 0 labels; half: 0 + 2 labels.
+        /// Twice: 0 + 16 labels; half: 1 + 18 labels, two faults more.
         moved: f64 = 6.0;
         /// Things and labels of two panels are at the same place if they are nearer than this, page pixels.
-        /// Twice and half: nothing.
+        /// Twice: nothing; half: 0 + 2 labels.
         same_place: f64 = 1.0;
     }
 }
