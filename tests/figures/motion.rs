@@ -210,13 +210,14 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
         one.along(A, (-2.25, 3.25), (2.25, -3.25)),
         one.marker(Ink, (-0.62, 0.34)),
         f.says("$A$ at $t = 0$") && f.says("first touch, $t = 0.3$"),
-        f.says("next frame,") && f.says("$t = 1$") && f.says("not reached:"),
+        f.says("next frame,") && f.says("$t = 1$"),
+        // The way's head is at its end, where A would be.
+        one.head(A, (2.25, -3.25)),
     ];
-    let two = look(&f, 1, view);
+    let two = look(&f, 1, [-4.4, -0.98, 1.9, 4.57]);
     shows![
         two.circle(A, (-0.9, 1.3), 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, (-2.25, 3.25), 1.0).is_some_and(dashed),
-        two.circle(A, (2.25, -3.25), 1.0).is_some_and(dashed),
         two.along(A, (-2.25, 3.25), (-0.9, 1.3)),
         two.marker(Ink, (-0.62, 0.34)),
         two.head(Ink, (-0.34, -0.62)),
@@ -228,7 +229,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, [-7.2, -3.2, 9.6, 11.0]);
+    let world = look(&f, 0, [-7.2, -3.0, 9.6, 10.8]);
     let a = [(3.5, 7.5), (6.0, 4.5), (8.5, 7.0), (6.5, 9.5)];
     // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, 1) to (-3.5, 5.5).
     shows![
@@ -241,7 +242,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         f.says("$A$ at $t = 0.8$"),
         f.says("$v_A$ $= (-7.5, -6.25)$"),
     ];
-    let conf = look(&f, 1, [-15.8, -12.0, 1.0, 2.2]);
+    let conf = look(&f, 1, [-15.8, -11.9, 1.0, 1.9]);
     // Edges that face the ray have a normal against (-7.5, -6.25).
     let edges = [
         ((-11.5, -9.5), B, true),
@@ -272,44 +273,33 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
         f.says(r"$n_i \cdot v < 0$") && f.says(r"$n_i \cdot v > 0$"),
         f.says("$t = 0$") && f.says("$t = 1$"),
-        f.texts.iter().filter(|(t, _)| t == "$t = 0.8$").count() == 2,
+        conf.text_near("$t = 0.8$", (-6.0, -5.0), 40.0),
         f.says("$v$ $= (-7.5, -6.25)$"),
         f.says(r"$B \ominus A$"),
     ];
 }
 
 #[test]
-fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
+fn demo_angular_sweep_shows_a_new_difference_at_each_of_two_steps() {
     let f = figure("demo-angular-sweep");
-    let b = [(4.7, -4.0), (6.2, -5.0), (7.6, -3.1), (5.68, -0.64)];
-    // A's vertices at t = 0, t = 4 / 10 and t = 0.4 + 1.123046 / 10, where n is that of B's edge, (0.96, -0.28),
-    // at all three; the closest points.
-    let steps: [([P; 4], [P; 2], &str); 3] = [
-        ([(-1.0, -2.4), (1.0, -2.4), (1.0, 2.4), (-1.0, 2.4)], [(1.0, -2.4), (4.84, -3.52)], "$d = 4$"),
+    let b = [(3.5, -4.1), (5.3, -4.7), (7.0, -3.2), (5.6, -1.3)];
+    // A's vertices at t = 0 and t = 4 / 8, where n is that of B's edge, (0.8, -0.6); the closest points.
+    let steps: [([P; 4], [P; 2], &str); 2] = [
+        ([(-1.2, -0.5), (1.2, -0.5), (1.2, 0.5), (-1.2, 0.5)], [(1.2, -0.5), (4.4, -2.9)], "$d = 4$"),
         (
             [
-                (2.884_947_908_812, -2.869_452_193_333),
-                (4.278_361_327_506, -1.434_740_011_534),
-                (0.835_052_091_188, 1.909_452_193_333),
-                (-0.558_361_327_506, 0.474_740_011_534),
+                (2.638_862_851_301, -1.682_362_584_759),
+                (2.808_632_135_303, 0.711_625_383_091),
+                (1.811_137_148_699, 0.782_362_584_759),
+                (1.641_367_864_697, -1.611_625_383_091),
             ],
-            [(4.278_361_328, -1.434_740_012), (5.356_485_413, -1.749_192_870)],
-            "$d = 1.12$",
-        ),
-        (
-            [
-                (3.913_610_476_664, -2.715_915_681_605),
-                (4.952_476_242_181, -1.006_893_177_003),
-                (0.850_822_231_136, 1.486_384_660_238),
-                (-0.188_043_534_381, -0.222_637_844_364),
-            ],
-            [(4.952_476_242, -1.006_893_177), (5.524_341_251, -1.173_687_138)],
-            "$d = 0.596$",
+            [(2.638_862_851, -1.682_362_585), (4.350_456_586, -2.966_057_886)],
+            "$d = 2.14$",
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-1.5, -5.8, 8.0, 2.6]);
-        let conf = look(&f, 3 + i, [-0.75, -7.7, 8.75, 2.7]);
+        let world = look(&f, 2 * i, [-1.6, -5.25, 7.6, 1.2]);
+        let conf = look(&f, 2 * i + 1, [-0.8, -5.65, 8.4, 0.8]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -335,10 +325,24 @@ fn demo_angular_sweep_shows_the_difference_of_every_iteration() {
             assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A at step {i}");
         }
     }
+    // B ⊖ A at t = 0: B's vertices less the box's.
+    let before = [
+        (2.3, -4.6),
+        (4.1, -5.2),
+        (6.5, -5.2),
+        (8.2, -3.7),
+        (8.2, -2.7),
+        (6.8, -0.8),
+        (4.4, -0.8),
+        (2.3, -3.6),
+    ];
     shows![
-        // (4.65, -1.2) · (0.96, -0.28), and 2.6 · 2.
-        f.says(r"$v_A \cdot n + r_A \omega_A = 4.8 + 5.2 = 10$"),
-        f.says("$t_2 = 4 / 10 = 0.4$") && f.says("$t_3 = 0.4 + 1.12 / 10 = 0.512$"),
-        f.says("$0.512 + 0.596 / 10 = 0.572$, and so on"),
+        // (4.45, -0.9) · (0.8, -0.6), and 1.3 · 3.
+        f.says(r"$v_A \cdot n + r_A \omega_A = 4.1 + 3.9 = 8$"),
+        f.says("$t_2 = 4 / 8 = 0.5$") && f.says("$0.5 + 2.14 / 8 = 0.767$, and so on"),
+        // What the step before looked at, dotted.
+        look(&f, 3, [-0.8, -5.65, 8.4, 0.8])
+            .polygon(Difference, &before)
+            .is_some_and(|path| dashed(path) && path.fill.is_none()),
     ];
 }

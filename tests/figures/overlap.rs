@@ -230,7 +230,7 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         late.polygon(B, &b).is_some() && never.polygon(B, &b).is_some(),
         // Frames that are tested are solid, moments that are not are dotted.
         solid(&late, (-2.25, 3.25)) && solid(&late, (0.0, 0.0)) && dotted(&late, (-0.9, 1.3)),
-        late.marker(Ink, (-0.62, 0.34)),
+        late.head(A, (0.0, 0.0)) && never.head(A, (2.25, -3.25)),
         // Moved aside by 52 px, square to itself.
         late.line(Translation, aside((0.28, -0.96)), aside((-0.14, 0.48))).is_some(),
         f.says("1.5 deep") && f.says("not tested: first") && f.says("touch, $t = 0.3$"),

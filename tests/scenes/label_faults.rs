@@ -131,7 +131,7 @@ fn a_pinned_label_stands_where_the_scene_says_and_a_hidden_one_nowhere() {
 
 #[test]
 fn the_panels_of_a_series_keep_the_places_of_their_labels() {
-    let (_, scene) = committed().into_iter().find(|(name, _)| name == "frames-continuous").unwrap();
+    let (_, scene) = committed().into_iter().find(|(name, _)| name == "frames-discrete").unwrap();
     let plan = plan(&scene).unwrap();
     let figure = draw(&plan, plan.theme, "series");
     let place = |panel: usize| {

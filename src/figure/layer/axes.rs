@@ -197,7 +197,10 @@ fn write(
             sketch.write(&number.line, number.origin, pen.role);
         }
     }
-    sketch.quiet_lines(&ticks, pen);
+    // A line of the grid leads to its number already; the tick would be a dash beside it.
+    if !sketch.has_layer("grid") {
+        sketch.quiet_lines(&ticks, pen);
+    }
     written.into_iter().reduce(Rect::union)
 }
 
@@ -206,6 +209,23 @@ mod tests {
     use crate::figure::layer::tests::paths;
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
+
+    #[test]
+    fn where_a_grid_leads_to_the_numbers_they_have_no_ticks() {
+        for (before, ticks) in [("", 1), ("'grid', ", 0)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 4 }}
+                query = {{ kind = 'bounds', of = ['A'] }}
+                panels = [{{ layers = [{before}{{ layer = 'axes', ticks = true, lines = false }}] }}]"
+            );
+            let scene = open_text("axes", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let items = draw(&plan, plan.theme, "axes").drawing.items;
+            // All ticks of an axis are one stroke, and letters are filled.
+            let strokes = paths(&items, "x-numbers").into_iter().filter(|path| path.stroke.is_some());
+            assert_eq!(strokes.count(), ticks, "{before}");
+        }
+    }
 
     #[test]
     fn without_lines_the_numbers_stay() {

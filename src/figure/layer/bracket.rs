@@ -22,7 +22,7 @@ use super::simplex::{has_simplexes, steps};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the line is below B ⊖ A and O, page pixels: below O's letter and what is measured there.
-const BELOW: f64 = 52.0;
+const BELOW: f64 = 58.0;
 /// Half the length of the mark of 0, page pixels.
 const TICK: f64 = 5.0;
 /// How far the line reaches past the largest distance, page pixels.
@@ -30,7 +30,7 @@ const PAST: f64 = 16.0;
 /// Width of the bar, page pixels.
 const BAR: f64 = 5.0;
 /// From one earlier bar to the next, page pixels, their width and opacity.
-const EARLIER: (f64, f64, f64) = (6.0, 3.0, 0.4);
+const EARLIER: (f64, f64, f64) = (9.0, 3.5, 0.4);
 /// The most earlier bars: more would reach into what is measured above.
 const MOST_EARLIER: usize = 5;
 /// Half the height of the mark where both ends meet, page pixels.

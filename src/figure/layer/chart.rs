@@ -50,6 +50,20 @@ impl<'c> Chart<'c> {
         Self { context, area, least, most: DVec2::new(most.x, height) }
     }
 
+    /// A chart as wide as its panel but for the room at its left and right, page pixels, and with values to
+    /// the panel's own scale, from 0 at a height of its space: level with what is there in a panel beside it.
+    pub(super) fn level(
+        sketch: &Sketch,
+        context: &'c Context<'c>,
+        [left, right]: [f64; 2],
+        (height, most): (f64, DVec2),
+    ) -> Self {
+        let (lo, hi) = sketch.visible();
+        let ends = [lo.x + sketch.px(left), hi.x - sketch.px(right)];
+        let area = [DVec2::new(ends[0], height), DVec2::new(ends[1], height + most.y)];
+        Self { context, area, least: 0.0, most }
+    }
+
     /// A vector of the page, to the right and up, in the panel's space.
     pub(super) fn vector(&self, v: DVec2) -> DVec2 {
         self.context.frame().map_or(v, |pose| pose.vector(v))
@@ -93,6 +107,12 @@ impl<'c> Chart<'c> {
         let (at, half) = (self.place(time, 0.0), self.vector(DVec2::Y * sketch.px(TICK)));
         sketch.line(at - half, at + half, Pen::dimension(role));
     }
+}
+
+/// The height of B's closest point at the first step, above which separations can be drawn as they are.
+pub(super) fn floor(context: &Context) -> Option<f64> {
+    let answer = context.separation_seen(*context.steps().first()?)?;
+    Some(answer.points[1].y)
 }
 
 /// The separation of the bodies at some times from 0 to `until`, those of `more` among them; none where the

@@ -11,6 +11,7 @@ use crate::figure::runs::tells_difference;
 use crate::figure::sketch::{
     Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
 
@@ -82,9 +83,16 @@ pub(super) const LAYER: Layer = Layer {
             default: "true",
             about: "false: faint and without vertices, for an algorithm that never builds it",
         },
+        OptionSpec {
+            name: "dotted",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the outline alone, dotted, named with its moment: where it is at another one",
+        },
     ],
     labels: &[
         LabelKey { key: "difference", about: "its name, B ⊖ A" },
+        LabelKey { key: "difference'", about: "its name, and when it is there, with dotted" },
         LabelKey { key: "from.A", about: "at an edge of A, with sources" },
         LabelKey { key: "from.B", about: "at an edge of B, with sources" },
         LabelKey { key: "step", about: "numbers of the steps" },
@@ -179,6 +187,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let time = when(context, options).unwrap_or(context.difference_time());
     let Some(found) = difference(context, time) else { return };
+    if options.flag("dotted", false) {
+        dotted(sketch, context, options, (time, &found));
+        return;
+    }
     held::difference(sketch, context, middle(&found));
     if !options.flag("built", true) {
         unbuilt(sketch.since(None), context, options, &found);
@@ -206,6 +218,16 @@ fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Di
     sketch.part("difference").weight(Weight::Light);
     sketch.area(&found.outline(), Some(Wash::faint(role, UNBUILT[2])), Some(pen));
     name(sketch, context, options, found);
+}
+
+/// Draws where it is at another moment: its outline, dotted, with its name and that moment.
+fn dotted(sketch: &mut Sketch, context: &Context, options: &Options, (time, found): (f64, &Difference)) {
+    let (role, outline) = (options.role(Role::Difference), found.outline());
+    sketch.since(EdgeCues::at(context, time).whole);
+    sketch.part("then").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
+    let text = format!("{} at $t = {}$", called(context), number(time));
+    let label = Label::new("difference'", text, Anchor::inside(&outline), role);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws the area, and its line where no edge of a body is.

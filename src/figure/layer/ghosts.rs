@@ -161,7 +161,7 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
         if options.flag("path", false) {
             let way = context.track(side, DVec2::ZERO, [time.min(context.time), time.max(context.time)]);
             let role = options.role(side.into());
-            sketch.part(part("way", side)).path_through_time(&way, Pen::path(role));
+            sketch.part(part("way", side)).path_to_its_end(&way, Pen::path(role));
         }
         let hit = context.hit_time().filter(|hit| hit.lo == time);
         let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());

@@ -9,16 +9,14 @@
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
-};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::scene::When;
 use crate::trace::Event;
 
-use super::chart::{Chart, separations};
-use super::kinks::turns;
+use super::chart::{Chart, floor, separations};
+use super::kinks;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Room around the graph, page pixels: left, right, below, above.
@@ -72,6 +70,13 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "marks the sharpest kink of the curve, where another vertex becomes the nearest",
         },
+        OptionSpec {
+            name: "level",
+            takes: Takes::Flag,
+            default: "false",
+            about: "separations to the panel's scale, above the height of B's closest point at the first \
+                    step: level with a panel beside it of the same view",
+        },
     ],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
@@ -123,7 +128,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;
     let room = [left, right, if values { below + VALUE_ROOM } else { below }, above];
-    let chart = Chart::new(sketch, context, room, (0.0, DVec2::new(until, highest)));
+    let most = DVec2::new(until, highest);
+    let chart = match floor(context).filter(|_| options.flag("level", false)) {
+        Some(height) => Chart::level(sketch, context, [left, right], (height, most)),
+        None => Chart::new(sketch, context, room, (0.0, most)),
+    };
     chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);
     if options.flag("lines", true) {
         worst(sketch, (context, &chart), &all, values);
@@ -139,21 +148,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
     if options.flag("kink", false) {
-        kink(sketch, context, &chart, &points);
+        kinks::mark(sketch, context, &chart, &points);
     }
     marks(sketch, (context, &chart), &all, (role, values));
-}
-
-/// Marks and names the sharpest kink of the curve, where another vertex becomes the nearest.
-fn kink(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
-    let kinks = turns(context, points).into_iter();
-    let Some((at, _)) = kinks.max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else { return };
-    sketch.part("kink").weight(Weight::Background);
-    sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
-    let anchor = Anchor::point_toward(chart.place(at.x, at.y), chart.vector(DVec2::new(1.0, 1.0)));
-    let lines = ["from here on another", "vertex is the nearest"].map(str::to_owned).to_vec();
-    let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
-    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
@@ -184,7 +181,11 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
 fn tolerance(sketch: &mut Sketch, (context, chart): (&Context, &Chart)) {
     let Answer::Impact(impact) = &context.run().answer else { return };
     let [from, to] = [0.0, chart.most.x].map(|time| chart.place(time, impact.tolerance));
-    sketch.since(None).part("tolerance").weight(Weight::Background).line(from, to, Pen::construction());
+    sketch.since(None).part("tolerance").weight(Weight::Background).line(
+        from,
+        to,
+        Pen::dimension(Role::Muted),
+    );
     let text = format!("tolerance ${}$", number(impact.tolerance));
     let label = Label::new("tolerance", text, Anchor::middle(from, to), Role::Muted);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
@@ -227,7 +228,7 @@ fn marks(
                 wide = along + sketch.fitted(VALUE_GAP);
                 lines.push(format!("${}$", number(step.time)));
             }
-            let anchor = Anchor::point_toward(on_axis, DVec2::NEG_Y);
+            let anchor = Anchor::Tick { at: on_axis, toward: DVec2::NEG_Y };
             let label = Label { lines, ..Label::new("step", "", anchor, Role::Now) };
             sketch.label(label.size(Size::Note));
         }
@@ -252,7 +253,7 @@ fn marks(
 mod tests {
     use super::*;
     use crate::drawing::{Contour, Segment};
-    use crate::figure::layer::tests::paths;
+    use crate::figure::layer::tests::{paths, points};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::open_text;
 
@@ -300,6 +301,29 @@ mod tests {
                 assert!(c.y <= under + 1e-6, "the curve falls below the line at {c:?}");
             }
         }
+    }
+
+    #[test]
+    fn level_with_a_picture_of_the_same_view_separations_are_as_long_as_there() {
+        let view = "view = [-2, -2, 14, 8]";
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1.2, 0.4], position = [0, 6], angle_deg = 70,
+                velocity = [9, -5], angular_velocity_rad = -4 }}
+            shapes.B = {{ kind = 'polygon', vertices = [[-2, 0.5], [-2, -1], [13, -1], [13, 0.5]] }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
+                tolerance = 0.5 }}
+            panels = [{{ {view}, layers = [{{ layer = 'separation', at = 'steps' }}] }},
+                {{ {view}, layers = [{{ layer = 'graph', level = true }}] }}]"
+        );
+        let scene = open_text("level", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "level");
+        let ends = |part| paths(&figure.drawing.items, part).into_iter().map(points).collect::<Vec<_>>();
+        // Of each step after the first the line from the axis of time to the curve, and the one from A to B.
+        let (looks, lines) = (ends("look"), ends("separation"));
+        let level = |[p, q]: [crate::drawing::Point; 2]| (p.y - q.y).abs() < 1e-6;
+        let drawn = |look: &[_]| lines.iter().any(|l| level([l[0], look[1]]) && level([l[1], look[0]]));
+        assert!(looks.len() > 1 && looks.iter().all(|look| drawn(look)), "{looks:?} in {lines:?}");
     }
 
     #[test]

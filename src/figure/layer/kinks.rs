@@ -2,8 +2,12 @@
 //! there, where the bodies have edges that are parallel.
 
 use crate::collision::{Pair, Separation};
+use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Sketch, Weight};
 use crate::geometry::{DVec2, Feature, Side};
+
+use super::chart::Chart;
 
 /// How often the time between two samples is halved: to far below a pixel of any chart.
 const HALVINGS: usize = 40;
@@ -11,9 +15,21 @@ const HALVINGS: usize = 40;
 /// Half of what is looked at around such a time to tell how sharp the kink is, in parts of a sample's time.
 const AROUND: f64 = 0.25;
 
+/// Marks and names the sharpest kink of the curve, where another vertex becomes the nearest.
+pub(super) fn mark(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
+    let kinks = turns(context, points).into_iter();
+    let Some((at, _)) = kinks.max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else { return };
+    sketch.part("kink").weight(Weight::Background);
+    sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
+    let anchor = Anchor::point_toward(chart.place(at.x, at.y), chart.vector(DVec2::new(1.0, 1.0)));
+    let lines = ["here another vertex", "becomes the nearest"].map(str::to_owned).to_vec();
+    let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
 /// The kinks of a curve of separations over time, sampled at `points`: each as its time and separation, and
 /// how much steeper the curve is after it than before.
-pub(super) fn turns(context: &Context, points: &[DVec2]) -> Vec<(DVec2, f64)> {
+fn turns(context: &Context, points: &[DVec2]) -> Vec<(DVec2, f64)> {
     let query = context.scene.query_of_bodies();
     let Some(b) = query.b else { return Vec::new() };
     let at = |time: f64| Pair::at(query.a, b, time).separation();

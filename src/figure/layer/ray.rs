@@ -57,7 +57,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "v", about: "the relative velocity" },
         LabelKey { key: "part.A", about: "velocity of the first body, as a part of it" },
         LabelKey { key: "part.B", about: "velocity of the second body, reversed, as a part of it" },
-        LabelKey { key: "t", about: "time of the hit, along the free way, without its band at the hit" },
+        LabelKey {
+            key: "t",
+            about: "time of the hit, along the free way; without its band, or with ends, at the hit",
+        },
         LabelKey { key: "start", about: "the time where it starts, with ends" },
         LabelKey { key: "end", about: "the time where it ends, with ends" },
     ],
@@ -71,6 +74,9 @@ pub(super) const LAYER: Layer = Layer {
 
 /// Width of the velocities that make up the relative one, page pixels: less than its own.
 const PART: f64 = 1.25;
+
+/// Opacity of those velocities: they run across what the relative one enters.
+const FAINT: f64 = 0.7;
 
 /// How much farther than the hit a ray reaches that is cut there.
 const PAST: f64 = 1.5;
@@ -91,15 +97,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         parts(sketch, context, options, from);
     }
     sketch.since(None).part("ray").arrow(from, tip, Pen::vector(role));
-    sketch.label(Label::new("v", text("$v$", v, options), Anchor::tip(from, tip), role));
+    // Where the times stand at its points, its own place is between them.
+    let timed = options.flag("ends", false);
+    let named = if timed { Anchor::middle(from, tip) } else { Anchor::tip(from, tip) };
+    sketch.label(Label::new("v", text("$v$", v, options), named, role));
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
-        let free = options.flag("free", true);
-        sketch.label(label_of_hit(time, if free { Anchor::middle(from, hit) } else { Anchor::point(hit) }));
+        let along = options.flag("free", true) && !timed;
+        sketch.label(label_of_hit(time, if along { Anchor::middle(from, hit) } else { Anchor::point(hit) }));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
     }
-    if options.flag("ends", false) {
+    if timed {
         ends(sketch, [(from, -v, 0.0), (tip, v, cut)]);
     }
     if options.word("cut", "") != When::HIT {
@@ -132,7 +141,7 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
         sketch.since(None).part(part("ray", side)).arrow(
             tail,
             tail + way,
-            Pen::vector(side.into()).width(PART),
+            Pen::vector(side.into()).width(PART).opacity(FAINT),
         );
         let anchor = Anchor::middle(tail, tail + way);
         let label = Label::new(key, text(&symbol, way, options), anchor, side.into());

@@ -10,7 +10,9 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight};
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, left_of,
+};
 use crate::figure::text::{Quantity, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::Event;
@@ -169,9 +171,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
     sketch.detail(&answer.points);
-    if offset == 0.0 {
-        right_angles(sketch, context, &run, &answer);
-    }
+    right_angles(sketch, context, &run, &answer, left_of(p, q) * sketch.px(-offset));
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
         rival(sketch.since(run.end()), context, &run, -answer.separation);
     }
@@ -246,13 +246,17 @@ fn off(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     point.distance(if share.is_nan() { from } else { from + along * share })
 }
 
-/// Marks the right angle of the way between the closest points against the edges that carry one.
-fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
+/// Marks the right angle of the way between the closest points, moved `aside`, against the edges that carry
+/// one, where it still ends on them.
+fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation, aside: DVec2) {
     let [a, b] = answer.points;
     for (at, [p, q]) in edges(context, run.time, answer) {
         let other = if at == a { b } else { a };
-        let leg = if at.distance_squared(p) > at.distance_squared(q) { p } else { q };
-        sketch.part("right-angle").right_angle(at, leg - at, other - at);
+        let foot = at + aside;
+        let leg = if foot.distance_squared(p) > foot.distance_squared(q) { p } else { q };
+        if (p - foot).dot(q - foot) < 0.0 || aside == DVec2::ZERO {
+            sketch.part("right-angle").right_angle(foot, leg - foot, other - at);
+        }
     }
     sketch.part("separation");
 }

@@ -14,6 +14,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
@@ -53,11 +54,18 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the length of v and the supporting line's distance: the most and the least",
         },
+        OptionSpec {
+            name: "coordinates",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes those of the vertex that the search begins with, and of each that comes next",
+        },
     ],
     labels: &[
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
         LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
+        LabelKey { key: "vertex", about: "the vertex that the search begins with, with coordinates" },
         LabelKey { key: "least", about: "the supporting line's distance from the origin, with values" },
         LabelKey { key: "dropped", about: "a vertex of the step before that is no longer needed" },
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
@@ -176,6 +184,13 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     for &vertex in &step.vertices {
         sketch.part("simplex").marker(vertex, Marker::Diamond, role, MARKER);
     }
+    let coordinated = options.flag("coordinates", false);
+    if let [only] = step.vertices.as_slice()
+        && coordinated
+    {
+        let text = coordinates(sketch, context, *only);
+        sketch.label(Label::new("vertex", text, Anchor::point(*only), role));
+    }
     for &vertex in &step.dropped {
         sketch.part("dropped").marker(vertex, Marker::Cross, Role::Muted, LARGE_MARKER);
         let label = Label::new("dropped", "dropped", Anchor::point(vertex), Role::Muted);
@@ -196,7 +211,12 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+        let text = if coordinated {
+            format!("$w = {}$", coordinates(sketch, context, w).trim_matches('$'))
+        } else {
+            "$w$".to_owned()
+        };
+        sketch.label(Label::new("w", text, Anchor::point(w), role).rank(Rank::Point));
     }
 }
 
@@ -247,10 +267,13 @@ fn search(
         least(sketch, foot, side);
     }
     if next.is_none() {
-        // On one side of v are the radii, where there are any.
-        let (words, tip) =
-            if rounded { ("no vertex of the cores beyond", end) } else { ("no vertex beyond", begin) };
-        let text = Label::new("stop", words, Anchor::tip(foot, tip), Role::Muted);
+        // On one side of v are the radii, where there are any; beyond the line is the origin's side.
+        let (words, anchor) = if rounded {
+            ("no vertex of the cores beyond", Anchor::tip(foot, end))
+        } else {
+            ("no vertex beyond", Anchor::point_toward(foot.lerp(begin, 0.5), -u))
+        };
+        let text = Label::new("stop", words, anchor, Role::Muted);
         sketch.label(text.rank(Rank::Word).size(Size::Note));
     }
 }

@@ -49,6 +49,10 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
             around(frame.page(*at), *clear, toward, size, w)
         }
+        Anchor::Tick { at, toward } => {
+            let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
+            around(frame.page(*at), MARKER, toward, size, &Places { astray: w.off_tick, ..w.clone() })
+        }
         Anchor::Along { from, to, best } => along(frame.page(*from), frame.page(*to), *best, size, w),
         Anchor::Beside { from, to, offset } => beside(frame.page(*from), frame.page(*to), *offset, size, w),
         Anchor::Arc { center, radius, start, sweep } => {
@@ -117,6 +121,7 @@ pub(super) fn home(anchor: &Anchor, frame: &Frame, w: &Places) -> Point {
 fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
     match anchor {
         Anchor::Point { at, clear, .. } => (frame.page(*at), *clear),
+        Anchor::Tick { at, .. } => (frame.page(*at), MARKER),
         Anchor::Along { to, best: Best::Tip, .. } => (frame.page(*to), 0.0),
         Anchor::Along { from, to, .. } => (frame.page(0.5 * (*from + *to)), 0.0),
         Anchor::Beside { from, to, offset } => {
@@ -322,19 +327,29 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
 
 #[cfg(test)]
 mod tests {
-    use super::super::rect::distance_to;
-    use super::super::weights::TUNED;
+    use super::super::{rect::distance_to, weights::TUNED};
     use super::*;
     use crate::geometry::DVec2;
 
     const W: &Places = &Places::TUNED;
-
     #[test]
     fn places_about_a_point_keep_clear_of_its_marker() {
         let at = Point::new(100.0, 100.0);
         for candidate in around(at, 5.0, None, (30.0, 12.0), W) {
             assert!(distance_to(&candidate.rect, at) >= 5.0, "{candidate:?}");
         }
+    }
+
+    #[test]
+    fn the_number_of_a_tick_stays_in_line_with_it_however_near_another_is() {
+        let panel = Rect::new(Point::default(), Point::new(100.0, 100.0));
+        let frame = Frame::fit(None, DVec2::ZERO, DVec2::splat(10.0), panel);
+        let tick = Anchor::Tick { at: DVec2::splat(5.0), toward: DVec2::NEG_Y };
+        let mut all = offered(&tick, (30.0, 12.0), &Things::among(&[], None, &panel), &frame, W);
+        all.sort_by(|p, q| p.reluctance.total_cmp(&q.reluctance));
+        let aside = all.iter().find(|place| (place.rect.center().x - 50.0).abs() > 1e-9).unwrap();
+        let most = TUNED.costs.close * (1.0 - TUNED.costs.label_room / TUNED.costs.label_comfort);
+        assert!(all[0].rect.y0 > 50.0 && aside.reluctance - all[0].reluctance > most, "{aside:?}");
     }
 
     #[test]

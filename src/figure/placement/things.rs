@@ -179,6 +179,7 @@ impl Thing {
         let mut points: Vec<Point> = anchor.points().iter().map(|&p| frame.page(p)).collect();
         let (kind, clear) = match anchor {
             Anchor::Point { clear, .. } => (Kind::Point, *clear),
+            Anchor::Tick { .. } => (Kind::Point, MARKER),
             Anchor::Along { best: Best::Tip, .. } => (Kind::Vector, 0.0),
             Anchor::Along { .. } => (Kind::Line, 0.0),
             Anchor::Beside { offset, .. } => {

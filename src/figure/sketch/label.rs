@@ -18,6 +18,13 @@ pub(crate) enum Anchor {
         /// The side that it should stand on, as a direction in the panel's space; zero for none.
         toward: DVec2,
     },
+    /// A tick of an axis, whose number stands in line with it.
+    Tick {
+        /// Where the tick crosses its axis, in the panel's space.
+        at: DVec2,
+        /// The side of the axis that the number should stand on, as a direction in the panel's space.
+        toward: DVec2,
+    },
     /// A vector or line, to stand beside or beyond.
     Along {
         /// Tail, in the panel's space.
@@ -154,7 +161,7 @@ impl Anchor {
     #[must_use]
     pub(crate) fn points(&self) -> Vec<DVec2> {
         match self {
-            Self::Point { at, .. } => vec![*at],
+            Self::Point { at, .. } | Self::Tick { at, .. } => vec![*at],
             Self::Along { from, to, .. } | Self::Beside { from, to, .. } => vec![*from, *to],
             Self::Arc { center, radius, start, sweep } => {
                 Outline::arc(*center, *radius, *start, *sweep).sampled()

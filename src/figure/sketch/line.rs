@@ -87,6 +87,17 @@ impl Sketch<'_> {
     /// that looks the way it goes.
     pub(crate) fn path_through_time(&mut self, points: &[DVec2], pen: Pen) -> &mut Self {
         self.stroke(&Outline::polyline(points), pen);
+        self.head_along(points, 0.5, pen)
+    }
+
+    /// Draws a path through time with its head at its end: where a body is then is seen.
+    pub(crate) fn path_to_its_end(&mut self, points: &[DVec2], pen: Pen) -> &mut Self {
+        self.stroke(&Outline::polyline(points), pen);
+        self.head_along(points, 1.0, pen)
+    }
+
+    /// Draws a head along a path: half-way its middle, at a `share` of 1 its point.
+    fn head_along(&mut self, points: &[DVec2], share: f64, pen: Pen) -> &mut Self {
         let page: Vec<Point> = points.iter().map(|&p| self.frame.page(p)).collect();
         let length = |w: &[Point]| (w[1] - w[0]).length();
         let whole: f64 = page.windows(2).map(length).sum();
@@ -94,11 +105,13 @@ impl Sketch<'_> {
         if whole < SHORT {
             return self;
         }
-        let mut left = 0.5 * (whole + head);
-        for w in page.windows(2) {
+        let mut left = share * whole + (1.0 - share) * head;
+        let last = page.len().saturating_sub(2);
+        for (i, w) in page.windows(2).enumerate() {
             let (own, along) = (length(w), (w[1] - w[0]).unit());
-            if let Some(u) = along.filter(|_| own >= left) {
-                self.page_head(w[0] + u * left, u, head, pen);
+            // The last piece is as long as what is left of the whole, but for rounding.
+            if let Some(u) = along.filter(|_| own >= left || i == last) {
+                self.page_head(w[0] + u * left.min(own), u, head, pen);
                 break;
             }
             left -= own;

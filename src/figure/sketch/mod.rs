@@ -157,6 +157,12 @@ impl<'f> Sketch<'f> {
         self.part(name);
     }
 
+    /// Whether a layer of this name has been drawn.
+    #[must_use]
+    pub(crate) fn has_layer(&self, name: &str) -> bool {
+        self.layers.iter().any(|layer| layer.name == name)
+    }
+
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
         let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, .. } = self;

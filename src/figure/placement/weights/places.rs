@@ -63,6 +63,10 @@ super::numbers! {
         /// Reluctance to stand square to the side that a layer asked for; opposite to it, twice as much.
         /// Twice: 7 + 40 labels; half: 17 + 47 labels.
         astray: f64 = 3.0;
+        /// Reluctance of the number at a tick of an axis, as `astray` of others: aside it seems to be of
+        /// another value.
+        /// Twice and half: not counted.
+        off_tick: f64 = 12.0;
         /// How much of `around` counts where a layer asked for a side: enough to choose between two as near
         /// to it.
         /// Twice: 0 + 4 labels; half: 0 + 2 labels.
