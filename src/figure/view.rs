@@ -60,6 +60,8 @@ pub(super) fn fit(
         sketched = sketch(scene, runs, theme, panels)?;
     }
     if make_room(panels, &sketched) {
+        // Side by side they would have half of the size and of the room that was made, and lack it again.
+        let layout = &Layout { columns: Some(page.columns()), ..*layout };
         page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
         sketched = sketch(scene, runs, theme, panels)?;
     }
@@ -197,6 +199,26 @@ mod tests {
     use crate::figure::plan;
     use crate::scene::open;
     use std::path::Path;
+
+    #[test]
+    fn a_gap_too_small_to_be_seen_is_enlarged_on_a_wide_floor() {
+        for (shape, gap) in
+            [("radius = 0.5", 0.01), ("radius = 0.5", 0.001), ("half_extents = [0.5, 0.5]", 0.001)]
+        {
+            let kind = if shape.starts_with('r') { "circle" } else { "box" };
+            let text = format!(
+                "[shapes.floor]\nkind = 'aabb'\nhalf_extents = [10, 0.5]\nposition = [0, -0.5]\n\
+                 [shapes.ball]\nkind = '{kind}'\n{shape}\nposition = [1, {}]\n\
+                 [query]\nkind = 'separation'\nof = ['floor', 'ball']",
+                0.5 + gap
+            );
+            let scene = crate::scene::open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let sketched = sketch(plan.scene, &plan.runs, plan.theme, &plan.panels).unwrap();
+            let insets = plan.panels.iter().zip(&sketched).filter_map(|(panel, s)| panel.inset(s, None));
+            assert_eq!(insets.count(), 2, "{text}");
+        }
+    }
 
     /// How far another pass would move the corners of a figure's panels, its views taken away, page pixels.
     fn moved(path: &Path) -> f64 {

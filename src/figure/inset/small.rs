@@ -16,8 +16,8 @@ use super::{Inset, MARGIN, factors, hidden};
 const SEEN: f64 = 16.0;
 /// The length below which it stays enlarged from the frame before on, so that an inset does not come and go.
 const STILL_SEEN: f64 = 22.0;
-/// The least length that is enlarged, page pixels: less is a touch, or the rounding of one.
-const LEAST: f64 = 1e-3;
+/// The least length that is enlarged, page pixels: less is no wider than a line at `MOST` times.
+const LEAST: f64 = 8.0 / MOST;
 /// The most that is enlarged.
 const MOST: f64 = 500.0;
 /// The least factor that is worth an inset.

@@ -22,6 +22,10 @@ const RIVAL: &str = "rival";
 /// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
 
+/// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would stand
+/// in, or beside, the body that is there.
+const UNSEEN: f64 = 2.25;
+
 /// How many ghosts of a series are drawn at most, the last included; more are a blur.
 const MOST: usize = 5;
 
@@ -147,6 +151,9 @@ fn pushed(sketch: &mut Sketch, context: &Context, options: &Options, (side, way)
     let (Some(way), Some(outline)) = (way, context.outline(side, context.time)) else { return };
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let text = format!("{} pushed out", context.named(side).primed(0));
+    if way.length() < sketch.px(UNSEEN) {
+        return;
+    }
     ghost(sketch, options, side, &outline.moved(if side == Side::A { -way } else { way }), vec![text]);
 }
 

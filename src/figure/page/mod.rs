@@ -56,6 +56,14 @@ pub(crate) struct Page {
     pub(crate) step: f64,
 }
 
+impl Page {
+    /// How many panels stand side by side in the first row.
+    pub(crate) fn columns(&self) -> usize {
+        let first = self.cells.first().map_or(0.0, |cell| cell.y0);
+        self.cells.iter().take_while(|cell| cell.y0 <= first).count()
+    }
+}
+
 impl Layout {
     /// Cells for panels that show so much, above the caption.
     pub(crate) fn page(&self, wants: &[Want]) -> Page {

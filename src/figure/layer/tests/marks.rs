@@ -129,6 +129,23 @@ fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
 }
 
 #[test]
+fn a_body_that_is_pushed_by_less_than_its_line_is_wide_is_not_named_a_second_time() {
+    for (depth, named) in [(0.5, true), (0.001, false)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+             shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [{}, 0.5] }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ layers = ['shapes', {{ layer = 'ghosts', at = 'separated' }}] }}]",
+            2.0 - depth
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        assert_eq!(labels(&figure).contains_key("B'"), named, "{depth}");
+    }
+}
+
+#[test]
 fn a_body_reaches_from_its_origin_to_its_farthest_point() {
     let layer = "{ layer = 'radii', as = 'reach', of = ['A', 'B'] }";
     let figure = figure("", "linear-sweep", layer);
