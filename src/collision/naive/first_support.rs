@@ -7,6 +7,7 @@ use crate::collision::QueryKind;
 use crate::geometry::{Body, DVec2};
 
 use super::bodies::{Placed, both};
+use super::outline::claim_of_edges;
 use super::{Claim, Naive};
 
 pub(super) const NAIVE: Naive =
@@ -14,42 +15,22 @@ pub(super) const NAIVE: Naive =
 
 fn claims(bodies: [&Body; 2], time: f64) -> Option<Claim> {
     let [a, b] = &both(bodies, time)?;
-    let (mut nearest, mut inside): (Option<DVec2>, Option<(f64, DVec2)>) = (None, None);
-    for (from, to, n) in edges(a, b) {
-        let edge = to - from;
-        let foot = from + edge * (-from.dot(edge) / edge.dot(edge)).clamp(0.0, 1.0);
-        if nearest.is_none_or(|known| foot.length() < known.length()) {
-            nearest = Some(foot);
-        }
-        // Along n, from A to B, the gap between the bodies; B ⊖ A is on the other side of this edge.
-        let gap = from.dot(n);
-        if inside.is_none_or(|(known, _)| gap > known) {
-            inside = Some((gap, n));
-        }
-    }
-    let (gap, n) = inside?;
-    let radii = a.radius + b.radius;
-    if gap < 0.0 {
-        return Some(Claim::Separation(gap - radii, n));
-    }
-    let foot = nearest?;
-    let n = foot / foot.length();
-    Some(if n.is_finite() { Claim::Separation(foot.length() - radii, n) } else { Claim::Nothing })
+    claim_of_edges(&edges(a, b), a.radius + b.radius)
 }
 
-/// The edges of B ⊖ A, each from one supporting vertex, with the normal of its line from A to B.
-fn edges(a: &Placed, b: &Placed) -> Vec<(DVec2, DVec2, DVec2)> {
+/// The edges of B ⊖ A, each from one supporting vertex.
+fn edges(a: &Placed, b: &Placed) -> Vec<[DVec2; 2]> {
     let of = |body: &Placed| -> Vec<(DVec2, DVec2)> {
         let next = body.core.iter().cycle().skip(1);
         body.core.iter().copied().zip(next.copied()).filter(|(p, q)| p != q).collect()
     };
     let of_a = of(a).into_iter().zip(a.normals()).map(|((p, q), n)| {
         let support = b.support(-n);
-        (support - p, support - q, n)
+        [support - p, support - q]
     });
     let of_b = of(b).into_iter().zip(b.normals()).map(|((p, q), n)| {
         let support = a.support(-n);
-        (p - support, q - support, -n)
+        [p - support, q - support]
     });
     of_a.chain(of_b).collect()
 }

@@ -10,10 +10,14 @@ mod centres;
 mod clamped_centre;
 mod deepest_vertex;
 mod first_support;
+mod first_vertex;
 mod fixed_tolerance;
 mod forgotten_spin;
 mod largest_gap;
+mod outline;
 mod single_precision;
+mod slop;
+mod squared_gap;
 mod two_frames;
 
 use crate::collision::QueryKind;
@@ -47,13 +51,16 @@ pub enum Claim {
 }
 
 /// Rows of the table.
-const ROWS: [Naive; 10] = [
+const ROWS: [Naive; 13] = [
     largest_gap::NAIVE,
     centres::NAIVE,
     fixed_tolerance::NAIVE,
     clamped_centre::NAIVE,
     first_support::NAIVE,
+    first_vertex::NAIVE,
     single_precision::NAIVE,
+    squared_gap::NAIVE,
+    slop::NAIVE,
     deepest_vertex::NAIVE,
     two_frames::NAIVE,
     centre_ray::NAIVE,

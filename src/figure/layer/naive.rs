@@ -28,9 +28,10 @@ pub(super) const LAYER: Layer = Layer {
         about: "the method: the largest gap between projections on edges' normals as the distance; the way \
             out along the line of the centres; a walk to the nearest point that ends when it gains less \
             than 10⁻⁶; a box's closest point by clamping, wherever the circle's centre is; B ⊖ A with one \
-            supporting vertex an edge; positions in single precision; the deepest vertex as the one contact; \
-            a look at both frames alone; the ray of A's centre against a B that was not grown; conservative \
-            advancement without the spin",
+            supporting vertex an edge, or merged from the first vertices of both; positions in single \
+            precision; the root of what the squares of two circles leave; no length below 0.005; the \
+            deepest vertex as the one contact; a look at both frames alone; the ray of A's centre against a \
+            B that was not grown; conservative advancement without the spin",
     }],
     labels: &[LabelKey { key: "naive", about: "what the method claims" }],
     needs: "a question that the method takes, bodies that it takes, and a panel in the world's frame",

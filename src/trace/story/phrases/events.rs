@@ -181,7 +181,7 @@ pub(crate) static OUTCOMES: [crate::trace::Phrase; 8] = [
     ["apart", "getrennt", "séparés", "separados"],
     ["undecided", "unentschieden", "indécis", "sin decidir"],
     ["touching", "in Berührung", "en contact", "en contacto"],
-    ["hit", "Treffer", "contact", "contacto"],
+    ["hit", "Treffer", "impact", "contacto"],
     ["miss", "kein Treffer", "pas de contact", "sin contacto"],
     ["unresolved", "ungeklärt", "non résolu", "sin resolver"],
 ];
