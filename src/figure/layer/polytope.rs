@@ -23,8 +23,8 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
 
-/// Opacity of the polytope, and of what the step before added to it.
-const FILL: (f64, f64) = (0.1, 0.26);
+/// Opacity of what the step before added to the polytope.
+const FILL: f64 = 0.2;
 
 /// Opacity of the edge that was split.
 const SPLIT: f64 = 0.75;
@@ -145,13 +145,12 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     if let Some(triangle) = step.added {
-        let [from, added, to] = triangle;
-        let before: Vec<DVec2> = step.vertices.iter().filter(|p| **p != added).copied().collect();
-        sketch.part("before").area(&Outline::polygon(&before), Some(Wash::faint(role, FILL.0)), None);
-        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, FILL.1)), None);
+        let [from, _, to] = triangle;
+        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, FILL)), None);
         sketch.part("split").weight(Weight::Light).line(from, to, Pen::dimension(role).opacity(SPLIT));
     }
-    let wash = step.added.is_none().then(|| Wash::faint(role, FILL.0));
+    // What is new is filled: the triangle that it begins with, then each by which it grows.
+    let wash = step.added.is_none().then(|| Wash::faint(role, FILL));
     sketch.part("polytope").area(&outline, wash, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
     supporting_line(sketch, step, foot);
@@ -285,9 +284,9 @@ mod tests {
             let last = usize::from(k == steps);
             let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
             assert_eq!(found, [last, 1 - last], "step {k}");
-            let kept = ["split", "added", "before"].map(|part| paths(&figure.drawing.items, part).len());
-            assert_eq!(kept, [usize::from(k > 1); 3], "step {k}");
-            // It is filled once: by itself, or as the one before and what was added to that.
+            let kept = ["split", "added"].map(|part| paths(&figure.drawing.items, part).len());
+            assert_eq!(kept, [usize::from(k > 1); 2], "step {k}");
+            // Filled is what is new: itself, or what was added to the one before.
             let polytope = paths(&figure.drawing.items, "polytope")[0];
             assert_eq!(polytope.fill.is_some(), k == 1, "step {k}");
             if k == steps {
