@@ -9,7 +9,7 @@ use super::{Bodies, Motion, QueryKind, Question, Shapes, When};
 pub(super) const QUESTION: Question = Question {
     kind: QueryKind::MotionBound,
     word: "motion-bound",
-    about: "how far any point can move over t in [0, 1]",
+    about: "how far any point of a body can move over t in [0, 1]; of two, how much nearer they can come",
     bodies: Bodies::OneOrTwo,
     when: When::OverTheMotion,
     shapes: Shapes::Convex,

@@ -1,4 +1,5 @@
-//! Where a body begins and ends, its velocity, its spin, and the arc of its farthest point.
+//! A body with its velocity, its spin, and the arc of its farthest point: the two parts of the bound. The
+//! body at the end would have made both at once, so that no end of the arc lay on it.
 
 use crate::collision::Answer;
 
@@ -11,6 +12,6 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 time = "start"
-layers = ["shapes", { layer = "ghosts", at = "end" }, "velocity", "spin", "arc"]
+layers = ["shapes", { layer = "velocity", values = true }, "spin", { layer = "arc", sector = true }]
 "#,
 };

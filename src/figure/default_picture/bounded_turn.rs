@@ -18,13 +18,7 @@ pub(super) const PICTURE: Picture = Picture {
     },
     panels: r#"
 [[panels]]
-title = "From the start to the end"
 time = "start"
-layers = ["shapes", { layer = "ghosts", at = "end" }, "arc"]
-
-[[panels]]
-title = "The arc of the farthest point"
-time = "start"
-layers = [{ layer = "arc", sector = true }]
+layers = ["shapes", { layer = "ghosts", at = "end" }, { layer = "arc", sector = true }]
 "#,
 };

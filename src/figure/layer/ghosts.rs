@@ -22,8 +22,8 @@ const RIVAL: &str = "rival";
 /// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
 
-/// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would stand
-/// in, or beside, the body that is there.
+/// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would
+/// stand in, or beside, the body that is there.
 const UNSEEN: f64 = 2.25;
 
 /// How many ghosts of a series are drawn at most, the last included; more are a blur.

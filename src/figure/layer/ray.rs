@@ -100,7 +100,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     // Where the times stand at its points, its own place is between them.
     let timed = options.flag("ends", false);
     let named = if timed { Anchor::middle(from, tip) } else { Anchor::tip(from, tip) };
-    sketch.label(Label::new("v", text("$v$", v, options), named, role));
+    sketch.label(Label::new("v", text("$v$", v, options, cut), named, role));
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
@@ -144,7 +144,7 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
             Pen::vector(side.into()).width(PART).opacity(FAINT),
         );
         let anchor = Anchor::middle(tail, tail + way);
-        let label = Label::new(key, text(&symbol, way, options), anchor, side.into());
+        let label = Label::new(key, text(&symbol, way, options, 1.0), anchor, side.into());
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
         tail += way;
     }

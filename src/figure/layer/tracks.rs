@@ -45,7 +45,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         let place = now.point(local);
         sketch.part(part("track", side)).marker(place, marker, role, LARGE_MARKER);
-        let away = path.first().zip(path.get(1)).map_or(DVec2::ZERO, |(&start, &next)| start - next);
+        let back = path.first().zip(path.get(1)).map_or(DVec2::ZERO, |(&start, &next)| start - next);
+        // Where the two are at one place, each name stands in its own body.
+        let inward = contact.normal * if side == Side::A { -1.0 } else { 1.0 };
+        let away = if context.time >= time { inward } else { back };
         let anchor = Anchor::point_toward(place, away);
         let text = format!("${}$", context.numbered("x", side));
         sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));

@@ -103,7 +103,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             options,
             &Motion {
                 key: "v",
-                text: text("$v$", v, options),
+                text: text("$v$", v, options, scale),
                 way,
                 from: DVec2::ZERO,
                 v,
@@ -121,7 +121,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let local = start(context, options, side);
         let way = hit.map(|time| context.track(side, local, [context.time, time.lo]));
         let key = if side == Side::A { "v_A" } else { "v_B" };
-        let text = text(&context.symbol("v", side), v, options);
+        // Cut off at the hit it is what the body moves by until then, and says which part of v that is.
+        let until = hit.filter(|_| options.word("cut", "") == When::HIT).map(|time| time.lo - context.time);
+        let text = text(&context.symbol("v", side), v, options, scale * until.unwrap_or(1.0));
         let from = pose.point(local);
         let motion = Motion { key, text, way, from, v, now: context.time, hit, scale, known };
         arrow(sketch, options, &motion);
@@ -133,8 +135,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 }
 
 /// What the label of a velocity says: its symbol, the scale that it is drawn in, its components if wanted.
-pub(super) fn text(symbol: &str, v: DVec2, options: &Options) -> String {
-    let drawn = scaled(options.number("scale").unwrap_or(1.0), symbol);
+pub(super) fn text(symbol: &str, v: DVec2, options: &Options, scale: f64) -> String {
+    let drawn = scaled(scale, symbol);
     let value = || format!("$= ({}, {})$", number(v.x), number(v.y));
     match (options.flag("values", false), drawn == symbol) {
         (false, _) => drawn,

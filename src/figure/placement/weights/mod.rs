@@ -8,7 +8,8 @@
 //! in a hundred figures, as those are drawn that leave room for labels. Each doc says what a number alone
 //! does at twice and at half: how many labels of the figures + of 200 random scenes move, and how many faults
 //! there are more or fewer than the 17 that those scenes have as tuned, without more room. The figures have
-//! 432 labels, the scenes 1,340. The survey in `tests.rs` counted them and can be run again, in three minutes:
+//! 432 labels, the scenes 1,340. The survey in `tests.rs` counted them and can be run again, in three
+//! minutes:
 //!
 //! ```text
 //! TRACEFIG_SCENES=200 cargo test --release --lib placement::weights -- --nocapture
