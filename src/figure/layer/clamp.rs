@@ -111,8 +111,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let marker = if c.side == Side::A { Marker::Disc } else { Marker::Square };
         let role = Role::from(c.side);
         sketch.since(at(parts::CLOSEST)).part("Bc").marker(c.closest, marker, role, LARGE_MARKER);
-        // The circle's centre, clamped.
-        let text = format!("${}_c$", context.named(c.side.other()).term());
+        // The circle's centre, clamped; below a name, c would be the centre of what is called so.
+        let text = match context.named(c.side.other()) {
+            name if context.has_letters() => format!("${}_c$", name.term()),
+            _ => "closest point".to_owned(),
+        };
         sketch.label(Label::new("B_c", text, Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
     }
 }

@@ -146,6 +146,21 @@ fn a_body_that_is_pushed_by_less_than_its_line_is_wide_is_not_named_a_second_tim
 }
 
 #[test]
+fn the_closest_point_of_a_box_has_the_circles_letter_but_not_its_name() {
+    for (circle, said) in [("B", "$B_c$"), ("coin", "closest point")] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [2, 1] }}
+             shapes.{circle} = {{ kind = 'circle', radius = 1, position = [4, 3] }}
+             query = {{ kind = 'separation', of = ['A', '{circle}'], algorithm = 'clamp' }}
+             panels = [{{ layers = ['shapes', 'clamp'] }}]"
+        );
+        let scene = open_text("marks.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        assert_eq!(labels(&draw(&plan, plan.theme, "marks"))["B_c"].0, said);
+    }
+}
+
+#[test]
 fn a_body_reaches_from_its_origin_to_its_farthest_point() {
     let layer = "{ layer = 'radii', as = 'reach', of = ['A', 'B'] }";
     let figure = figure("", "linear-sweep", layer);
