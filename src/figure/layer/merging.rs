@@ -56,12 +56,12 @@ fn shown(context: &Context, options: &Options) -> Option<Vec<Merged>> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(all) = shown(context, options) else { return };
-    if let [.., before, next] = all.as_slice()
-        && options.gives("step")
-        && next.other.is_some()
-    {
-        straight_on(sketch.since(next.cue), before.edge, next);
-    }
+    let turned = match all.as_slice() {
+        [.., before, next] if options.gives("step") && next.other.is_some() => {
+            straight_on(sketch.since(next.cue), before.edge, next)
+        }
+        _ => None,
+    };
     let whole = !options.gives("step");
     let before = if whole { all.len() } else { all.len() - 1 };
     for (k, edge) in (1..).zip(&all[..before]) {
@@ -83,7 +83,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(next) = all.last().filter(|_| !whole) {
         let count = all.len();
         let later = merged(context).into_iter().skip(count).position(|edge| edge.taken != next.taken);
-        choice(sketch.since(next.cue), next, [count, count + 1 + later.unwrap_or(0)]);
+        choice(sketch.since(next.cue), next, [count, count + 1 + later.unwrap_or(0)], turned);
     }
     if let Some(first) = all.first().filter(|_| before > 0) {
         sketch.since(first.cue);
@@ -92,23 +92,28 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Draws how the edge before would go on, and how far either next edge turns from that.
-fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) {
-    let Some(u) = before.try_normalize() else { return };
+/// Draws how the edge before would go on, and how far either next edge turns from that; and says by which
+/// arc the one turns that is taken.
+fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) -> Option<Anchor> {
+    let u = before.try_normalize()?;
     let ahead = next.at + u * sketch.px(AHEAD);
     sketch.part("straight-on").weight(Weight::Light).line(next.at, ahead, Pen::construction());
     let both = [(next.taken, Some(next.edge), TURN), (next.taken.other(), next.other, TURN * 0.6)];
+    let mut own = None;
     for (side, edge, radius) in both {
         let Some(edge) = edge else { continue };
         let (start, turn) = (angle_of(u), libm::atan2(u.perp_dot(edge), u.dot(edge)));
         let radius = sketch.px(radius);
         sketch.part("turn").weight(Weight::Light);
         sketch.arc_arrow(next.at, radius, start, turn, Pen::dimension(side.into()));
+        own = own.or(Some(Anchor::Arc { center: next.at, radius, start, sweep: turn }));
     }
+    own
 }
 
-/// Draws the next edge of either body with its number, first that of the one that is taken.
-fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2]) {
+/// Draws the next edge of either body with its number, first that of the one that is taken, which turns less,
+/// if an edge is before it by the arc `turned`.
+fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2], turned: Option<Anchor>) {
     let own = next.at + next.edge;
     let named = |side: Side, number: usize, tip: DVec2| {
         let label = Label::new(key(side), number.to_string(), Anchor::tip(next.at, tip), side.into());
@@ -124,7 +129,7 @@ fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2]) {
     arrow(sketch.part("chosen"), next.taken, (next.at, own), Pen::highlighted(role));
     sketch.label(named(next.taken, numbers[0], own));
     if next.other.is_some() {
-        let label = Label::new("less", "turns less", Anchor::middle(next.at, own), role);
+        let label = Label::new("less", "turns less", turned.unwrap_or(Anchor::middle(next.at, own)), role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     sketch.part("reached").marker(next.at, Marker::Diamond, Role::Now, MARKER);
