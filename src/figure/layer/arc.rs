@@ -79,7 +79,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "theta", about: "the angle" },
         LabelKey { key: "r", about: "distance of the extreme point, with sector" },
-        LabelKey { key: "L", about: "length of the arc, with sector" },
+        LabelKey { key: "L", about: "length of the arc" },
         LabelKey { key: "p", about: "the extreme point" },
         LabelKey { key: "p'", about: "the extreme point after the turn" },
         LabelKey { key: "q", about: "a nearer vertex" },
@@ -282,7 +282,7 @@ fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'stat
     sketch.label(Label::new(key, text, Anchor::Beside { from, to, offset }, Role::Ink));
 }
 
-/// Names the angle, and with the sector its radius and the arc's length; a radius that is divided by a nearer
+/// Names the angle and the arc, and with the sector writes its radius and the arc's length; a radius that is divided by a nearer
 /// vertex has a dimension line over its whole length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
     let theta = if sector {
@@ -293,6 +293,10 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
         r"$\theta$".to_owned()
     };
     angle(sketch, t, (t.start, MARK * t.radius), theta);
+    let outside = t.radius + sketch.px(CLEAR);
+    let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
+    let length = if sector { format!(r"$L = \theta\,r = {}$", number(t.arc)) } else { "$L$".to_owned() };
+    sketch.label(Label::new("L", length, path, options.role(Role::Now)));
     if sector {
         let r = format!("$r = {}$", number(t.radius));
         if divided {
@@ -301,10 +305,6 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
             let (from, to) = below(t, t.before());
             sketch.label(Label::new("r", r, Anchor::Beside { from, to, offset: ON_LINE }, Role::Ink));
         }
-        let outside = t.radius + sketch.px(CLEAR);
-        let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
-        let length = format!(r"$L = \theta\,r = {}$", number(t.arc));
-        sketch.label(Label::new("L", length, path, options.role(Role::Now)));
     }
 }
 

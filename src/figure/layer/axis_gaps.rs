@@ -3,7 +3,7 @@
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end, and the strip between the boxes is lit. Where
 //! D < 0 the half-extents overlap: they lie on two lanes side by side, and the stretch that they share is
-//! hatched across both. The distance of the centres is the last.
+//! hatched from lane to lane. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -23,10 +23,7 @@ const BELOW: f64 = 40.0;
 const BESIDE: f64 = 48.0;
 
 /// From one of two lanes to the other, page pixels: two bars and not one, and room for a hatch.
-const LANE: f64 = 18.0;
-
-/// How far the hatched stretch reaches past both lanes, page pixels.
-const PAST: f64 = 7.0;
+const LANE: f64 = 26.0;
 
 /// From one line of the hatch to the next along the axis, page pixels.
 const HATCH: f64 = 7.0;
@@ -38,8 +35,8 @@ const LIT: f64 = 0.13;
 const MOST_LINES: usize = 1000;
 
 /// Where the distance of the centres is measured to the right, as a part of the way to the next track: beyond
-/// the label of the shared stretch, of some 110 pixels.
-const LAST: f64 = 4.2;
+/// the label of the shared stretch, of some 90 pixels.
+const LAST: f64 = 3.9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -192,8 +189,7 @@ fn axis(
     // What is shared lies under the bars that share it.
     bars.iter().filter(|bar| bar.is_shared).for_each(|bar| hatch(sketch, bar, place));
     for bar in bars {
-        let past = if bar.is_shared { sketch.px(PAST) / place.step.abs() } else { 0.0 };
-        let [p, q] = bar.ends.map(|end| place.point(end, bar.track + past));
+        let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
         let role = bar.pen.role;
         if !bar.is_shared {
             sketch.part(&part).bar(p, q, 0.0, bar.pen);
@@ -220,22 +216,20 @@ fn lit(sketch: &mut Sketch, facing: [f64; 2], place: &Place, across: [[f64; 2]; 
     sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, LIT)), None);
 }
 
-/// Hatches a stretch from the first track to the bar's own, and a little past both.
+/// Hatches a stretch from the first track to the bar's own: the two lanes bound it on their sides.
 fn hatch(sketch: &mut Sketch, bar: &Bar, place: &Place) {
     let (lo, hi) = (bar.ends[0].min(bar.ends[1]), bar.ends[0].max(bar.ends[1]));
-    let past = sketch.px(PAST) / place.step.abs();
-    let (first, last) = (1.0 - past, bar.track + past);
+    let (first, last) = (1.0, bar.track);
     let ends = [(lo, first), (hi, first), (hi, last), (lo, last)];
     let outline = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    let pen = bar.pen.width(1.25);
-    sketch.part("shared").area(&outline, None, Some(pen));
+    sketch.part("shared").area(&outline, Some(Wash::faint(bar.pen.role, LIT)), None);
     let (across, pitch) = ((last - first) * place.step.abs(), sketch.px(HATCH));
     // Each line goes as far along as across.
     let starts = std::iter::successors(Some(lo - across + pitch), |start| Some(start + pitch));
     for start in starts.take_while(|start| *start < hi).take(MOST_LINES) {
         let [p, q] = [start.max(lo), (start + across).min(hi)]
             .map(|along| place.point(along, first + (along - start) / place.step.abs()));
-        sketch.line(p, q, pen.width(1.0));
+        sketch.line(p, q, bar.pen.width(1.0));
     }
 }
 
@@ -277,6 +271,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
 
 #[cfg(test)]
 mod tests {
+    use super::LANE;
     use crate::drawing::Point;
     use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
@@ -300,7 +295,7 @@ mod tests {
         };
         let level: Vec<f64> = bars("axis-x").iter().filter(|[p, q]| p.y == q.y).map(|[p, _]| p.y).collect();
         // Both half-extents on lanes of their own, then the distance of the centres.
-        assert!(level.len() == 3 && (level[0] - level[1] + 18.0).abs() < 1e-9, "{level:?}");
+        assert!(level.len() == 3 && (level[0] - level[1] + LANE).abs() < 1e-9, "{level:?}");
         let whole: Vec<Point> = points(paths(&figure.drawing.items, "shared")[0]);
         let [least, most] = [f64::min, f64::max].map(|of| {
             let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
@@ -312,14 +307,11 @@ mod tests {
         for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| figure.panels[0].frame.page(DVec2::from(p))) {
             assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
         }
-        // From 1.5 to 2 of x they share, and 7 px past both lanes.
+        // From 1.5 to 2 of x they share, from lane to lane.
         let frame = &figure.panels[0].frame;
         let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
         assert!((least[0] - from).abs() < 1e-6 && (most[0] - to).abs() < 1e-6, "{whole:?}");
-        assert!(
-            (level[0] - least[1] - 7.0).abs() < 1e-6 && (most[1] - level[1] - 7.0).abs() < 1e-6,
-            "{whole:?}"
-        );
+        assert!((level[0] - least[1]).abs() < 1e-6 && (most[1] - level[1]).abs() < 1e-6, "{whole:?}");
         // Hatched from edge to edge of it, and nowhere else.
         let hatch: Vec<Point> =
             paths(&figure.drawing.items, "shared")[1..].iter().flat_map(|p| points(p)).collect();

@@ -1,13 +1,13 @@
 //! Points of contact by clipping: the reference edge with its normal n, the planes through its ends, what
 //! they leave of the incident edge, and at each end of that the depth below the reference edge.
 //!
-//! What a plane cuts off is struck out with a cross. An end that lies above the reference edge is no contact:
+//! What a plane cuts off is grey, and struck out with a cross. An end that lies above the reference edge is no contact:
 //! it has a marker that is not filled.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
@@ -27,9 +27,6 @@ const READABLE: [f64; 2] = [24.0, 48.0];
 /// Length of the arrow from a plane to the inside of the strip, which is kept, page pixels.
 const KEPT: f64 = 26.0;
 
-/// Opacity of the strip between the planes.
-const STRIP: f64 = 0.08;
-
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
 
@@ -48,6 +45,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "reference", about: "the reference edge" },
         LabelKey { key: "incident", about: "the incident edge" },
         LabelKey { key: "n", about: "the reference edge's normal" },
+        LabelKey { key: "inside", about: "between the planes, with planes" },
+        LabelKey { key: "cut", about: "what a plane cuts off" },
         LabelKey { key: "d_1", about: "depth of the first contact along the reference edge" },
         LabelKey { key: "d_2", about: "depth of the second contact" },
         LabelKey { key: "c_1", about: "the first contact, with a depth" },
@@ -160,6 +159,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if cut {
         sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })));
         for [end, at] in &found.cuts {
+            let pen = Pen::highlighted(Role::Muted).width(EDGE);
+            sketch.part("cut-off").weight(Weight::Light).line(*at, *end, pen);
+            let label = Label::new("cut", "cut off", Anchor::middle(*at, *end), Role::Muted);
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
             sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
             sketch.part("cut").marker(*at, of(found.body.other()), found.body.other().into(), MARKER);
         }
@@ -189,13 +192,13 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     let high = heights[0].max(heights[1]).max(0.0) + past;
     let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
     let [p, q] = found.reference;
-    let strip = Outline::polygon(&[ends[0][0], ends[1][0], ends[1][1], ends[0][1]]);
-    sketch.part("strip").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, STRIP)), None);
     let inward = (q - p).normalize_or_zero() * sketch.px(KEPT).min(0.3 * (q - p).length());
     for ([foot, top], inward) in ends.into_iter().zip([inward, -inward]) {
         sketch.part("plane").weight(Weight::Light).line(foot, top, Pen::construction());
         sketch.part("kept").weight(Weight::Light).arrow(top, top + inward, Pen::dimension(Role::Muted));
     }
+    let word = Label::new("inside", "inside", Anchor::tip(ends[0][1], ends[0][1] + inward), Role::Muted);
+    sketch.label(word.rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws both edges, the reference edge with its normal.
@@ -338,7 +341,7 @@ mod tests {
             // A shaft and its head.
             let [arrows, kept] = ["incident-normal", "kept"].map(|part| paths(&figure.drawing.items, part));
             assert_eq!([kept.len() / 2, arrows.len() / 2], [planes, normals], "{show}");
-            assert_eq!(paths(&figure.drawing.items, "strip").len(), planes / 2, "{show}");
+            assert_eq!(labels(&figure).contains_key("inside"), planes > 0, "{show}");
             let lines = paths(&figure.drawing.items, "plane");
             let [[p, q], [r, s]] =
                 match kept.iter().step_by(2).map(|shaft| points(shaft)).collect::<Vec<_>>()[..] {

@@ -59,6 +59,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "r.B", about: "what turning of the second body adds" },
         LabelKey { key: "unit", about: "the end of a unit of time" },
         LabelKey { key: "bound", about: "the time until which nothing can touch" },
+        LabelKey { key: "left", about: "the distance that is left then in fact" },
         LabelKey { key: "hit", about: "the time of the hit" },
         LabelKey { key: "most", about: "the line of the fastest approach" },
         LabelKey { key: "sum", about: "the most in a unit of time" },
@@ -151,6 +152,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         fact(sketch.since(context.answered()), &chart, &nearer, hit);
     }
     bound(sketch.since(context.known(&When::Bound)), &chart, &first, options.role(Role::Now));
+    if real {
+        left(sketch.since(context.answered()), context, &chart, &first);
+    }
     if let Some(hit) = hit.filter(|_| real) {
         touch(sketch.since(context.answered()), &chart, &first, hit);
     }
@@ -226,6 +230,23 @@ fn bound(sketch: &mut Sketch, chart: &Chart, first: &First, role: Role) {
     sketch.marker(up, Marker::HollowDiamond, role, LARGE_MARKER);
     let anchor = Anchor::point_toward(down, chart.vector(DVec2::NEG_Y));
     sketch.label(Label::new("bound", format!("$t = {}$", number(time)), anchor, role));
+}
+
+/// Draws how much of the distance is left at the bound in fact, from the curve up to the level.
+fn left(sketch: &mut Sketch, context: &Context, chart: &Chart, first: &First) {
+    let Some(time) = first.until.filter(|time| *time <= 1.0) else { return };
+    let Some(rest) = context.separation_at(time).and_then(|run| Some(run.separation()?.separation)) else {
+        return;
+    };
+    let [up, down] = [0.0, rest].map(|below| chart.place(time, first.distance - below));
+    if !sketch.is_legible((up - down).length()) {
+        return;
+    }
+    sketch.part("left").weight(Weight::Background).line(up, down, Pen::highlighted(Role::Translation));
+    let text = format!("${}$ left", number(rest));
+    let anchor = Anchor::point_toward(0.5 * (up + down), chart.vector(DVec2::X));
+    let label = Label::new("left", text, anchor, Role::Translation);
+    sketch.label(label.rank(Rank::Measure).size(Size::Note));
 }
 
 /// Writes the time of the hit on the axis, where the bound leaves room.

@@ -45,6 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "pair.A", about: "the vertex of A" },
         LabelKey { key: "pair.B", about: "the vertex of B" },
         LabelKey { key: "pair", about: "the point of B ⊖ A" },
+        LabelKey { key: "back", about: "the way backwards, with turned" },
         LabelKey { key: "moved", about: "where B's vertex lies on A's, with turned" },
     ],
     needs: "two bodies with the vertices of `vertices`",
@@ -100,7 +101,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.part("moved").weight(Weight::Light).area(&moved, None, Some(Pen::ghost(Role::B)));
         }
         let (ends, text) = ((pose.position, MARKER), format!("${q}$ moved to ${p}$"));
-        way(sketch, ends, pose.position - (b.at - a.at), role);
+        let to = pose.position - (b.at - a.at);
+        way(sketch, ends, to, role);
+        let back = Label::new("back", format!("${p} - {q}$"), Anchor::middle(pose.position, to), role);
+        sketch.label(back.rank(Rank::Point));
         sketch.part("moved").marker(a.at, Marker::Square, Role::B, SMALL_MARKER);
         let label = Label::new("moved", text, Anchor::point_toward(a.at, a.at - b.at), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));

@@ -3,7 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Sketch, Weight};
 use crate::figure::text::Decimal;
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
@@ -30,6 +30,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "the body that it is a point of, in the world",
         },
         OptionSpec {
+            name: "from",
+            takes: Takes::Point,
+            default: "none",
+            about: "where it came from, as `at` is given: an arrow from there",
+        },
+        OptionSpec {
             name: "text", takes: Takes::Lines, default: "none", about: "markup, `{=…}` for values"
         },
         OptionSpec {
@@ -41,13 +47,13 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[LabelKey { key: "point", about: "text and coordinates of a point of your choice" }],
     needs: "a place `at`; in configuration space no `of`",
-    fed: |context, options| Fed::by_the_scene(place(context, options).is_some()),
+    fed: |context, options| Fed::by_the_scene(place(context, options, "at").is_some()),
     draw,
 };
 
-/// Where the point is at the panel's moment, and the body that it is of.
-fn place(context: &Context, options: &Options) -> Option<(DVec2, Option<Side>)> {
-    let at = options.point("at")?;
+/// Where a point of the options is at the panel's moment, and the body that it is of.
+fn place(context: &Context, options: &Options, name: &str) -> Option<(DVec2, Option<Side>)> {
+    let at = options.point(name)?;
     let Some(&side) = options.of(&[]).first() else { return Some((at, None)) };
     if *context.space == Space::Configuration {
         return None;
@@ -56,9 +62,12 @@ fn place(context: &Context, options: &Options) -> Option<(DVec2, Option<Side>)> 
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some((at, side)) = place(context, options) else { return };
+    let Some((at, side)) = place(context, options, "at") else { return };
     let role = options.role(side.map_or(Role::Ink, Role::from));
     let marker = if side == Some(Side::B) { Marker::Square } else { Marker::Disc };
+    if let Some((from, _)) = place(context, options, "from") {
+        sketch.part("way").weight(Weight::Light).arrow_to(from, at, MARKER, Pen::dimension(role));
+    }
     sketch.part("point").marker(at, marker, role, MARKER);
     let given = options.words("text").map(<[String]>::to_vec);
     let is_given = given.is_some();

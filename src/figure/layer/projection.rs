@@ -166,13 +166,16 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     }
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
     let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
-    if values {
-        let along = format!("along $n = ({}, {})$", number(t.n.x), number(t.n.y));
+    let from_zero = values && (first..=last).contains(&0.0);
+    if from_zero {
+        on_axis(sketch, t, at);
+    } else if values {
+        let along = format!("along ${}$", written(t));
         let label = Label::new("axis", along, beyond.clone(), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }
     // Of a round body's vertex there is no edge to show n at.
-    if edge(sketch, context, t).is_none() && !values {
+    if edge(sketch, context, t, !from_zero).is_none() && !values {
         sketch.part("axis").label(Label::new("n", "$n$", beyond, Role::Muted));
     }
     for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
@@ -196,6 +199,22 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         numbers(sketch, t, down, at);
         zero(sketch, context, (first, last), (down, far), at);
     }
+}
+
+/// The axis with its components, in LaTeX.
+fn written(t: &Tested) -> String {
+    format!("n = ({}, {})", number(t.n.x), number(t.n.y))
+}
+
+/// Draws n on the axis from its 0, where numbers are counted in its lengths.
+fn on_axis(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
+    let length = unit_length(sketch);
+    let to_scale = if length == 1.0 { "" } else { " (not to scale)" };
+    let (from, tip) = (at(0.0, 0.0), at(length, 0.0));
+    sketch.part("normal").arrow(from, tip, Pen::vector(Role::Ink));
+    sketch.right_angle(from, at(0.0, 1.0) - from, -t.n);
+    let label = Label::new("axis", format!("${}${to_scale}", written(t)), beside(from, tip, t.n), Role::Ink);
+    sketch.label(label.rank(Rank::Measure));
 }
 
 /// Writes where A ends and where B begins, each over its own interval, away from the other's.
@@ -250,9 +269,9 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
         .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
 }
 
-/// Draws the edge whose normal the axis is, thick, with n square to it outside of its middle; `None` where
-/// the axis is of no edge.
-fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
+/// Draws the edge whose normal the axis is, thick, and n square to it outside of its middle, where it is
+/// nowhere else; `None` where the axis is of no edge.
+fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, with_normal: bool) -> Option<()> {
     let (side, Feature::Edge(index)) = t.source else { return None };
     let body = context.body(side)?;
     let [i, j] = body.shape.edge_ends(index)?;
@@ -265,7 +284,11 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested) -> Option<()> {
         Side::A => (middle, t.n),
         Side::B => (middle - t.n * unit_length(sketch), -t.n),
     };
-    sketch.part("edge").line(p, q, Pen::highlighted(side.into())).right_angle(middle, q - middle, outward);
+    sketch.part("edge").line(p, q, Pen::highlighted(side.into()));
+    if !with_normal {
+        return Some(());
+    }
+    sketch.right_angle(middle, q - middle, outward);
     unit_vector(sketch, (from, t.n), None, Label::new("n", "$n$", Anchor::point(middle), Role::Ink));
     Some(())
 }
@@ -375,7 +398,9 @@ mod tests {
             for (key, end) in [("end.A", a.hi), ("begin.B", b.lo)] {
                 assert!((labels[key].1 - end).abs() < 0.006, "axis {axis}: {:?} is not {end}", labels[key]);
             }
-            assert!(labels["axis"].0.starts_with("along $n = ("), "{:?}", labels["axis"]);
+            // n stands on the axis, from 0, and one long.
+            assert!(labels["axis"].0.starts_with("$n = ("), "{:?}", labels["axis"]);
+            assert!((lines(&figure, "normal")[0] / figure.panels[0].frame.scale - 1.0).abs() < 0.5);
             assert_eq!(labels["zero"].1, 0.0, "both intervals hold 0, or lie beside it");
             let (label, number) = labels.remove("gap").unwrap();
             assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");

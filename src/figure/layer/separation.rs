@@ -29,8 +29,8 @@ const MOST: usize = 5;
 /// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
 const NAMED: f64 = 10.0;
 
-/// Opacity of the disc's area, and of its line.
-const DISC: [f64; 2] = [0.06, 0.6];
+/// Opacity of the disc's area, less than a body's, and of its line.
+const DISC: [f64; 2] = [0.03, 0.6];
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.

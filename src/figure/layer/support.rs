@@ -3,7 +3,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::scene::Space;
@@ -25,13 +25,22 @@ pub(super) const LAYER: Layer = Layer {
     about: "all supporting vertices of the nearest edge; in configuration space, where its two parts join",
     shows: Shows::Anywhere,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "lengths",
-        takes: Takes::Flag,
-        default: "false",
-        about: "where edges face each other, both with their lengths, here as parts of the nearest edge, and \
-            the vertices whose difference joins them",
-    }],
+    options: &[
+        OptionSpec {
+            name: "lengths",
+            takes: Takes::Flag,
+            default: "false",
+            about: "where edges face each other, both with their lengths, here as parts of the nearest edge, \
+                and the vertices whose difference joins them",
+        },
+        OptionSpec {
+            name: "contacts",
+            takes: Takes::Flag,
+            default: "false",
+            about: "where edges of bodies that overlap face each other, the ends of what they share once B \
+                is pushed out",
+        },
+    ],
     labels: &[
         LabelKey { key: "a_1", about: "first supporting vertex, on A" },
         LabelKey { key: "a_2", about: "second supporting vertex, on A" },
@@ -39,6 +48,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "b_2", about: "second supporting vertex, on B" },
         LabelKey { key: "joint", about: "where the parts of the nearest edge join, with lengths" },
         LabelKey { key: "end", about: "where the nearest edge begins and ends, with lengths" },
+        LabelKey {
+            key: "contact",
+            about: "the ends of what the edges share, with contacts; without a text of their own",
+        },
         LabelKey { key: "length.A", about: "length of A's facing edge, with lengths" },
         LabelKey { key: "length.B", about: "length of B's facing edge, with lengths" },
     ],
@@ -132,6 +145,24 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = if lengths { options.role(side.into()) } else { role };
         mark(sketch, context, role, Marked { side, number, point }, anchor);
     }
+    if options.flag("contacts", false) {
+        for end in shared(context).into_iter().flatten() {
+            sketch.part("contact").marker(end, Marker::Disc, Role::Ink, MARKER);
+            sketch.label(Label::new("contact", "", Anchor::point(end), Role::Ink));
+        }
+    }
+}
+
+/// The ends of what the facing edges of bodies that overlap share once B is pushed out, on A's edge.
+fn shared(context: &Context) -> Option<[DVec2; 2]> {
+    let (run, found) = (context.separation_at(context.time)?, difference(context, context.time)?);
+    let answer = run.separation().filter(|answer| answer.bounds.hi < 0.0)?;
+    let [a, b] = [Side::A, Side::B].map(|side| ends(context, &found, side).map(|ends| ends.map(|v| v.point)));
+    let (a, b) = (a?, b?.map(|end| end - answer.normal * answer.separation));
+    let along = a[1] - a[0];
+    let share = |p: DVec2| (p - a[0]).dot(along) / along.length_squared();
+    let [from, to] = [f64::min, f64::max].map(|of| of(share(b[0]), share(b[1])).clamp(0.0, 1.0));
+    (from < to).then(|| [from, to].map(|share| a[0] + along * share))
 }
 
 /// A vertex that is marked and named.
@@ -232,7 +263,10 @@ fn on_body(context: &Context, edge: &Edge) -> Option<(DVec2, DVec2)> {
 
 #[cfg(test)]
 mod tests {
+    use crate::drawing::Contour;
+    use crate::figure::layer::tests::paths;
     use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
     use crate::scene::open_text;
 
     /// The keys of the labels of `support` in a scene that is answered by an algorithm.
@@ -251,6 +285,23 @@ mod tests {
         keys.retain(|key| key.contains('_'));
         keys.sort_unstable();
         keys
+    }
+
+    #[test]
+    fn contacts_are_the_ends_of_what_facing_edges_share_once_one_is_pushed_out() {
+        let text = "shapes.A = { kind = 'box', half_extents = [4, 2] }
+            shapes.B = { kind = 'box', half_extents = [2, 1], position = [3, 2] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'minkowski' }
+            panels = [{ layers = ['shapes', { layer = 'support', contacts = true }] }]";
+        let scene = open_text("support", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "support");
+        // B, from 1 to 5, goes up to A's top edge, which ends at 4.
+        let frame = &figure.panels[0].frame;
+        for (disc, x) in paths(&figure.drawing.items, "contact").into_iter().zip([4.0, 1.0]) {
+            let Contour::Circle { center, .. } = &disc.contour else { panic!("a disc") };
+            assert!((*center - frame.page(DVec2::new(x, 2.0))).length() < 1e-6, "{center:?} is not at {x}");
+        }
     }
 
     #[test]

@@ -12,12 +12,20 @@ pub(super) const LAYER: Layer = Layer {
     about: "paths of the two points that touch at the hit, from the start until then",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "ahead",
-        takes: Takes::Flag,
-        default: "false",
-        about: "the way that is still ahead at the panel's moment, and no more",
-    }],
+    options: &[
+        OptionSpec {
+            name: "ahead",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the way that is still ahead at the panel's moment, and no more",
+        },
+        OptionSpec {
+            name: "paths",
+            takes: Takes::Flag,
+            default: "true",
+            about: "the ways; without them the points at the panel's moment",
+        },
+    ],
     labels: &[
         LabelKey { key: "x1", about: "the point of A" },
         LabelKey { key: "x2", about: "the point of B" },
@@ -40,7 +48,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let begin = if options.flag("ahead", false) { context.time.min(time) } else { 0.0 };
         let path = context.track(side, local, [begin, time]);
         let role = options.role(side.into());
-        if path.first() != path.last() {
+        if options.flag("paths", true) && path.first() != path.last() {
             sketch.part(part("track", side)).path_through_time(&path, Pen::path(role));
         }
         let place = now.point(local);

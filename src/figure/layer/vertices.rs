@@ -4,7 +4,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::Difference;
-use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Sketch};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, SMALL_MARKER, Size, Sketch};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
@@ -89,8 +89,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = options.role(side.into());
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };
         let middle = middle(context, side);
+        // A few that are chosen are what the reader looks for; all of them are the outline's.
+        let radius = if options.counts("only").is_some() { MARKER } else { SMALL_MARKER };
         for (k, p) in own(context, options, side) {
-            sketch.part(part("vertex", side)).marker(p, marker, role, SMALL_MARKER);
+            sketch.part(part("vertex", side)).marker(p, marker, role, radius);
             let number = numbered.then(|| k.to_string());
             let key = if side == Side::A { "vertex.A" } else { "vertex.B" };
             label(

@@ -142,7 +142,8 @@ impl Page {
     }
 }
 
-/// Lines in the middle of the gaps between panels; `title` is the height of a row of titles.
+/// Lines in the middle of the gaps between panels; `title` is the height of a row of titles. Between rows of
+/// several panels titles part enough: lines both ways would be a cross, the first thing that is seen.
 fn rules(cells: &[Rect], columns: usize, gap: f64, title: f64) -> Vec<(Point, Point)> {
     let mut rules = Vec::new();
     for (i, cell) in cells.iter().enumerate() {
@@ -150,7 +151,7 @@ fn rules(cells: &[Rect], columns: usize, gap: f64, title: f64) -> Vec<(Point, Po
             let x = cell.x0 - 0.5 * gap;
             rules.push((Point::new(x, cell.y0), Point::new(x, cell.y1)));
         }
-        if i >= columns {
+        if i >= columns && (columns == 1 || title == 0.0) {
             let y = cell.y0 - title - 0.5 * gap;
             rules.push((Point::new(cell.x0, y), Point::new(cell.x1, y)));
         }
@@ -233,6 +234,16 @@ mod tests {
         assert_eq!(heights[0], heights[1]);
         assert_eq!(heights[2], 111.0);
         assert_eq!(cells[2].center().x, 480.0, "a row that is not full stands in the middle");
+    }
+
+    #[test]
+    fn rules_do_not_cross_where_titles_part_the_rows() {
+        let level = |columns, titles| {
+            let canvas = Canvas { columns: Some(columns), ..Canvas::default() };
+            let page = page(&canvas, &[(2.0, 1.0); 4], titles, 0);
+            page.rules.iter().filter(|(p, q)| p.y == q.y).count()
+        };
+        assert_eq!([level(2, 1), level(2, 0), level(1, 1)], [0, 2, 3]);
     }
 
     #[test]
