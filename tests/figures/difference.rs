@@ -24,26 +24,26 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-5.3, -7.2, 6.1, 6.3];
-    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.5, y - 0.5), (x, y + 1.5)];
-    let a = [(-1.0, 1.0), (-2.0, -2.0), (0.0, -4.0), (3.0, -2.0)];
+    let view = [-5.2, -7.6, 7.4, 7.8];
+    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.9, y - 0.6), (x + 0.2, y + 1.2)];
+    let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
-    // B's lowest vertex (2, 2.5) is 3 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5.
+    // B's lowest vertex (1, 2) is 2 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5.
     shows![
         world.polygon(A, &a).is_some(),
-        world.polygon(B, &triangle(3.0, 3.5)).is_some(),
-        world.marker(B, (3.0, 3.5)),
-        world.line(Translation, (2.0, 2.5), (0.2, 0.1)).is_some(),
+        world.polygon(B, &triangle(2.0, 3.0)).is_some(),
+        world.marker(B, (2.0, 3.0)),
+        world.line(Translation, (1.0, 2.0), (-0.2, 0.4)).is_some(),
         f.says("$b$"),
         // The way from a vertex of A to one of B, backwards from b, and from the origin.
-        world.arrow_toward(Difference, (3.0, -2.0), (2.0, 2.5)),
-        f.says("$p =$ $(3, -2)$") && f.says("$q - p =$ $(-1, 4.5)$"),
+        world.arrow_toward(Difference, (3.0, -2.0), (1.0, 2.0)),
+        f.says("$p =$ $(3, -2)$") && f.says("$q - p =$ $(-2, 4)$") && f.says("$p - q$"),
     ];
     let grown = look(&f, 1, view);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
     // Each vertex of A less a vertex of B seen from b, whichever is farther out.
     let outline =
-        [(0.0, 2.0), (-2.5, 1.5), (-3.5, -1.5), (-2.0, -3.5), (0.0, -5.5), (3.0, -3.5), (4.0, -1.0)];
+        [(0.0, 2.0), (-2.9, 1.6), (-3.9, -0.4), (-2.2, -2.2), (0.8, -4.2), (2.8, -3.2), (4.0, -1.0)];
     for (i, role) in [B, A, B, A, A, B, A].into_iter().enumerate() {
         let edge = grown.edge(role, outline[i], outline[(i + 1) % 7]);
         assert!(edge.is_some(), "edge {i} of the grown A is {role:?}'s");
@@ -52,35 +52,36 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let around = |p: P| grown.polygon(B, &triangle(p.0, p.1)).is_some_and(dotted) && grown.marker(B, p);
     shows![
         grown.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
-        grown.polygon(B, &triangle(3.0, 3.5)).is_some_and(dotted),
-        grown.marker(B, (3.0, 3.5)),
-        grown.line(Translation, (3.0, 3.5), (1.2, 1.1)).is_some(),
-        around((-3.0, 0.0)),
-        around((1.5, -4.5)),
+        grown.polygon(B, &triangle(2.0, 3.0)).is_some_and(dotted),
+        grown.marker(B, (2.0, 3.0)),
+        grown.line(Translation, (2.0, 3.0), (0.8, 1.4)).is_some(),
+        around((-3.4, 0.6)),
+        around((1.8, -3.7)),
     ];
-    let conf = look(&f, 2, [-3.4, -4.0, 8.0, 9.5]);
+    let conf = look(&f, 2, [-6.3, -7.5, 6.3, 7.9]);
     edges_wear_their_source(
         &conf,
         &[
-            ((3.0, 1.5), B),
-            ((5.5, 2.0), A),
-            ((6.5, 5.0), B),
-            ((5.0, 7.0), A),
-            ((3.0, 9.0), A),
-            ((0.0, 7.0), B),
-            ((-1.0, 4.5), A),
+            ((2.0, 1.0), B),
+            ((4.9, 1.4), A),
+            ((5.9, 3.4), B),
+            ((4.2, 5.2), A),
+            ((1.2, 7.2), A),
+            ((-0.8, 6.2), B),
+            ((-2.0, 4.0), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.line(Translation, (0.0, 0.0), (1.8, 2.4)).is_some(),
-        f.texts.iter().filter(|(t, _)| t == "$d = 3$").count() == 3,
+        conf.line(Translation, (0.0, 0.0), (1.2, 1.6)).is_some(),
+        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 3,
         f.says(r"$B \ominus A$"),
         f.says("$O$"),
-        // The way that the grown A has it from b, before the half turn.
-        conf.line(Muted, (0.0, 0.0), (-1.8, -2.4)).is_some(),
-        conf.text_near("from $A$", (1.5, 8.0), 60.0),
-        conf.text_near("from $B$", (5.75, 6.0), 60.0),
+        // What the grown A is seen from b, before the half turn.
+        conf.line(Muted, (0.0, 0.0), (-1.2, -1.6)).is_some(),
+        conf.polygon(Difference, &outline.map(|(x, y)| (x - 2.0, y - 3.0))).is_some_and(dotted),
+        conf.text_near("from $A$", (0.2, 6.7), 60.0),
+        conf.text_near("from $B$", (5.05, 4.3), 60.0),
     ];
 }
 
@@ -93,23 +94,25 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     let (a_1, a_2) = (turned(4.0, 2.5), turned(-4.0, 2.5));
     shows![
         world.polygon(A, &[turned(-4.0, -2.5), turned(4.0, -2.5), a_1, a_2]).is_some(),
-        world.polygon(B, &[(-2.06, -0.08), (2.74, 1.32), (1.9, 4.2), (-2.9, 2.8)]).is_some(),
+        world.polygon(B, &[(-1.58, 0.06), (2.26, 1.18), (1.42, 4.06), (-2.42, 2.94)]).is_some(),
         // From the middle of what the parallel edges share, along (-7, 24)/25.
         world.arrow(Translation, (0.34, 0.62), (-0.22, 2.54)),
-        world.marker(B, (-2.06, -0.08)),
-        world.marker(B, (2.74, 1.32)),
+        world.marker(B, (-1.58, 0.06)),
+        world.marker(B, (2.26, 1.18)),
         // Pushed out by (-0.56, 1.92).
         world
-            .polygon(B, &[(-2.62, 1.84), (2.18, 3.24), (1.34, 6.12), (-3.46, 4.72)])
+            .polygon(B, &[(-2.14, 1.98), (1.7, 3.1), (0.86, 5.98), (-2.98, 4.86)])
             .is_some_and(|p| p.fill.is_none()),
-        // The edges that face each other, 5 and 8 long.
-        world.emphasised(B, (-2.06, -0.08), (2.74, 1.32)),
+        // The edges that face each other, 4 and 8 long.
+        world.emphasised(B, (-1.58, 0.06), (2.26, 1.18)),
         world.emphasised(A, a_1, a_2),
-        world.arrow(B, (-2.06, -0.08), (2.74, 1.32)),
+        world.arrow(B, (-1.58, 0.06), (2.26, 1.18)),
         world.arrow(A, a_1, a_2),
-        world.text_near("$b_1$", (-2.06, -0.08), 40.0),
-        world.text_near("$b_2$", (2.74, 1.32), 40.0),
-        f.says("$5$ long") && f.says("$8$ long"),
+        world.text_near("$b_1$", (-1.58, 0.06), 40.0),
+        world.text_near("$b_2$", (2.26, 1.18), 40.0),
+        f.says("$4$ long") && f.says("$8$ long"),
+        // Both ends of what they share then.
+        world.marker(Ink, (-2.14, 1.98)) && world.marker(Ink, (1.7, 3.1)),
         world.marker(A, a_1),
         world.text_near("$a_1$", a_1, 40.0) && world.text_near("$a_2$", a_2, 40.0),
     ];
@@ -117,31 +120,31 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     edges_wear_their_source(
         &conf,
         &[
-            ((-5.2, -3.6), B),
-            ((-0.4, -2.2), A),
-            ((7.28, 0.04), B),
-            ((6.44, 2.92), A),
-            ((5.04, 7.72), B),
-            ((0.24, 6.32), A),
-            ((-7.44, 4.08), B),
-            ((-6.6, 1.2), A),
+            ((-4.72, -3.46), B),
+            ((-0.88, -2.34), A),
+            ((6.8, -0.1), B),
+            ((5.96, 2.78), A),
+            ((4.56, 7.58), B),
+            ((0.72, 6.46), A),
+            ((-6.96, 4.22), B),
+            ((-6.12, 1.34), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (0.56, -1.92), (0.0, 0.0)),
-        conf.marker(Now, (-0.4, -2.2)),
+        conf.marker(Now, (-0.88, -2.34)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.text_near("edge of $B$", (-2.8, -2.9), 60.0),
         conf.text_near("edge of $A$, reversed", (3.4, -1.1), 80.0),
         // There it goes the other way.
-        conf.arrow(A, (-0.4, -2.2), (7.28, 0.04)),
-        // (−1.5, −0.5) − (2.5, 5) and (2.74, 1.32) − (−5.5, −1)
-        conf.text_near("$b_1 - a_1$", (-5.2, -3.6), 60.0)
-            && conf.text_near("$b_2 - a_2$", (7.28, 0.04), 60.0),
-        // (2.74, 1.32) − (2.5, 5)
-        conf.text_near("$b_2 - a_1$", (-0.4, -2.2), 60.0),
+        conf.arrow(A, (-0.88, -2.34), (6.8, -0.1)),
+        // (−1.58, 0.06) − (3.14, 3.52) and (2.26, 1.18) − (−4.54, 1.28)
+        conf.text_near("$b_1 - a_1$", (-4.72, -3.46), 60.0)
+            && conf.text_near("$b_2 - a_2$", (6.8, -0.1), 60.0),
+        // (2.26, 1.18) − (3.14, 3.52)
+        conf.text_near("$b_2 - a_1$", (-0.88, -2.34), 60.0),
     ];
 }
 

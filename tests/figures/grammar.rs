@@ -82,7 +82,7 @@ fn broken(items: &[Item], origins: &[Point]) -> Vec<String> {
     dashes(&all, &mut wrong);
     if all.iter().any(|p| is_dotted(p)) {
         let says = |word: &String| {
-            ["t =", "at $t_", "pushed out", "pushed to", "turned about", "moved around"]
+            ["t =", "at $t_", "pushed out", "pushed to", "turned about", "moved around", "before the turn"]
                 .iter()
                 .any(|w| word.contains(w))
         };

@@ -104,10 +104,10 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let view = [-5.9, -3.5, 7.9, 3.3];
-    let after = [-4.6, -2.1, 6.6, 3.0];
+    let view = [-6.6, -3.5, 7.9, 3.6];
+    let after = [-4.9, -2.1, 6.6, 3.3];
     let (w, then, hit) = (look(&f, 0, view), look(&f, 2, after), look(&f, 3, after));
-    let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 1.6), (-1.4, 0.4)];
+    let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 2.0), (-2.2, 1.2), (-1.8, -1.2)];
     let shape_b = [(-2.0, -1.2), (1.2, -1.7), (2.4, 0.7), (1.0, 1.6), (-2.0, 1.2)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
     // cos and sin of 0.5, of 0.8 · 0.5, and of both angles at the hit, t = 0.759680666960.
@@ -130,7 +130,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         w.arrow(Ink, (-3.0, 0.0), (-2.0, 0.0)),
         w.arrow(Ink, (-4.0, 0.0), (0.0, 2.0)),
         w.arrow(Ink, (5.0, -0.5), (2.0, 1.5)),
-        w.round((-4.0, 0.0), 0.8) && w.round((5.0, -0.5), 0.8),
+        w.round((-4.0, 0.0), 0.6) && w.round((5.0, -0.5), 0.6),
         then.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(|p| p.fill.is_some()),
         then.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(|p| p.fill.is_some()),
         then.along(Translation, (-0.935_756_969, 0.443_352_995), (1.190_576_001, 0.826_436_508)),
@@ -138,8 +138,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, 2.0 * t - 0.5))).is_some(),
         hit.marker(Ink, contact),
         // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the bound.
-        then.curve(A, half(on_a), contact) && then.marker(A, half(on_a)),
-        then.curve(B, (1.190_576_001, 0.826_436_508), contact),
+        then.marker(A, half(on_a)) && then.marker(B, (1.190_576_001, 0.826_436_508)),
         hit.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(dashed),
         hit.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(dashed),
         f.says("$d = 6$"),
@@ -149,7 +148,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         f.says(r"$v \cdot n = 7$"),
         f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$") && f.says("$12$"),
         f.says("$t = 0.5$") && f.says("$0.760$"),
-        f.says("2.16 left"),
+        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "2.16 left").count() == 2,
     ];
 }
 
@@ -178,14 +177,12 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
         ];
     }
     shows![
-        // All of A lies within that circle.
-        one.arc(Muted, (0.0, 0.0), q, p),
-        two.arc(A, (0.0, 0.0), near, far) && two.marker(A, near) && two.marker(A, far),
+        [&one, &two].iter().all(|l| l.arc(A, (0.0, 0.0), near, far) && l.marker(A, near) && l.marker(A, far)),
         f.says("½ $r = 2.5$") && f.says("½ $L = 3$") && f.says("pivot"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
         f.says("$r = 5$"),
-        f.says(r"$L = \theta\,r = 6$"),
+        f.says("$L$") && f.says(r"$L = \theta\,r = 6$"),
         f.says("$p$"),
         f.says("$p'$"),
     ];

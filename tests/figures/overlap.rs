@@ -66,12 +66,11 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.marker(Now, (1.0, 1.0)),
         w.line(Translation, (1.0, below), (7.0, below)).is_some(),
         w.line(Translation, (right, 1.0), (right, 5.0)).is_some(),
-        // From the centre on.
-        w.any_line((1.0, 1.0), (1.0, below)) && w.any_line((1.0, 1.0), (right, 1.0)),
-        // The others, small.
+        // The others, grey.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
         w.polygon(Muted, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some() && f.says("one vertex moved"),
+        w.arrow_toward(Muted, a[7], (-2.0, 4.0)),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
         f.says(r"{now|$x_{\min} = -5$}") && f.says(r"{now|$x_{\max} = 7$}"),
@@ -97,19 +96,19 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-6.0, -2.0, 10.2, 7.1]);
-    let closest = (5.0, 1.0);
+    let w = look(&f, 0, [-5.2, -2.2, 9.2, 7.1]);
+    let closest = (4.0, 1.0);
     shows![
-        w.polygon(A, &[(-5.0, -1.0), (5.0, -1.0), closest, (-5.0, 1.0)]).is_some(),
-        w.circle(B, (8.0, 5.0), 2.0).is_some(),
-        clamps(&w, (8.0, 5.0), closest),
-        w.any_line((8.0, 0.0), (8.0, 5.0)),
-        w.any_line((0.0, 5.0), (8.0, 5.0)),
-        w.text_near("$B_c = A + (5, 1)$", closest, 100.0),
-        f.says("$V = (8, 5)$") && f.says("$V_x = 8$") && f.says("$V_y = 5$"),
-        f.says("clamp$(V_x, -h_x, h_x) = 5$"),
+        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), closest, (-4.0, 1.0)]).is_some(),
+        w.circle(B, (7.0, 5.0), 2.0).is_some(),
+        clamps(&w, (7.0, 5.0), closest),
+        w.any_line((7.0, 0.0), (7.0, 5.0)),
+        w.any_line((0.0, 5.0), (7.0, 5.0)),
+        w.text_near("$B_c = A + (4, 1)$", closest, 100.0),
+        f.says("$V = (7, 5)$") && f.says("$V_x = 7$") && f.says("$V_y = 5$"),
+        f.says("clamp$(V_x, -h_x, h_x) = 4$"),
         f.says("clamp$(V_y, -h_y, h_y) = 1$"),
-        f.says("$h_x = 5$") && f.says("$h_y = 1$"),
+        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 2$"),
         f.says("distance") && f.says("$= 3$"),
@@ -117,8 +116,8 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     // Beside D, 40 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
     let off = 40.0 / w.panel.scale;
     let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    let rim = (6.8, 3.4);
-    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((8.0, 5.0))),];
+    let rim = (5.8, 3.4);
+    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((7.0, 5.0))),];
 }
 
 #[test]
@@ -149,7 +148,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.2, 15.4, 4.9]);
+    let w = look(&f, 0, [-8.4, -5.8, 15.8, 4.9]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -167,7 +166,9 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
             && f.says("$h_{A,y} = 2$")
             && f.says("$h_{B,y} = 2.5$"),
         f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
-        f.says("$|c_B - c_A|_x = 9$, so {now|$D_x = 9 - 7$}") && f.says("$|c_B - c_A|_y = 3$"),
+        f.says("{now|$D_x$} $= |c_B - c_A|_x - (h_{A,x} + h_{B,x})$, {now|$D_y$} so too:"),
+        f.says("{now|$D_x = 9 - 7 = 2$}, {now|$D_y = 3 - 4.5 = -1.5$}"),
+        f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
         // The gap is lit from A's edge to B's, as high as both.
         w.strip(Now, (0.0, 4.5), (2.0, 4.5)),
@@ -177,28 +178,32 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.4, -3.5, 4.2, 7.3];
+    let view = [-3.4, -3.5, 4.2, 5.4];
     let vertices = [(-1.5, -3.0), (1.5, -3.0), (1.5, 3.0), (-1.5, 3.0)];
     let tilted = vertices.map(turned);
-    let center = turned((3.9, 4.0));
+    let center = turned((3.9, 1.8));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (0.72, 5.54), 1.6).is_some(),
+        world.circle(B, (2.04, 3.78), 1.4).is_some(),
         world.arrow_toward(Ink, (0.0, 0.0), center),
         world.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
         world.any_line((0.0, 0.0), (3.6, 0.0)),
         f.says("$-36.9°$") && f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-1.8, -3.5, 5.8, 7.3]);
+    let body = look(&f, 1, [-2.1, -3.5, 5.5, 5.4]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (3.9, 4.0), 1.6).is_some(),
-        clamps(&body, (3.9, 4.0), (1.5, 3.0)),
+        body.circle(B, (3.9, 1.8), 1.4).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (3.9, 1.8)) && body.arrow(Muted, (0.0, 0.0), (3.9, 0.0)),
+        // V_x is cut, V_y stays.
+        body.line(A, (0.0, 0.0), (1.5, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 1.8)).is_some_and(thick),
+        body.marker(A, (1.5, 1.8)) && body.arrow_toward(Translation, (1.5, 1.8), (3.9, 1.8)),
     ];
     let back = look(&f, 2, view);
-    // Of D = (12, 5)/13 · 2.6 the circle takes 1.6.
-    let (closest, rim) = (turned((1.5, 3.0)), turned((1.5 + 12.0 / 13.0, 3.0 + 5.0 / 13.0)));
+    // Of D = (2.4, 0) the circle takes 1.4.
+    let (closest, rim) = (turned((1.5, 1.8)), turned((2.5, 1.8)));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
@@ -206,11 +211,11 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         // There the radius goes on.
         back.along(B, rim, center),
         back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 4$"),
-        f.says("$h_x = 1.5$") && f.says("$h_y = 3$") && f.says("$B_c$"),
-        f.says("$D = (2.4, 1)$"),
-        f.says("$r = 1.6$"),
-        f.says("distance") && f.says("1"),
+        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 1.8$"),
+        f.says("clamped $1.5$") && f.says("$B_c$"),
+        f.says("$D$"),
+        f.says("$r = 1.4$"),
+        f.says("distance") && f.says("$= 1$"),
     ];
 }
 
@@ -249,7 +254,7 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 #[test]
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
-    let view = [-1.0, -8.0, 16.2, 7.0];
+    let view = [-2.2, -8.0, 16.2, 7.0];
     let length = |l: &super::seen::Look, p: (f64, f64), q: (f64, f64)| {
         super::seen::distance(l.panel.page(p), l.panel.page(q))
     };
@@ -264,7 +269,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         one.polygon(B, &[(5.6, 6.7), (11.6, -1.3), (13.3, 0.8), (10.4, 6.2)]).is_some(),
         one.line(Now, (5.1, -1.8), (6.5, 3.0)).is_some(),
         f.says("overlap $= 5.4 - 3.5 = 1.9$") && f.says("gap $= 8.5 - 7 = 1.5$"),
-        f.says("along $n = (0.96, -0.28)$") && f.says("along $n = (0.8, 0.6)$"),
+        f.says("$n = (0.96, -0.28)$") && f.says("$n = (0.8, 0.6)$"),
         f.says("$0$") && f.says("$5.4$") && f.says("$3.5$") && f.says("$7$") && f.says("$8.5$"),
     ];
     // Along (24, −7)/25 A spans 1.656 to 5.4, where its edge lies, and B 3.5 to 12.544.

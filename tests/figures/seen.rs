@@ -352,18 +352,6 @@ impl Look<'_> {
         })
     }
 
-    /// An open curve of the role from p to q.
-    pub(crate) fn curve(&self, role: Role, p: P, q: P) -> bool {
-        let (p, q) = (self.panel.page(p), self.panel.page(q));
-        self.paths().any(|path| {
-            let c = vertices(path);
-            let ends = c.first().zip(c.last());
-            let joined =
-                ends.is_some_and(|(&a, &b)| (near(a, p) && near(b, q)) || (near(a, q) && near(b, p)));
-            stroke_role(path) == Some(role) && c.len() > 2 && joined
-        })
-    }
-
     /// An arc about the centre with this radius, in any role.
     pub(crate) fn round(&self, center: P, radius: f64) -> bool {
         let (center, radius) = (self.panel.page(center), radius * self.panel.scale);

@@ -282,8 +282,8 @@ fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'stat
     sketch.label(Label::new(key, text, Anchor::Beside { from, to, offset }, Role::Ink));
 }
 
-/// Names the angle and the arc, and with the sector writes its radius and the arc's length; a radius that is divided by a nearer
-/// vertex has a dimension line over its whole length.
+/// Names the angle and the arc, and with the sector writes its radius and the arc's length; a radius that
+/// is divided by a nearer vertex has a dimension line over its whole length.
 fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
     let theta = if sector {
         // In radians too, by which r is multiplied.

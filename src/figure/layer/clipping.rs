@@ -1,8 +1,8 @@
 //! Points of contact by clipping: the reference edge with its normal n, the planes through its ends, what
 //! they leave of the incident edge, and at each end of that the depth below the reference edge.
 //!
-//! What a plane cuts off is grey, and struck out with a cross. An end that lies above the reference edge is no contact:
-//! it has a marker that is not filled.
+//! What a plane cuts off is grey, and struck out with a cross. An end that lies above the reference edge is
+//! no contact: it has a marker that is not filled.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;

@@ -9,6 +9,7 @@ mod approach;
 mod arc;
 mod axes;
 mod axis_gaps;
+mod axis_unit;
 mod bounds;
 mod bracket;
 mod chart;

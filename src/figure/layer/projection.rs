@@ -16,6 +16,7 @@ use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
+use super::axis_unit::{on_axis, sees, written, zero};
 use super::half_extents::{GUIDE, beside};
 use super::normal::{unit_length, unit_vector};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
@@ -31,9 +32,6 @@ const MEASURE: f64 = 48.0;
 
 /// Opacity of the strip of light between the bodies.
 const LIT: f64 = 0.11;
-
-/// Half the length of the mark of 0 on the axis, page pixels: past both intervals.
-const ZERO: f64 = 11.0;
 
 /// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
@@ -168,9 +166,9 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
     let from_zero = values && (first..=last).contains(&0.0);
     if from_zero {
-        on_axis(sketch, t, at);
+        on_axis(sketch, t.n, at);
     } else if values {
-        let along = format!("along ${}$", written(t));
+        let along = format!("along ${}$", written(t.n));
         let label = Label::new("axis", along, beyond.clone(), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }
@@ -201,22 +199,6 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     }
 }
 
-/// The axis with its components, in LaTeX.
-fn written(t: &Tested) -> String {
-    format!("n = ({}, {})", number(t.n.x), number(t.n.y))
-}
-
-/// Draws n on the axis from its 0, where numbers are counted in its lengths.
-fn on_axis(sketch: &mut Sketch, t: &Tested, at: impl Fn(f64, f64) -> DVec2) {
-    let length = unit_length(sketch);
-    let to_scale = if length == 1.0 { "" } else { " (not to scale)" };
-    let (from, tip) = (at(0.0, 0.0), at(length, 0.0));
-    sketch.part("normal").arrow(from, tip, Pen::vector(Role::Ink));
-    sketch.right_angle(from, at(0.0, 1.0) - from, -t.n);
-    let label = Label::new("axis", format!("${}${to_scale}", written(t)), beside(from, tip, t.n), Role::Ink);
-    sketch.label(label.rank(Rank::Measure));
-}
-
 /// Writes where A ends and where B begins, each over its own interval, away from the other's.
 fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(TRACK);
@@ -228,35 +210,6 @@ fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -
         let anchor = Anchor::point_toward(at(along, out * track), (down + t.n) * out);
         sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }
-}
-
-/// Whether a place of the world is in the panel's view.
-fn sees(sketch: &Sketch, context: &Context, place: DVec2) -> bool {
-    let (lo, hi) = sketch.visible();
-    let place = context.in_space(place);
-    lo.cmple(place).all() && hi.cmpge(place).all()
-}
-
-/// Marks on the axis from where its numbers are counted, below the origin, if that is in reach.
-fn zero(
-    sketch: &mut Sketch,
-    context: &Context,
-    (first, last): (f64, f64),
-    (down, far): (DVec2, f64),
-    at: impl Fn(f64, f64) -> DVec2,
-) {
-    if !(first..=last).contains(&0.0) {
-        return;
-    }
-    let tick = sketch.px(ZERO);
-    if far > 0.0 && sees(sketch, context, DVec2::ZERO) {
-        // Dashed, as it is no body's.
-        sketch.part("shadow-of-origin").weight(Weight::Light);
-        sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::construction());
-    }
-    sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
-    let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, -tick), -down), Role::Ink);
-    sketch.label(label.rank(Rank::Measure).size(Size::Note));
 }
 
 /// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to
