@@ -147,7 +147,7 @@ fn figure(text: &str) -> Result<(usize, [Duration; 4], usize), String> {
     };
     let scene = read(&Source::new("growth.json", text)).map_err(|p| format!("{p:?}"))?;
     let mut trace = Trace::default();
-    black_box((scene.query.algorithm.traced)(&scene.query_of_bodies(), &mut trace));
+    black_box((scene.query().algorithm.traced)(&scene.query_of_bodies(), &mut trace));
     let story = json_lines(&trace).map_err(|error| error.to_string())?.len();
     let events = trace.events.len();
     drop(trace);

@@ -10,8 +10,8 @@ use tracefig::collision::QueryKind;
 use tracefig::figure::{draw, plan};
 use tracefig::geometry::shape::FieldValue;
 use tracefig::geometry::{Angle, Body, DVec2, Rotation, Shape};
-use tracefig::output::{Options, Writer, format};
-use tracefig::scene::{LayerSpec, Panel, Scene, Space, Value, answer_json};
+use tracefig::output::{Options, format};
+use tracefig::scene::{LayerSpec, Panel, Refused, Scene, Space, Value, answer_json};
 use tracefig::solve;
 
 /// What an engine knows of a body.
@@ -43,13 +43,11 @@ impl EngineBody {
 
 /// Draws a scene into a file, and tells its answer.
 fn write(scene: &Scene, path: &Path) -> Result<(), Box<dyn Error>> {
-    let plan = plan(scene).map_err(|problems| format!("{problems:?}"))?;
+    let plan = plan(scene).map_err(Refused::from)?;
     let figure = draw(&plan, plan.theme, "engine");
-    let Some(Writer::One(write)) = format("svg").map(|format| format.write) else {
-        return Err("no SVG".into());
-    };
-    std::fs::write(path, write(&figure.drawing, &Options::default())?)?;
-    println!("{}: {}", path.display(), answer_json(scene.query.kind, &solve(scene)));
+    let svg = format("svg").ok_or("no SVG")?.encode(&figure.drawing, &Options::default())?;
+    std::fs::write(path, svg)?;
+    println!("{}: {}", path.display(), answer_json(scene.query().kind, &solve(scene)));
     Ok(())
 }
 
@@ -71,17 +69,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         spin: 0.7,
     };
     let pair = [("ground", ground.body()?), ("crate", falling.body()?)];
-    let told = |problems: Vec<tracefig::scene::Problem>| {
-        problems.iter().map(|problem| problem.fault.to_string()).collect::<Vec<_>>().join("\n")
-    };
-
     // Without panels a figure shows what suits the answer.
-    let mut scene = Scene::asking(QueryKind::TimeOfImpact, &pair).map_err(told)?;
+    let mut scene = Scene::asking(QueryKind::TimeOfImpact, &pair).map_err(Refused::from)?;
     scene.headline = Some("The {b|crate} touches the {a|ground} at $t$ = {=time:.4}.".to_owned().into());
     write(&scene, &Path::new(&out).join("impact.svg"))?;
 
     // Panels and layers are values too.
-    let mut scene = Scene::asking(QueryKind::Separation, &pair).map_err(told)?;
+    let mut scene = Scene::asking(QueryKind::Separation, &pair).map_err(Refused::from)?;
     let distance = LayerSpec::named("separation").with("style", Value::Text("dimension".to_owned()));
     scene.panels.push(Panel::showing(Space::World, vec![LayerSpec::named("shapes"), distance]));
     write(&scene, &Path::new(&out).join("separation.svg"))

@@ -28,6 +28,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("no SVG".into());
     };
     std::fs::write(&svg, write(&figure.drawing, &Options::default())?)?;
-    println!("{svg}: {}", answer_json(file.scene.query.kind, &solve(&file.scene)));
+    println!("{svg}: {}", answer_json(file.scene.query().kind, &solve(&file.scene)));
     Ok(())
 }

@@ -61,7 +61,7 @@ fn certificate(text: &str) -> Vec<Record> {
     let file = tracefig::scene::open_text("case.json", text).expect("answered before");
     let query = file.scene.query_of_bodies();
     let mut trace = Trace::default();
-    (file.scene.query.algorithm.traced)(&query, &mut trace);
+    (file.scene.query().algorithm.traced)(&query, &mut trace);
     let record = |event: &Event| match event {
         Event::AxisSwept { from, to, owner, normal } => Some(Record {
             from: *from,

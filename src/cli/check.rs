@@ -19,7 +19,7 @@ use super::encoded::Encoded;
 use super::files::{Drawn, Files, Plan};
 use super::handout::Sheets;
 use super::inputs::shown;
-use super::jobs::{Job, Target, Twins, bound_jobs, compared_jobs, folders_of, inputs_of, twins};
+use super::jobs::{Job, Target, Twins, bound_jobs, compared_jobs, folders_of, inputs_of, sheet_jobs, twins};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::orphans::unclaimed;
 use super::parallel::in_order;
@@ -90,7 +90,11 @@ impl Runs for Check {
             let message = "`check` compares files, and a scene from standard input has none: name its file";
             return Ok(tell_unplanned(&Unplanned::Usage(message.to_owned()), console));
         }
-        let planner = if self.handout.is_some() { bound_jobs } else { compared_jobs };
+        let planner = match &self.handout {
+            None => compared_jobs,
+            Some(_) if self.sheets.are_asked() => sheet_jobs,
+            Some(_) => bound_jobs,
+        };
         let plan = match self.files.plan_by(self.handout.as_deref(), planner) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),

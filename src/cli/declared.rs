@@ -87,6 +87,11 @@ impl Declared {
         Ok(self.sheets.write(files, &self.jobs, console)?.unwrap_or(Status::Done))
     }
 
+    /// Whether it is there and shows its scenes as they are.
+    pub(crate) fn is_current(&self, files: &Files) -> bool {
+        self.sheets.is_current(files, &self.jobs)
+    }
+
     /// The document as it would be written; what became of a figure that can't be drawn is said.
     ///
     /// # Errors

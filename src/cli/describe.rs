@@ -10,7 +10,7 @@ use tracefig::scene::{Refused, visible};
 use super::console::Console;
 use super::inputs::single;
 use super::manual::Manual;
-use super::themes::OwnThemes;
+use super::own_themes::OwnThemes;
 use super::{Runs, Status};
 
 /// Options of `describe`.
@@ -34,9 +34,12 @@ impl Runs for Describe {
             Err(refused) => return console.refuse(&refused),
         };
         let refused = |problems| Refused { source: file.source.clone(), problems };
-        let own = match OwnThemes::default().of(&file, &input) {
+        let own = match OwnThemes::default().of(&file, &input, console.ink()) {
             Ok(own) => own,
-            Err(problem) => return console.refuse(&refused(vec![problem])),
+            Err(none) => {
+                Console::message(&none.message);
+                return Ok(Status::Wrong);
+            }
         };
         let planned = own.as_ref().map_or_else(|| plan(&file.scene), |own| plan_in(&file.scene, &own.theme));
         let plan = match planned {

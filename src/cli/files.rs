@@ -8,10 +8,10 @@ use std::sync::Arc;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drift::{Stamp, facts, fingerprint, restamped};
+use tracefig::figure::Figure;
 use tracefig::figure::theme;
-use tracefig::figure::{Fault, Figure};
-use tracefig::output::{INLINE, MOST_BYTES, Options, PngEffort};
-use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
+use tracefig::output::{Format, INLINE, MOST_BYTES, Options, PngEffort};
+use tracefig::scene::{Ink, Refused, Scene, SceneFile, Variant, visible};
 
 use super::Status;
 use super::asked::Asked;
@@ -25,11 +25,12 @@ use super::in_time::InTime;
 use super::inputs::{Found, find};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
+use super::own_themes::{NoOwnTheme, OwnThemes};
 use super::parallel::threads;
 use super::project::OpenProject;
 use super::regular::read_regular;
 use super::settings::{Projects, Settings};
-use super::themes::{ChosenTheme, OwnThemes};
+use super::themes::ChosenTheme;
 use super::timings::Timings;
 use super::unfit::Unfit;
 use super::unplanned::Unplanned;
@@ -114,6 +115,12 @@ pub(crate) struct Plan {
     pub(crate) left_alone: String,
 }
 
+/// Whether a file is there and says that this tracefig made it of what has that hash.
+pub(crate) fn says(path: &Path, format: &Format, hash: &str) -> bool {
+    let bytes = read_regular(path, MOST_BYTES).ok();
+    bytes.and_then(|bytes| Stamp::read(format, &bytes)).is_some_and(|stamp| stamp.is_of(hash))
+}
+
 impl Files {
     /// What is to be drawn; `output` is where the command line wants the files.
     pub(crate) fn plan(&self, output: Option<&Path>) -> Result<Plan, Unplanned> {
@@ -186,25 +193,34 @@ impl Files {
     /// Whether every file of a scene is there and says that this tracefig drew it from this scene and these
     /// options.
     pub(crate) fn is_current(&self, job: &Job) -> bool {
-        let Ok(file) = opened(job) else { return false };
-        let word = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
-        let Ok(own) = self.own_theme(&file, job) else { return false };
-        let own = own.as_ref().map_or(word, |own| &own.key);
-        job.files.iter().all(|planned| {
+        let Some(hashes) = self.hashes(job) else { return false };
+        job.files.iter().zip(hashes).all(|(planned, hash)| {
             let Target::File(path) = &planned.target else { return false };
-            let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            if job.settings.are_apart(planned.format) {
-                return false;
-            }
-            let hash = self.hash(planned, &file, theme, &self.options(job, planned));
-            let stamp =
-                read_regular(path, MOST_BYTES).ok().and_then(|bytes| Stamp::read(planned.format, &bytes));
-            stamp.is_some_and(|stamp| stamp.is_of(&hash))
+            !job.settings.are_apart(planned.format) && says(path, planned.format, &hash)
         })
     }
 
+    /// The hashes that the files of a scene carry, in their order, without drawing it; `None` where the scene
+    /// or its theme can't be read.
+    pub(crate) fn hashes(&self, job: &Job) -> Option<Vec<String>> {
+        let file = opened(job).ok()?;
+        let word = file.scene.canvas.theme.as_ref().map_or(theme::THEMES[0].name, |t| t.value.as_str());
+        let own = self.own_theme(&file, job, Ink::Plain).ok()?;
+        let own = own.as_ref().map_or(word, |own| &own.key);
+        let hash = |planned: &Planned| {
+            let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
+            self.hash(planned, &file, theme, &self.options(job, planned))
+        };
+        Some(job.files.iter().map(hash).collect())
+    }
+
     /// The theme of the file that a scene names, or its project for it, where it is drawn in its own.
-    fn own_theme(&self, file: &SceneFile, job: &Job) -> Result<Option<Arc<ChosenTheme>>, Problem<Fault>> {
+    fn own_theme(
+        &self,
+        file: &SceneFile,
+        job: &Job,
+        ink: Ink,
+    ) -> Result<Option<Arc<ChosenTheme>>, NoOwnTheme> {
         let is_drawn = job.files.iter().any(|planned| planned.theme.is_none());
         match &job.settings.page_theme {
             _ if !is_drawn => Ok(None),
@@ -212,7 +228,7 @@ impl Files {
             Some(theme) if file.scene.canvas.theme.as_ref().is_some_and(|t| t.span.is_empty()) => {
                 Ok(Some(Arc::clone(theme)))
             }
-            _ => self.own_themes.of(file, &job.input),
+            _ => self.own_themes.of(file, &job.input, ink),
         }
     }
 
@@ -235,8 +251,8 @@ impl Files {
         let file = opened(job).map_err(|refused| Failure::of(&refused, ink))?;
         timings.lap("read");
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
-        let own = self.own_theme(&file, job).map_err(|problem| {
-            unfit.push(Unfit::file(&file, problem, ink));
+        let own = self.own_theme(&file, job, ink).map_err(|none| {
+            unfit.push(Unfit::file(&file, none));
             Failure::told()
         })?;
         let told = |unvaried: Unvaried| match unvaried {

@@ -8,14 +8,14 @@ use std::sync::Arc;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
-use tracefig::drift::text_chunk_of_several;
+use tracefig::drift::{text_chunk, text_chunk_of_several};
 use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, OutputError, PAPERS};
 
 use super::Status;
 use super::atomic_file::write_whole;
 use super::console::Console;
 use super::encoded::Encoded;
-use super::files::Files;
+use super::files::{Files, says};
 use super::inputs::shown;
 use super::jobs::{Job, Target, bound_file};
 use super::parallel::in_order;
@@ -119,6 +119,19 @@ impl Sheets {
         }))
     }
 
+    /// Whether the document of a run is there and says that it was made of these scenes as they are.
+    pub(crate) fn is_current(&self, files: &Files, jobs: &[Job]) -> bool {
+        let Ok(Some(document)) = self.document(jobs) else { return false };
+        let hashes: Option<Vec<Vec<String>>> = jobs.iter().map(|job| files.hashes(job)).collect();
+        let carried =
+            |hashes: Vec<Vec<String>>| hashes.concat().iter().map(|hash| text_chunk(hash)).collect();
+        let Some(all): Option<Vec<String>> = hashes.map(carried) else { return false };
+        let all: Vec<&str> = all.iter().map(String::as_str).collect();
+        let chunk = document.hash(&all);
+        let hash = chunk.split_once(' ').map_or(chunk.as_str(), |(hash, _)| hash);
+        says(&document.path, document.format, hash)
+    }
+
     /// The document that a run writes, where it writes one.
     ///
     /// # Errors
@@ -187,13 +200,18 @@ impl Document {
         Ok(written.status)
     }
 
+    /// What the file carries, of what its figures carry.
+    fn hash(&self, all: &[&str]) -> String {
+        text_chunk_of_several(all, &format!("{:?}", self.handout))
+    }
+
     /// The figures as one file, which says by a hash what it was made of; or why they are none, in a
     /// message.
     fn bound(&self, figures: &[(String, Encoded)]) -> Result<Encoded, String> {
         let wrong = |error: OutputError| format!("error: {}: {error}\n", shown(&self.path));
         let Some((_, first)) = figures.first() else { return Err(wrong(OutputError::NoSheets)) };
         let all: Vec<&str> = figures.iter().map(|(_, file)| file.drawing.hash.as_str()).collect();
-        let hash = text_chunk_of_several(&all, &format!("{:?}", self.handout));
+        let hash = self.hash(&all);
         let of_one =
             |(_, file): &(String, Encoded)| Drawing { hash: hash.clone(), ..(*file.drawing).clone() };
         let drawings: Vec<Drawing> = figures.iter().map(of_one).collect();

@@ -79,7 +79,34 @@ fn nothing_written(why: String) -> Unplanned {
 /// The files of all scenes, as [`jobs`] gives them, or all of them one file where that has
 /// room for them.
 pub(crate) fn bound_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
-    let jobs = planned(scenes, projects)?;
+    let mut jobs = planned(scenes, projects)?;
+    if jobs.iter().map(|job| job.files.len()).sum::<usize>() > 1 {
+        finish(&mut jobs);
+    }
+    bound(jobs)
+}
+
+/// [`bound_jobs`] where sheets are asked for, of one figure as well.
+pub(crate) fn sheet_jobs(scenes: Vec<Located>, projects: &mut Projects<'_>) -> Result<Vec<Job>, Unplanned> {
+    let mut jobs = planned(scenes, projects)?;
+    finish(&mut jobs);
+    bound(jobs)
+}
+
+/// Draws figures finished where it is their project that asks for steps and the one file that they go to
+/// has none: sheets show figures as a reader of paper wants them.
+fn finish(jobs: &mut [Job]) {
+    for settings in jobs.iter_mut().map(|job| &mut job.settings) {
+        let on_sheets = |format: &Format| format.has_sheets() && !format.has_slides();
+        let one_file = matches!(settings.destination, Destination::File(_));
+        if one_file && settings.steps_of_project && settings.formats.iter().all(|format| on_sheets(format)) {
+            Arc::make_mut(settings).in_time = None;
+        }
+    }
+}
+
+/// The files of scenes that may go to one.
+fn bound(jobs: Vec<Job>) -> Result<Vec<Job>, Unplanned> {
     if bound_file(&jobs).is_none() {
         apart(&jobs)?;
     }

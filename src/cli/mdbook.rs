@@ -20,8 +20,9 @@ use super::book::runtime;
 use super::console::Console;
 use super::live::RUNTIME;
 use super::manual::Manual;
+use super::own_themes::OwnThemes;
 use super::parallel::{in_order, threads};
-use super::themes::{OwnThemes, theme_in};
+use super::themes::theme_in;
 use super::{Runs, Status};
 
 /// The question whether a renderer is served.

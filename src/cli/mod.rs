@@ -37,6 +37,7 @@ mod mdbook;
 mod moodle;
 mod orphans;
 mod outputs;
+mod own_themes;
 mod parallel;
 mod partition;
 mod positive;

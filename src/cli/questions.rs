@@ -13,7 +13,8 @@ use super::console::Console;
 use super::encoding::warn;
 use super::failure::Failure;
 use super::inputs::{Input, single};
-use super::themes::{ChosenTheme, OwnThemes};
+use super::own_themes::OwnThemes;
+use super::themes::ChosenTheme;
 use super::variants::{Seeds, Unvaried, scene_of, varied};
 
 /// Which exercises become questions.
@@ -81,7 +82,7 @@ impl Sheet<'_> {
             Unvaried::Wrong(problems) => refuse(problems),
             unvaried => unvaried.message(&visible(&file.source.name)),
         };
-        let own = OwnThemes::default().of(&file, &input).map_err(|problem| refuse(vec![problem]))?;
+        let own = OwnThemes::default().of(&file, &input, ink).map_err(|none| none.message)?;
         let seeds = Seeds::all(seeds);
         let found = varied(&file, seeds.iter().flatten().copied().max()).map_err(told)?;
         for (i, seed) in seeds.into_iter().enumerate() {

@@ -13,7 +13,7 @@ use super::declared::Declared;
 use super::files::{Files, Plan};
 use super::gallery::finish;
 use super::handout::Sheets;
-use super::jobs::{Job, bound_jobs, folders_of};
+use super::jobs::{Job, bound_jobs, folders_of, sheet_jobs};
 use super::live::Live;
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
 use super::parallel::in_order;
@@ -87,7 +87,8 @@ impl Runs for Render {
             self.files.live = Some(live);
             Live::add_pictures(self.output.as_deref(), &mut self.files.asked.format);
         }
-        let Plan { jobs, left_alone, .. } = match self.files.plan_by(self.output.as_deref(), bound_jobs) {
+        let planner = if self.sheets.are_asked() { sheet_jobs } else { bound_jobs };
+        let Plan { jobs, left_alone, .. } = match self.files.plan_by(self.output.as_deref(), planner) {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };

@@ -81,6 +81,8 @@ pub(crate) struct Settings {
     pub(crate) seeds: Vec<Option<usize>>,
     /// How figures are shown in time; none draws the finished figure alone.
     pub(crate) in_time: Option<InTime>,
+    /// Whether the project file asks for steps, and the command line does not say.
+    pub(crate) steps_of_project: bool,
     /// The page of scenes that do not say otherwise.
     pub(crate) canvas: CanvasDefaults,
     /// The theme of that page, where it is a file.
@@ -134,6 +136,7 @@ impl Settings {
             variants: if flags.variants.is_empty() { vec![Variant::Figure] } else { once(flags.variants) },
             seeds: Seeds::all(flags.seeds),
             in_time,
+            steps_of_project: flags.in_time.is_none() && in_time.is_some(),
             page_theme: known.page_theme,
             canvas: project.map(|project| project.said.canvas.clone()).unwrap_or_default(),
             project: project.map(|project| project.file.clone()),

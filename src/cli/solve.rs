@@ -91,7 +91,7 @@ fn json(name: &str, file: &SceneFile) -> serde_json::Value {
 
 /// The answer to a scene for people.
 fn text(name: &str, file: &SceneFile) -> String {
-    let query = &file.scene.query;
+    let query = file.scene.query();
     let names = file.scene.names();
     let answer = Solution::of(&file.scene).text(&names);
     format!("{name}: {} of {} by {}\n{answer}", query.kind.word(), names.all(), query.algorithm.name)

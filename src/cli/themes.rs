@@ -1,17 +1,13 @@
-//! Themes as commands take them: words for those of the house, and files, named on the command line or in a
-//! scene.
+//! Themes as commands take them: words for those of the house, and files.
 
-use std::collections::BTreeMap;
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
 
-use tracefig::figure::Fault;
 use tracefig::figure::theme::{self, Theme, ThemeError};
 use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{self, Problem, Refused, SceneFile, Source, visible};
+use tracefig::scene::{self, Problem, Refused, Source, visible};
 
-use super::inputs::{Input, shown};
+use super::inputs::shown;
 use super::regular::read_regular;
 
 /// A theme of the house, or one from a file.
@@ -147,7 +143,7 @@ fn refused(path: &Path, text: &str, error: &ThemeError) -> Refused {
 }
 
 /// The theme in a file, or its dark side alone, by what asks for it in a folder.
-fn from_file(folder: &Path, asked: &str) -> Result<ChosenTheme, NoTheme> {
+pub(crate) fn from_file(folder: &Path, asked: &str) -> Result<ChosenTheme, NoTheme> {
     let dark_side = theme::dark_side_of(asked);
     let path = folder.join(dark_side.unwrap_or(asked));
     let bytes = read_regular(&path, MAX_FILE_BYTES).map_err(|e| NoTheme::Said(e.to_string()))?;
@@ -166,53 +162,6 @@ fn from_file(folder: &Path, asked: &str) -> Result<ChosenTheme, NoTheme> {
         key.push_str(side);
     }
     Ok(ChosenTheme { name, theme, key, file: Some(path), asked: folder.join(asked).display().to_string() })
-}
-
-/// The theme files that scenes name, each read once.
-#[derive(Default)]
-pub(crate) struct OwnThemes(Mutex<BTreeMap<PathBuf, Arc<ChosenTheme>>>);
-
-impl Clone for OwnThemes {
-    fn clone(&self) -> Self {
-        Self::default()
-    }
-}
-
-impl OwnThemes {
-    /// The theme of the file that a scene names, from the folder that the scene lies in or, where it comes
-    /// from standard input, from the working directory; `None` where it names none, or one of the house.
-    ///
-    /// # Errors
-    /// Where the file can't be read or is no theme, with the place in the scene.
-    pub(crate) fn of(
-        &self,
-        file: &SceneFile,
-        input: &Input,
-    ) -> Result<Option<Arc<ChosenTheme>>, Problem<Fault>> {
-        let Some(asked) = file.scene.canvas.theme.as_ref().filter(|t| theme::is_file(&t.value)) else {
-            return Ok(None);
-        };
-        let refuse = |reason: String| {
-            let fault = Fault::BadTheme { name: asked.value.clone(), reason };
-            Problem::new(fault, asked.span.clone())
-        };
-        let named = Path::new(&asked.value);
-        if named.has_root() || named.is_absolute() {
-            return Err(refuse("expected a path from the scene's own folder".to_owned()));
-        }
-        let folder = match input {
-            Input::File(path) => path.parent().unwrap_or(Path::new("")),
-            Input::Stdin | Input::Line { .. } => Path::new(""),
-        };
-        let path = folder.join(named);
-        let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(theme) = known.get(&path) {
-            return Ok(Some(Arc::clone(theme)));
-        }
-        let theme = Arc::new(from_file(folder, &asked.value).map_err(|none| refuse(none.to_string()))?);
-        known.insert(path, Arc::clone(&theme));
-        Ok(Some(theme))
-    }
 }
 
 /// Each theme once; the error is of two with one name, whose files would be one.

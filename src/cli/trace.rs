@@ -38,7 +38,7 @@ impl Runs for Trace {
             Err(refused) => return console.refuse(&refused),
         };
         let mut events = Events::default();
-        (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
+        (file.scene.query().algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
         if let Some(off) = Solution::of(&file.scene).off {
             events.record(|| off.event());
         }

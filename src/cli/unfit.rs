@@ -3,12 +3,12 @@
 use std::fmt::Write as _;
 
 use tracefig::drawing::Drawing;
-use tracefig::figure::Fault;
 use tracefig::figure::theme::{remedies, shortcomings};
 use tracefig::output::Format;
-use tracefig::scene::{Ink, Problem, Refused, SceneFile, visible};
+use tracefig::scene::{SceneFile, visible};
 
 use super::console::Console;
+use super::own_themes::NoOwnTheme;
 use super::themes::ChosenTheme;
 
 /// How many scenes are named that say the same.
@@ -67,13 +67,8 @@ impl Unfit {
     }
 
     /// A file that a scene names, and that is no theme.
-    pub(crate) fn file(file: &SceneFile, problem: Problem<Fault>, ink: Ink) -> Self {
-        let (theme, said) = match &problem.fault {
-            Fault::BadTheme { name, reason } => (name.clone(), reason.clone()),
-            other => (String::new(), other.to_string()),
-        };
-        let (theme, said) = (visible(&theme).into_owned(), visible(&said).into_owned());
-        let alone = Refused { source: file.source.clone(), problems: vec![problem] }.render(ink);
+    pub(crate) fn file(file: &SceneFile, none: NoOwnTheme) -> Self {
+        let NoOwnTheme { theme, said, message: alone } = none;
         let scene = visible(&file.source.name).into_owned();
         Self { scene, theme, said, alone, is_refused: false, severity: "error" }
     }

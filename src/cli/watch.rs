@@ -5,6 +5,7 @@
 //! does: a figure that says that it was drawn from this scene with these options stays.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
@@ -16,6 +17,7 @@ use tracefig::output::format;
 
 use super::atomic_file::clear_leftovers;
 use super::console::Console;
+use super::declared::Declared;
 use super::files::{Files, Plan};
 use super::inputs::{Input, shown};
 use super::jobs::{Job, each_settings, folders_of};
@@ -77,8 +79,9 @@ impl Runs for Watch {
         for round in 0.. {
             match self.files.plan(self.output.as_deref()) {
                 Ok(plan) => {
-                    watched.look_at(&self.places(&plan), console);
-                    let drawn = self.draw(&plan, &mut told, console)?;
+                    watched.look_at(&self.places(&plan.jobs, &plan.folders), console);
+                    let drawn = self.draw(&plan, &mut told, console)?
+                        + self.documents(&plan, (&mut told, &mut watched), console)?;
                     if !is_planned && drawn == 0 {
                         console.note("well again\n");
                     }
@@ -130,17 +133,17 @@ fn begun(plan: &Plan, drawn: usize) -> String {
 
 impl Watch {
     /// The folders in which something lies that the scenes are drawn from.
-    fn places(&self, plan: &Plan) -> BTreeSet<PathBuf> {
-        let mut all: BTreeSet<PathBuf> = plan.folders.iter().cloned().collect();
+    fn places(&self, jobs: &[Job], folders: &[PathBuf]) -> BTreeSet<PathBuf> {
+        let mut all: BTreeSet<PathBuf> = folders.iter().cloned().collect();
         all.extend(self.files.asked.named_folders());
-        all.extend(folders_of(&plan.jobs).into_iter().map(Path::to_owned));
+        all.extend(folders_of(jobs).into_iter().map(Path::to_owned));
         let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
-        for job in &plan.jobs {
+        for job in jobs {
             if let Input::File(path) = &job.input {
                 all.insert(folder(path));
             }
         }
-        for settings in each_settings(&plan.jobs) {
+        for settings in each_settings(jobs) {
             let themes = settings.themes.iter().chain(settings.page_theme.as_deref());
             all.extend(themes.filter_map(|theme| theme.file.as_deref()).map(folder));
             all.extend(settings.project.as_deref().map(folder));
@@ -185,6 +188,56 @@ impl Watch {
         })?;
         Ok(count)
     }
+}
+
+impl Watch {
+    /// Writes the documents of the project that are not what they should be, where all of it is watched. One
+    /// whose figures can't be drawn is tried again when one of its scenes reads otherwise. How many were not
+    /// up to date.
+    fn documents(
+        &self,
+        plan: &Plan,
+        (told, watched): (&mut Told, &mut Watched),
+        console: &mut Console,
+    ) -> io::Result<usize> {
+        let declared =
+            if self.output.is_none() { Declared::all(&self.files, &plan.jobs) } else { Ok(Vec::new()) };
+        let declared = match declared {
+            Ok(declared) => declared,
+            Err(unplanned) => {
+                tell_unplanned(&unplanned, console);
+                return Ok(1);
+            }
+        };
+        let mut count = 0;
+        for document in declared {
+            watched.look_at(&self.places(&document.jobs, &[]), console);
+            let name = shown(&document.path);
+            if document.is_current(&self.files) {
+                told.remove(&name);
+                continue;
+            }
+            count += 1;
+            let texts = read_texts(&document.jobs);
+            if told.get(&name) != Some(&texts) {
+                console.out.flush()?;
+                match document.write(&self.files, console)? {
+                    Status::Done => told.remove(&name),
+                    _ => told.insert(name, texts),
+                };
+            }
+        }
+        Ok(count)
+    }
+}
+
+/// What the scenes of a document say, as one text; of one that can't be read, nothing.
+fn read_texts(jobs: &[Job]) -> String {
+    let text = |job: &Job| match &job.input {
+        Input::File(path) => fs::read_to_string(path).unwrap_or_default(),
+        Input::Stdin | Input::Line { .. } => String::new(),
+    };
+    jobs.iter().map(text).collect::<Vec<_>>().join("\0")
 }
 
 /// Waits until something has changed and all is quiet again; whether that was before Ctrl-C.

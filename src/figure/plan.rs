@@ -102,7 +102,7 @@ impl Plan<'_> {
 pub fn plan(scene: &Scene) -> Result<Plan<'_>, Vec<scene::Problem<Fault>>> {
     let mut problems = Vec::new();
     let theme = theme_of(scene, &mut problems);
-    resolve(scene, theme, problems)
+    checked(scene, theme, problems)
 }
 
 /// Resolves what a scene asks to show, in a theme of the caller's, whichever the scene names.
@@ -126,7 +126,22 @@ pub fn plan_in<'s>(scene: &'s Scene, theme: &'s Theme) -> Result<Plan<'s>, Vec<s
     if !scene.canvas.theme.as_ref().is_some_and(|asked| theme::is_file(&asked.value)) {
         theme_of(scene, &mut problems);
     }
-    resolve(scene, theme, problems)
+    checked(scene, theme, problems)
+}
+
+/// Resolves what a scene asks to show where what a program has set of it is what a file could say; `problems`
+/// are those of its theme.
+fn checked<'s>(
+    scene: &'s Scene,
+    theme: &'s Theme,
+    problems: Vec<Problem>,
+) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
+    // A page reads all of its scenes.
+    let set = if cfg!(tracefig_page) { Vec::new() } else { scene::set::wrong(scene) };
+    if set.is_empty() {
+        return resolve(scene, theme, problems);
+    }
+    Err(problems.into_iter().chain(set.into_iter().map(Problem::from)).collect())
 }
 
 /// Resolves what a scene asks to show; `problems` are those of its theme.
@@ -289,6 +304,13 @@ mod tests {
         assert_eq!(found.len(), 1, "{found:#?}");
         let (problem, quoted) = found.into_iter().next().unwrap();
         (problem.fault.code(), quoted, problem.fault.help().unwrap_or_default())
+    }
+
+    #[test]
+    fn what_a_program_has_set_is_checked_before_anything_is_resolved() {
+        let mut scene = read(&Source::new("test", BODIES)).unwrap();
+        scene.canvas.columns = Some(0);
+        assert_eq!(super::plan(&scene).map(|_| ()).unwrap_err()[0].fault.code(), "out-of-range");
     }
 
     #[test]

@@ -90,6 +90,19 @@ impl Pose {
 }
 
 impl Body {
+    /// A body that does not move, unturned: its position is in world units. The other fields may be set.
+    ///
+    /// ```
+    /// use tracefig::geometry::{Angle, Body, DVec2, Shape};
+    /// let body = Body { angle: Angle::Degrees(30.0), ..Body::at_rest(Shape::circle(0.5)?, DVec2::X) };
+    /// assert_eq!((body.position, body.velocity), (DVec2::X, DVec2::ZERO));
+    /// # Ok::<(), tracefig::geometry::shape::ShapeError>(())
+    /// ```
+    #[must_use]
+    pub fn at_rest(shape: Shape, position: DVec2) -> Self {
+        Self { shape, position, angle: Angle::ZERO, velocity: DVec2::ZERO, spin: Angle::ZERO }
+    }
+
     /// Where the body is at time `t`, in the world: what leads a vertex as written there, by the shape's
     /// matrix first. The angle is reduced exactly, so that any number of turns is good to an ulp.
     ///

@@ -21,7 +21,8 @@ impl<T> From<T> for Spanned<T> {
 impl Scene {
     /// A question about bodies that have names, A first, with the best algorithm for their shapes; without
     /// panels, so that the figure shows what suits the answer. All else may be set afterwards: the figure's
-    /// plan checks texts, panels, layers and labels.
+    /// plan checks texts, panels, layers, labels, steps and the page. All that is wrong becomes one error by
+    /// `map_err(Refused::from)`.
     ///
     /// Shapes are those of [`Shape::of_kind`](crate::geometry::Shape::of_kind) and its kin; lengths are in
     /// world units.
@@ -168,15 +169,24 @@ fn at_no_place(value: NodeValue) -> Node {
     Node { value, span: 0..0 }
 }
 
-fn number(x: f64) -> Node {
+pub(super) fn number(x: f64) -> Node {
     at_no_place(NodeValue::Number(x))
 }
 
-fn text(text: &str) -> Node {
+/// A count as a number of a file.
+#[expect(
+    clippy::cast_precision_loss,
+    reason = "limits of counts are far below 2⁵³, and what is beyond is refused"
+)]
+pub(super) fn count(n: usize) -> f64 {
+    n as f64
+}
+
+pub(super) fn text(text: &str) -> Node {
     at_no_place(NodeValue::Text(text.to_owned()))
 }
 
-fn list(items: Vec<Node>) -> Node {
+pub(super) fn list(items: Vec<Node>) -> Node {
     at_no_place(NodeValue::List(items))
 }
 
@@ -185,7 +195,23 @@ fn pair(p: DVec2) -> Node {
 }
 
 fn table<const N: usize>(entries: [(&str, Node); N]) -> Node {
-    at_no_place(NodeValue::Table(entries.map(|(key, node)| (key.to_owned().into(), node)).into()))
+    entries_of(entries.into())
+}
+
+/// A table of so many keys.
+pub(super) fn entries_of(entries: Vec<(&str, Node)>) -> Node {
+    let entries = entries.into_iter().map(|(key, node)| (key.to_owned().into(), node));
+    at_no_place(NodeValue::Table(entries.collect()))
+}
+
+/// What a file would say of a value.
+pub(super) fn node(value: &Value) -> Node {
+    match value {
+        Value::Bool(b) => at_no_place(NodeValue::Bool(*b)),
+        Value::Number(x) => number(*x),
+        Value::Text(words) => text(words),
+        Value::List(items) => list(items.iter().map(|item| node(&item.value)).collect()),
+    }
 }
 
 #[cfg(test)]

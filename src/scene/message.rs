@@ -76,7 +76,9 @@ pub(super) fn message_at<F: Explain>(
     };
     let (fault, name) = (&problem.fault, visible(&source.name).into_owned());
     let mut elements: Vec<Element<'_>> = Vec::new();
-    if fault.has_place() {
+    if name.is_empty() {
+        // Of values that a program made there is no text.
+    } else if fault.has_place() {
         let place = source.place(problem.span.start);
         let origin = Origin::path(name.as_str()).line(place.line).char_column(place.column);
         let Quote { line, span, from_start } = quote(source, &problem.span).visible();

@@ -3,6 +3,7 @@
 mod answer;
 mod answer_fields;
 mod asked;
+mod asked_with;
 mod body;
 mod canvas;
 mod checked;
@@ -29,6 +30,7 @@ mod question;
 mod read;
 mod recognized;
 mod schema;
+pub(crate) mod set;
 mod solution;
 mod source;
 mod steps;
@@ -97,9 +99,9 @@ pub struct Scene {
     /// Caption below the figure, as markup.
     pub caption: Option<Spanned<String>>,
     /// Bodies with their names, in file order: those of the query, and others as context.
-    pub shapes: Vec<(Spanned<String>, Body)>,
+    pub(crate) shapes: Vec<(Spanned<String>, Body)>,
     /// The question that the scene asks.
-    pub query: SceneQuery,
+    pub(crate) query: SceneQuery,
     /// Panels in file order; none where the figure shows what suits the answer.
     pub panels: Vec<Panel>,
     /// Overrides of labels by key, in file order.
@@ -130,6 +132,35 @@ impl Scene {
     #[must_use]
     pub fn query_of_bodies(&self) -> Query<'_> {
         self.query_at(self.query.time)
+    }
+
+    /// Bodies with their names, in file order: those of the query, and others as context. They and the query
+    /// were checked together, and stay as they are.
+    ///
+    /// ```
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
+    /// let scene = tracefig::scene::open_text("s.toml", text)?.scene;
+    /// let (name, body) = &scene.shapes()[0];
+    /// assert_eq!((name.value.as_str(), body.shape.radius), ("A", 2.0));
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn shapes(&self) -> &[(Spanned<String>, Body)] {
+        &self.shapes
+    }
+
+    /// The question that the scene asks, with the algorithm that answers it; [`Scene::asked_with`] asks it
+    /// otherwise.
+    ///
+    /// ```
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
+    /// let scene = tracefig::scene::open_text("s.toml", text)?.scene;
+    /// assert_eq!((scene.query().algorithm.name, scene.query().time), ("extremes", 0.0));
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn query(&self) -> &SceneQuery {
+        &self.query
     }
 
     /// What the bodies of the query are called.

@@ -86,6 +86,23 @@ impl<F: Explain> Refused<F> {
     }
 }
 
+/// All that is wrong with a scene that a program made of values, as one error: it quotes no text.
+///
+/// ```
+/// use tracefig::{collision::QueryKind, figure, scene::{Refused, Scene}};
+/// fn figure_of(scene: &Scene) -> Result<figure::Figure, Box<dyn std::error::Error>> {
+///     let plan = figure::plan(scene).map_err(Refused::from)?;
+///     Ok(figure::draw(&plan, plan.theme, "figure"))
+/// }
+/// let refused = Scene::asking(QueryKind::Separation, &[]).map_err(Refused::from).unwrap_err();
+/// assert_eq!(refused.to_string(), "error[wrong-count]: `of`: a `separation` query is of two shapes, got 0");
+/// ```
+impl<F> From<Vec<Problem<F>>> for Refused<F> {
+    fn from(problems: Vec<Problem<F>>) -> Self {
+        Self { source: Source::new("", ""), problems }
+    }
+}
+
 impl<F: Explain> fmt::Display for Refused<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.render(Ink::Plain).trim_end())
@@ -157,7 +174,7 @@ pub fn open_reader(name: &str, reader: impl Read) -> Result<SceneFile, Box<Refus
 ///
 /// ```
 /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
-/// assert_eq!(tracefig::scene::open_text("s.toml", text)?.scene.shapes.len(), 1);
+/// assert_eq!(tracefig::scene::open_text("s.toml", text)?.scene.shapes().len(), 1);
 /// # Ok::<(), Box<tracefig::Refused>>(())
 /// ```
 pub fn open_text(name: &str, text: &str) -> Result<SceneFile, Box<Refused>> {

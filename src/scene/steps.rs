@@ -35,7 +35,7 @@ pub(super) fn read(top: &Checked<'_>, p: &mut Problems) -> Vec<StepWords> {
 }
 
 /// Reads one entry; `before` is the last step of the entry before.
-fn step(node: &Node, before: &mut usize, p: &mut Problems) -> Option<StepWords> {
+pub(super) fn step(node: &Node, before: &mut usize, p: &mut Problems) -> Option<StepWords> {
     let table = check(node, "steps", STEP.place, STEP.fields, p)?;
     let until = table.count("until");
     if let Some(until) = until.as_ref().filter(|until| until.value <= *before) {

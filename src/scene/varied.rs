@@ -45,7 +45,7 @@ impl SceneFile {
     /// let template = open_text("s.toml", text)?.template();
     /// assert_eq!((template.numbers()[0].key, template.numbers()[0].values[0]), ("radius", 2.0));
     /// let file = template.with(&[vec![2.5]])?;
-    /// assert_eq!(file.scene.shapes[0].1.shape.radius, 2.5);
+    /// assert_eq!(file.scene.shapes()[0].1.shape.radius, 2.5);
     /// # Ok::<(), Box<tracefig::Refused>>(())
     /// ```
     #[must_use]
@@ -87,7 +87,7 @@ impl Template {
     /// ```
     /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
     /// let template = tracefig::scene::open_text("s.toml", text)?.template();
-    /// assert_eq!(template.with(&[vec![2.5]])?.scene.shapes[0].1.shape.radius, 2.5);
+    /// assert_eq!(template.with(&[vec![2.5]])?.scene.shapes()[0].1.shape.radius, 2.5);
     /// assert!(template.with(&[vec![-1.0]]).is_err());
     /// # Ok::<(), Box<tracefig::Refused>>(())
     /// ```

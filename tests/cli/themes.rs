@@ -187,6 +187,15 @@ fn a_scene_names_a_theme_file_of_its_own_folder() {
     assert_eq!(lost.code, Some(1));
     let told = "error[bad-theme]: the theme `brand.toml` can't be used: ";
     assert!(lost.err.starts_with(told) && lost.err.contains("--> docs/s.toml:1:16"), "{}", lost.err);
+    // What is wrong in the file is shown there.
+    fs::write(here.join("docs/brand.toml"), "[colors]\na = \"red\"\n").unwrap();
+    for command in ["render", "describe"] {
+        let wrong = run(tracefig(here).args([command, "docs/s.toml"]));
+        let (quoted, named) =
+            ("--> docs/brand.toml:2:5\n  |\n2 | a = \"red\"", "  named at docs/s.toml:1:16\n");
+        assert_eq!(wrong.code, Some(1));
+        assert!(wrong.err.contains(quoted) && wrong.err.ends_with(named), "{}", wrong.err);
+    }
 }
 
 #[test]

@@ -136,6 +136,37 @@ fn what_is_up_to_date_is_said_and_so_is_what_is_well_again() {
 }
 
 #[test]
+fn a_handout_is_written_again_when_one_of_its_scenes_changes() {
+    let handout = "[[handout]]\nfile = 'class/all.pdf'\nscenes = ['class/scenes']\n";
+    let project = format!("[render]\nscenes = ['docs']\nformats = ['svg']\n{handout}");
+    let folder = folder_with("tracefig.toml", &project);
+    let here = folder.path();
+    let write = |name: &str, text: &str| fs::write(here.join(name), text).unwrap();
+    for folder in ["docs", "class/scenes"] {
+        fs::create_dir_all(here.join(folder)).unwrap();
+    }
+    write("docs/s.toml", &drawn());
+    write("class/scenes/t.toml", &drawn());
+    assert_eq!(run(tracefig(here).arg("render")).code, Some(0));
+    let first = fs::read(here.join("class/all.pdf")).unwrap();
+    let running = Running::watch(here, &[]);
+    assert!(running.says("watching 1 scene in docs, up to date; Ctrl-C ends it").is_empty());
+
+    write("class/scenes/t.toml", &drawn().replace("radius = 1", "radius = 1.5"));
+    assert!(running.says("class/all.pdf").is_empty());
+    assert!(fs::read(here.join("class/all.pdf")).unwrap() != first);
+    write("class/scenes/t.toml", &drawn().replace("radius = 1", "raduis = 1"));
+    running.says("error[unknown-key]: unknown key `raduis`");
+    running.says("error: class/all.pdf is not written without all its figures");
+    write("class/scenes/t.toml", &drawn());
+    assert!(running.says("class/all.pdf").is_empty());
+    assert!(fs::read(here.join("class/all.pdf")).unwrap() == first);
+    fs::remove_file(here.join("class/all.pdf")).unwrap();
+    running.says("class/all.pdf");
+    assert_eq!(running.interrupted(), Some(0));
+}
+
+#[test]
 fn what_can_not_be_watched_is_usage() {
     let folder = folder_with("s.toml", &drawn());
     for arguments in [&["watch", "-"][..], &["watch", "s.toml", "-o", "-"]] {

@@ -59,7 +59,7 @@ fn drawn(algorithm: &str, panels: &str) -> (Scene, Figure) {
 /// What the scene's own algorithm answers and tells.
 fn told(scene: &Scene) -> (Answer, Vec<Event>) {
     let mut trace = Trace::default();
-    let answer = (scene.query.algorithm.traced)(&scene.query_of_bodies(), &mut trace);
+    let answer = (scene.query().algorithm.traced)(&scene.query_of_bodies(), &mut trace);
     (answer, trace.events)
 }
 

@@ -13,7 +13,7 @@ pub(crate) fn holds(bytes: &[u8]) {
     let swapped = text.replace("[\"A\", \"B\"]", "[\"B\", \"A\"]");
     let answer = |text: &str| {
         let scene = open_text("fuzz", text).ok()?.scene;
-        Some(answer_json(scene.query.kind, &solve(&scene)))
+        Some(answer_json(scene.query().kind, &solve(&scene)))
     };
     let (Some(one), Some(other)) = (answer(&text), answer(&swapped)) else { return };
     let gave_up = |answer: &Value| answer["reason"] == "iteration-limit";

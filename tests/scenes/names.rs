@@ -228,7 +228,8 @@ fn a_name_with_a_letter_that_no_font_has_is_another_one_on_the_picture_and_a_not
 #[test]
 fn words_that_are_never_set_in_type_keep_a_name_that_no_font_has() {
     let scene = open_text("names.json", &text(&questions()[0], ["木箱", "B"])).unwrap().scene;
-    let bare = Scene { panels: Vec::new(), ..scene };
+    let mut bare = scene;
+    bare.panels.clear();
     let plan = plan(&bare).unwrap();
     let drawing = draw(&plan, plan.theme, "names").drawing;
     assert!(drawing.title.contains("木箱") && drawing.desc.contains("木箱 is a circle"), "{}", drawing.desc);

@@ -400,7 +400,7 @@ fn fate(text: &str) -> &'static str {
         }
     };
     let answer = solve(&file.scene);
-    assert!(!answer_text(file.scene.query.kind, &answer, &file.scene.names()).is_empty());
+    assert!(!answer_text(file.scene.query().kind, &answer, &file.scene.names()).is_empty());
     let Ok(plan) = plan(&file.scene) else { return "answered, refused as a figure" };
     let drawing = draw(&plan, plan.theme, "s").drawing;
     let options =

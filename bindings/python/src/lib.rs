@@ -158,7 +158,7 @@ fn trace(py: Python<'_>, name: &str, text: Option<&str>) -> PyResult<(String, St
     let file = opened(name, text)?;
     py.detach(|| {
         let mut events = Trace::default();
-        (file.scene.query.algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
+        (file.scene.query().algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
         let lines = json_lines(&events).map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok((lines, story(&events, &file.scene.names())))
     })

@@ -13,8 +13,9 @@ use tracefig::scene::{
 
 use super::super::inputs::Input;
 use super::super::live::{Inline, request};
+use super::super::own_themes::OwnThemes;
 use super::super::project::nearest;
-use super::super::themes::{ChosenTheme, OwnThemes, theme_in};
+use super::super::themes::{ChosenTheme, theme_in};
 use super::super::unplanned::Unplanned;
 use super::attributes::Attributes;
 use super::colors::Colors;
@@ -273,9 +274,10 @@ impl Desk<'_> {
             let chosen = theme_in(folder, word).map_err(|e| order.told(&format!("theme {word}: {e}")))?;
             return Ok(Some(chosen));
         }
-        let own = self.own_themes.of(file, input).map_err(|problem| {
-            order.refused(&Refused { source: file.source.clone(), problems: vec![problem] }, self.ink)
-        })?;
+        let own = self
+            .own_themes
+            .of(file, input, self.ink)
+            .map_err(|none| format!("{}  asked for at {}\n", none.message, order.place()))?;
         let named = || theme_in(Path::new(""), &file.scene.canvas.theme.as_ref()?.value).ok();
         let own = own.map(|own| ChosenTheme::clone(&own)).or_else(named);
         // Who has two sides follows the reader's system elsewhere, and the book here.

@@ -115,6 +115,24 @@ pub enum Stops {
 }
 
 impl Algorithm {
+    /// Answers a query that it takes, and keeps what it did.
+    ///
+    /// ```
+    /// use tracefig::{scene::open_text, trace::Event};
+    /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
+    /// let scene = open_text("s.toml", text)?.scene;
+    /// let (answer, trace) = scene.query().algorithm.answer_traced(&scene.query_of_bodies());
+    /// assert_eq!(answer, tracefig::solve(&scene));
+    /// assert!(trace.events.iter().any(|event| matches!(event, Event::BoundsFound { .. })));
+    /// # Ok::<(), Box<tracefig::Refused>>(())
+    /// ```
+    #[must_use]
+    pub fn answer_traced(&self, query: &Query) -> (Answer, Trace) {
+        let mut trace = Trace::default();
+        let answer = (self.traced)(query, &mut trace);
+        (answer, trace)
+    }
+
     /// Answers a query that it takes, without a trace.
     ///
     /// ```

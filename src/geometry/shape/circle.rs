@@ -31,6 +31,23 @@ pub(super) const KIND: Kind = Kind {
     vertices: VertexKey::None,
 };
 
+impl Shape {
+    /// A circle around its body's origin, of a radius in world units; 0 is a point.
+    ///
+    /// # Errors
+    /// A [`ShapeError`] where the radius is below 0, beyond 1e300 or no number.
+    ///
+    /// ```
+    /// use tracefig::geometry::Shape;
+    /// assert_eq!(Shape::circle(2.0)?.radius, 2.0);
+    /// assert_eq!(Shape::circle(-1.0).unwrap_err().code, "negative-radius");
+    /// # Ok::<(), tracefig::geometry::shape::ShapeError>(())
+    /// ```
+    pub fn circle(radius: f64) -> Result<Self, ShapeError> {
+        build(&[Some(FieldValue::Number(radius)), None])
+    }
+}
+
 /// Fields to a shape.
 fn build(values: &[Option<FieldValue>]) -> Result<Shape, ShapeError> {
     let radius = radius_value(value(values, 0))?;

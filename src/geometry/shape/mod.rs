@@ -180,7 +180,8 @@ pub static SHAPE_ERRORS: &[(&str, &str)] = &[
 ];
 
 impl Shape {
-    /// A shape of the kind `name` from `(field, value)` pairs.
+    /// A shape of the kind `name` from `(field, value)` pairs, in its body's frame and world units;
+    /// [`KINDS`] has the kinds and their fields.
     ///
     /// # Errors
     /// A [`ShapeError`] where a field is missing, unknown or the values do not make such a shape.
@@ -191,6 +192,8 @@ impl Shape {
     /// assert_eq!(square.vertices.len(), 4);
     /// let error = Shape::of_kind("circle", &[("radius", FieldValue::Number(-1.0))]).unwrap_err();
     /// assert_eq!(error.code, "negative-radius");
+    /// let error = Shape::of_kind("circle", &[("raduis", FieldValue::Number(1.0))]).unwrap_err();
+    /// assert!(error.to_string().contains("expected one of radius, center, got raduis"), "{error}");
     /// ```
     pub fn of_kind(name: &str, fields: &[(&str, FieldValue)]) -> Result<Self, ShapeError> {
         let Some(kind) = KINDS.iter().find(|kind| kind.name == name) else {
@@ -200,6 +203,12 @@ impl Shape {
                 format!("expected a kind of shape, got {name}"),
             ));
         };
+        let known = |key: &str| kind.fields.iter().any(|field| field.name == key);
+        if let Some((key, _)) = fields.iter().find(|(key, _)| !known(key)) {
+            let names: Vec<&str> = kind.fields.iter().map(|field| field.name).collect();
+            let expected = format!("expected one of {}, got {key}", names.join(", "));
+            return Err(ShapeError::new("wrong-type", "fields", expected));
+        }
         let values: Vec<Option<FieldValue>> = kind
             .fields
             .iter()
