@@ -138,7 +138,11 @@ fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
     let (outline, role) = (found.outline().moved(by), Role::Difference);
     sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
     let text = format!("{} pushed out", called(context));
-    let label = Label::new("pushed", text, Anchor::inside(&outline), role);
+    // Most of it lies on B ⊖ A, whose own name stands there: at the edge that is farthest the other way.
+    let far = found.edges.iter().max_by(|e, f| e.normal.dot(by).total_cmp(&f.normal.dot(by)));
+    let Some((from, to)) = far.map(|edge| found.drawn(edge)) else { return };
+    let label =
+        Label::new("pushed", text, Anchor::Beside { from: to + by, to: from + by, offset: 0.0 }, role);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
