@@ -26,7 +26,7 @@ const WORTH: f64 = 2.0;
 const SHARES: [f64; 4] = [0.46, 0.4, 0.34, 0.29];
 /// The widest and the highest that an inset is, page pixels, and the narrowest and the lowest.
 const LARGEST: [f64; 2] = [260.0, 190.0];
-const SMALLEST: [f64; 2] = [128.0, 76.0];
+const SMALLEST: [f64; 2] = [168.0, 84.0];
 /// The share of an inset that its detail takes: about it is what it belongs to.
 const FILLED: f64 = 0.4;
 /// Where an inset may stand, from its panel's middle: corners first, then between them, then within an area.
