@@ -67,8 +67,8 @@ const READABLE: [f64; 2] = [24.0, 60.0];
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
-/// The colours of each tangent and of the end of the cone square to it: a pair has one colour.
-const PAIRS: [Role; 2] = [Role::Now, Role::Ink];
+/// The colour of both tangents and of the ends of the cone square to them.
+const TURNED: Role = Role::Now;
 
 /// Width of a tangent, page pixels: less than that of the end of the cone square to it.
 const TANGENT: f64 = 1.25;
@@ -166,13 +166,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if turned {
         fan(sketch, &found, origin, (role, names));
     }
-    // As long as what it is compared with; pale beside the ends of the cone, one of which is in ink.
-    let role = if line { Role::Ink } else { Role::Muted };
+    // As long as what it is compared with.
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let length = if line { 1.0_f64.max(least).min(most) } else { radius(sketch, &found) };
     let tip = origin + found.normal * length;
-    sketch.part("direction").arrow(origin, tip, Pen::vector(role));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), role));
+    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
 }
 
 /// The radius of the cone.
@@ -188,16 +187,16 @@ fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bo
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
     let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
     let ends = [(cone.tangents[1], start, cone.touching[1]), (cone.tangents[0], end, cone.touching[0])];
-    for (((tangent, edge, touching), keys), pair) in ends.into_iter().zip(NAMES).zip(PAIRS) {
+    for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
         let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
         let of_cone = on_circle(origin, radius, edge);
-        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(pair).width(TANGENT));
-        sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(pair));
+        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+        sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(TURNED));
         right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
         if names {
             for (key, tip) in keys.into_iter().zip([beyond, of_cone]) {
-                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), pair));
+                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), TURNED));
             }
         }
     }
@@ -232,7 +231,8 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (
     sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::vector(Role::Ink).width(TANGENT));
     right_angle(sketch, origin, [angle_of(cone.normal), angle_of(along * -out)]);
     if names {
-        let anchor = Anchor::tip(origin, at(other, 0.0));
+        // On the side where B ⊖ A is not.
+        let anchor = Anchor::point_toward(at(0.6 * other, 0.0), -cone.normal);
         let label = Label::new("line", "square to $n$", anchor, Role::Ink);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
@@ -353,7 +353,7 @@ mod tests {
             };
             assert_eq!(roles("square-line").len(), line, "{show}");
             assert_eq!(paths(&figure.drawing.items, "lit").len(), usize::from(line > cone), "{show}");
-            let pairs = if cone > 0 { PAIRS.map(Some).to_vec() } else { Vec::new() };
+            let pairs = vec![Some(TURNED); 2 * cone];
             assert_eq!(roles("tangent"), pairs, "{show}");
             assert_eq!(roles("cone-edge"), pairs, "{show}");
         }
