@@ -26,7 +26,10 @@ const WORTH: f64 = 2.0;
 const SHARES: [f64; 4] = [0.46, 0.4, 0.34, 0.29];
 /// The widest and the highest that an inset is, page pixels, and the narrowest and the lowest.
 const LARGEST: [f64; 2] = [260.0, 190.0];
-const SMALLEST: [f64; 2] = [168.0, 84.0];
+const SMALLEST: [f64; 2] = [128.0, 76.0];
+/// The width of an inset that has room for a depth and its number, page pixels: a narrower one is taken only
+/// where none so wide is free.
+const ROOMY: f64 = 168.0;
 /// The share of an inset that its detail takes: about it is what it belongs to.
 const FILLED: f64 = 0.4;
 /// Where an inset may stand, from its panel's middle: corners first, then between them, then within an area.
@@ -72,18 +75,26 @@ fn unseen(sketched: &Sketched, seen: f64) -> Option<&Detail> {
     all.max_by(|a, b| diagonal(&a.rect).total_cmp(&diagonal(&b.rect)))
 }
 
-/// Whether something is too small to be seen, and no place is free for an inset of it.
+/// Whether something is too small to be seen, and no place is free for an inset of it, as wide as its panel
+/// allows one to be.
 pub(super) fn lacks_room(sketched: &Sketched) -> bool {
-    unseen(sketched, SEEN).is_some() && enlarged(sketched, None).is_none()
+    let widest = (SHARES[0] * sketched.frame.panel.width()).min(ROOMY);
+    let lacks = |found: &Detail| among(sketched, found, None, widest.max(SMALLEST[0])).is_none();
+    unseen(sketched, SEEN).is_some_and(lacks)
 }
 
 /// The inset of what is too small to be seen; `None` where nothing is, or where one would hide too much.
 pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>) -> Option<Inset> {
-    let frame = &sketched.frame;
     let found = unseen(sketched, if before.is_some() { STILL_SEEN } else { SEEN })?;
+    among(sketched, found, before, ROOMY).or_else(|| among(sketched, found, before, SMALLEST[0]))
+}
+
+/// The inset of a detail that is at least so wide, page pixels, and hides least.
+fn among(sketched: &Sketched, found: &Detail, before: Option<Rect>, narrowest: f64) -> Option<Inset> {
+    let frame = &sketched.frame;
     let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
     let sizes = shares.filter_map(|share| {
-        let (factor, size) = sized(frame, &found.rect, share)?;
+        let (factor, size) = sized(frame, &found.rect, share).filter(|(_, size)| size[0] >= narrowest)?;
         Some((share, factor, size))
     });
     let places = sizes.flat_map(|(share, factor, size)| PLACES.map(|at| (share, factor, size, at)));
