@@ -15,6 +15,9 @@ use tracefig_reference::check::check;
 use tracefig_reference::json::Json;
 use tracefig_reference::scene::Scene;
 
+/// Scenes of bodies that turn: few of their variants have a root and an arc of three digits.
+const TURNING: usize = 2;
+
 /// How far a told double may be off the result's, in parts of it or of 1.
 const TOLD: f64 = 1e-14;
 
@@ -28,6 +31,7 @@ fn part(name: &str) -> (&'static str, Option<usize>, f64) {
         "n.y" | "hit.n.y" => ("normal", Some(1), 1.0),
         "h.x" => ("half_extents", Some(0), 1.0),
         "h.y" => ("half_extents", Some(1), 1.0),
+        "bound" => ("bound", None, 1.0),
         other => panic!("the test does not know the value {other}"),
     }
 }
@@ -63,12 +67,16 @@ fn every_key_is_right_in_320_bits() {
     scenes.retain(|path| path.extension().is_some_and(|extension| extension == "toml"));
     scenes.sort();
     assert!(scenes.len() >= 3, "{}", scenes.len());
-    let (mut checked, mut wrong) = (0, Vec::new());
+    let (mut checked, mut short, mut wrong) = (0, 0, Vec::new());
     for path in &scenes {
         let file = open(path).unwrap();
         let template = file.template();
-        let each = usize::div_ceil(count, scenes.len());
-        let found = search(&template, each).unwrap_or_else(|few| panic!("{}: {few:?}", path.display()));
+        let each = usize::div_ceil(count, scenes.len() - TURNING);
+        let found = search(&template, each).or_else(|few| {
+            short += 1;
+            search(&template, few.found)
+        });
+        let found = found.unwrap_or_else(|few| panic!("{}: {few:?}", path.display()));
         for Found { file, .. } in found {
             let line = file.json();
             let answer = tracefig::solve_jsonl_line(&line, 1).line;
@@ -85,5 +93,6 @@ fn every_key_is_right_in_320_bits() {
         }
     }
     println!("{checked} keys, {} wrong", wrong.len());
+    assert!(short <= TURNING, "{short} scenes have few variants");
     assert!(checked >= count && wrong.is_empty(), "{} wrong\n{}", wrong.len(), wrong.join("\n"));
 }

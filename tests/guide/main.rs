@@ -4,6 +4,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
+mod exercises;
 mod pages;
 mod reference;
 

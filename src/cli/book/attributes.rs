@@ -15,11 +15,14 @@ pub(crate) struct Attributes {
     pub(crate) source: bool,
     /// Whether a reader may drag it where scripts run.
     pub(crate) live: bool,
+    /// Whether it is the question of an exercise with the key folded away behind it.
+    pub(crate) exercise: bool,
 }
 
 /// Every attribute, with what it takes.
-const KNOWN: [(&str, &str); 5] = [
+const KNOWN: [(&str, &str); 6] = [
     ("alt", "a text in quotes"),
+    ("exercise", "nothing"),
     ("live", "nothing"),
     ("source", "nothing"),
     ("theme", "the name of a theme, or a theme file"),
@@ -41,12 +44,16 @@ impl Attributes {
             let wrong = || format!("`{key}` takes {takes}");
             match (key.as_str(), value) {
                 ("alt", Some(value)) => read.alt = Some(value),
+                ("exercise", None) => read.exercise = true,
                 ("live", None) => read.live = true,
                 ("source", None) => read.source = true,
                 ("theme", Some(value)) => read.theme = Some(named_theme(value)?),
                 ("width", Some(value)) => read.width = Some(width(&value).ok_or_else(wrong)?),
                 _ => return Err(wrong()),
             }
+        }
+        if read.exercise && read.live {
+            return Err("a figure is `live` or an `exercise`: dragged, a question would answer".to_owned());
         }
         Ok(read)
     }
@@ -113,10 +120,14 @@ mod tests {
     #[test]
     fn what_is_no_attribute_is_told_with_those_that_there_are() {
         let told = |text: &str| Attributes::read(text).unwrap_err();
-        assert_eq!(told("hight=3"), "unknown attribute `hight`; there are alt, live, source, theme, width");
+        assert_eq!(
+            told("hight=3"),
+            "unknown attribute `hight`; there are alt, exercise, live, source, theme, width"
+        );
         assert_eq!(told("width=wide"), "`width` takes page pixels, as 400, or a share of the page, as 60%");
         assert_eq!(told("width=0"), told("width=-3"));
         assert_eq!(told("source=yes"), "`source` takes nothing");
+        assert!(told("live exercise").starts_with("a figure is `live` or an `exercise`"));
         assert_eq!(told("alt"), "`alt` takes a text in quotes");
         assert_eq!(told("alt=\"x"), "the quote of `alt` has no end");
         assert!(told("theme=drak").starts_with("unknown theme `drak`; there are light, dark,"));

@@ -78,20 +78,28 @@ pub(crate) struct Served {
     pub(crate) text: Option<String>,
     /// Messages, ready to be shown.
     pub(crate) messages: String,
-    /// The picture, with its messages where it has some, by what it depends on; none where nothing was drawn.
-    pub(crate) kept: Option<(String, String)>,
+    /// The pictures, each with its messages where it has some, by what it depends on.
+    pub(crate) kept: Vec<(String, String)>,
     /// Whether it is a figure that a reader may drag.
     pub(crate) is_live: bool,
 }
 
 /// A scene that was drawn, now or for the last build.
-struct Drawn {
+pub(super) struct Drawn {
     /// The picture, as an element or an image in Markdown.
-    picture: String,
+    pub(super) picture: String,
     /// Warnings, ready to be shown.
-    messages: String,
+    pub(super) messages: String,
     /// What it is kept by.
     key: String,
+}
+
+impl Drawn {
+    /// What is kept of it for the next build.
+    pub(super) fn kept(&self) -> (String, String) {
+        let Self { picture, messages, key } = self;
+        (key.clone(), if messages.is_empty() { picture.clone() } else { with_messages(messages, picture) })
+    }
 }
 
 impl Served {
@@ -150,7 +158,11 @@ impl Desk<'_> {
             file.scene.alt = Some(Spanned { value: alt.clone(), span: 0..0 });
         }
         let own = self.own_theme(order, &attributes, &file, &input)?;
-        let Drawn { picture, messages, key } = self.drawn(order, &file, own.as_ref())?;
+        if attributes.exercise {
+            return self.exercise(order, &attributes, file, own.as_ref());
+        }
+        let drawn = self.drawn(order, &file, own.as_ref())?;
+        let (picture, kept) = (&drawn.picture, vec![drawn.kept()]);
         let mut out = String::new();
         let is_live = attributes.live && self.takes == Takes::Element;
         if attributes.source {
@@ -159,24 +171,28 @@ impl Desk<'_> {
         }
         match self.takes {
             Takes::Element => {
-                let element = self.element(order, &attributes, own.is_none(), &picture);
+                let element = self.element(order, &attributes, own.is_none(), picture);
                 if is_live {
                     push_live(&mut out, &element, &self.request(order, &file, own.as_ref()));
                 } else {
                     out.push_str(&element);
                 }
             }
-            Takes::Image => out.push_str(&picture),
+            Takes::Image => out.push_str(picture),
         }
         // A blank line ends the element for Markdown.
         let _ = write!(out, "\n{}", order.place.margin.trim_end());
-        let kept = (key, if messages.is_empty() { picture } else { with_messages(&messages, &picture) });
-        Ok(Served { text: Some(out), messages, kept: Some(kept), is_live })
+        Ok(Served { text: Some(out), messages: drawn.messages, kept, is_live })
     }
 
     /// A scene as a picture, of the last build where nothing has changed. What is told is told by every
     /// build, of the place where the scene is now.
-    fn drawn(&self, order: &Order, file: &SceneFile, own: Option<&ChosenTheme>) -> Result<Drawn, String> {
+    pub(super) fn drawn(
+        &self,
+        order: &Order,
+        file: &SceneFile,
+        own: Option<&ChosenTheme>,
+    ) -> Result<Drawn, String> {
         let key = self.key(order, file, own);
         if let Some(picture) = self.kept.get(&key) {
             return Ok(Drawn { picture: picture.to_owned(), messages: String::new(), key });
@@ -193,7 +209,13 @@ impl Desk<'_> {
     }
 
     /// A picture as an element of the page, with the style sheet if it is the first.
-    fn element(&self, order: &Order, attributes: &Attributes, follows: bool, picture: &str) -> String {
+    pub(super) fn element(
+        &self,
+        order: &Order,
+        attributes: &Attributes,
+        follows: bool,
+        picture: &str,
+    ) -> String {
         let style = attributes.width.as_ref().map(|w| format!(" style=\"width:{w}\"")).unwrap_or_default();
         let class = Colors::class(follows);
         let sheet = order.with_sheet.then(|| format!("<style>{}</style>", self.colors.sheet));
@@ -214,7 +236,8 @@ impl Desk<'_> {
     fn key(&self, order: &Order, file: &SceneFile, own: Option<&ChosenTheme>) -> String {
         let theme = own.map_or_else(|| self.colors.sheet.clone(), |own| format!("{:?}", own.theme));
         let alt = file.scene.alt.as_ref().map(|alt| &alt.value);
-        fingerprint(&file.meaning, &format!("{:?} {} {alt:?} {theme}", self.takes, order.id))
+        let variant = file.scene.variant.word();
+        fingerprint(&file.meaning, &format!("{:?} {} {variant} {alt:?} {theme}", self.takes, order.id))
     }
 
     /// Draws a scene, as an element or an image in Markdown; warnings go to `messages`.
@@ -309,12 +332,12 @@ impl Order<'_> {
     }
 
     /// A message of ours about the place.
-    fn told(&self, told: &str) -> String {
+    pub(super) fn told(&self, told: &str) -> String {
         format!("error: {told}\n --> {}\n", self.place())
     }
 
     /// All that is wrong with a scene, and where it is asked for.
-    fn refused<F: Explain>(&self, refused: &Refused<F>, ink: Ink) -> String {
+    pub(super) fn refused<F: Explain>(&self, refused: &Refused<F>, ink: Ink) -> String {
         format!("{}  asked for at {}\n", refused.render(ink), self.place())
     }
 }

@@ -264,7 +264,7 @@ fn with_minus(words: &str) -> String {
     let is_minus = |i: usize| {
         let before = i.checked_sub(1).map(|i| letters[i]);
         let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | '['));
-        opens && letters.get(i + 1).is_some_and(|&c| c == ' ' || c.is_ascii_digit())
+        opens && letters.get(i + 1).is_some_and(|&c| matches!(c, ' ' | '|') || c.is_ascii_digit())
     };
     let sign = |(i, &c): (usize, &char)| if c == '-' && is_minus(i) { '−' } else { c };
     letters.iter().enumerate().map(sign).collect()

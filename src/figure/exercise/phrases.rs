@@ -72,6 +72,8 @@ pub(super) const AND: Phrase = ["* and *", "* und *", "* et *", "* y *"];
 pub(super) const FIND: Phrase = ["Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *."];
 /// An answer.
 pub(super) const ANSWER: Phrase = ["Answer: *", "Antwort: *", "Réponse : *", "Respuesta: *"];
+/// What is behind a question.
+pub(super) const SOLUTION: Phrase = ["Answer", "Lösung", "Réponse", "Solución"];
 /// An answer that needs no bounds.
 pub(super) const EXACT: Phrase = [
     "*, proved to be exact.",
@@ -189,6 +191,7 @@ mod tests {
             AND,
             FIND,
             ANSWER,
+            SOLUTION,
             EXACT,
             BETWEEN,
             UNITS,

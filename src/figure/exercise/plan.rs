@@ -2,9 +2,10 @@
 
 use crate::figure::plan::Plan;
 use crate::figure::text::plain;
+use crate::scene::Scene;
 
 use super::answers::{Asked, answers, steps, task as paragraphs};
-use super::phrases::Words;
+use super::phrases::{SOLUTION, Words};
 
 /// The numbers that an exercise asks for, in its order; none where the scene is no exercise.
 ///
@@ -87,4 +88,18 @@ pub fn answer_in_words(plan: &Plan<'_>, number: &Asked) -> String {
 #[must_use]
 pub fn way(plan: &Plan<'_>) -> Vec<String> {
     steps(plan.scene, &plan.runs).iter().map(|text| plain(text)).collect()
+}
+
+/// What a page calls a key that is folded away behind its question, in the scene's language.
+///
+/// ```
+/// use tracefig::{figure::exercise::solution, scene::open_text};
+/// let text = "lang = 'de'\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///     query = { kind = 'bounds', of = ['A'] }";
+/// assert_eq!(solution(&open_text("s.toml", text)?.scene), "Lösung");
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn solution(scene: &Scene) -> &'static str {
+    Words::of(scene).word(&SOLUTION)
 }

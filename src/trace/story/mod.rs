@@ -82,7 +82,7 @@ pub(crate) fn sentence_in(event: &Event, voice: Voice) -> String {
             extents(voice, *centers, *half_extents, *gap)
         }
         Event::Clamped { body, v, half_extents, clamped, closest, d, radius } => {
-            let left = clamped_distance(*v, *clamped, *d, *radius);
+            let left = clamped_distance(*d, *radius, v == clamped);
             in_box(voice, *body, [*v, *clamped, *half_extents], [*closest, *d], left)
         }
         Event::SupportFound { body, direction, vertices } => support(voice, *body, *direction, vertices),
@@ -176,11 +176,17 @@ fn extents(voice: Voice, [a, b]: [DVec2; 2], [h, k]: [DVec2; 2], gap: DVec2) -> 
 }
 
 /// A circle's centre in the frame of a box: V, V clamped, the half-extents; then the world again.
-fn in_box(voice: Voice, body: Side, in_frame: [DVec2; 3], in_world: [DVec2; 2], left: f64) -> String {
+fn in_box(
+    voice: Voice,
+    body: Side,
+    in_frame: [DVec2; 3],
+    in_world: [DVec2; 2],
+    (sign, left): (&str, f64),
+) -> String {
     let (own, other) = (voice.of(body), voice.of(body.other()));
     let [v, clamped, h] = in_frame.map(|p| voice.point(p));
     let [closest, d] = in_world.map(|p| voice.point(p));
-    voice.say(&CLAMPED, &[&own, &v, &clamped, &h, &other, &closest, &d, &voice.number(left)])
+    voice.say(&CLAMPED, &[&own, &v, &clamped, &h, &other, &closest, &d, sign, &voice.number(left)])
 }
 
 fn support(voice: Voice, body: Side, direction: DVec2, vertices: &[SupportVertex]) -> String {
@@ -297,8 +303,8 @@ fn bounds(
     text
 }
 
-/// The distance of circle and box: ‖D‖ − r, or where the centre is inside the box −‖D‖ − r.
-fn clamped_distance(v: DVec2, clamped: DVec2, d: DVec2, radius: f64) -> f64 {
+/// The sign of ‖D‖ and the distance of circle and box: ‖D‖ − r, or where the centre is inside −‖D‖ − r.
+fn clamped_distance(d: DVec2, radius: f64, is_inside: bool) -> (&'static str, f64) {
     let length = libm::hypot(d.x, d.y);
-    if v == clamped { -length - radius } else { length - radius }
+    if is_inside { ("-", -length - radius) } else { ("", length - radius) }
 }

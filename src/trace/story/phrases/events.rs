@@ -41,11 +41,12 @@ phrases! {
     /// What is at its top.
     TOP: "top", "oben", "en haut", "arriba";
     /// A circle's centre in the frame of a box: whose, V, what it is clamped to, by what, the closest point,
-    /// D, and the distance.
-    CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *; *_c = *, D = *, |D| - r = *.",
-        "Im System von *: V = *, von den halben Ausdehnungen auf * begrenzt, *; *_c = *; D = *; |D| - r = *.",
-        "Dans le repère de * : V = *, borné à * par les demi-étendues * ; *_c = * ; D = * ; |D| - r = *.",
-        "En el sistema de *: V = *, limitado a * por las semiextensiones *; *_c = *; D = *; |D| - r = *.";
+    /// D, the sign of its length, and the distance.
+    CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *; *_c = *, D = *, *|D| - r = *.",
+        "Im System von * ist V = *, auf * begrenzt durch die halben Ausdehnungen *; *_c = *; D = *; \
+         *|D| - r = *.",
+        "Dans le repère de * : V = *, borné à * par les demi-étendues * ; *_c = * ; D = * ; *|D| - r = *.",
+        "En el sistema de *: V = *, limitado a * por las semiextensiones *; *_c = *; D = *; *|D| - r = *.";
     /// The farthest vertices of a body: direction, body, vertices, a tie.
     SUPPORT: "Farthest along * on *: **.",
         "Am weitesten entlang * auf *: **.",
