@@ -3,9 +3,10 @@
 
 use serde_json::{Map, Value, json};
 use tracefig::drawing::Role;
+use tracefig::figure::exercise::askables;
 use tracefig::figure::layer::{LAYERS, Layer};
 use tracefig::figure::theme::{THEMES, ThemeKey, ThemeValue, keys};
-use tracefig::figure::{COMMON, OptionSpec, Takes};
+use tracefig::figure::{COMMON, OptionSpec, Takes, values};
 use tracefig::output::{FORMATS, PAPERS};
 use tracefig::scene;
 
@@ -20,6 +21,29 @@ const FORMATS_OF_A_PROJECT: &str = "/properties/render/properties/formats/items"
 
 /// Where the schema of a project file says which paper a handout has.
 const PAPER_OF_A_HANDOUT: &str = "/properties/handout/items/properties/paper";
+
+/// How a theme file is named, or its dark side.
+const THEME_FILE: &str = r"\.toml(#dark)?$";
+
+/// How a text ends that is drawn: each formula in it has its end.
+const DRAWN: &str = "$";
+
+/// How a text ends that is read and not drawn: a formula without an end stands as it is.
+const READ: &str = r"(?:\$(?:[^$\\]|\\[\s\S])*)?$";
+
+/// Where the schema says what texts with formulas, roles and values are, and how they end.
+const TEXTS: [(&str, &str); 7] = [
+    ("/properties/title", READ),
+    ("/properties/alt", READ),
+    ("/properties/headline", DRAWN),
+    ("/properties/caption", DRAWN),
+    ("/properties/panels/items/properties/title", DRAWN),
+    ("/properties/labels/additionalProperties/anyOf/0", DRAWN),
+    ("/properties/labels/additionalProperties/anyOf/1/properties/text", DRAWN),
+];
+
+/// Where the schema says what an exercise asks for.
+const ASKED: &str = "/properties/exercise/properties/ask";
 
 /// A file that a schema is of.
 pub(crate) struct Schema {
@@ -39,6 +63,16 @@ pub(crate) static SCHEMAS: [Schema; 3] = [
 /// JSON Schema (draft 2020-12) of a scene.
 fn scene_schema() -> Value {
     let mut schema = scene::schema();
+    for (place, end) in TEXTS {
+        if let Some(text) = schema.pointer_mut(place) {
+            text["pattern"] = json!(markup(end));
+        }
+    }
+    let asked: Vec<_> = askables().map(|(name, _)| name).collect();
+    if let Some(ask) = schema.pointer_mut(ASKED) {
+        *ask = one_or_more(&json!({ "enum": asked }), &ask["description"]);
+    }
+    themed(&mut schema, "/properties/canvas/properties/theme");
     if let Some(layers) = schema.pointer_mut(LAYERS_OF_A_PANEL) {
         let names: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
         let tables: Vec<_> = LAYERS.iter().map(|layer| (layer.name, table(layer))).collect();
@@ -51,9 +85,41 @@ fn scene_schema() -> Value {
     schema
 }
 
+/// What a text with formulas, roles and values is, up to its end: each role and value that is named is one of
+/// ours. What stands within a formula is left open.
+fn markup(end: &str) -> String {
+    let roles = Role::OF_WORDS.map(Role::name).join("|");
+    let values: Vec<_> = values().map(|(name, _)| name.replace('.', r"\.")).collect();
+    let values = values.join("|");
+    let (escaped, formula) = (r"\\[\s\S]", r"\$(?:[^$\\]|\\[\s\S])*\$");
+    let named = format!(r"\{{(?:{roles})\||\{{=(?:{values})[:}}]|\{{(?![a-z][a-z-]*\||=)");
+    format!(r"^(?:[^$\\{{]|{escaped}|{formula}|{named})*{end}")
+}
+
+/// Says which themes there are, where the schema has one: a word for one of the house, or a file.
+fn themed(schema: &mut Value, place: &str) {
+    if let Some(theme) = schema.pointer_mut(place) {
+        let names: Vec<_> = THEMES.iter().map(|theme| theme.name).collect();
+        let file = json!({ "type": "string", "pattern": THEME_FILE });
+        let about = theme["description"].take();
+        *theme = json!({ "anyOf": [{ "enum": names }, file] });
+        if about.is_string() {
+            theme["description"] = about;
+        }
+    }
+}
+
+/// The schema of one value or a list of them.
+fn one_or_more(one: &Value, about: &Value) -> Value {
+    json!({ "anyOf": [one, { "type": "array", "items": one }], "description": about })
+}
+
 /// JSON Schema (draft 2020-12) of a project file.
 fn project_schema() -> Value {
     let mut schema = scene::project_schema();
+    themed(&mut schema, "/properties/canvas/properties/theme");
+    themed(&mut schema, "/properties/render/properties/themes/items");
+    themed(&mut schema, "/properties/handout/items/properties/theme");
     if let Some(formats) = schema.pointer_mut(FORMATS_OF_A_PROJECT) {
         *formats = json!({ "enum": FORMATS.iter().map(|format| format.name).collect::<Vec<_>>() });
     }

@@ -93,7 +93,10 @@ fn holds(field: &Field) -> Value {
         Holds::RectangleOr(word) => json!({ "anyOf": [numbers(4), { "const": word }] }),
         Holds::Points => json!({ "type": "array", "items": numbers(2) }),
         Holds::Names => {
-            json!({ "type": "array", "items": { "type": "string" }, "minItems": 1, "maxItems": 2 })
+            json!({
+                "type": "array", "items": { "type": "string" },
+                "minItems": 1, "maxItems": 2, "uniqueItems": true,
+            })
         }
         Holds::Drags => json!({ "type": "array", "items": { "type": "string" } }),
         Holds::Texts(_) => json!({ "anyOf": [

@@ -88,6 +88,52 @@ fn is_of_type(name: &Value, value: &Value) -> bool {
     }
 }
 
+/// Whether a text is as a pattern of the schemas wants it: of theme files, of markup, of colours.
+fn fits(pattern: &str, text: &str) -> bool {
+    if pattern == r"\.toml(#dark)?$" {
+        return Path::new(text.trim_end_matches("#dark")).extension().is_some_and(|end| end == "toml");
+    }
+    if pattern.starts_with("^(?:[^$") {
+        return is_markup(pattern, text);
+    }
+    let (_, digits) = COLORS.iter().find(|(known, _)| *known == pattern).expect("a known pattern");
+    text.strip_prefix('#')
+        .is_some_and(|hex| digits.contains(&hex.len()) && hex.bytes().all(|b| b.is_ascii_hexdigit()))
+}
+
+/// Whether a text is markup as the pattern of the schema has it, which names the roles and values.
+fn is_markup(pattern: &str, text: &str) -> bool {
+    let words = |after: &str| -> Vec<String> {
+        let (_, rest) = pattern.split_once(after).expect("a list of words");
+        rest.split(')').next().expect("its end").split('|').map(|word| word.replace('\\', "")).collect()
+    };
+    let (roles, values) = (words(r"\{(?:"), words(r"\{=(?:"));
+    let mut rest = text;
+    while let Some(at) = rest.find(['$', '{', '\\']) {
+        let (found, after) = (&rest[at..=at], &rest[at + 1..]);
+        rest = match found {
+            "\\" => after.get(after.chars().next().map_or(0, char::len_utf8)..).unwrap_or(""),
+            "$" => match after.split_once('$') {
+                Some((_, after)) => after,
+                None => return pattern.ends_with(")?$"),
+            },
+            _ => {
+                let end = after.find(|c: char| !(c.is_ascii_alphanumeric() || "-=._".contains(c)));
+                let (word, end) = end.map_or((after, ""), |end| (&after[..end], &after[end..=end]));
+                let is_known = match word.strip_prefix('=') {
+                    Some(value) => values.iter().any(|known| known == value),
+                    None => end != "|" || word.is_empty() || roles.iter().any(|known| known == word),
+                };
+                if !is_known {
+                    return false;
+                }
+                after
+            }
+        };
+    }
+    true
+}
+
 /// Whether a value is as a keyword wants it.
 fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
     let number = |compare: fn(&f64, &f64) -> bool| {
@@ -119,15 +165,11 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
         "minItems" => length(u64::ge),
         "maxItems" => length(u64::le),
         "anyOf" => fitting() > 0,
-        "pattern" => {
-            let (_, digits) = COLORS.iter().find(|(pattern, _)| rule == pattern).expect("a known pattern");
-            let is_color = |text: &str| {
-                text.strip_prefix('#').is_some_and(|hex| {
-                    digits.contains(&hex.len()) && hex.bytes().all(|b| b.is_ascii_hexdigit())
-                })
-            };
-            value.as_str().is_none_or(is_color)
+        "uniqueItems" => {
+            let items = value.as_array().map_or(&[][..], Vec::as_slice);
+            items.iter().enumerate().all(|(i, item)| !items[..i].contains(item))
         }
+        "pattern" => value.as_str().is_none_or(|text| fits(rule.as_str().expect("a text"), text)),
         other => panic!("the keyword {other} is not known to this test"),
     }
 }
@@ -173,16 +215,37 @@ fn with(pointer: &str, put: Value) -> Value {
     scene
 }
 
+/// What `render` says of a scene.
+fn drawn(folder: &Path, scene: &Value) -> Option<i32> {
+    std::fs::write(folder.join("s.json"), scene.to_string()).unwrap();
+    run(tracefig(folder).args(["render", "s.json"])).code
+}
+
+#[test]
+fn the_schema_takes_what_the_reader_takes() {
+    let schema = schema("schema");
+    let folder = tempfile::tempdir().unwrap();
+    for (pointer, put) in [
+        ("", Value::Null),
+        ("/title", json!("{a|A} is {=separation:.2} off {b|$B \\ominus A$}, \\$ 3, {x} and \\{c| too")),
+        ("/headline", json!("$\\frac{a}{b}$ {=n.x}")),
+        ("/title", json!("a formula $x without an end")),
+        ("/canvas/theme", json!("dark")),
+        ("/exercise", json!({ "ask": ["separation"] })),
+    ] {
+        let right = with(pointer, put);
+        assert_eq!(
+            (faults(&schema, &right, ""), drawn(folder.path(), &right)),
+            (Vec::new(), Some(0)),
+            "{pointer}"
+        );
+    }
+}
+
 #[test]
 fn the_schema_refuses_what_the_reader_refuses() {
     let schema = schema("schema");
     let folder = tempfile::tempdir().unwrap();
-    let solved = |scene: &Value| {
-        std::fs::write(folder.path().join("s.json"), scene.to_string()).unwrap();
-        run(tracefig(folder.path()).args(["render", "s.json"])).code
-    };
-    let right = with("", Value::Null);
-    assert_eq!((faults(&schema, &right, ""), solved(&right)), (Vec::new(), Some(0)));
     for (pointer, put) in [
         ("/shapes", Value::Null),
         ("/query", Value::Null),
@@ -219,9 +282,18 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("/panels/0/layers/1", json!({ "layer": "point", "at": [1] })),
         ("/panels/0/view", json!([0, 0, 1])),
         ("/labels/A/at", json!("up")),
+        ("/labels/A/text", json!("{c|A}")),
+        ("/labels/B", json!("{=separatoin}")),
+        ("/title", json!("{=depht:.2} apart")),
+        ("/headline", json!("a formula $x without an end")),
+        ("/panels/0/title", json!("{red|words}")),
+        ("/canvas/theme", json!("drak")),
+        ("/query/of", json!(["A", "A"])),
+        ("/exercise", json!({ "ask": "dpth" })),
+        ("/exercise", json!({ "ask": ["separation", "dpth"] })),
     ] {
         let wrong = with(pointer, put.clone());
-        assert_eq!(solved(&wrong), Some(1), "{pointer} {put}");
+        assert_eq!(drawn(folder.path(), &wrong), Some(1), "{pointer} {put}");
         assert!(!faults(&schema, &wrong, "").is_empty(), "the schema takes {pointer} {put}");
     }
 }

@@ -49,6 +49,10 @@ pub(super) const FORMAT: Format = Format {
 /// Key of the document's information under which the scene's hash stands.
 const HASH: &str = "tracefig";
 
+/// The version of the format: 1.4 has opacities and languages, and what has a higher one is warned of by
+/// LaTeX, which writes 1.5, and refused by some journals.
+const VERSION: (u8, u8) = (1, 4);
+
 /// Spaces only where they separate.
 const SETTINGS: Settings = Settings { pretty: false };
 
@@ -100,6 +104,7 @@ fn file(sheets: &[Sheet<'_>], drawings: &[&Drawing], steps: &[Step]) -> Result<V
     let pages: Vec<[Ref; 2]> = sheets.iter().map(|_| [free.bump(), free.bump()]).collect();
     let forms: Vec<(Ref, &Form)> = content.forms.iter().map(|form| (free.bump(), form)).collect();
     let mut pdf = Pdf::with_settings(SETTINGS);
+    pdf.set_version(VERSION.0, VERSION.1);
     write_catalog(&mut pdf, (catalog, tree), language(drawings), steps, &mut free);
     let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
     pdf.pages(tree).kids(pages.iter().map(|[page, _]| *page)).count(count);
@@ -315,7 +320,7 @@ mod tests {
         let file = sample();
         let ascii = |b: &u8| if b.is_ascii() { char::from(*b) } else { '?' };
         let text: String = file.iter().map(ascii).collect();
-        assert!(text.starts_with("%PDF-1.7") && text.ends_with("%%EOF"));
+        assert!(text.starts_with("%PDF-1.4") && text.ends_with("%%EOF"));
         let start: usize = text.lines().rev().nth(1).unwrap().parse().unwrap();
         let table = text[start..].lines().skip(3);
         let entries: Vec<&str> =
