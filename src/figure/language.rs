@@ -126,6 +126,7 @@ const WORDS: &[[&str; 5]] = &[
     ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
     ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],
+    ["$*$, less", "$*$", "$*$, weniger", "$*$, moins", "$*$, menos"],
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],
     ["fastest approach", "", "schnellste Annäherung", "approche la plus rapide", "acercamiento más rápido"],
     ["World", "", "Welt", "Monde", "Mundo"],

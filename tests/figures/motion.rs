@@ -90,7 +90,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
         two.head(B, (4.979_260 + 0.483_318, 0.528_471 + 0.875_445)),
         one.through((3.0, 2.25), (4.6875, 0.0)),
         two.through((4.979_260, 0.528_471), (5.936_490, 0.0)),
-        f.says("estimate")
+        f.says("estimate, $t = 0.625$")
             && f.says("closest point")
             && f.says("new estimate")
             && f.says("tangent")

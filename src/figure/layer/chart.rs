@@ -32,6 +32,8 @@ pub(super) struct Chart<'c> {
     least: f64,
     /// The time and the value at its upper right.
     pub(super) most: DVec2,
+    /// The value up to which the axis reaches, where it has more room than it needs.
+    up_to: Option<f64>,
 }
 
 impl<'c> Chart<'c> {
@@ -47,21 +49,23 @@ impl<'c> Chart<'c> {
         let [left, right, below, above] = room.map(|px| sketch.px(px));
         let area = [lo + DVec2::new(left, below), hi - DVec2::new(right, above)];
         let height = if most.y > least { most.y } else { least + 1.0 };
-        Self { context, area, least, most: DVec2::new(most.x, height) }
+        Self { context, area, least, most: DVec2::new(most.x, height), up_to: None }
     }
 
-    /// A chart as wide as its panel but for the room at its left and right, page pixels, and with values to
-    /// the panel's own scale, from 0 at a height of its space: level with what is there in a panel beside it.
+    /// A chart as wide as its panel but for the room at its left and right, and above its axis of values,
+    /// page pixels; with values to the panel's own scale, from 0 at a height of its space: level with what
+    /// is there in a panel beside it.
     pub(super) fn level(
         sketch: &Sketch,
         context: &'c Context<'c>,
-        [left, right]: [f64; 2],
+        [left, right, above]: [f64; 3],
         (height, most): (f64, DVec2),
     ) -> Self {
         let (lo, hi) = sketch.visible();
         let ends = [lo.x + sketch.px(left), hi.x - sketch.px(right)];
         let area = [DVec2::new(ends[0], height), DVec2::new(ends[1], height + most.y)];
-        Self { context, area, least: 0.0, most }
+        let up_to = Some(hi.y - sketch.px(above) - height).filter(|top| *top > most.y);
+        Self { context, area, least: 0.0, most, up_to }
     }
 
     /// A vector of the page, to the right and up, in the panel's space.
@@ -90,9 +94,10 @@ impl<'c> Chart<'c> {
             let length = end.distance(corner);
             end + (end - corner) * (LONGER.min(sketch.px(FARTHEST) / length))
         };
+        let top = self.up_to.map(|value| self.place(0.0, value));
         let ends = [
             (time, t, longer(self.place(self.most.x, 0.0)), DVec2::NEG_Y),
-            (value, s, longer(self.place(0.0, self.most.y)), DVec2::NEG_X),
+            (value, s, top.unwrap_or(longer(self.place(0.0, self.most.y))), DVec2::NEG_X),
         ];
         for (key, name, end, toward) in ends {
             sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());

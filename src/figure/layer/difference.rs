@@ -83,6 +83,7 @@ pub(super) const LAYER: Layer = Layer {
             default: "true",
             about: "false: faint and without vertices, for an algorithm that never builds it",
         },
+        OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "unbuilt, its faint area" },
         OptionSpec {
             name: "dotted",
             takes: Takes::Flag,
@@ -216,7 +217,8 @@ fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Di
     let role = options.role(Role::Difference);
     let pen = Pen::outline(role).width(UNBUILT[0]).opacity(UNBUILT[1]);
     sketch.part("difference").weight(Weight::Light);
-    sketch.area(&found.outline(), Some(Wash::faint(role, UNBUILT[2])), Some(pen));
+    let wash = options.flag("fill", true).then(|| Wash::faint(role, UNBUILT[2]));
+    sketch.area(&found.outline(), wash, Some(pen));
     name(sketch, context, options, found);
 }
 

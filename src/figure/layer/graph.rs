@@ -130,7 +130,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let room = [left, right, if values { below + VALUE_ROOM } else { below }, above];
     let most = DVec2::new(until, highest);
     let chart = match floor(context).filter(|_| options.flag("level", false)) {
-        Some(height) => Chart::level(sketch, context, [left, right], (height, most)),
+        Some(height) => Chart::level(sketch, context, [left, right, above], (height, most)),
         None => Chart::new(sketch, context, room, (0.0, most)),
     };
     chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);

@@ -6,6 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of,
 };
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
 use super::difference::draw_edge;
@@ -37,7 +38,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "start", about: "where the first edge begins" },
         LabelKey { key: "e.A", about: "the number of the next edge of A, mirrored" },
         LabelKey { key: "e.B", about: "the number of the next edge of B" },
-        LabelKey { key: "less", about: "beside the edge that is taken" },
+        LabelKey { key: "less", about: "beside the edge that is taken: how far it turns" },
+        LabelKey { key: "more", about: "how far the other one turns" },
     ],
     needs: "the algorithm \"merge\" and bodies with edges, and no more edges than they have",
     fed: |context, options| Fed::by_the_scene(shown(context, options).is_some()),
@@ -94,7 +96,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// Draws how the edge before would go on, and how far either next edge turns from that; and says by which
 /// arc the one turns that is taken.
-fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) -> Option<Anchor> {
+fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) -> Option<(Anchor, String)> {
     let u = before.try_normalize()?;
     let ahead = next.at + u * sketch.px(AHEAD);
     sketch.part("straight-on").weight(Weight::Light).line(next.at, ahead, Pen::construction());
@@ -106,14 +108,21 @@ fn straight_on(sketch: &mut Sketch, before: DVec2, next: &Merged) -> Option<Anch
         let radius = sketch.px(radius);
         sketch.part("turn").weight(Weight::Light);
         sketch.arc_arrow(next.at, radius, start, turn, Pen::dimension(side.into()));
-        own = own.or(Some(Anchor::Arc { center: next.at, radius, start, sweep: turn }));
+        let arc = Anchor::Arc { center: next.at, radius, start, sweep: turn };
+        let degrees = format!("${}°$", number(turn.abs().to_degrees()));
+        if own.is_none() {
+            own = Some((arc, degrees));
+        } else {
+            let label = Label::new("more", degrees, arc, side.into());
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
+        }
     }
     own
 }
 
 /// Draws the next edge of either body with its number, first that of the one that is taken, which turns less,
 /// if an edge is before it by the arc `turned`.
-fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2], turned: Option<Anchor>) {
+fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2], turned: Option<(Anchor, String)>) {
     let own = next.at + next.edge;
     let named = |side: Side, number: usize, tip: DVec2| {
         let label = Label::new(key(side), number.to_string(), Anchor::tip(next.at, tip), side.into());
@@ -129,7 +138,11 @@ fn choice(sketch: &mut Sketch, next: &Merged, numbers: [usize; 2], turned: Optio
     arrow(sketch.part("chosen"), next.taken, (next.at, own), Pen::highlighted(role));
     sketch.label(named(next.taken, numbers[0], own));
     if next.other.is_some() {
-        let label = Label::new("less", "turns less", turned.unwrap_or(Anchor::middle(next.at, own)), role);
+        let (anchor, text) = match turned {
+            Some((arc, degrees)) => (arc, format!("{degrees}, less")),
+            None => (Anchor::middle(next.at, own), "turns less".to_owned()),
+        };
+        let label = Label::new("less", text, anchor, role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     sketch.part("reached").marker(next.at, Marker::Diamond, Role::Now, MARKER);

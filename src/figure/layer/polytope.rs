@@ -16,15 +16,16 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
+use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
-use super::simplex::{MOST_PASSING, has_simplexes};
+use super::simplex::{MOST_PASSING, has_simplexes, named_w};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
 const PAST: f64 = 34.0;
 
-/// Opacity of what the step before added to the polytope.
-const FILL: f64 = 0.2;
+/// Opacity of the polytope, and of what the step before added to it.
+const FILL: (f64, f64) = (0.1, 0.26);
 
 /// Opacity of the edge that was split.
 const SPLIT: f64 = 0.75;
@@ -50,6 +51,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "at the last step, the push of B by −d nₑ, which brings the nearest edge to O, dotted",
         },
+        OptionSpec {
+            name: "coordinates",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes those of the vertices that the search begins with, and of each that comes next",
+        },
     ],
     labels: &[
         LabelKey { key: "d", about: "distance of the nearest edge from the origin" },
@@ -57,6 +64,7 @@ pub(super) const LAYER: Layer = Layer {
             key: "n", about: "the outward normal nₑ of that edge, along which it looks for a vertex"
         },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
+        LabelKey { key: "vertex", about: "the vertices that the search begins with, with coordinates" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed, with pushed" },
         LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
@@ -145,18 +153,25 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let role = options.role(Role::Now);
     let outline = Outline::polygon(&step.vertices);
     if let Some(triangle) = step.added {
-        let [from, _, to] = triangle;
-        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, FILL)), None);
+        let [from, added, to] = triangle;
+        let before: Vec<DVec2> = step.vertices.iter().filter(|p| **p != added).copied().collect();
+        sketch.part("before").area(&Outline::polygon(&before), Some(Wash::faint(role, FILL.0)), None);
+        sketch.part("added").area(&Outline::polygon(&triangle), Some(Wash::faint(role, FILL.1)), None);
         sketch.part("split").weight(Weight::Light).line(from, to, Pen::dimension(role).opacity(SPLIT));
     }
-    // What is new is filled: the triangle that it begins with, then each by which it grows.
-    let wash = step.added.is_none().then(|| Wash::faint(role, FILL));
+    let wash = step.added.is_none().then(|| Wash::faint(role, FILL.0));
     sketch.part("polytope").area(&outline, wash, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
     supporting_line(sketch, step, foot);
     sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
+    let coordinated = options.flag("coordinates", false);
     for &vertex in &step.vertices {
         sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);
+        if coordinated && step.added.is_none() {
+            let label =
+                Label::new("vertex", coordinates(sketch, context, vertex), Anchor::point(vertex), role);
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
+        }
     }
     sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
     let blue = Pen::highlighted(Role::Translation);
@@ -183,7 +198,10 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
     if let Some(w) = step.beyond {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
+        sketch.label(
+            Label::new("w", named_w(sketch, context, w, coordinated), Anchor::point(w), role)
+                .rank(Rank::Point),
+        );
     } else {
         let [from, to] = step.edge;
         let beside = Anchor::Beside { from, to, offset: 0.0 };
@@ -284,9 +302,9 @@ mod tests {
             let last = usize::from(k == steps);
             let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
             assert_eq!(found, [last, 1 - last], "step {k}");
-            let kept = ["split", "added"].map(|part| paths(&figure.drawing.items, part).len());
-            assert_eq!(kept, [usize::from(k > 1); 2], "step {k}");
-            // Filled is what is new: itself, or what was added to the one before.
+            let kept = ["split", "added", "before"].map(|part| paths(&figure.drawing.items, part).len());
+            assert_eq!(kept, [usize::from(k > 1); 3], "step {k}");
+            // It is filled once: by itself, or as the one before and what was added to that.
             let polytope = paths(&figure.drawing.items, "polytope")[0];
             assert_eq!(polytope.fill.is_some(), k == 1, "step {k}");
             if k == steps {

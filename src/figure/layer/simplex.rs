@@ -22,7 +22,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 const FILL: f64 = 0.12;
 
 /// How far beside v the direction of the search is drawn, page pixels: clear of both heads.
-const BESIDE: f64 = 10.0;
+const BESIDE: f64 = 16.0;
 /// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
 const SEARCH: f64 = 26.0;
 /// Length of that arrow at least, page pixels: its head and as much again.
@@ -211,13 +211,17 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        let text = if coordinated {
-            format!("$w = {}$", coordinates(sketch, context, w).trim_matches('$'))
-        } else {
-            "$w$".to_owned()
-        };
+        let text = named_w(sketch, context, w, coordinated);
         sketch.label(Label::new("w", text, Anchor::point(w), role).rank(Rank::Point));
     }
+}
+
+/// What is said of the vertex that comes next, as markup.
+pub(super) fn named_w(sketch: &Sketch, context: &Context, w: DVec2, coordinated: bool) -> String {
+    if coordinated {
+        return format!("$w = {}$", coordinates(sketch, context, w).trim_matches('$'));
+    }
+    "$w$".to_owned()
 }
 
 /// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the
