@@ -37,7 +37,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         f.says("$b$"),
         // The way from a vertex of A to one of B, backwards from b, and from the origin.
         world.arrow_toward(Difference, (3.0, -2.0), (1.0, 2.0)),
-        f.says("$p =$ $(3, -2)$") && f.says("$q - p =$ $(-2, 4)$") && f.says("$p - q$"),
+        f.says("$p =$ $(3, -2)$") && f.says("$q - p$") && f.says("$q - p =$ $(-2, 4)$") && f.says("$p - q$"),
     ];
     let grown = look(&f, 1, view);
     let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
@@ -55,7 +55,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         grown.polygon(B, &triangle(2.0, 3.0)).is_some_and(dotted),
         grown.marker(B, (2.0, 3.0)),
         grown.line(Translation, (2.0, 3.0), (0.8, 1.4)).is_some(),
-        around((-3.4, 0.6)),
+        grown.marker(A, (3.0, -2.0)),
         around((1.8, -3.7)),
     ];
     let conf = look(&f, 2, [-6.3, -7.5, 6.3, 7.9]);

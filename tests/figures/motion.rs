@@ -105,7 +105,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
     let view = [-6.6, -3.5, 7.9, 3.6];
-    let after = [-4.9, -2.1, 6.6, 3.3];
+    let after = [-6.6, -2.6, 7.9, 3.6];
     let (w, then, hit) = (look(&f, 0, view), look(&f, 2, after), look(&f, 3, after));
     let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 2.0), (-2.2, 1.2), (-1.8, -1.2)];
     let shape_b = [(-2.0, -1.2), (1.2, -1.7), (2.4, 0.7), (1.0, 1.6), (-2.0, 1.2)];

@@ -66,6 +66,8 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.marker(Now, (1.0, 1.0)),
         w.line(Translation, (1.0, below), (7.0, below)).is_some(),
         w.line(Translation, (right, 1.0), (right, 5.0)).is_some(),
+        // From the centre on.
+        w.any_line((1.0, 1.0), (1.0, below)) && w.any_line((1.0, 1.0), (right, 1.0)),
         // The others, grey.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
@@ -96,34 +98,32 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-5.2, -2.2, 9.2, 7.1]);
-    let closest = (4.0, 1.0);
+    let w = look(&f, 0, [-4.3, -2.2, 8.5, 7.2]);
+    let closest = (3.0, 1.0);
     shows![
-        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), closest, (-4.0, 1.0)]).is_some(),
-        w.circle(B, (7.0, 5.0), 2.0).is_some(),
-        clamps(&w, (7.0, 5.0), closest),
-        w.any_line((7.0, 0.0), (7.0, 5.0)),
-        w.any_line((0.0, 5.0), (7.0, 5.0)),
-        w.text_near("$B_c = A + (4, 1)$", closest, 100.0),
-        f.says("$V = (7, 5)$") && f.says("$V_x = 7$") && f.says("$V_y = 5$"),
-        f.says("clamp$(V_x, -h_x, h_x) = 4$"),
+        w.polygon(A, &[(-3.0, -1.0), (3.0, -1.0), closest, (-3.0, 1.0)]).is_some(),
+        w.circle(B, (6.0, 5.0), 2.0).is_some(),
+        clamps(&w, (6.0, 5.0), closest),
+        w.any_line((6.0, 0.0), (6.0, 5.0)),
+        w.any_line((0.0, 5.0), (6.0, 5.0)),
+        w.text_near("$B_c = A + (3, 1)$", closest, 100.0),
+        f.says("$V = (6, 5)$") && f.says("$V_x = 6$") && f.says("$V_y = 5$"),
+        f.says("clamp$(V_x, -h_x, h_x) = 3$"),
         f.says("clamp$(V_y, -h_y, h_y) = 1$"),
-        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
+        f.says("$h_x = 3$") && f.says("$h_y = 1$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 2$"),
         f.says("distance") && f.says("$= 3$"),
     ];
-    // Beside D, 40 px to the right of it, (0.8, −0.6), stand the distance and, where it ends, the radius.
-    let off = 40.0 / w.panel.scale;
-    let beside = |(x, y): (f64, f64)| (x + 0.8 * off, y - 0.6 * off);
-    let rim = (5.8, 3.4);
-    shows![w.along(Translation, beside(closest), beside(rim)), w.along(B, beside(rim), beside((7.0, 5.0))),];
+    // On D lie the distance and, where it ends, the radius.
+    let rim = (4.8, 3.4);
+    shows![w.along(Translation, closest, rim), w.along(B, rim, (6.0, 5.0))];
 }
 
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, [-4.0, -6.2, 12.4, 4.4]);
+    let w = look(&f, 0, [-4.0, -6.4, 12.4, 4.4]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
         w.circle(B, (5.0, 0.0), 4.0).is_some(),
@@ -148,7 +148,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.8, 15.8, 4.9]);
+    let w = look(&f, 0, [-8.4, -5.6, 15.8, 4.9]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
@@ -166,8 +166,6 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
             && f.says("$h_{A,y} = 2$")
             && f.says("$h_{B,y} = 2.5$"),
         f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
-        f.says("{now|$D_x$} $= |c_B - c_A|_x - (h_{A,x} + h_{B,x})$, {now|$D_y$} so too:"),
-        f.says("{now|$D_x = 9 - 7 = 2$}, {now|$D_y = 3 - 4.5 = -1.5$}"),
         f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
         // The gap is lit from A's edge to B's, as high as both.
@@ -178,32 +176,32 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.4, -3.5, 4.2, 5.4];
-    let vertices = [(-1.5, -3.0), (1.5, -3.0), (1.5, 3.0), (-1.5, 3.0)];
+    let view = [-3.8, -3.7, 5.0, 5.9];
+    let vertices = [(-2.0, -2.6), (2.0, -2.6), (2.0, 2.6), (-2.0, 2.6)];
     let tilted = vertices.map(turned);
-    let center = turned((3.9, 1.8));
+    let center = turned((4.7, 1.6));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (2.04, 3.78), 1.4).is_some(),
+        world.circle(B, (2.8, 4.1), 1.5).is_some(),
         world.arrow_toward(Ink, (0.0, 0.0), center),
         world.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
         world.any_line((0.0, 0.0), (3.6, 0.0)),
         f.says("$-36.9°$") && f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-2.1, -3.5, 5.5, 5.4]);
+    let body = look(&f, 1, [-2.3, -3.7, 6.5, 5.9]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (3.9, 1.8), 1.4).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (3.9, 1.8)) && body.arrow(Muted, (0.0, 0.0), (3.9, 0.0)),
+        body.circle(B, (4.7, 1.6), 1.5).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (4.7, 1.6)) && body.arrow(Muted, (0.0, 0.0), (4.7, 0.0)),
         // V_x is cut, V_y stays.
-        body.line(A, (0.0, 0.0), (1.5, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 1.8)).is_some_and(thick),
-        body.marker(A, (1.5, 1.8)) && body.arrow_toward(Translation, (1.5, 1.8), (3.9, 1.8)),
+        body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 1.6)).is_some_and(thick),
+        body.marker(A, (2.0, 1.6)) && body.arrow_toward(Translation, (2.0, 1.6), (4.7, 1.6)),
     ];
     let back = look(&f, 2, view);
-    // Of D = (2.4, 0) the circle takes 1.4.
-    let (closest, rim) = (turned((1.5, 1.8)), turned((2.5, 1.8)));
+    // Of D = (2.7, 0) the circle takes 1.5.
+    let (closest, rim) = (turned((2.0, 1.6)), turned((3.2, 1.6)));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
@@ -211,11 +209,11 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         // There the radius goes on.
         back.along(B, rim, center),
         back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        f.says("$V$") && f.says("$V_x = 3.9$") && f.says("$V_y = 1.8$"),
-        f.says("clamped $1.5$") && f.says("$B_c$"),
+        f.says("$V$") && f.says("$V_x = 4.7$") && f.says("$V_y = 1.6$"),
+        f.says("clamped $2$") && f.says("$B_c$"),
         f.says("$D$"),
-        f.says("$r = 1.4$"),
-        f.says("distance") && f.says("$= 1$"),
+        f.says("$r = 1.5$"),
+        f.says("$1.2$"),
     ];
 }
 

@@ -13,6 +13,12 @@ use super::normal::unit_length;
 /// Half the length of the mark of 0 on the axis, page pixels: past both intervals.
 const ZERO: f64 = 11.0;
 
+/// Half the length of the mark of each unit on the axis, page pixels: between both intervals.
+const UNIT: f64 = 3.0;
+
+/// The least that a unit is long for each to be marked, page pixels: marks that are nearer are a hatch.
+const LEAST: f64 = 12.0;
+
 /// The axis with its components, in LaTeX.
 pub(super) fn written(n: DVec2) -> String {
     format!("n = ({}, {})", number(n.x), number(n.y))
@@ -27,6 +33,18 @@ pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DV
     sketch.right_angle(from, at(0.0, 1.0) - from, -n);
     let label = Label::new("axis", format!("${}${to_scale}", written(n)), beside(from, tip, n), Role::Ink);
     sketch.label(label.rank(Rank::Measure));
+}
+
+/// Marks each unit on the axis between two places, counted from 0, where they can be told apart.
+pub(super) fn units(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(f64, f64) -> DVec2) {
+    if sketch.on_page(1.0) < LEAST {
+        return;
+    }
+    let half = sketch.px(UNIT);
+    // A panel is at most some thousands of page pixels wide.
+    let each = std::iter::successors(Some(first.ceil()), |k| Some(k + 1.0)).take_while(|k| *k < last);
+    let marks: Vec<_> = each.map(|k| (sketch.page(at(k, -half)), sketch.page(at(k, half)))).collect();
+    sketch.part("units").quiet_lines(&marks, Pen::dimension(Role::Muted));
 }
 
 /// Whether a place of the world is in the panel's view.

@@ -33,8 +33,8 @@ const GAP: f64 = 48.0;
 /// Opacity of what v·n adds, which has no body's colour.
 const FAINT: f64 = 0.05;
 
-/// Opacity of what turning adds, and of the line above it.
-const TURNING: [f64; 2] = [0.09, 0.7];
+/// Opacity of what turning adds.
+const TURNING: f64 = 0.12;
 
 /// What one body's turning adds is not drawn where it is less than this part of the sum: no line is thinner.
 const SEEN: f64 = 1e-3;
@@ -167,13 +167,10 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     for part in parts {
         let above = below + part.value;
         let [p, q] = [below, above].map(|y| chart.place(1.0, y));
-        let faint = if part.role == Role::Ink { FAINT } else { TURNING[0] };
+        let faint = if part.role == Role::Ink { FAINT } else { TURNING };
         let wedge = Outline::polygon(&[corner, p, q]);
         sketch.part("wedge").weight(Weight::Background);
         sketch.area(&wedge, Some(Wash::faint(part.role, faint)), None);
-        if above < first.bound {
-            sketch.line(corner, q, Pen::dimension(part.role).opacity(TURNING[1]));
-        }
         sketch.part("part").weight(Weight::Background).bar(p, q, 0.0, Pen::highlighted(part.role));
         let text = format!("${} = {}$", part.symbol, number(part.value));
         let anchor = Anchor::point_toward(0.5 * (p + q), chart.vector(DVec2::X));

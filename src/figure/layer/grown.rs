@@ -17,9 +17,6 @@ use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// How many copies of B go around A at most; more hide it.
-const MOST: usize = 2;
-
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
     about: "B as a point, A grown by B's shape",
@@ -36,7 +33,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "around",
             takes: Takes::Flag,
             default: "false",
-            about: "dotted copies of B around A, where they touch it",
+            about: "a dotted copy of B moved around A, where it touches it",
         },
         OptionSpec {
             name: "distance",
@@ -165,8 +162,8 @@ fn around(
     };
     let free: Vec<DVec2> = middles.iter().copied().filter(clear).collect();
     let places = if free.is_empty() { middles } else { free };
-    let step = places.len().div_ceil(MOST).max(1);
-    let places: Vec<DVec2> = places.into_iter().step_by(step).collect();
+    // More than one hide A.
+    let places: Vec<DVec2> = places.get(places.len() / 2).copied().into_iter().collect();
     sketch.part("copies").weight(Weight::Light);
     for &place in &places {
         sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B)));

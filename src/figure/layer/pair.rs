@@ -3,7 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
 
@@ -45,6 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "pair.A", about: "the vertex of A" },
         LabelKey { key: "pair.B", about: "the vertex of B" },
         LabelKey { key: "pair", about: "the point of B ⊖ A" },
+        LabelKey { key: "way", about: "the way in the world" },
         LabelKey { key: "back", about: "the way backwards, with turned" },
         LabelKey { key: "moved", about: "where B's vertex lies on A's, with turned" },
     ],
@@ -105,12 +106,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         way(sketch, ends, to, role);
         let back = Label::new("back", format!("${p} - {q}$"), Anchor::middle(pose.position, to), role);
         sketch.label(back.rank(Rank::Point));
-        sketch.part("moved").marker(a.at, Marker::Square, Role::B, SMALL_MARKER);
+        sketch.part("moved").marker(a.at, Marker::Disc, Role::A, MARKER);
         let label = Label::new("moved", text, Anchor::point_toward(a.at, a.at - b.at), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
         return;
     }
     way(sketch, (a.at, MARKER), b.at, role);
+    let label = Label::new("way", format!("${q} - {p}$"), Anchor::middle(a.at, b.at), role);
+    sketch.label(label.rank(Rank::Point));
     let ends = [
         ("pair.A", a.at, p, Role::A, Marker::Disc, a.at - b.at),
         ("pair.B", b.at, q, Role::B, Marker::Square, b.at - a.at),
@@ -159,7 +162,7 @@ mod tests {
         let both = "vertices = [0, 2]";
         let (world, long) = said("world", both).unwrap();
         let texts: Vec<&str> = world.iter().map(|(_, text)| text.as_str()).collect();
-        assert_eq!(texts, ["$a_0 =$ $(-1, -2)$", "$b_2 =$ $(6, 4)$"]);
+        assert_eq!(texts, ["$a_0 =$ $(-1, -2)$", "$b_2 =$ $(6, 4)$", "$b_2 - a_0$"]);
         let (named, _) = said("world", "vertices = [0, 2], names = ['p', 'q']").unwrap();
         assert_eq!([&*named[0].1, &*named[1].1], ["$p =$ $(-1, -2)$", "$q =$ $(6, 4)$"]);
         let (configuration, _) = said("configuration", both).unwrap();

@@ -16,7 +16,7 @@ use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::axis_unit::{on_axis, sees, written, zero};
+use super::axis_unit::{on_axis, sees, units, written, zero};
 use super::half_extents::{GUIDE, beside};
 use super::normal::{unit_length, unit_vector};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
@@ -166,6 +166,7 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let beyond = Anchor::tip(at(first, 0.0), at(last, 0.0));
     let from_zero = values && (first..=last).contains(&0.0);
     if from_zero {
+        units(sketch, (first, last - past), at);
         on_axis(sketch, t.n, at);
     } else if values {
         let along = format!("along ${}$", written(t.n));

@@ -4,7 +4,7 @@
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, on_circle};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight, on_circle};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
@@ -13,6 +13,9 @@ use crate::scene::COMPASS;
 
 use super::half_extents::{GUIDE, beside};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
+
+/// Opacity of what both radii have of the line of centres.
+const SHARED: f64 = 0.16;
 
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
@@ -211,12 +214,24 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let run = context.separation_at(context.time);
     sketch.since(run.and_then(|run| run.last_cue(|e| matches!(e, Event::CirclesCompared { .. }))));
     let tracks = tracks(context, &compared);
+    if answer.bounds.hi < 0.0 {
+        let track = |i: f64| down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i + FIRST)));
+        let [p, q] = answer.points;
+        let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);
+        let wash = Wash::faint(Role::Translation, SHARED);
+        sketch.part("shared").weight(Weight::Background).area(&strip, Some(wash), None);
+    }
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
         sketch.part("lengths").bar(p, q, 0.0, length.weight);
-        // Between the lines that come down to the radii is no room for the words of the first.
-        let anchor = if i == 0 { Anchor::tip(p, q) } else { beside(p, q, -down) };
+        // Between the lines that come down to the radii is no room for the words of the first, and between
+        // the radii none beside what they share.
+        let anchor = match i {
+            0 => Anchor::tip(p, q),
+            1 => beside(p, q, -down),
+            _ => beside(p, q, down),
+        };
         sketch.label(Label::new(length.key, length.text.clone(), anchor, length.role));
     }
     let last = |point: DVec2| {
