@@ -8,6 +8,7 @@
 //! Source: *ISO 32000-1:2008, Document management – Portable document format 1.7*, sections 7 and 8.
 
 mod content;
+mod empty_font;
 mod letters;
 
 use std::borrow::Cow;
@@ -118,10 +119,10 @@ fn file(sheets: &[Sheet<'_>], drawings: &[&Drawing], steps: &[Step]) -> Result<V
         let (bytes, filter) = packer.pack(operators)?;
         pdf.stream(*drawn, &bytes).pairs(filter);
     }
-    let fonts = content.letters.write(&mut pdf, &mut free, &mut packer)?;
+    let font = content.letters.write(&mut pdf, &mut free, &mut packer)?;
     let mut names = pdf.indirect(resources).start::<Resources>();
     write_names(&mut names, &forms, &content.states);
-    names.fonts().pairs(fonts.iter().map(|(name, font)| (Name(name.as_bytes()), *font)));
+    names.fonts().pairs(font.map(|(name, font)| (Name(name.as_bytes()), font)));
     names.finish();
     write_information(&mut pdf, info, drawings);
     for (object, form) in forms {
@@ -240,6 +241,11 @@ mod tests {
                 continue;
             };
             let entries = text(&object[..start]);
+            // A font draws by no operators.
+            if entries.contains("/Length1 ") {
+                objects.push((entries, String::new()));
+                continue;
+            }
             let length: usize = after(&entries, "/Length ").parse().unwrap();
             let stream = &object[start + "\nstream\n".len()..][..length];
             let mut operators = String::new();
