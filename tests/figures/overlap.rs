@@ -148,7 +148,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.6, 15.8, 4.9]);
+    let w = look(&f, 0, [-8.4, -5.8, 15.8, 4.9]);
     shows![
         w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
         w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
