@@ -10,7 +10,7 @@ use std::path::Path;
 
 use tracefig::figure::exercise::{Asked, Found, asked, search};
 use tracefig::figure::plan;
-use tracefig::scene::open;
+use tracefig::scene::{open, open_text};
 use tracefig_reference::check::check;
 use tracefig_reference::json::Json;
 use tracefig_reference::scene::Scene;
@@ -20,6 +20,21 @@ const TURNING: usize = 2;
 
 /// How far a told double may be off the result's, in parts of it or of 1.
 const TOLD: f64 = 1e-14;
+
+/// Exercises whose variants turn by round angles, at the start or on the way.
+const ANGLED: [&str; 3] = [
+    "exercise.ask = ['h.x', 'h.y']
+    shapes.A = { kind = 'box', half_extents = [2, 1], angle_deg = 30, angular_velocity_deg = 60 }
+    query = { kind = 'bounds', of = ['A'], time = 0.5 }",
+    "exercise.ask = ['separation', 'n.x']
+    shapes.A = { kind = 'circle', radius = 1 }
+    shapes.B = { kind = 'box', half_extents = [1, 0.5], position = [4, 1], angle_deg = 45 }
+    query = { kind = 'separation', of = ['A', 'B'] }",
+    "exercise.ask = 'time'
+    shapes.A = { kind = 'circle', radius = 1, velocity = [8, 0], angular_velocity_deg = 90 }
+    shapes.B = { kind = 'box', half_extents = [1, 2], position = [5, 0], angle_deg = 90 }
+    query = { kind = 'time-of-impact', of = ['A', 'B'] }",
+];
 
 /// The part of a result that a value is, as `solve` prints it: its key, which of its numbers, its sign.
 fn part(name: &str) -> (&'static str, Option<usize>, f64) {
@@ -68,15 +83,17 @@ fn every_key_is_right_in_320_bits() {
     scenes.sort();
     assert!(scenes.len() >= 3, "{}", scenes.len());
     let (mut checked, mut short, mut wrong) = (0, 0, Vec::new());
-    for path in &scenes {
-        let file = open(path).unwrap();
+    let of_guide = scenes.iter().map(|path| (path.display().to_string(), open(path).unwrap()));
+    let angled = ANGLED.map(|text| (text.to_owned(), open_text("angled.toml", text).unwrap()));
+    let all: Vec<_> = of_guide.chain(angled).collect();
+    for (name, file) in &all {
         let template = file.template();
-        let each = usize::div_ceil(count, scenes.len() - TURNING);
+        let each = usize::div_ceil(count, all.len() - TURNING);
         let found = search(&template, each).or_else(|few| {
             short += 1;
             search(&template, few.found)
         });
-        let found = found.unwrap_or_else(|few| panic!("{}: {few:?}", path.display()));
+        let found = found.unwrap_or_else(|few| panic!("{name}: {few:?}"));
         for Found { file, .. } in found {
             let line = file.json();
             let answer = tracefig::solve_jsonl_line(&line, 1).line;

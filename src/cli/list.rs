@@ -270,7 +270,10 @@ fn values() -> Vec<(String, String)> {
         (":.3", "after a name: three digits after the point, no more than the bounds prove"),
         (":.3g", "after a name: three digits in all; without it as many"),
     ];
-    figure::values().chain(digits).map(|(name, about)| (name.to_owned(), about.to_owned())).collect()
+    let of =
+        |((name, about), asked): ((&str, &str), String)| (name.to_owned(), format!("{about}; of {asked}"));
+    let digits = digits.map(|(name, about)| (name.to_owned(), about.to_owned()));
+    figure::values().zip(figure::askers()).map(of).chain(digits).collect()
 }
 
 /// Keys with what they hold, and below them those of what they hold.

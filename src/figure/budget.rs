@@ -51,7 +51,7 @@ impl Budget {
     }
 }
 
-/// The points of the area that a label may stand in; 0 for a label of anything else.
+/// The points of the area that a label may stand in or beside; 0 for a label of anything else.
 fn points_of(anchor: &Anchor) -> usize {
-    if let Anchor::Inside { area } = anchor { area.len() } else { 0 }
+    if let Anchor::Inside { area } | Anchor::Outline { area, .. } = anchor { area.len() } else { 0 }
 }

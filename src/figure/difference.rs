@@ -133,6 +133,20 @@ impl Difference {
         })
     }
 
+    /// How many ways out are as short as the shortest, as far as doubles tell: directions of the edges that
+    /// are nearest the origin, which is inside. 0 where the core is a point: out of it all ways are as long.
+    pub(crate) fn ways_out(&self) -> usize {
+        let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
+        let near = JOINED * self.size();
+        let mut ways: Vec<DVec2> = Vec::new();
+        for edge in self.edges.iter().filter(|e| nearest - e.distance <= near) {
+            if !ways.iter().any(|n| n.distance(edge.normal) <= JOINED) {
+                ways.push(edge.normal);
+            }
+        }
+        ways.len()
+    }
+
     /// The largest coordinate, the measure of rounding errors.
     fn size(&self) -> f64 {
         size(&self.edges)

@@ -19,7 +19,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 4;
+const OF_GHOSTS: usize = 6;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -28,6 +28,8 @@ const NAMES_OF_GHOSTS: [&str; 3] = ["A'", "B'", "b"];
 
 /// Our words: in English, without words, and in each of [`LANGUAGES`].
 const WORDS: &[[&str; 5]] = &[
+    ["expected at $t*", "$t*", "erwartet bei $t*", "attendu à $t*", "esperado en $t*"],
+    ["* expected at $t*", "*: $t*", "* erwartet bei $t*", "* attendu à $t*", "* esperado en $t*"],
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
@@ -61,7 +63,21 @@ const WORDS: &[[&str; 5]] = &[
     ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
     ["*, drawn at *", "*, *", "*, gezeichnet zu *", "*, dessiné à *", "*, dibujado a *"],
     ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],
-    ["* more steps", "+ *", "* weitere Schritte", "* étapes de plus", "* pasos más"],
+    [
+        "* more steps, to $*",
+        "+ *, $*",
+        "* weitere Schritte, bis $*",
+        "* étapes de plus, jusqu’à $*",
+        "* pasos más, hasta $*",
+    ],
+    [
+        "$*$ in a unit of time",
+        "",
+        "$*$ in einer Zeiteinheit",
+        "$*$ par unité de temps",
+        "$*$ por unidad de tiempo",
+    ],
+    ["one more step, $*", "+ 1, $*", "noch ein Schritt, $*", "une étape de plus, $*", "un paso más, $*"],
     ["touch", "", "Berührung", "ils se touchent", "se tocan"],
     ["distance of the cores", "", "Abstand der Kerne", "distance des noyaux", "distancia de los núcleos"],
     [

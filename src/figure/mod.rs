@@ -5,6 +5,7 @@
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
 mod asked_theme;
+mod askers;
 mod bands;
 mod budget;
 mod called;
@@ -57,6 +58,7 @@ use crate::scene::Scene;
 #[cfg(test)]
 use layer::{LAYERS, Shows};
 
+pub use askers::askers;
 pub(crate) use describe::Account;
 pub use draw::{Figure, draw, draw_after, draw_in_steps};
 pub use fault::{Fault, off_page};

@@ -102,7 +102,9 @@ impl PanelPlan<'_> {
         own: &Sketched,
         (context, theme): (&Context, &Theme),
     ) -> Sketched {
-        let mut sketch = self.drawn(begun(inset.frame, context, theme).without_numbers(), context);
+        let bare = begun(inset.frame, context, theme).without_numbers();
+        let is_small = self.source.inset.as_ref().is_some_and(|inset| inset.value == Detail::Small);
+        let mut sketch = self.drawn(if is_small { bare.without_axes() } else { bare }, context);
         inset.write_factor(&mut sketch);
         let mut sketched = sketch.finish();
         inset.without_the_panels(&self.source, own, &mut sketched);

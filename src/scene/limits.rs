@@ -54,9 +54,5 @@ pub(crate) const MAX_STEPS_OF_VERTICES: usize = 50_000_000;
 /// How close counts as contact where the scene gives no `tolerance`, in world units: some thousand roundings
 /// of coordinates of size 1.
 pub(crate) const DEFAULT_TOLERANCE: f64 = 1e-12;
-/// Largest ratio of a pair's coordinates, and where it moves its distance and speed, also by turning, to its
-/// shortest edge or least radius other than 0: beyond it products of the small ones underflow where the large
-/// ones are 1, and bounds prove nothing. The least ratio at which fuzzing found a false bound is 1e128.
-pub(crate) const MAX_RATIO: f64 = 1e100;
 /// Largest magnitude of a number; sums and products with a velocity would overflow soon above it.
 pub(crate) const MAX_NUMBER: f64 = 1e300;

@@ -2,15 +2,17 @@
 
 use std::ops::{Range, RangeInclusive};
 
-use crate::collision::{ALGORITHMS, Algorithm, Bodies, Motion, QUERIES, Query, Question, Shapes, When};
-use crate::geometry::{Body, DVec2};
+use crate::collision::{
+    ALGORITHMS, Algorithm, Bodies, Motion, QUERIES, Query, Question, Shapes, When, of_one_scale,
+};
+use crate::geometry::Body;
 
 use super::SceneQuery;
 use super::body;
 use super::checked::{Checked, as_list, as_text, check};
 use super::expected;
 use super::fields::QUERY;
-use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_RATIO, MAX_STEPS_OF_VERTICES};
+use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_VERTICES};
 use super::node::Node;
 use super::problem::{Fault, Problems};
 
@@ -141,50 +143,23 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
             fits = false;
         }
     }
-    fits && of_one_scale(question, bodies, table, p)
+    fits && suits_proofs(question, bodies, table, p)
 }
 
 /// Whether the sizes of two shapes are near enough each other for bounds to be proved, and where the question
 /// is about a motion their distance and speed too.
-fn of_one_scale(
+fn suits_proofs(
     question: &Question,
     bodies: &[(&str, &Body)],
     table: &Checked<'_>,
     p: &mut Problems,
 ) -> bool {
     let &[(_, a), (name, b)] = bodies else { return true };
-    let vertices = [a, b].into_iter().flat_map(|body| &body.shape.vertices).copied();
-    let moved = [b.position - a.position, b.velocity - a.velocity];
-    let is_moved = question.when == When::OverTheMotion;
-    let moved = if is_moved { moved } else { [DVec2::ZERO; 2] };
-    let turned = if is_moved { [a, b].map(turning_speed) } else { [0.0; 2] };
-    let radii = [a.shape.radius, b.shape.radius];
-    let lengths = vertices.chain(moved).map(|v| v.abs().max_element());
-    let largest = lengths.chain(radii).chain(turned).fold(0.0, f64::max);
-    let sizes = [a, b].into_iter().flat_map(edges).chain(radii);
-    let least = sizes.filter(|&x| x > 0.0).fold(f64::INFINITY, f64::min);
-    // Halves of the exponent each, as the ratio itself may overflow.
-    if least == f64::INFINITY || libm::sqrt(largest) / libm::sqrt(least) <= libm::sqrt(MAX_RATIO) {
-        return true;
-    }
+    let Err([least, largest]) = of_one_scale(a, b, question.when == When::OverTheMotion) else { return true };
     let ratio = "sizes of the two shapes, and distance and speed of a motion, span at most a factor of 1e100";
     let reason = format!("expected that {ratio}, got {least:e} and {largest:e}");
     p.add(Fault::UnsuitedShape { body: name.to_owned(), reason }, &span_of(table, "of"));
     false
-}
-
-/// How fast the farthest vertex of a body's core goes by turning, a component of its place for its distance,
-/// in world units per unit of time.
-fn turning_speed(body: &Body) -> f64 {
-    let reach = body.shape.vertices.iter().map(|v| v.abs().max_element()).fold(0.0, f64::max);
-    body.spin.arc(reach)
-}
-
-/// The larger component of each edge of a body's core, in world units.
-fn edges(body: &Body) -> impl Iterator<Item = f64> {
-    let core = body.shape.core.iter().filter_map(|&i| body.shape.vertices.get(i));
-    let next = core.clone().cycle().skip(1);
-    core.zip(next).map(|(p, q)| (*q - *p).abs().max_element())
 }
 
 /// The algorithm asked for, or the first that takes the query.

@@ -10,7 +10,8 @@ use super::read::from_tree;
 use super::source::Source;
 
 /// Keys of a shape whose numbers are exchanged.
-const KEYS: [&str; 5] = ["position", "velocity", "radius", "half_extents", "rotation"];
+const KEYS: [&str; 7] =
+    ["position", "velocity", "radius", "half_extents", "rotation", "angle_deg", "angular_velocity_deg"];
 /// The table of shapes.
 const SHAPES: &str = "shapes";
 

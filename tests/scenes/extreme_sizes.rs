@@ -6,6 +6,7 @@
 use tracefig::drawing::{Contour, Drawing, Group, Item, Point};
 use tracefig::figure::{Figure, draw, plan};
 use tracefig::geometry::DVec2;
+use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Source, read};
 
 fn figure(text: &str) -> Figure {
@@ -124,4 +125,22 @@ fn a_unit_normal_has_its_length_or_says_that_it_has_not() {
     }
     let (_, says) = normal(200.0, ", length = 100");
     assert_eq!(says, "$100$ $n$", "a vector that is not one long says how long it is");
+}
+
+#[test]
+fn a_tiny_gap_is_enlarged_as_far_as_a_page_reaches_and_no_line_runs_through_its_label() {
+    let Some(Writer::One(write)) = format("svg").map(|f| f.write) else { panic!("SVG is a format") };
+    for gap in [3e-2, 3e-3, 3e-4, 2e-4] {
+        let figure = figure(&format!(
+            "shapes.disc = {{ kind = 'circle', radius = 1, position = [0, {}] }}
+            shapes.floor = {{ kind = 'aabb', half_extents = [6, 0.25], position = [0, -0.25] }}
+            query = {{ kind = 'separation', of = ['disc', 'floor'] }}",
+            1.0 + gap
+        ));
+        assert!(figure.faults().is_empty(), "{gap}: {:?}", figure.faults());
+        let written = write(&figure.drawing, &Options::default());
+        assert!(written.is_ok(), "{gap}: {:?}", written.err());
+        let svg = String::from_utf8(written.unwrap()).unwrap();
+        assert!(svg.contains("enlarged"), "{gap}: it is too small to be seen");
+    }
 }

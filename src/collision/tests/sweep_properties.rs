@@ -1,8 +1,9 @@
 //! What must hold of the sweeps on pairs that nobody chose.
 
 use crate::collision::tests::asking::impact as ask;
-use crate::collision::tests::bodies::Bodies;
+use crate::collision::tests::bodies::{Bodies, boxed, polygon};
 use crate::collision::{Impact, Outcome};
+use crate::geometry::{Angle, DVec2};
 
 /// The last moment proved free, and the first with proved contact.
 fn span(impact: &Impact) -> (f64, f64) {
@@ -73,6 +74,26 @@ fn swapping_the_bodies_keeps_the_time() {
             (there.outcome, back.outcome)
         {
             assert!((*x.normal + *y.normal).length() < 1e-6, "{x:?} {y:?}");
+        }
+    }
+}
+
+/// A miss was "proved" of a segment that spins past a box beside it, by 1e138 degrees and more; a scene of
+/// them is refused.
+#[test]
+fn of_bodies_that_turn_beyond_all_products_nothing_is_told() {
+    for spin in [-1e120, -1e138, -1e141, 3e200] {
+        let mut a = polygon(&[[0.0, 3.3125], [0.0, 0.0]], 0.0);
+        a.position = DVec2::new(6.0625, -0.01);
+        a.spin = Angle::Degrees(spin);
+        let mut b = boxed("aabb", 5.625, 3.3125);
+        b.position = DVec2::new(0.0, -0.625);
+        for (a, b) in [(&a, &b), (&b, &a)] {
+            let found = ask("swept-axis", a, b, 1e-12).0;
+            assert!(matches!(found.outcome, Outcome::Unresolved { .. }), "{spin}: {found:?}");
+            // In a whole turn it hits.
+            let stepped = ask("conservative-advancement", a, b, 1e-12).0;
+            assert_ne!(stepped.outcome, Outcome::Miss, "{spin}");
         }
     }
 }

@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use crate::geometry::shape::KINDS;
-use crate::geometry::{Body, DVec2};
+use crate::geometry::{Body, DVec2, Rotation};
 
 use super::number::{point, value};
 
@@ -33,6 +33,10 @@ pub(super) fn body_in_words(name: &str, body: &Body) -> String {
     text.push_str(&place(body));
     if body.angle_at(0.0) != 0.0 {
         let _ = write!(text, ", turned by {}°", value(body.angle_at(0.0)));
+    }
+    if !body.shape.is_as_written() {
+        let Rotation { cos, sin } = body.shape.matrix;
+        let _ = write!(text, " (rotation {})", point(DVec2::new(cos, sin)));
     }
     if body.velocity != DVec2::ZERO {
         let _ = write!(text, ", moving by {}", point(body.velocity));
@@ -119,6 +123,10 @@ mod tests {
             (
                 "kind = 'polygon', vertices = [[-1, 0], [3, -1], [2, 2]], angle_deg = 30",
                 "a convex polygon of 3 vertices, spanning 4 by 3 from (-1, -1) to (3, 2), turned by 30°",
+            ),
+            (
+                "kind = 'box', half_extents = [2, 1], rotation = [0.8, 0.6]",
+                "a box of 4 by 2 at (0, 0), turned by 36.9° (rotation (0.8, 0.6))",
             ),
             ("kind = 'circle', radius = 0, position = [2, 1]", "a point at (2, 1)"),
             (

@@ -82,7 +82,12 @@ fn space(scene: &Scene, panel: &Panel) -> String {
         Space::World => "the world".to_owned(),
         Space::Configuration => "configuration space".to_owned(),
         Space::Body(body) => {
-            format!("the frame of {}", scene.shapes.get(body).map_or("", |(name, _)| &name.value))
+            let (name, turned) = scene.shapes.get(body).map_or(("", false), |(name, body)| {
+                (&name.value, body.angle_at(0.0) != 0.0 || !body.spin.is_zero())
+            });
+            // The answer has told of directions before.
+            let whose = if turned { " (the answer's directions are the world's)" } else { "" };
+            format!("the frame of {name}{whose}")
         }
     }
 }

@@ -1,9 +1,8 @@
 //! What came out, as a sentence.
 
-use crate::collision::{
-    Answer, Contact, Impact, MotionBound, Outcome, Overlap, QueryKind, Reason, Separation,
-};
+use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
 use crate::figure::called::Called;
+use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
@@ -23,21 +22,34 @@ pub(crate) struct Account<'r> {
     scene: &'r Scene,
     /// The run.
     run: &'r Run,
-    /// How the bodies stand at its moment where the answer is a bare verdict.
+    /// How the bodies stand at its moment where the answer is a bare verdict, and at the end of a motion of
+    /// which it is undecided whether they touch.
     near: Option<Separation>,
+    /// How many pushes are as short as the shortest, as far as doubles tell; 0 where that was not looked at.
+    ways: usize,
 }
 
 impl<'r> Account<'r> {
-    /// A run of a scene; a bare verdict is told with the separation that the figure has of that moment.
+    /// A run of a scene; a bare verdict is told with the separation that the figure has of that moment, and
+    /// what is undecided with that of the end.
     pub(crate) fn of(scene: &'r Scene, runs: &Runs, run: &'r Run) -> Self {
-        let is_bare = run.kind == QueryKind::Overlap;
-        let found = if is_bare { runs.separation(scene, run.time) } else { None };
-        Self::beside(scene, run, found.as_deref())
+        let found = match &run.answer {
+            Answer::Overlap(_) => runs.separation(scene, run.time),
+            Answer::Impact(impact) if matches!(impact.outcome, Outcome::Unresolved { .. }) => {
+                runs.separation(scene, 1.0)
+            }
+            _ => None,
+        };
+        let told = Self::beside(scene, run, found.as_deref());
+        let overlap = told.run.separation().or(told.near.as_ref()).is_some_and(|s| s.bounds.hi < 0.0);
+        let difference = || Difference::of(runs.difference(scene, run.time)?.events());
+        let ways = if overlap { difference().map_or(0, |found| found.ways_out()) } else { 0 };
+        Self { ways, ..told }
     }
 
     /// A run of a scene, beside another one that answers with the separation at that moment.
     pub(crate) fn beside(scene: &'r Scene, run: &'r Run, other: Option<&Run>) -> Self {
-        Self { scene, run, near: other.and_then(Run::separation).copied() }
+        Self { scene, run, near: other.and_then(Run::separation).copied(), ways: 0 }
     }
 
     /// The result as a sentence of its own: with a capital, but a name stays as the scene writes it.
@@ -78,9 +90,9 @@ fn result_of([a, b]: [&str; 2], told: &Account) -> String {
             point(bounds.min),
             point(bounds.max)
         ),
-        Answer::Overlap(overlap) => verdict_in_words([a, b], overlap, told.near.as_ref()),
-        Answer::Separation(s) => separation_in_words([a, b], s, Side::B),
-        Answer::Contact(contact) => contact_in_words([a, b], contact, told.run),
+        Answer::Overlap(overlap) => verdict_in_words([a, b], overlap, told),
+        Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways)),
+        Answer::Contact(contact) => contact_in_words([a, b], contact, told),
         Answer::Impact(impact) => impact_in_words([a, b], impact, told),
         Answer::MotionBound(MotionBound { bound }) if b.is_empty() => {
             format!("no point of {a} travels farther than {}.", at_most(*bound))
@@ -95,10 +107,11 @@ fn result_of([a, b]: [&str; 2], told: &Account) -> String {
 }
 
 /// Whether the bodies named `a` and `b` overlap; and where it is known, how far apart or how deep.
-fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, near: Option<&Separation>) -> String {
+fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> String {
+    let near = told.near.as_ref();
     match (overlap.overlap, near) {
         (None, _) => format!("rounding forbids to say whether {a} and {b} overlap."),
-        (Some(true), Some(s)) => separation_in_words([a, b], s, Side::B),
+        (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways)),
         (Some(true), None) => format!("{a} and {b} overlap."),
         (Some(false), Some(s)) if s.bounds.lo > 0.0 => {
             format!("{a} and {b} do not overlap: they are {} apart.", number(s.bounds.lo, s.bounds.hi))
@@ -107,8 +120,9 @@ fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, near: Option<&Separati
     }
 }
 
-/// How the bodies named `a` and `b` stand; the push that parts them is that of the body `pushed`.
-fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: Side) -> String {
+/// How the bodies named `a` and `b` stand; the push that parts them is that of the body `pushed`, one of
+/// so many.
+fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize)) -> String {
     let (lo, hi) = (s.bounds.lo, s.bounds.hi);
     if lo > 0.0 {
         format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
@@ -120,23 +134,28 @@ fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: Side) -> Strin
 }
 
 /// The shortest push that parts bodies that overlap, of the body `pushed`: B goes along the normal, A against
-/// it.
-fn push([a, b]: [&str; 2], s: &Separation, pushed: Side) -> String {
+/// it. As far as doubles tell, so many `ways` are as short.
+fn push([a, b]: [&str; 2], s: &Separation, (pushed, ways): (Side, usize)) -> String {
     let depth = number(-s.bounds.hi, -s.bounds.lo);
     let (name, way) = if pushed == Side::B { (b, *s.normal) } else { (a, -*s.normal) };
     let along = if s.ties == 0 { "in any direction, as along" } else { "along" };
-    format!("the shortest push that parts them moves {name} by {depth} {along} {}", point(way))
+    let ties = usize::try_from(s.ties).unwrap_or(usize::MAX);
+    let which = match if ties == 0 { 0 } else { ties.max(ways) } {
+        0 | 1 => "the shortest push that parts them".to_owned(),
+        ties => format!("one of the {ties} shortest pushes that part them"),
+    };
+    format!("{which} moves {name} by {depth} {along} {}", point(way))
 }
 
 /// How the bodies named `a` and `b` stand, and how many points of contact they have. The body is pushed that
 /// the reference edge faces, along the normal of that edge.
-fn contact_in_words(names: [&str; 2], contact: &Contact, run: &Run) -> String {
-    let reference = run.events().find_map(|event| match event {
+fn contact_in_words(names: [&str; 2], contact: &Contact, told: &Account) -> String {
+    let reference = told.run.events().find_map(|event| match event {
         Event::EdgesFaced { body, .. } => Some(*body),
         _ => None,
     });
     let pushed = reference.map_or(Side::B, Side::other);
-    let apart = separation_in_words(names, &contact.separation, pushed);
+    let apart = separation_in_words(names, &contact.separation, (pushed, told.ways));
     match contact.found().count() {
         0 => format!("{apart} There is no point of contact."),
         1 => format!("{apart} There is one point of contact."),
@@ -154,7 +173,7 @@ fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String
         ),
         Outcome::Miss => format!("{a} and {b} do not touch{}.", closest_in_words(told)),
         Outcome::Overlapping { contact } if contact.bounds.hi < 0.0 => {
-            format!("{a} and {b} overlap from the start; {}.", push([a, b], contact, Side::B))
+            format!("{a} and {b} overlap from the start; {}.", push([a, b], contact, (Side::B, told.ways)))
         }
         Outcome::Overlapping { .. } => format!("{a} and {b} touch from the start."),
         Outcome::Unresolved { reason, free_until } => {
@@ -164,10 +183,23 @@ fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String
                 Reason::IterationLimit => "the step cap was reached",
                 Reason::Stalled => "the steps no longer advanced",
             };
-            format!(
-                "{a} and {b} are apart until t = {}; whether they touch is undecided: {why}.",
-                at_least(*free_until)
-            )
+            let apart = format!("are apart until t = {}", at_least(*free_until));
+            // Bodies that overlap in the end have touched, whatever the search came to.
+            let overlap = told.near.filter(|end| end.bounds.hi < 0.0);
+            let depth = overlap.map(|end| number(-end.bounds.hi, -end.bounds.lo));
+            match depth {
+                Some(depth) if *free_until > 0.0 => format!(
+                    "{a} and {b} {apart} and overlap by {depth} at t = 1; when they first touch is \
+                     undecided: {why}."
+                ),
+                Some(depth) => format!(
+                    "{a} and {b} overlap by {depth} at t = 1; when they first touch is undecided: {why}."
+                ),
+                None if *free_until > 0.0 => {
+                    format!("{a} and {b} {apart}; whether they touch is undecided: {why}.")
+                }
+                None => format!("whether {a} and {b} touch is undecided: {why}."),
+            }
         }
     }
 }
@@ -219,161 +251,4 @@ fn sentence_of(names: [&str; 2], told: &Account) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::runs::Runs;
-    use crate::scene::open_text;
-
-    #[test]
-    fn a_letter_is_in_italics_and_a_word_or_a_number_with_the_same_letters_is_not() {
-        let said = |a: &str, b: &str| {
-            let text = format!(
-                "shapes.{a} = {{ kind = 'circle', radius = 1 }}
-                shapes.{b} = {{ kind = 'circle', radius = 1, position = [4, 0] }}
-                query = {{ kind = 'separation', of = ['{a}', '{b}'] }}"
-            );
-            let scene = open_text("sentence.toml", &text).unwrap().scene;
-            let runs = Runs::default();
-            let run = runs.own(&scene, 0.0);
-            let told = Account::of(&scene, &runs, &run);
-            (told.sentence(), told.sentence_markup(&runs.called))
-        };
-        let (words, markup) = said("A", "a");
-        assert_eq!(words, "A and a are 2 apart along the normal (1, 0).");
-        assert_eq!(markup, "$A$ and $a$ are 2 apart along the normal (1, 0).");
-        assert_eq!(said("apart", "B").1, "apart and $B$ are 2 apart along the normal (1, 0).");
-    }
-
-    /// What is said of the bodies and the question of a scene.
-    fn said(scene: &str) -> String {
-        let scene = open_text("sentence.toml", scene).unwrap().scene;
-        let runs = Runs::default();
-        let run = runs.own(&scene, 0.0);
-        Account::of(&scene, &runs, &run).sentence()
-    }
-
-    /// A box on the floor, 0.5 deep in it, in a question about both.
-    fn on_the_floor(query: &str) -> String {
-        format!(
-            "shapes.crate = {{ kind = 'aabb', half_extents = [1, 1], position = [0, 0.5] }}
-            shapes.floor = {{ kind = 'aabb', half_extents = [4, 1], position = [0, -1] }}
-            query = {{ {query} }}"
-        )
-    }
-
-    #[test]
-    fn a_push_names_the_body_that_goes_and_where_to() {
-        let pushed = |way: &str| format!("overlap; the shortest push that parts them moves {way}");
-        let separation = said(&on_the_floor("kind = 'separation', of = ['crate', 'floor']"));
-        assert_eq!(separation, format!("crate and floor {}.", pushed("floor by 0.5 along (0, −1)")));
-        let overlap = said(&on_the_floor("kind = 'overlap', of = ['floor', 'crate']"));
-        assert_eq!(overlap, format!("floor and crate {}.", pushed("crate by 0.5 along (0, 1)")));
-        let swept = on_the_floor("kind = 'linear-sweep', of = ['floor', 'crate']");
-        assert!(said(&swept).starts_with("floor and crate overlap from the start; "), "{}", said(&swept));
-    }
-
-    #[test]
-    fn a_contact_pushes_the_body_that_the_reference_edge_faces_along_the_normal_that_is_drawn() {
-        for of in ["'crate', 'floor'", "'floor', 'crate'"] {
-            let text = on_the_floor(&format!("kind = 'contact', of = [{of}]"));
-            let scene = open_text("contact.toml", &text).unwrap().scene;
-            let runs = Runs::default();
-            let run = runs.own(&scene, 0.0);
-            let drawn = run.events().find_map(|event| match event {
-                Event::EdgesFaced { body, normal, .. } => Some((*body, point(*normal))),
-                _ => None,
-            });
-            let (reference, normal) = drawn.unwrap();
-            let pushed = scene.names().of(reference.other()).to_owned();
-            let said = Account::of(&scene, &runs, &run).sentence();
-            assert!(said.contains(&format!("moves {pushed} by 0.5 along {normal}. ")), "{of}: {said}");
-            assert!(said.ends_with("There are two points of contact."), "{said}");
-        }
-    }
-
-    #[test]
-    fn a_verdict_says_how_far_apart_and_touching_is_not_overlapping() {
-        let beside = |x: f64| {
-            said(&format!(
-                "shapes.a = {{ kind = 'circle', radius = 1 }}
-                shapes.b = {{ kind = 'circle', radius = 1, position = [{x}, 0] }}
-                query = {{ kind = 'overlap', of = ['a', 'b'] }}"
-            ))
-        };
-        assert_eq!(beside(4.0), "a and b do not overlap: they are 2 apart.");
-        assert_eq!(beside(2.0), "a and b touch.");
-    }
-
-    #[test]
-    fn concentric_circles_are_parted_in_any_direction() {
-        let text = "shapes.a = { kind = 'circle', radius = 1 }
-            shapes.b = { kind = 'circle', radius = 2 }
-            query = { kind = 'separation', of = ['a', 'b'] }";
-        assert!(said(text).ends_with(" moves b by 3 in any direction, as along (1, 0)."), "{}", said(text));
-    }
-
-    #[test]
-    fn a_bound_is_said_no_smaller_than_it_is() {
-        let text = "shapes.a = { kind = 'box', half_extents = [3, 1], angular_velocity_deg = 111 }
-            query = { kind = 'motion-bound', of = ['a'] }";
-        // √10 · 111° = 6.1263…
-        assert_eq!(said(text), "No point of a travels farther than 6.13.");
-    }
-
-    #[test]
-    fn a_motion_that_ends_while_the_bodies_come_nearer_is_said_to_end() {
-        let passed = |velocity: &str| {
-            said(&format!(
-                "shapes.a = {{ kind = 'circle', radius = 1, velocity = {velocity} }}
-                shapes.b = {{ kind = 'circle', radius = 1, position = [4, 3] }}
-                query = {{ kind = 'linear-sweep', of = ['a', 'b'] }}"
-            ))
-        };
-        let cases = [
-            ("[1, 0]", "; the motion ends at t = 1 while they still come nearer, 2.24 apart."),
-            ("[8, 0]", "; they come closest at t = 0.5, 1 apart."),
-            ("[-8, 0]", "; they are closest at the start, 3 apart."),
-        ];
-        for (velocity, expected) in cases {
-            let said = passed(velocity);
-            assert_eq!(said, format!("a and b do not touch{expected}"), "{velocity}");
-        }
-    }
-
-    #[test]
-    fn bodies_that_go_alike_stay_as_they_are() {
-        let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [1, 2] }
-            shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [1, 2] }
-            query = { kind = 'time-of-impact', of = ['a', 'b'] }";
-        assert_eq!(said(text), "a and b do not touch; they stay 3 apart.");
-    }
-
-    #[test]
-    fn a_later_moment_is_said_with_what_is_so_then() {
-        let text = |kind: &str| {
-            format!(
-                "shapes.a = {{ kind = 'circle', radius = 1, velocity = [1, 0] }}
-                shapes.b = {{ kind = 'circle', radius = 1, position = [4, 0] }}
-                query = {{ kind = '{kind}', of = ['a', 'b'], time = 0.5 }}"
-            )
-        };
-        let said = |kind: &str| {
-            let scene = open_text("later.toml", &text(kind)).unwrap().scene;
-            let runs = Runs::default();
-            let run = runs.own(&scene, 0.5);
-            let told = Account::of(&scene, &runs, &run);
-            (told.sentence(), told.result())
-        };
-        let apart = "a and b are 1.5 apart along the normal (1, 0).";
-        assert_eq!(said("separation"), (format!("At t = 0.5 {apart}"), format!("at t = 0.5 {apart}")));
-        assert_eq!(said("overlap").0, "At t = 0.5 a and b do not overlap: they are 1.5 apart.");
-    }
-
-    #[test]
-    fn the_bound_of_two_bodies_is_of_their_ways_together() {
-        let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [3, 0] }
-            shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [-2, 0] }
-            query = { kind = 'motion-bound', of = ['a', 'b'] }";
-        assert_eq!(said(text), "No two points of a and b come nearer to each other by more than 5.");
-    }
-}
+mod tests;

@@ -29,6 +29,11 @@ const WHOLE: f64 = 1e-9;
 const FAR: u64 = 6;
 /// Steps that a size changes by at most.
 const NEAR: u64 = 5;
+/// Steps of angles and of spins, degrees, the largest first: the first that the scene's own number is a whole
+/// multiple of is taken, and of none stays. A quarter turn leaves every coordinate short, the others some.
+const TURNS: [f64; 6] = [90.0, 45.0, 30.0, 15.0, 10.0, 5.0];
+/// Steps that an angle or a spin changes by at most: with quarter turns, to every one of them.
+const TURNED: u64 = 2;
 /// Cosines and sines of directions that are short, in the first quadrant.
 const DIRECTIONS: [[f64; 2]; 4] = [[0.6, 0.8], [0.8, 0.6], [0.28, 0.96], [0.96, 0.28]];
 /// Why there are not as many variants as were asked for.
@@ -142,8 +147,20 @@ fn drawn(field: &Numbers, random: &mut Rand64) -> Vec<f64> {
             let moved = |&x: &f64| if x == 0.0 { x } else { ((x * parts).round() + step(FAR)) / parts };
             field.values.iter().map(moved).collect()
         }
+        "angle_deg" => field.values.iter().map(|x| x + turn(*x) * step(TURNED)).collect(),
+        // What turns still does.
+        "angular_velocity_deg" => {
+            let spun =
+                |&x: &f64| Some(x + turn(x) * step(TURNED)).filter(|y| x != 0.0 && *y != 0.0).unwrap_or(x);
+            field.values.iter().map(spun).collect()
+        }
         _ => field.values.iter().map(|x| ((x * parts).round() + step(NEAR)).max(1.0) / parts).collect(),
     }
+}
+
+/// By how much an angle or a spin changes in a step, degrees; 0 where it is no round one.
+fn turn(degrees: f64) -> f64 {
+    TURNS.into_iter().find(|step| degrees % step == 0.0).unwrap_or(0.0)
 }
 
 /// How many parts of a unit the steps of these numbers are.
@@ -194,6 +211,30 @@ mod tests {
             [parts(&[1.2, 0.9]), parts(&[1.25]), parts(&[3.0, 0.5]), parts(&[0.3333])],
             [10.0, 4.0, 2.0, 10.0]
         );
+    }
+
+    #[test]
+    fn angles_and_spins_vary_in_round_steps_and_what_rests_stays() {
+        let text = |angle: &str| {
+            format!(
+                "exercise.ask = ['h.x', 'h.y']
+                shapes.B = {{ kind = 'box', half_extents = [2, 1], {angle} }}
+                query = {{ kind = 'bounds', of = ['B'], time = 1 }}"
+            )
+        };
+        let varied = |angle: &str| -> Vec<Vec<f64>> {
+            let found = search(&template(&text(angle)), 12).unwrap();
+            let turned = |one: Found| one.numbers[1..].iter().flatten().copied().collect();
+            found.into_iter().map(turned).collect()
+        };
+        let turns = varied("angle_deg = 90, angular_velocity_deg = 90");
+        for i in [0, 1] {
+            let values: std::collections::BTreeSet<_> = turns.iter().map(|one| one[i].to_bits()).collect();
+            assert!(values.len() > 2 && turns.iter().all(|one| one[i] % 90.0 == 0.0), "{turns:?}");
+        }
+        assert!(turns.iter().all(|one| one[1] != 0.0), "what turns still does: {turns:?}");
+        assert!(varied("angle_deg = 90, angular_velocity_deg = 0").iter().all(|one| one[1] == 0.0));
+        assert_eq!([turn(30.0), turn(-135.0), turn(17.0), turn(0.0)], [30.0, 45.0, 0.0, 90.0]);
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
-use crate::figure::sketch::{Detail, Sketched};
+use crate::figure::sketch::{Cover, Detail, Sketched};
 use crate::geometry::DVec2;
 
 use super::{Inset, MARGIN, factors, hidden};
@@ -16,10 +16,11 @@ use super::{Inset, MARGIN, factors, hidden};
 const SEEN: f64 = 16.0;
 /// The length below which it stays enlarged from the frame before on, so that an inset does not come and go.
 const STILL_SEEN: f64 = 22.0;
-/// The least length that is enlarged, page pixels: less is no wider than a line at `MOST` times.
-const LEAST: f64 = 8.0 / MOST;
-/// The most that is enlarged.
-const MOST: f64 = 500.0;
+/// The least length of what is enlarged in its inset, page pixels: less is no wider than a line.
+const LEAST: f64 = 8.0;
+/// How far from its detail anything may come to lie by being enlarged, page pixels: half of how far a place
+/// may be on a page. At twice a figure of a tiny gap between wide bodies is refused.
+const FARTHEST: f64 = 5e5;
 /// The least factor that is worth an inset.
 const WORTH: f64 = 2.0;
 /// The shares of its panel's width and height that an inset may take, the largest first.
@@ -69,7 +70,8 @@ const RESTS: f64 = 60.0;
 fn unseen(sketched: &Sketched, seen: f64) -> Option<&Detail> {
     let small = |detail: &&Detail| {
         let length = diagonal(&detail.rect);
-        (LEAST..seen).contains(&length) && sketched.frame.panel.intersection(detail.rect).is_some()
+        (LEAST / most(sketched, detail)..seen).contains(&length)
+            && sketched.frame.panel.intersection(detail.rect).is_some()
     };
     let all = sketched.details.iter().filter(small);
     all.max_by(|a, b| diagonal(&a.rect).total_cmp(&diagonal(&b.rect)))
@@ -93,8 +95,10 @@ pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>) -> Option<Inse
 fn among(sketched: &Sketched, found: &Detail, before: Option<Rect>, narrowest: f64) -> Option<Inset> {
     let frame = &sketched.frame;
     let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
+    let most = most(sketched, found);
     let sizes = shares.filter_map(|share| {
-        let (factor, size) = sized(frame, &found.rect, share).filter(|(_, size)| size[0] >= narrowest)?;
+        let found = sized(frame, (&found.rect, most), share);
+        let (factor, size) = found.filter(|(_, size)| size[0] >= narrowest)?;
         Some((share, factor, size))
     });
     let places = sizes.flat_map(|(share, factor, size)| PLACES.map(|at| (share, factor, size, at)));
@@ -117,21 +121,31 @@ fn among(sketched: &Sketched, found: &Detail, before: Option<Rect>, narrowest: f
     Some(Inset { frame, detail, factor, shown: found.shown })
 }
 
+/// How many times a detail may be enlarged, so that nothing that is drawn comes to lie too far from it.
+fn most(sketched: &Sketched, detail: &Detail) -> f64 {
+    let from = detail.rect.center();
+    let far = |cover: &Cover| match *cover {
+        Cover::Stroke { from: p, to: q, .. } => (p - from).length().max((q - from).length()),
+        Cover::Marker { at, .. } | Cover::Head { at, .. } => (at - from).length(),
+    };
+    FARTHEST / sketched.obstacles.iter().map(|obstacle| far(&obstacle.cover)).fold(1.0, f64::max)
+}
+
 /// From one end of a rectangle to the other.
 fn diagonal(rect: &Rect) -> f64 {
     Offset::new(rect.width(), rect.height()).length()
 }
 
-/// How many times an inset of a share of its panel enlarges a detail, and its width and height; `None` where
-/// that is too small a panel, or too little.
-fn sized(frame: &Frame, detail: &Rect, share: [f64; 2]) -> Option<(f64, [f64; 2])> {
+/// How many times an inset of a share of its panel enlarges a detail, at `most`, and its width and height;
+/// `None` where that is too small a panel, or too little.
+fn sized(frame: &Frame, (detail, most): (&Rect, f64), share: [f64; 2]) -> Option<(f64, [f64; 2])> {
     let size = [frame.panel.width(), frame.panel.height()];
     let size = [0, 1].map(|k| (share[k] * size[k]).min(LARGEST[k]));
     if size[0] < SMALLEST[0] || size[1] < SMALLEST[1] {
         return None;
     }
     let room = FILLED * size[0].min(size[1]);
-    let factor = *factors((room / diagonal(detail)).min(MOST)).first()?;
+    let factor = *factors((room / diagonal(detail)).min(most)).first()?;
     (factor >= WORTH).then_some((factor, size))
 }
 

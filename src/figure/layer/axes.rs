@@ -56,7 +56,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         // An axis that ran through a number would be its minus sign.
         lo += sketch.px(1.0) * ticks(sketch, context, options, pen);
     }
-    if !options.flag("lines", true) {
+    if !(options.flag("lines", true) && sketch.has_axes()) {
         return;
     }
     sketch.part("x-axis").weight(Weight::Background);

@@ -349,9 +349,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     edges(sketch, last, |_, pen| (pen, cue));
     diamonds(sketch, last, |_| cue);
     name(sketch, context, options, last);
-    if options.flag("numbers", false) {
-        step_numbers(sketch, context, &all);
-    }
+    step_numbers(sketch, context, &all, options.flag("numbers", false));
 }
 
 /// The steps that are drawn, each with its number, from 1: at most [`MOST`]. An advancement closes in, so

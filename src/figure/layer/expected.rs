@@ -4,11 +4,11 @@
 use crate::collision::{Answer, Expected, Outcome, Separation};
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Sketch};
+use crate::figure::sketch::{Anchor, Corner, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
 use crate::figure::text::number;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 
-use super::ghosts::{at_moment, ghost};
+use super::ghosts::ghost;
 use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
@@ -37,7 +37,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(theirs) = context.scene.query.expected else { return };
     let role = options.role(Role::Now);
     sketch.since(context.answered());
-    bodies(sketch, context, options, &theirs);
+    let shown = bodies(sketch, context, options, &theirs);
     let ours = ours(context);
     if let Some(ours) = &ours {
         sketch.part("ours").line(ours.points[0], ours.points[1], Pen::dimension(Role::Translation));
@@ -56,22 +56,37 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
         }
     }
-    if let Some(from) = from {
-        let lines = words(&theirs);
-        sketch.label(Label { lines, ..Label::new("expected", "", Anchor::point(from), role) });
+    let lines = words(&theirs, shown);
+    if lines.is_empty() {
+        return;
     }
+    let label = Label { lines, ..Label::new("expected", "", Anchor::Corner(Corner::TopLeft), role) };
+    sketch.label(match theirs.points {
+        Some([p, _]) => Label { anchor: Anchor::point(p), ..label },
+        // It is of no place, least of all of our contact.
+        None => label.rank(Rank::Note).size(Size::Note),
+    });
 }
 
-/// The bodies at the time expected, where they are elsewhere then.
-fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Expected) {
-    let Some(time) = theirs.time.filter(|time| (0.0..=1.0).contains(time)) else { return };
+/// The bodies at the time expected, where they are elsewhere then; whether any is.
+fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Expected) -> bool {
+    let Some(time) = theirs.time.filter(|time| (0.0..=1.0).contains(time)) else { return false };
+    let mut shown = false;
     for side in context.sides() {
         let elsewhere = context.pose(side, time) != context.pose(side, context.time);
         if let Some(outline) = context.outline(side, time).filter(|_| elsewhere) {
-            let text = at_moment(context, side, &number(time));
-            ghost(sketch, options, side, &outline, text);
+            ghost(sketch, options, side, &outline, at_expected(context, side, time));
+            shown = true;
         }
     }
+    shown
+}
+
+/// The label of a body at the time expected; below each other where the name is a word.
+fn at_expected(context: &Context, side: Side, time: f64) -> Vec<String> {
+    let name = context.named(side);
+    let then = format!("expected at $t = {}$", number(time));
+    if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
 /// The pair of our answer: at its moment, at the first contact, or at the closest approach.
@@ -90,10 +105,10 @@ fn normal(sketch: &mut Sketch, from: DVec2, n: DVec2, (key, text, role): (&'stat
     unit_vector(sketch, (from, n), None, Label::new(key, text, Anchor::point(from), role));
 }
 
-/// What is expected in lines of a label.
-fn words(theirs: &Expected) -> Vec<String> {
+/// What is expected in lines of a label; the time only where no body is shown at it.
+fn words(theirs: &Expected, shown: bool) -> Vec<String> {
     let separation = theirs.separation.map(|s| format!("expected $s = {}$", number(s)));
-    let time = theirs.time.map(|t| format!("expected $t = {}$", number(t)));
+    let time = theirs.time.filter(|_| !shown).map(|t| format!("expected $t = {}$", number(t)));
     separation.into_iter().chain(time).collect()
 }
 
@@ -122,7 +137,34 @@ mod tests {
         assert_eq!(labels["expected"].1, 2.25);
         let counts = ["ours", "expected", "normal"].map(|part| paths(&figure.drawing.items, part).len());
         assert!(counts[0] >= 3 && counts[0] == counts[1] && counts[2] >= 2, "{counts:?}");
+        let at = figure.panels[0].frame.page(crate::geometry::DVec2::new(1.0, 0.5));
+        let label = figure.panels[0].placed.iter().find(|placed| placed.key == "expected").unwrap();
+        assert!((label.bounds.center() - at).length() < 80.0, "it stands at the point that was expected");
         let silent = open_text("s.toml", &text("")).unwrap().scene;
         assert!(plan(&silent).is_err(), "nothing is expected");
+    }
+
+    #[test]
+    fn what_was_expected_of_no_place_does_not_stand_at_our_contact() {
+        for (given, says) in [
+            ("separation = 0.01", "expected $s = 0.01$"),
+            ("time = 0.8", "$A$ expected at $t = 0.8$"),
+            ("time = 1.5", "expected $t = 1.5$"),
+        ] {
+            let text = format!(
+                "[shapes.A]\nkind = 'circle'\nradius = 1\nvelocity = [4, 0]\n[shapes.B]\nkind = 'circle'\n\
+                 radius = 1\nposition = [4, 0]\n[query]\nkind = 'linear-sweep'\nof = ['A', 'B']\n\
+                 expected = {{ {given} }}\n[[panels]]\nlayers = ['shapes', 'expected']"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let panel = &figure.panels[0];
+            let said = |placed: &&crate::figure::Placed| placed.lines[0].1.markup == says;
+            let label = panel.placed.iter().find(said).unwrap_or_else(|| panic!("{given}: {panel:?}"));
+            let contact = panel.frame.page(crate::geometry::DVec2::new(3.0, 0.0));
+            let off = label.bounds.center() - contact;
+            assert!(off.length() > 60.0, "{given}: {off:?}");
+        }
     }
 }

@@ -213,6 +213,10 @@ fn marks(
     (role, values): (Role, bool),
 ) {
     let (mut free, mut wide) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    // The last number says how many steps there are: those that stand too near to it give way.
+    let last = all.len().min(MOST);
+    let [gap, value_gap] = [GAP, VALUE_GAP].map(|px| sketch.fitted(px));
+    let end = all.get(last.saturating_sub(1)).map_or(f64::INFINITY, |step| chart.along(sketch, step.time));
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
         sketch.since(context.known(&When::Step(k)));
         let on_axis = chart.place(step.time, 0.0);
@@ -221,11 +225,12 @@ fn marks(
         chart.tick(sketch, step.time, Role::Now);
         sketch.marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
         let along = chart.along(sketch, step.time);
-        if along >= free {
-            free = along + sketch.fitted(GAP);
+        let yields = |room: f64| k > 1 && k < last && end - along < room;
+        if k == last || along >= free && !yields(gap) {
+            free = along + gap;
             let mut lines = vec![format!("$t_{{{k}}}$")];
-            if values && along >= wide {
-                wide = along + sketch.fitted(VALUE_GAP);
+            if values && (k == last || along >= wide && !yields(value_gap)) {
+                wide = along + value_gap;
                 lines.push(format!("${}$", number(step.time)));
             }
             let anchor = Anchor::Tick { at: on_axis, toward: DVec2::NEG_Y };
@@ -236,7 +241,7 @@ fn marks(
     if let Some(next) = all.get(MOST) {
         let more = Label::new(
             "more",
-            format!("{} more steps", all.len() - MOST),
+            more(all.len()),
             Anchor::point_toward(chart.place(next.time, 0.0), DVec2::X),
             Role::Muted,
         );
@@ -249,151 +254,14 @@ fn marks(
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::drawing::{Contour, Segment};
-    use crate::figure::layer::tests::{paths, points};
-    use crate::figure::{Figure, draw, plan};
-    use crate::scene::open_text;
-
-    /// A box that turns towards a polygon, with a graph of it.
-    fn graph(algorithm: &str, values: bool) -> Result<(Figure, Vec<Step>), String> {
-        let text = format!(
-            "shapes.A = {{ kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
-                angle_deg = 20, angular_velocity_deg = 90 }}
-            shapes.B = {{ kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }}
-            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = '{algorithm}' }}
-            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', values = {values} }}] }}]"
-        );
-        let scene = open_text("graph", &text).unwrap().scene;
-        let plan = plan(&scene).map_err(|problems| format!("{problems:?}"))?;
-        let steps = steps(&plan.panels[0].context(&scene, &plan.runs));
-        Ok((draw(&plan, plan.theme, "graph"), steps))
-    }
-
-    #[test]
-    fn each_line_of_the_fastest_approach_ends_where_the_next_step_begins_and_is_never_above_the_curve() {
-        let (figure, steps) = graph("conservative-advancement", false).unwrap();
-        assert!(steps.len() > 3);
-        let ends = |part: &str| -> Vec<Vec<crate::drawing::Point>> {
-            let points = |path: &crate::drawing::Path| match &path.contour {
-                Contour::Segments(segments) => segments
-                    .iter()
-                    .filter_map(|s| match *s {
-                        Segment::Move(p) | Segment::Line(p) => Some(p),
-                        _ => None,
-                    })
-                    .collect(),
-                Contour::Circle { .. } => Vec::new(),
-            };
-            paths(&figure.drawing.items, part).into_iter().map(points).collect()
-        };
-        let (lines, looks) = (ends("worst"), ends("look"));
-        for (line, look) in lines.iter().zip(&looks) {
-            assert!((line[1] - look[0]).length() < 1e-9, "{line:?} does not end at {look:?}");
-        }
-        let curve = &ends("curve")[0];
-        for [p, q] in lines.iter().map(|line| [line[0], line[1]]) {
-            for c in curve.iter().filter(|c| c.x > p.x && c.x < q.x) {
-                // On the page y is down.
-                let under = p.y + (q.y - p.y) * (c.x - p.x) / (q.x - p.x);
-                assert!(c.y <= under + 1e-6, "the curve falls below the line at {c:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn level_with_a_picture_of_the_same_view_separations_are_as_long_as_there() {
-        let view = "view = [-2, -2, 14, 8]";
-        let text = format!(
-            "shapes.A = {{ kind = 'box', half_extents = [1.2, 0.4], position = [0, 6], angle_deg = 70,
-                velocity = [9, -5], angular_velocity_rad = -4 }}
-            shapes.B = {{ kind = 'polygon', vertices = [[-2, 0.5], [-2, -1], [13, -1], [13, 0.5]] }}
-            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
-                tolerance = 0.5 }}
-            panels = [{{ {view}, layers = [{{ layer = 'separation', at = 'steps' }}] }},
-                {{ {view}, layers = [{{ layer = 'graph', level = true }}] }}]"
-        );
-        let scene = open_text("level", &text).unwrap().scene;
-        let plan = plan(&scene).unwrap();
-        let figure = draw(&plan, plan.theme, "level");
-        let ends = |part| paths(&figure.drawing.items, part).into_iter().map(points).collect::<Vec<_>>();
-        // Of each step after the first the line from the axis of time to the curve, and the one from A to B.
-        let (looks, lines) = (ends("look"), ends("separation"));
-        let level = |[p, q]: [crate::drawing::Point; 2]| (p.y - q.y).abs() < 1e-6;
-        let drawn = |look: &[_]| lines.iter().any(|l| level([l[0], look[1]]) && level([l[1], look[0]]));
-        assert!(looks.len() > 1 && looks.iter().all(|look| drawn(look)), "{looks:?} in {lines:?}");
-    }
-
-    #[test]
-    fn values_are_those_of_the_steps_and_only_written_where_they_are_asked_for() {
-        let (figure, steps) = graph("conservative-advancement", true).unwrap();
-        let said = |figure: &Figure, key: &str| -> Vec<String> {
-            let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
-            let lines = placed.filter(|label| label.key == key).flat_map(|label| &label.lines);
-            lines.map(|(_, line)| line.markup.clone()).collect()
-        };
-        let times = said(&figure, "step");
-        assert_eq!(times[..2], ["$t_{1}$", "$0$"]);
-        assert_eq!(times[2..4], ["$t_{2}$".to_owned(), format!("${}$", number(steps[1].time))]);
-        assert!(said(&figure, "worst").contains(&format!("${}$ in a unit of time", number(steps[0].bound))));
-        assert_eq!(said(&figure, "s_k")[0], format!("$s_{{2}} = {}$", number(steps[1].separation)));
-        let (plain, _) = graph("conservative-advancement", false).unwrap();
-        assert_eq!(said(&plain, "s_k")[0], "$s_{2}$");
-        assert!(said(&plain, "step").iter().all(|line| line.starts_with("$t_")));
-    }
-
-    #[test]
-    fn the_curve_of_fast_spins_goes_through_every_step_and_the_axes_keep_their_names() {
-        let text = "
-            shapes.A = { kind = 'box', half_extents = [2, 0.12], angular_velocity_deg = 3600 }
-            shapes.B = { kind = 'circle', radius = 0.3, position = [5, 0.5], velocity = [-4, 0] }
-            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
-                tolerance = 1e-3 }
-            canvas = { width = 1100, height = 620 }
-            panels = [{ layers = ['graph'] }]";
-        let scene = open_text("graph", text).unwrap().scene;
-        let plan = plan(&scene).unwrap();
-        let context = plan.panels[0].context(&scene, &plan.runs);
-        let steps = steps(&context);
-        assert!(steps.len() > 2 * MOST);
-        let times: Vec<f64> = steps.iter().take(MOST).map(|step| step.time).collect();
-        let curve = separations(&context, 1.0, &times);
-        for step in steps.iter().take(MOST) {
-            let on = curve.iter().find(|p| p.x == step.time).unwrap();
-            assert!((on.y - step.separation).abs() < 1e-9, "{on} {}", step.separation);
-        }
-        // In each of ten turns the box comes near twice and goes away twice.
-        let turns = curve.windows(3).filter(|p| (p[1].y - p[0].y) * (p[2].y - p[1].y) < 0.0).count();
-        assert!((38..=42).contains(&turns), "{turns}");
-        let figure = draw(&plan, plan.theme, "graph");
-        let keys: Vec<_> = figure.panels[0].placed.iter().map(|label| label.key).collect();
-        assert!(["t", "s", "more"].iter().all(|key| keys.contains(key)), "{keys:?}");
-    }
-
-    #[test]
-    fn the_tolerance_is_a_line_over_all_times_at_its_separation() {
-        let text = "shapes.A = { kind = 'circle', radius = 1, velocity = [8, 0], angular_velocity_deg = 30 }
-            shapes.B = { kind = 'box', half_extents = [1, 1], position = [6, 1], angle_deg = 30 }
-            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
-                tolerance = 0.5 }
-            panels = [{ view = [0, 0, 4, 3], layers = [{ layer = 'graph', tolerance = true }] }]";
-        let scene = open_text("graph", text).unwrap().scene;
-        let plan = plan(&scene).unwrap();
-        let figure = draw(&plan, plan.theme, "graph");
-        let level = |part: &str| paths(&figure.drawing.items, part)[0].contour.bounds().unwrap();
-        // The line of the second look runs from 0 up to s₂. That of the fastest approach has a gap where it
-        // would run along the curve.
-        let (line, worst, look) = (level("tolerance"), level("worst"), level("look"));
-        let second = steps(&plan.panels[0].context(&scene, &plan.runs))[1].separation;
-        let height = (look.y1 - line.y0) / (look.y1 - look.y0) * second;
-        assert!(line.y0 == line.y1 && (height - 0.5).abs() < 1e-9, "{height}");
-        assert!(line.x1 - line.x0 > worst.x1 - worst.x0);
-    }
-
-    #[test]
-    fn an_algorithm_without_steps_has_no_graph() {
-        assert!(graph("swept-axis", true).is_err());
+/// How many steps follow those that are drawn, and which the last one is: the numbers on the axis may end
+/// earlier, so that the count alone would begin nowhere.
+fn more(all: usize) -> String {
+    match all.saturating_sub(MOST) {
+        1 => format!("one more step, $t_{{{all}}}$"),
+        count => format!("{count} more steps, to $t_{{{all}}}$"),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -20,9 +20,15 @@ const CLEAR: f64 = 3.0;
 
 /// Writes the number of each iteration below its lowest vertex, where that is outside of all others; else
 /// where the outline is farthest outside of them. One that is nowhere outside has none, but for the last.
-pub(super) fn step_numbers(sketch: &mut Sketch, context: &Context, all: &[(usize, Difference)]) {
+/// Where none is `numbered`, the outlines are all told of as things without a name.
+pub(super) fn step_numbers(
+    sketch: &mut Sketch,
+    context: &Context,
+    all: &[(usize, Difference)],
+    numbered: bool,
+) {
     let [gap, level, least] = [NUMBER_GAP, LEVEL, CLEAR].map(|px| sketch.px(px));
-    let mut kept: Vec<(usize, DVec2, DVec2)> = Vec::new();
+    let mut kept: Vec<(usize, DVec2, Anchor)> = Vec::new();
     for (i, (k, found)) in all.iter().enumerate().rev() {
         let others = || all.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, (_, other))| other);
         let clear = |p: DVec2| others().map(|other| other.outside(p)).fold(f64::INFINITY, f64::min);
@@ -33,13 +39,15 @@ pub(super) fn step_numbers(sketch: &mut Sketch, context: &Context, all: &[(usize
             Some((place, place - found.middle()))
         };
         let Some((place, out)) = below.or_else(farthest) else { continue };
+        let anchor = Anchor::outline(&found.outline(), place, out);
         let apart = kept.iter().all(|(_, other, _)| other.distance(place) >= gap);
-        if kept.is_empty() || (apart && clear(place) >= least) {
-            kept.push((*k, place, out));
+        if numbered && (kept.is_empty() || apart && clear(place) >= least) {
+            kept.push((*k, place, anchor));
+        } else {
+            sketch.unnamed(anchor);
         }
     }
-    for (k, place, out) in kept.into_iter().rev() {
-        let anchor = Anchor::point_toward(place, out);
+    for (k, _, anchor) in kept.into_iter().rev() {
         let label = Label::new("step", format!("$t_{{{k}}}$"), anchor, Role::Difference);
         sketch.since(context.known(&When::Step(k))).label(label.rank(Rank::Word).size(Size::Small));
     }
@@ -58,6 +66,8 @@ fn lowest(points: &[DVec2], level: f64) -> Option<DVec2> {
 mod tests {
     use super::super::difference::{difference, thinned};
     use super::*;
+    use crate::drawing::{Point, Rect};
+    use crate::figure::frame::Frame;
 
     #[test]
     fn the_number_of_a_step_stands_at_its_own_outline_and_in_no_other() {
@@ -78,7 +88,7 @@ mod tests {
         let sketched = panel.sketch(&context, plan.theme);
         let mut named = 0;
         for label in sketched.requests.iter().map(|request| &request.label).filter(|l| l.key == "step") {
-            let Anchor::Point { at, .. } = label.anchor else { panic!("{label:?}") };
+            let Anchor::Outline { at, .. } = label.anchor else { panic!("{label:?}") };
             for (k, found) in &steps {
                 let own = label.lines[0] == format!("$t_{{{k}}}$");
                 assert_eq!(found.outside(at).abs() < 1e-9, own, "{label:?} and step {k}");
@@ -87,5 +97,63 @@ mod tests {
             named += 1;
         }
         assert!(named > 2, "{named}");
+    }
+
+    /// How far a point of the page is from a box.
+    fn distance(bounds: &Rect, p: Point) -> f64 {
+        let off = |lo: f64, hi: f64, x: f64| (lo - x).max(x - hi).max(0.0);
+        libm::hypot(off(bounds.x0, bounds.x1, p.x), off(bounds.y0, bounds.y1, p.y))
+    }
+
+    /// How much farther a box on the page is from the nearest other outline than from a step's own, page
+    /// pixels.
+    fn margin(bounds: &Rect, frame: &Frame, steps: &[(usize, Difference)], own: usize) -> f64 {
+        let from = |found: &Difference| {
+            let points: Vec<_> = found.outline().sampled().iter().map(|&p| frame.page(p)).collect();
+            let next = points.iter().cycle().skip(1);
+            let pieces = points.iter().zip(next);
+            let between = |(&p, &q)| (0..50).map(move |i| p + (q - p) * (f64::from(i) / 50.0));
+            pieces.flat_map(between).map(|p| distance(bounds, p)).fold(f64::INFINITY, f64::min)
+        };
+        let (mut near, mut far) = (f64::INFINITY, f64::INFINITY);
+        for (k, found) in steps {
+            let least = if *k == own { &mut near } else { &mut far };
+            *least = least.min(from(found));
+        }
+        far - near
+    }
+
+    #[test]
+    fn the_number_of_a_step_is_nearest_to_its_own_outline_or_led_to_it() {
+        let mut named = 0;
+        for case in 0..24 {
+            let (turn, height) = (40 + 25 * (case % 8), 0.3 * f64::from(case / 8));
+            let text = format!(
+                "shapes.A = {{ kind = 'capsule', points = [[-1.5, 0], [1.5, 0]], radius = 0.2,
+                    velocity = [2.6, {height}], angular_velocity_deg = {turn} }}
+                shapes.B = {{ kind = 'box', half_extents = [0.3, 2.5], position = [4, 0.5], angle_deg = 20 }}
+                panels = [{{ space = 'configuration', time = 0,
+                    layers = ['axes', {{ layer = 'difference', at = 'steps', numbers = true }}, 'origin'] }}]
+                query = {{ kind = 'time-of-impact', of = ['A', 'B'], tolerance = 0.01,
+                    algorithm = 'conservative-advancement' }}"
+            );
+            let scene = crate::scene::open_text("steps", &text).unwrap().scene;
+            let plan = crate::figure::plan(&scene).unwrap();
+            let context = plan.panels[0].context(&scene, &plan.runs);
+            let at = |(k, time)| Some((k, difference(&context, time)?));
+            let steps: Vec<(usize, Difference)> =
+                thinned(&context.steps()).into_iter().filter_map(at).collect();
+            let figure = crate::figure::draw(&plan, plan.theme, "steps");
+            let panel = &figure.panels[0];
+            let numbers = panel.placed.iter().filter(|placed| placed.key == "step");
+            for placed in numbers {
+                let markup = &placed.lines[0].1.markup;
+                let own = markup.trim_start_matches("$t_{").trim_end_matches("}$").parse().unwrap();
+                let margin = margin(&placed.bounds, &panel.frame, &steps, own);
+                assert!(margin > 0.0 || placed.is_led(), "case {case}, {markup}: {margin} px");
+                named += 1;
+            }
+        }
+        assert!(named > 60, "{named}");
     }
 }

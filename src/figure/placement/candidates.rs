@@ -53,6 +53,10 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
             around(frame.page(*at), MARKER, toward, size, &Places { astray: w.off_tick, ..w.clone() })
         }
+        Anchor::Outline { at, toward, .. } => {
+            let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
+            around(frame.page(*at), MARKER, toward, size, w)
+        }
         Anchor::Along { from, to, best } => along(frame.page(*from), frame.page(*to), *best, size, w),
         Anchor::Beside { from, to, offset } => beside(frame.page(*from), frame.page(*to), *offset, size, w),
         Anchor::Arc { center, radius, start, sweep } => {
@@ -100,6 +104,7 @@ fn comes_into(anchor: &Anchor, page: Vec<Point>, view: &Rect) -> bool {
     match anchor {
         // The line may be moved aside.
         Anchor::Beside { .. } => true,
+        // Nothing that is seen of an outline fills the view.
         Anchor::Inside { .. } => Polyline::closed(page)
             .is_none_or(|line| line.square_from(view, f64::INFINITY) <= 0.0 || line.contains(view.center())),
         _ => Polyline::open(page).is_none_or(|line| line.square_from(view, f64::INFINITY) <= 0.0),
@@ -121,7 +126,7 @@ pub(super) fn home(anchor: &Anchor, frame: &Frame, w: &Places) -> Point {
 fn reference(anchor: &Anchor, frame: &Frame, w: &Places) -> (Point, f64) {
     match anchor {
         Anchor::Point { at, clear, .. } => (frame.page(*at), *clear),
-        Anchor::Tick { at, .. } => (frame.page(*at), MARKER),
+        Anchor::Tick { at, .. } | Anchor::Outline { at, .. } => (frame.page(*at), MARKER),
         Anchor::Along { to, best: Best::Tip, .. } => (frame.page(*to), 0.0),
         Anchor::Along { from, to, .. } => (frame.page(0.5 * (*from + *to)), 0.0),
         Anchor::Beside { from, to, offset } => {
@@ -326,75 +331,4 @@ fn corners(corner: Corner, size: (f64, f64), panel: &Rect, w: &Places) -> Vec<Ca
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::{rect::distance_to, weights::TUNED};
-    use super::*;
-    use crate::geometry::DVec2;
-
-    const W: &Places = &Places::TUNED;
-    #[test]
-    fn places_about_a_point_keep_clear_of_its_marker() {
-        let at = Point::new(100.0, 100.0);
-        for candidate in around(at, 5.0, None, (30.0, 12.0), W) {
-            assert!(distance_to(&candidate.rect, at) >= 5.0, "{candidate:?}");
-        }
-    }
-
-    #[test]
-    fn the_number_of_a_tick_stays_in_line_with_it_however_near_another_is() {
-        let panel = Rect::new(Point::default(), Point::new(100.0, 100.0));
-        let frame = Frame::fit(None, DVec2::ZERO, DVec2::splat(10.0), panel);
-        let tick = Anchor::Tick { at: DVec2::splat(5.0), toward: DVec2::NEG_Y };
-        let mut all = offered(&tick, (30.0, 12.0), &Things::among(&[], None, &panel), &frame, W);
-        all.sort_by(|p, q| p.reluctance.total_cmp(&q.reluctance));
-        let aside = all.iter().find(|place| (place.rect.center().x - 50.0).abs() > 1e-9).unwrap();
-        let most = TUNED.costs.close * (1.0 - TUNED.costs.label_room / TUNED.costs.label_comfort);
-        assert!(all[0].rect.y0 > 50.0 && aside.reluctance - all[0].reluctance > most, "{aside:?}");
-    }
-
-    #[test]
-    fn a_place_over_the_edge_is_moved_within_more_reluctantly() {
-        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
-        let place = |x: f64, y: f64, width: f64| Candidate::new(about(Point::new(x, y), (width, 12.0)), 1.0);
-        let kept = kept_in(place(97.0, 1.0, 30.0), &panel, W);
-        assert_eq!(kept.rect, about(Point::new(85.0, 6.0), (30.0, 12.0)));
-        assert!(kept.reluctance > 1.0 + 12.0 * W.kept_in);
-        assert_eq!(kept_in(place(86.0, 50.0, 30.0), &panel, W), place(86.0, 50.0, 30.0), "it only spills");
-        assert_eq!(kept_in(place(50.0, 50.0, 120.0), &panel, W), place(50.0, 50.0, 120.0), "it is too wide");
-    }
-
-    #[test]
-    fn what_the_view_cuts_off_is_not_in_view() {
-        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
-        let frame = Frame::fit(None, DVec2::ZERO, DVec2::new(10.0, 10.0), panel);
-        assert!(is_in_view(&Anchor::point(DVec2::new(9.0, 1.0)), &frame, W));
-        assert!(!is_in_view(&Anchor::point(DVec2::new(12.0, 1.0)), &frame, W));
-        assert!(is_in_view(&Anchor::tip(DVec2::ONE, DVec2::new(30.0, 1.0)), &frame, W), "its tail is");
-        assert!(is_in_view(&Anchor::Corner(Corner::Top), &frame, W));
-        let triangle = |x: f64, y: f64| {
-            let area = [(0.0, 0.0), (30.0, -30.0), (30.0, 0.0), (0.0, 0.0)];
-            Anchor::Inside { area: area.map(|(dx, dy)| DVec2::new(x + dx, y + dy)).to_vec() }
-        };
-        assert!(is_in_view(&triangle(1.0, 5.0), &frame, W));
-        assert!(is_in_view(&triangle(-15.0, 12.0), &frame, W), "the view is within");
-        assert!(!is_in_view(&triangle(-8.0, 32.0), &frame, W), "only the box around it is in view");
-    }
-
-    #[test]
-    fn a_dimension_has_its_label_on_the_far_side() {
-        let best = beside(Point::new(0.0, 0.0), Point::new(100.0, 0.0), -20.0, (30.0, 12.0), W)
-            .into_iter()
-            .min_by(|p, q| p.reluctance.total_cmp(&q.reluctance))
-            .unwrap();
-        assert!(best.rect.y0 > 20.0, "to the right of east is down: {best:?}");
-    }
-
-    #[test]
-    fn a_label_in_trouble_is_offered_a_square_of_places_about_its_own() {
-        let panel = Rect { x0: 0.0, y0: 0.0, x1: 100.0, y1: 100.0 };
-        let place = Candidate::new(about(Point::default(), (30.0, 12.0)), 1.0);
-        let all = nudged(&place, &Things::among(&[], None, &panel), &TUNED);
-        assert_eq!(all.len(), 13 * 13);
-        assert!(all.contains(&place), "its own place is among them, at no further reluctance");
-    }
-}
+mod tests;

@@ -40,7 +40,9 @@ fn hull(candidate: &Candidate, named: Option<Point>) -> Rect {
 /// The point that a label names.
 fn named(sought: &Sought, frame: &Frame) -> Option<Point> {
     match &sought.anchor {
-        Anchor::Point { at, .. } | Anchor::Tick { at, .. } => Some(frame.page(*at)),
+        Anchor::Point { at, .. } | Anchor::Tick { at, .. } | Anchor::Outline { at, .. } => {
+            Some(frame.page(*at))
+        }
         _ => None,
     }
 }

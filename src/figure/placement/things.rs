@@ -63,6 +63,9 @@ pub(crate) struct Thing {
     line: Polyline,
     /// The radius that its marker covers, page pixels.
     clear: f64,
+    /// The point of an outline that nothing fills where its label is led to: nothing stands inside of it, so
+    /// that it is named by what is beside its line.
+    hollow: Option<Point>,
 }
 
 /// A thing that a label must not seem to name.
@@ -123,7 +126,7 @@ impl<'t> Things<'t> {
 
     /// The contours of the areas that a name should keep out of.
     pub(super) fn avoid(&self) -> Vec<&'t Polyline> {
-        self.rivals.iter().filter(|r| !r.around).map(|r| &r.thing.line).collect()
+        self.rivals.iter().filter(|r| !r.around && r.thing.hollow.is_none()).map(|r| &r.thing.line).collect()
     }
 
     /// How much nearer a box is to its own thing than to any other, page pixels, at most `reach`; anything up
@@ -171,7 +174,7 @@ impl Thing {
         let line = if kind == Kind::Area { Polyline::closed(points) } else { Polyline::open(points) }?;
         let Rect { x0, y0, x1, y1 } = line.bounds();
         let on_page = [x0, y0, x1, y1].iter().all(|v| v.is_finite());
-        on_page.then_some(Self { kind, line, clear })
+        on_page.then_some(Self { kind, line, clear, hollow: None })
     }
 
     /// What a label belongs to, on the page; none for a corner of the panel.
@@ -190,10 +193,14 @@ impl Thing {
                 (Kind::Length, 0.0)
             }
             Anchor::Arc { .. } => (Kind::Arc, 0.0),
-            Anchor::Inside { .. } => (Kind::Area, 0.0),
+            Anchor::Inside { .. } | Anchor::Outline { .. } => (Kind::Area, 0.0),
             Anchor::Corner(_) => return None,
         };
-        Self::new(kind, points, clear)
+        let hollow = match anchor {
+            Anchor::Outline { at, .. } => Some(frame.page(*at)),
+            _ => None,
+        };
+        Some(Self { hollow, ..Self::new(kind, points, clear)? })
     }
 
     /// How much nearer a label's box is to it than to any other of the things, page pixels; anything up to
@@ -216,7 +223,7 @@ impl Thing {
 
     /// The distance of a box from what is seen of it, page pixels; 0 where they touch.
     pub(super) fn distance(&self, rect: &Rect) -> f64 {
-        if self.kind == Kind::Area && self.line.contains(rect.center()) {
+        if self.holds(rect.center()) {
             return 0.0;
         }
         if let [only] = *self.line.points() {
@@ -230,7 +237,7 @@ impl Thing {
         if self.line.points().len() == 1 || than <= 0.0 {
             return self.distance(rect) > than;
         }
-        let outside = !(self.kind == Kind::Area && self.line.contains(rect.center()));
+        let outside = !self.holds(rect.center());
         // A line at just this distance is none that is farther.
         let most = (than * than).next_up();
         outside && self.line.square_from(rect, most) >= most
@@ -244,6 +251,9 @@ impl Thing {
     /// Where a leader line from a point of the page ends on it: of a line between two points not near those,
     /// where markers and heads are.
     pub(super) fn aim(&self, p: Point) -> Point {
+        if let Some(at) = self.hollow {
+            return at;
+        }
         match (self.kind, self.line.points()) {
             (Kind::Length | Kind::Line, &[from, to]) => {
                 let inner = [MIDDLE.0, MIDDLE.1].map(|part| from + (to - from) * part);
@@ -255,7 +265,12 @@ impl Thing {
 
     /// Whether a name stands inside it where it can.
     pub(super) fn is_area(&self) -> bool {
-        self.kind == Kind::Area
+        self.kind == Kind::Area && self.hollow.is_none()
+    }
+
+    /// Whether a point lies in its area.
+    fn holds(&self, p: Point) -> bool {
+        self.is_area() && self.line.contains(p)
     }
 
     /// Where it is, if it is so small that it is drawn as a point.
@@ -289,7 +304,7 @@ impl Thing {
     /// Whether it lies within another thing, or on it.
     fn lies_in(&self, other: &Self) -> bool {
         let wide = other.line.bounds().grown(ONE);
-        let covers = |p: Point| other.kind == Kind::Area && other.line.contains(p) || other.passes(p);
+        let covers = |p: Point| other.holds(p) || other.passes(p);
         wide.union(self.line.bounds()) == wide && self.looks().all(covers)
     }
 }

@@ -59,6 +59,15 @@ pub(crate) enum Anchor {
         /// Points along the area's contour, in the panel's space.
         area: Vec<DVec2>,
     },
+    /// The outline of an area that nothing fills, to stand outside of at one of its points.
+    Outline {
+        /// Points along the area's contour, in the panel's space.
+        area: Vec<DVec2>,
+        /// The point, on the contour, in the panel's space.
+        at: DVec2,
+        /// The side that it should stand on, as a direction in the panel's space; zero for none.
+        toward: DVec2,
+    },
     /// A corner or edge of the panel, to stand in.
     Corner(Corner),
 }
@@ -157,6 +166,13 @@ impl Anchor {
         Self::Inside { area: area.sampled() }
     }
 
+    /// Outside of the outline of an area that nothing fills, at a point of it, in the direction of `toward`;
+    /// all in the panel's space.
+    #[must_use]
+    pub(crate) fn outline(area: &Outline, at: DVec2, toward: DVec2) -> Self {
+        Self::Outline { area: area.sampled(), at, toward }
+    }
+
     /// Points of the panel's space that it is made of; none for a corner of the panel.
     #[must_use]
     pub(crate) fn points(&self) -> Vec<DVec2> {
@@ -166,7 +182,7 @@ impl Anchor {
             Self::Arc { center, radius, start, sweep } => {
                 Outline::arc(*center, *radius, *start, *sweep).sampled()
             }
-            Self::Inside { area } => area.clone(),
+            Self::Inside { area } | Self::Outline { area, .. } => area.clone(),
             Self::Corner(_) => Vec::new(),
         }
     }

@@ -73,6 +73,8 @@ pub(crate) struct Sketch<'f> {
     labels: bool,
     /// Whether axes have numbers.
     numbers: bool,
+    /// Whether there are axes at all.
+    axes: bool,
     /// The size of small letters, page pixels an em.
     small: f64,
     /// What labels keep off so far.
@@ -135,6 +137,7 @@ impl<'f> Sketch<'f> {
             weight: Weight::Normal,
             labels: true,
             numbers: true,
+            axes: true,
             small: theme.text.of(Size::Small.kind()),
             obstacles: Vec::new(),
             requests: Vec::new(),

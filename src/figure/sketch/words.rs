@@ -49,6 +49,19 @@ impl Sketch<'_> {
         self.numbers
     }
 
+    /// The panel without axes: of a detail that is a few pixels wide they say nothing, and take the room of
+    /// its label.
+    #[must_use]
+    pub(crate) fn without_axes(self) -> Self {
+        Self { axes: false, ..self }
+    }
+
+    /// Whether axes are drawn here.
+    #[must_use]
+    pub(crate) fn has_axes(&self) -> bool {
+        self.axes
+    }
+
     /// Where a point of the panel's space lies on the page.
     #[must_use]
     pub(crate) fn page(&self, p: DVec2) -> Point {

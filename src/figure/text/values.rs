@@ -63,22 +63,22 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "closest.separation", about: "the least separation of a miss, world units", of: least },
     Value {
         name: "n.x",
-        about: "x of the unit normal from A to B at the panel's moment",
+        about: "x of the unit normal from A to B at the panel's moment, in the world",
         of: |c| normal(c).map(|n| n.x).map(Quantity::exactly),
     },
     Value {
         name: "n.y",
-        about: "y of the unit normal from A to B at the panel's moment",
+        about: "y of the unit normal from A to B at the panel's moment, in the world",
         of: |c| normal(c).map(|n| n.y).map(Quantity::exactly),
     },
     Value {
         name: "hit.n.x",
-        about: "x of the unit normal from A to B at the first contact",
+        about: "x of the unit normal from A to B at the first contact, in the world",
         of: |c| hit_normal(c).map(|n| n.x).map(Quantity::exactly),
     },
     Value {
         name: "hit.n.y",
-        about: "y of the unit normal from A to B at the first contact",
+        about: "y of the unit normal from A to B at the first contact, in the world",
         of: |c| hit_normal(c).map(|n| n.y).map(Quantity::exactly),
     },
     Value { name: "bound", about: "time of the article's first step, or the motion bound", of: bound },

@@ -47,6 +47,7 @@ use crate::collision::answer::{Impact, Outcome, Reason};
 use crate::collision::certified::distance::Pair;
 use crate::collision::certified::sweep::balls;
 use crate::collision::feature::DifferenceFeature;
+use crate::collision::size::of_one_scale;
 use crate::geometry::{Body, Enclosure};
 use axis::Axis;
 use closest::{closest_features, separation_at};
@@ -61,7 +62,8 @@ const UNTURNED_QUERIES: usize = 200;
 impl MovingPair<'_> {
     /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a
     /// time-of-impact query, with a `tolerance` in world units and at most about `max_iterations` distance
-    /// queries. A contact is the pair at `time.lo`, in world units.
+    /// queries. A contact is the pair at `time.lo`, in world units. Of bodies that turn so fast, or whose
+    /// sizes differ so much, that products of them underflow (a factor of 1e100) nothing is decided.
     ///
     /// ```
     /// use tracefig::collision::{MovingPair, Outcome};
@@ -92,6 +94,11 @@ impl MovingPair<'_> {
         max_iterations: usize,
         mut report: impl FnMut(AxisSpan),
     ) -> Impact {
+        let [a, b] = self.bodies;
+        if !self.is_linear() && of_one_scale(a, b, true).is_err() {
+            let outcome = Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 };
+            return Impact { outcome, tolerance, iterations: 0 };
+        }
         let limits = Limits { tolerance, max_queries: max_iterations };
         let mut until = 0.0;
         let found = self.first_contact_in_order(limits, |span| {

@@ -1,0 +1,197 @@
+//! Sentences of answers: of names, pushes, moments and bounds.
+
+use super::*;
+use crate::figure::runs::Runs;
+use crate::scene::open_text;
+
+#[test]
+fn a_letter_is_in_italics_and_a_word_or_a_number_with_the_same_letters_is_not() {
+    let said = |a: &str, b: &str| {
+        let text = format!(
+            "shapes.{a} = {{ kind = 'circle', radius = 1 }}
+            shapes.{b} = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+            query = {{ kind = 'separation', of = ['{a}', '{b}'] }}"
+        );
+        let scene = open_text("sentence.toml", &text).unwrap().scene;
+        let runs = Runs::default();
+        let run = runs.own(&scene, 0.0);
+        let told = Account::of(&scene, &runs, &run);
+        (told.sentence(), told.sentence_markup(&runs.called))
+    };
+    let (words, markup) = said("A", "a");
+    assert_eq!(words, "A and a are 2 apart along the normal (1, 0).");
+    assert_eq!(markup, "$A$ and $a$ are 2 apart along the normal (1, 0).");
+    assert_eq!(said("apart", "B").1, "apart and $B$ are 2 apart along the normal (1, 0).");
+}
+
+/// What is said of the bodies and the question of a scene.
+fn said(scene: &str) -> String {
+    let scene = open_text("sentence.toml", scene).unwrap().scene;
+    let runs = Runs::default();
+    let run = runs.own(&scene, 0.0);
+    Account::of(&scene, &runs, &run).sentence()
+}
+
+/// A box on the floor, 0.5 deep in it, in a question about both.
+fn on_the_floor(query: &str) -> String {
+    format!(
+        "shapes.crate = {{ kind = 'aabb', half_extents = [1, 1], position = [0, 0.5] }}
+        shapes.floor = {{ kind = 'aabb', half_extents = [4, 1], position = [0, -1] }}
+        query = {{ {query} }}"
+    )
+}
+
+#[test]
+fn a_push_names_the_body_that_goes_and_where_to() {
+    let pushed = |way: &str| format!("overlap; the shortest push that parts them moves {way}");
+    let separation = said(&on_the_floor("kind = 'separation', of = ['crate', 'floor']"));
+    assert_eq!(separation, format!("crate and floor {}.", pushed("floor by 0.5 along (0, −1)")));
+    let overlap = said(&on_the_floor("kind = 'overlap', of = ['floor', 'crate']"));
+    assert_eq!(overlap, format!("floor and crate {}.", pushed("crate by 0.5 along (0, 1)")));
+    let swept = on_the_floor("kind = 'linear-sweep', of = ['floor', 'crate']");
+    assert!(said(&swept).starts_with("floor and crate overlap from the start; "), "{}", said(&swept));
+}
+
+#[test]
+fn a_contact_pushes_the_body_that_the_reference_edge_faces_along_the_normal_that_is_drawn() {
+    for of in ["'crate', 'floor'", "'floor', 'crate'"] {
+        let text = on_the_floor(&format!("kind = 'contact', of = [{of}]"));
+        let scene = open_text("contact.toml", &text).unwrap().scene;
+        let runs = Runs::default();
+        let run = runs.own(&scene, 0.0);
+        let drawn = run.events().find_map(|event| match event {
+            Event::EdgesFaced { body, normal, .. } => Some((*body, point(*normal))),
+            _ => None,
+        });
+        let (reference, normal) = drawn.unwrap();
+        let pushed = scene.names().of(reference.other()).to_owned();
+        let said = Account::of(&scene, &runs, &run).sentence();
+        assert!(said.contains(&format!("moves {pushed} by 0.5 along {normal}. ")), "{of}: {said}");
+        assert!(said.ends_with("There are two points of contact."), "{said}");
+    }
+}
+
+#[test]
+fn of_several_shortest_pushes_one_is_told_as_one_of_them() {
+    for (vertices, pushes) in [
+        ("[[-2, -1], [2, -1], [2, 1], [-2, 1]]", "one of the 2 shortest pushes that part them moves b"),
+        ("[[2, 0], [0, 2], [-2, 0], [0, -2]]", "one of the 4 shortest pushes that part them moves b"),
+        ("[[2, 0], [0, 2], [-2, -1]]", "the shortest push that parts them moves b"),
+    ] {
+        let said = said(&format!(
+            "shapes.a = {{ kind = 'polygon', vertices = {vertices} }}
+            shapes.b = {{ kind = 'circle', radius = 0.25 }}
+            query = {{ kind = 'separation', of = ['a', 'b'] }}"
+        ));
+        assert!(said.starts_with(&format!("a and b overlap; {pushes} by ")), "{said}");
+    }
+    // The vertices of a pentagon are rounded, so that no two ways are exactly as long.
+    let pentagon = said(
+        "shapes.a = { kind = 'regular-polygon', edges = 5, circumradius = 2 }
+        shapes.b = { kind = 'circle', radius = 0.25 }
+        query = { kind = 'overlap', of = ['a', 'b'] }",
+    );
+    assert!(pentagon.contains("one of the 5 shortest pushes that part them"), "{pentagon}");
+}
+
+#[test]
+fn undecided_bodies_that_overlap_in_the_end_are_said_to() {
+    let far = |x: f64| {
+        said(&format!(
+            "shapes.a = {{ kind = 'box', half_extents = [1, 0.5], velocity = [{x}, 0],
+                position = [-3, 0], angular_velocity_deg = 90 }}
+            shapes.b = {{ kind = 'circle', radius = 1, position = [1.5, 0.5] }}
+            query = {{ kind = 'time-of-impact', of = ['a', 'b'], max_iterations = 1,
+                algorithm = 'conservative-advancement' }}"
+        ))
+    };
+    let overlap = far(4.0);
+    assert!(overlap.contains(" and overlap by 1 at t = 1; when they first touch is undecided"), "{overlap}");
+    assert!(far(2.5).contains("; whether they touch is undecided"), "{}", far(2.5));
+}
+
+#[test]
+fn a_verdict_says_how_far_apart_and_touching_is_not_overlapping() {
+    let beside = |x: f64| {
+        said(&format!(
+            "shapes.a = {{ kind = 'circle', radius = 1 }}
+            shapes.b = {{ kind = 'circle', radius = 1, position = [{x}, 0] }}
+            query = {{ kind = 'overlap', of = ['a', 'b'] }}"
+        ))
+    };
+    assert_eq!(beside(4.0), "a and b do not overlap: they are 2 apart.");
+    assert_eq!(beside(2.0), "a and b touch.");
+}
+
+#[test]
+fn concentric_circles_are_parted_in_any_direction() {
+    let text = "shapes.a = { kind = 'circle', radius = 1 }
+        shapes.b = { kind = 'circle', radius = 2 }
+        query = { kind = 'separation', of = ['a', 'b'] }";
+    assert!(said(text).ends_with(" moves b by 3 in any direction, as along (1, 0)."), "{}", said(text));
+}
+
+#[test]
+fn a_bound_is_said_no_smaller_than_it_is() {
+    let text = "shapes.a = { kind = 'box', half_extents = [3, 1], angular_velocity_deg = 111 }
+        query = { kind = 'motion-bound', of = ['a'] }";
+    // √10 · 111° = 6.1263…
+    assert_eq!(said(text), "No point of a travels farther than 6.13.");
+}
+
+#[test]
+fn a_motion_that_ends_while_the_bodies_come_nearer_is_said_to_end() {
+    let passed = |velocity: &str| {
+        said(&format!(
+            "shapes.a = {{ kind = 'circle', radius = 1, velocity = {velocity} }}
+            shapes.b = {{ kind = 'circle', radius = 1, position = [4, 3] }}
+            query = {{ kind = 'linear-sweep', of = ['a', 'b'] }}"
+        ))
+    };
+    let cases = [
+        ("[1, 0]", "; the motion ends at t = 1 while they still come nearer, 2.24 apart."),
+        ("[8, 0]", "; they come closest at t = 0.5, 1 apart."),
+        ("[-8, 0]", "; they are closest at the start, 3 apart."),
+    ];
+    for (velocity, expected) in cases {
+        let said = passed(velocity);
+        assert_eq!(said, format!("a and b do not touch{expected}"), "{velocity}");
+    }
+}
+
+#[test]
+fn bodies_that_go_alike_stay_as_they_are() {
+    let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [1, 2] }
+        shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [1, 2] }
+        query = { kind = 'time-of-impact', of = ['a', 'b'] }";
+    assert_eq!(said(text), "a and b do not touch; they stay 3 apart.");
+}
+
+#[test]
+fn a_later_moment_is_said_with_what_is_so_then() {
+    let text = |kind: &str| {
+        format!(
+            "shapes.a = {{ kind = 'circle', radius = 1, velocity = [1, 0] }}
+            shapes.b = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+            query = {{ kind = '{kind}', of = ['a', 'b'], time = 0.5 }}"
+        )
+    };
+    let said = |kind: &str| {
+        let scene = open_text("later.toml", &text(kind)).unwrap().scene;
+        let runs = Runs::default();
+        let run = runs.own(&scene, 0.5);
+        let told = Account::of(&scene, &runs, &run);
+        (told.sentence(), told.result())
+    };
+    let apart = "a and b are 1.5 apart along the normal (1, 0).";
+    assert_eq!(said("separation"), (format!("At t = 0.5 {apart}"), format!("at t = 0.5 {apart}")));
+    assert_eq!(said("overlap").0, "At t = 0.5 a and b do not overlap: they are 1.5 apart.");
+}
+
+#[test]
+fn the_bound_of_two_bodies_is_of_their_ways_together() {
+    let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [3, 0] }
+        shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [-2, 0] }
+        query = { kind = 'motion-bound', of = ['a', 'b'] }";
+    assert_eq!(said(text), "No two points of a and b come nearer to each other by more than 5.");
+}
