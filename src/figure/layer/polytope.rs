@@ -18,7 +18,7 @@ use crate::trace::Event;
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
-use super::simplex::{MOST_PASSING, has_simplexes, named_w};
+use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
@@ -55,7 +55,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "coordinates",
             takes: Takes::Flag,
             default: "false",
-            about: "writes those of the vertices that the search begins with, and of each that comes next",
+            about: "writes those of the vertices that the search begins with, and of each that is added",
         },
     ],
     labels: &[
@@ -64,7 +64,7 @@ pub(super) const LAYER: Layer = Layer {
             key: "n", about: "the outward normal nₑ of that edge, along which it looks for a vertex"
         },
         LabelKey { key: "w", about: "the vertex beyond the edge, which splits it" },
-        LabelKey { key: "vertex", about: "the vertices that the search begins with, with coordinates" },
+        LabelKey { key: "vertex", about: "the vertices that are new, with coordinates" },
         LabelKey { key: "stop", about: "at the last step, why it stops" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed, with pushed" },
         LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
@@ -167,7 +167,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let coordinated = options.flag("coordinates", false);
     for &vertex in &step.vertices {
         sketch.part("vertices").marker(vertex, Marker::Diamond, role, SMALL_MARKER);
-        if coordinated && step.added.is_none() {
+        if coordinated && step.added.is_none_or(|[_, added, _]| added == vertex) {
             let label =
                 Label::new("vertex", coordinates(sketch, context, vertex), Anchor::point(vertex), role);
             sketch.label(label.rank(Rank::Word).size(Size::Note));
@@ -198,10 +198,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
     if let Some(w) = step.beyond {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        sketch.label(
-            Label::new("w", named_w(sketch, context, w, coordinated), Anchor::point(w), role)
-                .rank(Rank::Point),
-        );
+        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
     } else {
         let [from, to] = step.edge;
         let beside = Anchor::Beside { from, to, offset: 0.0 };
