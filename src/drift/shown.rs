@@ -71,7 +71,8 @@ fn rounded(value: Value) -> Value {
 }
 
 fn six_digits(v: f64) -> Option<f64> {
-    format!("{v:.5e}").parse().ok()
+    // By what reads JSON, as a page has no other reader of decimals.
+    serde_json::from_str(&format!("{v:.5e}")).ok()
 }
 
 /// The events that tables hold; what is no table is passed over.

@@ -96,12 +96,19 @@ impl<'n> Name<'n> {
         }
     }
 
+    /// The small letter of a symbol, in LaTeX. Letter by letter: it is one, and the rules for words have
+    /// tables.
+    #[must_use]
+    pub(crate) fn small(self) -> String {
+        self.term().chars().flat_map(char::to_lowercase).collect()
+    }
+
     /// A numbered point of the body, in LaTeX: the small letter of a symbol, `a_1` for A; for words the
     /// letter p with both below, `p_{\text{bullet},1}`.
     #[must_use]
     pub(crate) fn point(self, number: usize) -> String {
         if self.is_symbol() {
-            format!("{}_{number}", self.term().to_lowercase())
+            format!("{}_{number}", self.small())
         } else {
             format!("p_{{{},{number}}}", self.script())
         }

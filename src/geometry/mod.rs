@@ -18,7 +18,7 @@ pub use hull::Hull;
 pub use names::Names;
 pub use number::Angle;
 pub(crate) use number::{
-    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, taming_power, two_product, two_sum,
+    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, read, taming_power, two_product, two_sum,
 };
 pub use rotation::Rotation;
 pub use shape::Shape;

@@ -16,6 +16,7 @@ use super::Spanned;
 use super::limits::MAX_NESTING;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, Problem};
+use crate::geometry::read;
 
 /// Reads a JSON text.
 pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
@@ -123,8 +124,11 @@ impl<'t> Walk<'t, '_> {
             Some(b'"') => unquoted(raw).map(NodeValue::Text),
             Some(b't' | b'f') => Ok(NodeValue::Bool(text == "true")),
             Some(b'n') => Ok(NodeValue::Other("null")),
-            // The grammar has been checked; `f64::from_str` rounds to nearest, and overflows to an infinity.
-            _ => Ok(NodeValue::Number(text.parse().unwrap_or(f64::NAN))),
+            // The grammar has been checked: what can't be read is too large.
+            first => {
+                let beyond = if first == Some(&b'-') { f64::NEG_INFINITY } else { f64::INFINITY };
+                Ok(NodeValue::Number(read(text).unwrap_or(beyond)))
+            }
         };
         let value = value.unwrap_or_else(|error| {
             // Only a lone surrogate can still fail here.

@@ -2,9 +2,16 @@
 
 /// How many letters differ, where at most a third do: a word that differs by more is another word. At two
 /// thirds `arc` would be suggested for `ray`; at a sixth a slip in a word of five letters would find nothing.
+#[cfg(not(tracefig_page))]
 fn is_near(got: &str, known: &str) -> Option<usize> {
     let distance = strsim::damerau_levenshtein(&got.to_lowercase(), &known.to_lowercase());
     (distance * 3 <= got.chars().count().max(known.chars().count())).then_some(distance)
+}
+
+/// A page changes numbers, and misspells no word.
+#[cfg(tracefig_page)]
+fn is_near(_: &str, _: &str) -> Option<usize> {
+    None
 }
 
 /// The nearest of the known words where one is near, else all of them.

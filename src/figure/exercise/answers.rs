@@ -4,7 +4,7 @@ use crate::figure::context::Context;
 use crate::figure::runs::Runs;
 use crate::figure::text::{Digits, filled, in_math, rounded, value_of, with_powers};
 use crate::figure::tongue::tongue;
-use crate::geometry::Side;
+use crate::geometry::{Side, read};
 use crate::scene::{Exercise, Scene, Space, Spanned};
 use crate::trace::{Event, Voice, told};
 use crate::typeset::as_markup;
@@ -67,7 +67,7 @@ impl Asked {
 
     /// The number of three digits at most that both bounds round to; `None` where they round apart.
     pub(super) fn short(&self) -> Option<f64> {
-        Digits::Significant(3).of(self.lo, self.hi).parse().ok()
+        read(&Digits::Significant(3).of(self.lo, self.hi))
     }
 
     /// How far from [`Asked::value`] an answer may lie that counts as right, in the same unit: its bounds,
@@ -111,7 +111,7 @@ impl Asked {
     pub(super) fn line_in(&self, words: Words) -> String {
         let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
         let text = rounded(self.lo, self.hi);
-        let sign = if text.parse() == Ok(value) { "=" } else { r"\approx" };
+        let sign = if read(&text) == Some(value) { "=" } else { r"\approx" };
         let [units, unit] = [UNITS, UNIT].map(|phrase| words.word(&phrase));
         let unit = if text == "1" && self.unit == units { unit } else { &self.unit };
         let answer = format!("${symbol} {sign} {}$ {unit}", words.in_latex(in_math(&text)));

@@ -204,7 +204,7 @@ fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2
 /// The letter of the point that B shrinks to, its origin: the small one of a name that is a letter.
 fn letter_of_b(context: &Context) -> Option<String> {
     let name = context.named(Side::B);
-    name.is_symbol().then(|| format!("${}$", name.term().to_lowercase()))
+    name.is_symbol().then(|| format!("${}$", name.small()))
 }
 
 /// The vertices of A's core, in the world.

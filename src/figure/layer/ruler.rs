@@ -8,6 +8,7 @@
 //! once, at the end of the axis: 3 with × 10⁻⁶ + 10⁹ stands for 1000000000.000003.
 
 use crate::figure::text::in_math;
+use crate::geometry::read;
 
 /// The least distance of marks where the scene does not say, page pixels: a number and its room.
 const LEAST: f64 = 24.0;
@@ -136,7 +137,7 @@ pub(super) fn exponent(x: f64) -> i32 {
 
 /// The double nearest to m · 10ᵉ; `None` where that is too large, or 0.
 fn decimal(m: u32, e: i32) -> Option<f64> {
-    format!("{m}e{e}").parse().ok().filter(|x: &f64| x.is_finite() && *x > 0.0)
+    read(&format!("{m}e{e}")).filter(|x| x.is_finite() && *x > 0.0)
 }
 
 /// A small whole number of decimal places.

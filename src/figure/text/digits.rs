@@ -6,6 +6,8 @@
 //! each other as the rounding of doubles are one number, and half a digit is rounded away from 0, as at
 //! school: else 2.125, known to sixteen digits, would have two, as its ends lie on two sides of a half.
 
+use crate::geometry::read;
+
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
 const MOST: usize = 12;
 /// The part of a bound by which a number may pass it that is written for it, and of a number by which its
@@ -96,7 +98,7 @@ impl Digits {
     /// The nearest number of so many digits, or its neighbour where that one lies on the other side.
     fn to_a_side(self, value: f64, side: f64) -> String {
         let nearest = self.of(value, value);
-        let lacks = |text: &str| text.parse().is_ok_and(|n: f64| side * (value - n) > NOTHING * value.abs());
+        let lacks = |text: &str| read(text).is_some_and(|n| side * (value - n) > NOTHING * value.abs());
         if !lacks(&nearest) {
             return nearest;
         }
@@ -179,7 +181,7 @@ fn in_digits(value: f64, digits: usize, zeros: Zeros) -> String {
         return format!("{}e{exponent}", trimmed(mantissa));
     }
     // The scientific form has rounded already; printing it again with enough decimals does not round twice.
-    let rounded: f64 = scientific.parse().unwrap_or(value);
+    let rounded = read(&scientific).unwrap_or(value);
     let decimals = usize::try_from(exponent_of(digits) - 1 - exponent).unwrap_or(0);
     trimmed(&format!("{rounded:.decimals$}"))
 }

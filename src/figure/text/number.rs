@@ -1,6 +1,7 @@
 //! Numbers as text: three significant digits, or all where they are few, and no more than the bounds allow.
 
 use super::digits::Digits;
+use crate::geometry::read;
 
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Usual;
@@ -45,7 +46,7 @@ pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
         return terms.map(number);
     }
     let is_short = |text: &str, term: f64| {
-        text.parse().is_ok_and(|written: f64| (written - term).abs() <= ROUNDING * term.abs())
+        read(text).is_some_and(|written| (written - term).abs() <= ROUNDING * term.abs())
     };
     let short = [0, 1].map(|i| is_short(&texts[i], terms[i]));
     let own = [0, 1].into_iter().filter(|&i| short[i]).map(|i| after_point(&texts[i])).max();

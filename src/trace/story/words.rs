@@ -3,7 +3,7 @@
 use super::phrases::{
     AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
 };
-use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
+use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, read};
 use crate::trace::tongue::{Phrase, Tongue};
 use crate::trace::{Moment, SupportVertex};
 
@@ -119,7 +119,7 @@ impl<'n> Voice<'n> {
 /// or small.
 fn number(x: f64) -> String {
     let written = format!("{:.*e}", DIGITS - 1, x);
-    let Ok(rounded) = written.parse::<f64>() else { return written };
+    let Some(rounded) = read(&written) else { return written };
     if rounded == 0.0 {
         return "0".to_owned();
     }
