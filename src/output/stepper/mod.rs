@@ -20,8 +20,24 @@ use crate::drawing::{Drawing, Item, Shown};
 const STYLE: &str = include_str!("stepper.css");
 /// The buttons and keys.
 const SCRIPT: &str = include_str!("stepper.js");
-/// The buttons, which the script shows: by how many steps each goes on, and what it is called.
-const BUTTONS: [(i32, &str, &str); 2] = [(-1, "◀", "Step back"), (1, "▶", "Next step")];
+/// The buttons, which the script shows: by how many steps each goes on.
+const BUTTONS: [(i32, &str); 2] = [(-1, "◀"), (1, "▶")];
+/// What the buttons and the list are called, in each language of which we have words; the first is for all
+/// others.
+const WORDS: [(&str, [&str; 2], &str); 4] = [
+    (Drawing::OWN_LANG, ["Step back", "Next step"], "Steps"),
+    ("de", ["Schritt zurück", "Nächster Schritt"], "Schritte"),
+    ("fr", ["Étape précédente", "Étape suivante"], "Étapes"),
+    ("es", ["Paso anterior", "Paso siguiente"], "Pasos"),
+];
+
+/// What the buttons and the list are called in the language of a drawing.
+fn words(drawing: &Drawing) -> ([&'static str; 2], &'static str) {
+    let of = drawing.lang.as_deref().and_then(|lang| lang.split('-').next()).unwrap_or_default();
+    let own = WORDS.iter().find(|(lang, ..)| lang.eq_ignore_ascii_case(of));
+    let &(_, buttons, list) = own.unwrap_or(&WORDS[0]);
+    (buttons, list)
+}
 
 /// Writes the page.
 pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
@@ -37,11 +53,12 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     escape(&mut out, &drawing.title);
     out.push_str("</h1>\n<figure>\n");
     out.push_str(&searchable(drawing, Some(in_steps)));
-    out.push_str("</figure>\n<nav hidden aria-label=\"Steps\">");
-    for (by, sign, name) in BUTTONS {
+    let (names, list) = words(drawing);
+    let _ = write!(out, "</figure>\n<nav hidden aria-label=\"{list}\">");
+    for ((by, sign), name) in BUTTONS.into_iter().zip(names) {
         let _ = write!(out, "<button type=\"button\" value=\"{by}\" aria-label=\"{name}\">{sign}</button>");
     }
-    out.push_str("<output></output></nav>\n<fieldset>\n<legend>Steps</legend>\n<ol>\n");
+    let _ = write!(out, "<output></output></nav>\n<fieldset>\n<legend>{list}</legend>\n<ol>\n");
     let last = drawing.steps.len();
     for (number, step) in (1..).zip(&drawing.steps) {
         let on = if number == last { " checked" } else { "" };
@@ -104,6 +121,23 @@ fn collect(item: &Item, used: &mut BTreeSet<(usize, Option<usize>)>) {
 mod tests {
     use super::*;
     use crate::output::samples::everything;
+
+    #[test]
+    fn buttons_and_list_are_called_in_the_language_of_the_scene() {
+        let mut drawing = everything();
+        for (lang, said) in [
+            (None, ["Step back", "<legend>Steps<"]),
+            (Some("pl"), ["Step back", "<legend>Steps<"]),
+            (Some("de-AT"), ["Schritt zurück", "<legend>Schritte<"]),
+            (Some("fr"), ["Étape précédente", "<legend>Étapes<"]),
+            (Some("es"), ["Paso anterior", "<legend>Pasos<"]),
+        ] {
+            drawing.lang = lang.map(str::to_owned);
+            let page = write(&drawing, &Options::default(), InSteps::default()).unwrap();
+            let page = String::from_utf8(page).unwrap();
+            assert!(said.iter().all(|word| page.contains(word)), "{lang:?}");
+        }
+    }
 
     #[test]
     fn every_step_has_its_rule_and_its_sentence() {
