@@ -80,16 +80,18 @@ impl Runs for Watch {
             match self.files.plan(self.output.as_deref()) {
                 Ok(plan) => {
                     watched.look_at(&self.places(&plan.jobs, &plan.folders), console);
-                    let drawn = self.draw(&plan, &mut told, console)?
-                        + self.documents(&plan, (&mut told, &mut watched), console)?;
-                    if !is_planned && drawn == 0 {
+                    let figures = self.draw(&plan, &mut told, console)?;
+                    let documents = self.documents(&plan, (&mut told, &mut watched), console)?;
+                    let drawn = figures + documents.unwrap_or_default();
+                    if !is_planned && drawn == 0 && documents.is_some() {
                         console.note("well again\n");
                     }
                     if round == 0 {
                         console.out.flush()?;
                         console.note(&begun(&plan, drawn));
                     }
-                    is_planned = true;
+                    // The project may have changed since it was read for the figures.
+                    is_planned = documents.is_some();
                 }
                 // Options don't mend themselves; a project file or a folder may.
                 Err(usage @ Unplanned::Usage(_)) => return Ok(tell_unplanned(&usage, console)),
@@ -193,20 +195,20 @@ impl Watch {
 impl Watch {
     /// Writes the documents of the project that are not what they should be, where all of it is watched. One
     /// whose figures can't be drawn is tried again when one of its scenes reads otherwise. How many were not
-    /// up to date.
+    /// up to date; `None` where the project is wrong by now.
     fn documents(
         &self,
         plan: &Plan,
         (told, watched): (&mut Told, &mut Watched),
         console: &mut Console,
-    ) -> io::Result<usize> {
+    ) -> io::Result<Option<usize>> {
         let declared =
             if self.output.is_none() { Declared::all(&self.files, &plan.jobs) } else { Ok(Vec::new()) };
         let declared = match declared {
             Ok(declared) => declared,
             Err(unplanned) => {
                 tell_unplanned(&unplanned, console);
-                return Ok(1);
+                return Ok(None);
             }
         };
         let mut count = 0;
@@ -227,7 +229,7 @@ impl Watch {
                 };
             }
         }
-        Ok(count)
+        Ok(Some(count))
     }
 }
 
