@@ -71,7 +71,7 @@ pub struct Drawing {
     pub lang: Option<String>,
     /// The title as plain text; the short alternative text.
     pub title: String,
-    /// Whether the title is of the scene, in its language; else it is ours, in English, as the long text is.
+    /// Whether the title is of the scene, in its language; else it is in words of ours, as the long text is.
     pub is_titled: bool,
     /// The long alternative text.
     pub desc: String,
@@ -99,8 +99,10 @@ pub struct Drawing {
 }
 
 impl Drawing {
-    /// The language of words of ours.
+    /// The language of words of ours where they are in no other one.
     pub(crate) const OWN_LANG: &'static str = "en";
+    /// The languages that words of ours can be in.
+    pub(crate) const LANGS: [&'static str; 4] = [Self::OWN_LANG, "de", "fr", "es"];
 
     /// The languages of the title and of the long text, where they are not that of the drawing.
     pub(crate) fn languages_of_words(&self) -> [Option<&'static str>; 2] {
@@ -110,9 +112,13 @@ impl Drawing {
 
     /// Whether words of ours are in its language, or it does not say which that is.
     pub(crate) fn speaks_ours(&self) -> bool {
-        let is_ours =
-            |lang: &str| lang.split('-').next().is_some_and(|of| of.eq_ignore_ascii_case(Self::OWN_LANG));
-        self.lang.as_deref().is_none_or(is_ours)
+        self.lang.is_none() || self.of_langs().is_some()
+    }
+
+    /// Which of [`Self::LANGS`] it says that it is in.
+    pub(crate) fn of_langs(&self) -> Option<usize> {
+        let language = self.lang.as_deref()?.split('-').next()?;
+        Self::LANGS.iter().position(|known| language.eq_ignore_ascii_case(known))
     }
 }
 

@@ -20,6 +20,7 @@ use super::runs::Run;
 use super::steps::{Scope, numbered};
 use super::text::Across;
 use super::theme::{Side, Theme};
+use super::tongue::tongue;
 
 /// Width of the lines between panels, page pixels.
 const RULE: f64 = 1.5;
@@ -284,7 +285,9 @@ fn short(plan: &Plan, run: &Run) -> String {
     let title = plan.title.as_deref();
     match (&plan.alt, plan.scene.variant) {
         (Some(alt), _) => alt.clone(),
-        (None, Variant::Question) => title.map_or_else(|| "A question.".to_owned(), sentence),
+        (None, Variant::Question) => {
+            title.map_or_else(|| tongue(plan.scene).word(&describe::QUESTION).to_owned(), sentence)
+        }
         (None, Variant::Figure | Variant::Key) => {
             describe::short(title, &Account::of(plan.scene, &plan.runs, run))
         }

@@ -207,6 +207,11 @@ impl Language {
         self.column == 0
     }
 
+    /// Whether whole sentences of ours are in it.
+    pub(crate) fn has_sentences(self) -> bool {
+        self.column != WORDLESS
+    }
+
     /// Which of the languages of whole sentences of ours in exercises it is: English, which stands for those
     /// without words too, then each of [`LANGUAGES`].
     pub(crate) fn of_sentences(self) -> usize {

@@ -165,7 +165,7 @@ fn resolve<'s>(
     let (alt, title) = (said(&scene.alt), said(&scene.title));
     if let Some(ours) = exercise::caption(scene, &runs, &measures, &mut problems) {
         caption = ours;
-    } else if scene.panels.is_empty() && scene.caption.is_none() && Language::of(scene).is_own() {
+    } else if scene.panels.is_empty() && scene.caption.is_none() && Language::of(scene).has_sentences() {
         let run = runs.own(scene, scene.query.time);
         let account = Account::of(scene, &runs, &run);
         let words = account.sentence_of_bodies(&runs.called.names(scene));

@@ -224,9 +224,16 @@ fn page_number(number: usize, of: usize, [width, height]: [f64; 2]) -> Option<Te
     words(&format!("{number} / {of}"), middle).filter(|_| of > 1)
 }
 
+/// What stands before the number of a figure, in each of [`Drawing::LANGS`].
+const FIGURE: [&str; Drawing::LANGS.len()] = ["Figure ", "Abbildung ", "Figure ", "Figura "];
+
 /// The number of a figure below it; without the word of ours where the figure speaks another language.
 fn caption(number: usize, Placed { drawing, at, scale }: &Placed<'_>) -> Option<Text> {
-    let word = if drawing.speaks_ours() { "Figure " } else { "" };
+    let word = match drawing.of_langs() {
+        Some(language) => FIGURE[language],
+        None if drawing.lang.is_none() => FIGURE[0],
+        None => "",
+    };
     let [x, y] = [at[0] + 0.5 * drawing.width * scale, at[1] + drawing.height * scale];
     words(&format!("{word}{number}"), Point::new(x, y + CAPTION - 0.25 * NUMBER))
 }
@@ -308,7 +315,7 @@ mod tests {
         let said =
             |sheet: &Sheet<'_>| sheet.words.iter().map(|word| word.line.markup.clone()).collect::<Vec<_>>();
         assert_eq!(said(&sheets[0]), ["Figure 1", "Figure 2", "1 / 2"]);
-        assert_eq!(said(&sheets[1]), ["3", "2 / 2"]);
+        assert_eq!(said(&sheets[1]), ["Abbildung 3", "2 / 2"]);
         let [first, second] = &sheets[0].figures[..] else { panic!("two figures a sheet") };
         let baseline = sheets[0].words[0].origin.y;
         let end = first.at[1] + first.drawing.height * first.scale;

@@ -13,7 +13,9 @@ pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
 pub use json::{HEADER, VALUES, json_lines};
 pub(crate) use story::{Voice, difference, growth, sentence_in, step, told};
 pub use story::{sentence, story};
-pub(crate) use tongue::{Phrase, Tongue};
+#[cfg(test)]
+pub(crate) use tongue::unlike;
+pub(crate) use tongue::{Phrase, Tongue, phrases};
 pub use vocabulary::{EventField, EventKind};
 
 /// Listens to an algorithm.

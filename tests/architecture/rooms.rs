@@ -269,6 +269,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "typeset",
             "figure/called",
             "figure/context",
+            "figure/describe",
             "figure/fault",
             "figure/language",
             "figure/layer",

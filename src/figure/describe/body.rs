@@ -3,76 +3,75 @@
 //! Every place is one that the scene has: a body with vertices of its own is told by them, as seen from its
 //! origin, about which it turns.
 
-use std::fmt::Write;
-
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Body, DVec2, Rotation};
 
-use super::number::{point, value};
+use crate::trace::Phrase;
+
+use super::body_phrases::{
+    ABOUT_ORIGIN, AT, FROM_TO, IS, MOVED, MOVING, OF_RADIUS, OF_SIZE, POINT, REGULAR, ROTATION, SEGMENT,
+    SPANNING, TURNED, TURNING,
+};
+use super::number::Speech;
 
 /// What has no size at all, and what has no width.
-const WITHOUT_WIDTH: [&str; 2] = ["a point", "a segment"];
+static WITHOUT_WIDTH: [&Phrase; 2] = [&POINT, &SEGMENT];
 
 /// The kind of a body with its article.
-pub(super) fn kind_in_words(body: &Body) -> &'static str {
+pub(super) fn kind_in_words(body: &Body, speech: Speech) -> &'static str {
     let shape = &body.shape;
     let is_bare = shape.radius == 0.0 && shape.half_extents.is_none();
     let bare = shape.vertices.len().checked_sub(1).and_then(|more| WITHOUT_WIDTH.get(more));
-    match bare.filter(|_| is_bare) {
-        Some(kind) => kind,
-        None => KINDS.iter().find(|kind| kind.name == shape.kind).map_or(shape.kind, |kind| kind.in_words[0]),
+    if let Some(kind) = bare.filter(|_| is_bare) {
+        return speech.0.word(kind);
     }
+    let known = KINDS.iter().find(|kind| kind.name == shape.kind);
+    known.map_or(shape.kind, |kind| speech.0.word(&kind.in_words))
 }
 
 /// A body in a sentence.
-pub(super) fn body_in_words(name: &str, body: &Body) -> String {
-    let mut text = format!("{name} is {}{}", kind_in_words(body), size(body));
+pub(super) fn body_in_words(name: &str, body: &Body, speech: Speech) -> String {
+    let say = |phrase, value: String| speech.say(phrase, &[&value]);
+    let mut text = speech.say(&IS, &[name, kind_in_words(body, speech)]) + &size(body, speech);
     if body.shape.radius > 0.0 {
-        let _ = write!(text, " of radius {}", value(body.shape.radius));
+        text += &say(&OF_RADIUS, speech.value(body.shape.radius));
     }
-    text.push_str(&place(body));
+    text += &place(body, speech);
     if body.angle_at(0.0) != 0.0 {
-        let _ = write!(text, ", turned by {}°", value(body.angle_at(0.0)));
+        text += &say(&TURNED, speech.value(body.angle_at(0.0)) + "°");
     }
     if !body.shape.is_as_written() {
         let Rotation { cos, sin } = body.shape.matrix;
-        let _ = write!(text, " (rotation {})", point(DVec2::new(cos, sin)));
+        text += &say(&ROTATION, speech.point(DVec2::new(cos, sin)));
     }
     if body.velocity != DVec2::ZERO {
-        let _ = write!(text, ", moving by {}", point(body.velocity));
+        text += &say(&MOVING, speech.point(body.velocity));
     }
     if !body.spin.is_zero() {
-        let about = if is_centered(body) { "" } else { " about its origin" };
-        let _ = write!(text, ", turning by {}°{about}", value(body.spin.degrees()));
+        text += &say(&TURNING, speech.value(body.spin.degrees()) + "°");
+        text += if is_centered(body) { "" } else { speech.0.word(&ABOUT_ORIGIN) };
     }
-    text.push('.');
-    text
+    text + "."
 }
 
 /// How large the core of a body is, in its own frame.
-fn size(body: &Body) -> String {
+fn size(body: &Body, speech: Speech) -> String {
     let shape = &body.shape;
+    let count = shape.vertices.len().to_string();
     if let Some(h) = shape.half_extents {
-        return format!(" of {} by {}", value(2.0 * h.x), value(2.0 * h.y));
+        return speech.say(&OF_SIZE, &[&speech.value(2.0 * h.x), &speech.value(2.0 * h.y)]);
     }
     if let Some(circumradius) = shape.circumradius {
-        return format!(" with {} edges, circumradius {}", shape.vertices.len(), value(circumradius));
+        return speech.say(&REGULAR, &[&count, &speech.value(circumradius)]);
     }
     match shape.vertices[..] {
         [] | [_] => String::new(),
-        [from, to] => format!(" from {} to {}", point(from), point(to)),
+        [from, to] => speech.say(&FROM_TO, &[&speech.point(from), &speech.point(to)]),
         [first, ..] => {
             let (least, most) =
                 shape.vertices.iter().fold((first, first), |(least, most), &p| (least.min(p), most.max(p)));
-            let extent = most - least;
-            format!(
-                " of {} vertices, spanning {} by {} from {} to {}",
-                shape.vertices.len(),
-                value(extent.x),
-                value(extent.y),
-                point(least),
-                point(most)
-            )
+            let [width, height] = (most - least).to_array().map(|x| speech.value(x));
+            speech.say(&SPANNING, &[&count, &width, &height, &speech.point(least), &speech.point(most)])
         }
     }
 }
@@ -84,14 +83,14 @@ fn is_centered(body: &Body) -> bool {
 }
 
 /// Where a body is at the start.
-fn place(body: &Body) -> String {
+fn place(body: &Body, speech: Speech) -> String {
     let origin = body.pose_at(0.0).position;
     match body.shape.vertices[..] {
-        _ if is_centered(body) => format!(" at {}", point(origin)),
+        _ if is_centered(body) => speech.say(&AT, &[&speech.point(origin)]),
         // A circle may lie beside its body's origin.
-        [center] => format!(" at {}", point(body.pose_at(0.0).point(center))),
+        [center] => speech.say(&AT, &[&speech.point(body.pose_at(0.0).point(center))]),
         _ if origin == DVec2::ZERO => String::new(),
-        _ => format!(", as seen from its origin at {}", point(origin)),
+        _ => speech.say(&MOVED, &[&speech.point(origin)]),
     }
 }
 
@@ -104,7 +103,7 @@ mod tests {
     fn told(keys: &str) -> String {
         let text = format!("shapes.it = {{ {keys} }}\nquery = {{ kind = 'bounds', of = ['it'] }}");
         let scene = open_text("body.toml", &text).unwrap().scene;
-        body_in_words("it", &scene.shapes[0].1)
+        body_in_words("it", &scene.shapes[0].1, Speech(crate::trace::Tongue::ENGLISH))
     }
 
     #[test]

@@ -1,46 +1,52 @@
 //! The long text: a paragraph.
 
-use std::fmt::Write;
-
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
+use crate::figure::tongue::tongue;
 use crate::geometry::Body;
 use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
 use crate::trace::told::is_by_component;
 
 use super::body::{body_in_words, kind_in_words};
-use super::number::value;
+use super::number::Speech;
+use super::phrases::{
+    AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CONFIGURATION, EMPTY, ENLARGED, FOUND,
+    FOUND_AMONG, FOUND_AT_ONCE, FOUND_IN, FRAME, IN_STEP, PANEL, PICTURE, SHOWS, TURNED_FRAME, WORLD,
+};
 use super::result::Account;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
 pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[&Panel]) -> String {
+    let speech = Speech(tongue(scene));
     let mut text = String::new();
     for &index in &scene.query.of {
         if let Some((name, body)) = scene.shapes.get(index) {
-            let _ = write!(text, "{} ", body_in_words(&name.value, body));
+            text += &body_in_words(&name.value, body, speech);
+            text.push(' ');
         }
     }
-    text.push_str(&bystanders(scene));
-    let _ = write!(text, "{} ", told.sentence());
-    text.push_str(&steps(scene, run));
-    text.push_str(&shown(scene, panels));
+    text += &bystanders(scene, speech);
+    text += &told.sentence();
+    text.push(' ');
+    text += &steps((scene, run), speech);
+    text += &shown(scene, panels);
     text.trim_end().to_owned()
 }
 
 /// The bodies that the query is not about, by name and kind; empty where there are none.
-fn bystanders(scene: &Scene) -> String {
+fn bystanders(scene: &Scene, speech: Speech) -> String {
     let others = scene.shapes.iter().enumerate().filter(|(i, _)| !scene.query.of.contains(i));
     let named = |(_, (name, body)): (usize, &(Spanned<String>, Body))| {
-        format!("{} ({})", name.value, kind_in_words(body))
+        format!("{} ({})", name.value, kind_in_words(body, speech))
     };
     let all: Vec<String> = others.map(named).collect();
-    if all.is_empty() { String::new() } else { format!("Beside, and asked nothing: {}. ", all.join(", ")) }
+    if all.is_empty() { String::new() } else { speech.say(&BESIDE, &[&all.join(", ")]) }
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.
-fn steps(scene: &Scene, run: &Run) -> String {
+fn steps((scene, run): (&Scene, &Run), speech: Speech) -> String {
     let algorithm = scene.query.algorithm.name;
     let advanced = run.events().filter(|e| matches!(e, Event::Advanced { .. })).count();
     let grown = run
@@ -49,60 +55,66 @@ fn steps(scene: &Scene, run: &Run) -> String {
         .count();
     let edges = run.events().filter(|e| matches!(e, Event::DifferenceEdgeFound { .. })).count();
     match (is_found_on_the_difference(run.kind), advanced + grown, edges) {
-        (_, 1, _) => format!("Found by {algorithm} in 1 step. "),
-        (_, steps @ 2.., _) => format!("Found by {algorithm} in {steps} steps. "),
+        (_, 1, _) => speech.say(&FOUND_AT_ONCE, &[algorithm]),
+        (_, steps @ 2.., _) => speech.say(&FOUND_IN, &[algorithm, &steps.to_string()]),
         (true, _, 1..) if !run.events().any(is_by_component) => {
-            format!("Found by {algorithm} among the {edges} edges of the Minkowski difference. ")
+            speech.say(&FOUND_AMONG, &[algorithm, &edges.to_string()])
         }
-        _ => format!("Found by {algorithm}. "),
+        _ => speech.say(&FOUND, &[algorithm]),
     }
 }
 
 /// What each panel shows: its space, its moment, its layers by name.
 pub(crate) fn shown(scene: &Scene, panels: &[&Panel]) -> String {
+    let speech = Speech(tongue(scene));
     let mut text = String::new();
     let many = panels.len() > 1;
     for (i, panel) in panels.iter().enumerate() {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
-        let which = if many { format!("Panel {}{title}", i + 1) } else { format!("The picture{title}") };
+        let which = if many {
+            speech.say(&PANEL, &[&(i + 1).to_string(), &title])
+        } else {
+            speech.say(&PICTURE, &[&title])
+        };
         let layers: Vec<&str> = panel.layers.iter().flatten().map(|l| l.name.value.as_str()).collect();
         if layers.is_empty() {
-            let _ = write!(text, "{which} shows nothing. ");
+            text += &speech.say(&EMPTY, &[&which]);
             continue;
         }
-        let _ = write!(text, "{which} shows {}{}: {}", space(scene, panel), when(panel), layers.join(", "));
-        text.push_str(if panel.inset.is_some() { "; with a detail enlarged. " } else { ". " });
+        let (space, when) = (space(scene, panel, speech), when(panel, speech));
+        text += &speech.say(&SHOWS, &[&which, &space, &when, &layers.join(", ")]);
+        text += if panel.inset.is_some() { speech.0.word(&ENLARGED) } else { ". " };
     }
     text
 }
 
 /// What a panel shows, as "the world".
-fn space(scene: &Scene, panel: &Panel) -> String {
+fn space(scene: &Scene, panel: &Panel, speech: Speech) -> String {
     match panel.space {
-        Space::World => "the world".to_owned(),
-        Space::Configuration => "configuration space".to_owned(),
+        Space::World => speech.0.word(&WORLD).to_owned(),
+        Space::Configuration => speech.0.word(&CONFIGURATION).to_owned(),
         Space::Body(body) => {
             let (name, turned) = scene.shapes.get(body).map_or(("", false), |(name, body)| {
                 (&name.value, body.angle_at(0.0) != 0.0 || !body.spin.is_zero())
             });
-            // The answer has told of directions before.
-            let whose = if turned { " (the answer's directions are the world's)" } else { "" };
-            format!("the frame of {name}{whose}")
+            speech.say(if turned { &TURNED_FRAME } else { &FRAME }, &[name])
         }
     }
 }
 
 /// A panel's moment, as " at the start"; empty where the scene names none.
-fn when(panel: &Panel) -> String {
-    panel.when.as_ref().map_or(String::new(), |when| match when.value {
-        When::Time(t) => format!(" at t = {}", value(t)),
-        When::Start => " at the start".to_owned(),
-        When::Hit => " at the first contact".to_owned(),
-        When::Closest => " at the closest approach".to_owned(),
-        When::Bound => " at the bound of the first step".to_owned(),
-        When::End => " at the end".to_owned(),
-        When::Step(k) => format!(" in step {k}"),
-    })
+fn when(panel: &Panel, speech: Speech) -> String {
+    let Some(when) = &panel.when else { return String::new() };
+    let phrase = match when.value {
+        When::Time(t) => return speech.say(&AT_TIME, &[&speech.value(t)]),
+        When::Step(k) => return speech.say(&IN_STEP, &[&k.to_string()]),
+        When::Start => &AT_START,
+        When::Hit => &AT_HIT,
+        When::Closest => &AT_CLOSEST,
+        When::Bound => &AT_BOUND,
+        When::End => &AT_END,
+    };
+    speech.0.word(phrase).to_owned()
 }
 
 #[cfg(test)]

@@ -6,11 +6,14 @@
 //! read out as they would be written in running text.
 
 mod body;
+pub(crate) mod body_phrases;
 mod long;
 mod number;
+mod phrases;
 mod result;
 mod short;
 
 pub(crate) use long::{long, shown};
+pub(crate) use phrases::QUESTION;
 pub(crate) use result::Account;
 pub(crate) use short::short;

@@ -6,11 +6,19 @@ use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
+use crate::figure::tongue::tongue;
 use crate::geometry::{Body, DVec2, Names, Side, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
 
-use super::number::{at_least, at_most, number, point, value};
+use super::body_phrases::AND;
+use super::number::Speech;
+use super::phrases::{
+    APART, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, ENDS_EARLY, HIT,
+    MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH,
+    PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, UNDECIDED,
+    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+};
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
 /// rounding leaves of bodies that go past each other side by side.
@@ -27,6 +35,8 @@ pub(crate) struct Account<'r> {
     near: Option<Separation>,
     /// How many pushes are as short as the shortest, as far as doubles tell; 0 where that was not looked at.
     ways: usize,
+    /// The language.
+    speech: Speech,
 }
 
 impl<'r> Account<'r> {
@@ -49,7 +59,13 @@ impl<'r> Account<'r> {
 
     /// A run of a scene, beside another one that answers with the separation at that moment.
     pub(crate) fn beside(scene: &'r Scene, run: &'r Run, other: Option<&Run>) -> Self {
-        Self { scene, run, near: other.and_then(Run::separation).copied(), ways: 0 }
+        Self {
+            scene,
+            run,
+            near: other.and_then(Run::separation).copied(),
+            ways: 0,
+            speech: Speech(tongue(scene)),
+        }
     }
 
     /// The result as a sentence of its own: with a capital, but a name stays as the scene writes it.
@@ -62,10 +78,9 @@ impl<'r> Account<'r> {
         sentence_of([names.of(Side::A), names.of(Side::B)], self)
     }
 
-    /// The moment that the answer is of, in words; `None` for the start, and for an answer about the motion.
-    fn moment(&self) -> Option<String> {
-        let is_later = is_of_a_moment(self.run.kind) && self.run.time != 0.0;
-        is_later.then(|| format!("at t = {}", value(self.run.time)))
+    /// The moment that the answer is of; `None` for the start, and for an answer about the motion.
+    fn moment(&self) -> Option<f64> {
+        Some(self.run.time).filter(|&time| is_of_a_moment(self.run.kind) && time != 0.0)
     }
 
     /// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
@@ -76,75 +91,72 @@ impl<'r> Account<'r> {
     /// The result as a sentence that begins with a small letter.
     pub(super) fn result(&self) -> String {
         let names = self.scene.names();
-        let result = result_of([names.of(Side::A), names.of(Side::B)], self);
-        self.moment().map_or(result.clone(), |moment| format!("{moment} {result}"))
+        told_of([names.of(Side::A), names.of(Side::B)], self)
     }
 }
 
 /// What was told, of bodies named `a` and `b`, the second one empty where there is none.
 fn result_of([a, b]: [&str; 2], told: &Account) -> String {
+    let speech = told.speech;
     match &told.run.answer {
-        Answer::Bounds(bounds) => format!(
-            "the bounding box of {a}{} reaches from {} to {}.",
-            if b.is_empty() { String::new() } else { format!(" and {b}") },
-            point(bounds.min),
-            point(bounds.max)
-        ),
+        Answer::Bounds(bounds) => {
+            let whose = if b.is_empty() { a.to_owned() } else { speech.say(&AND, &[a, b]) };
+            speech.say(&BOX, &[&whose, &speech.point(bounds.min), &speech.point(bounds.max)])
+        }
         Answer::Overlap(overlap) => verdict_in_words([a, b], overlap, told),
-        Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways)),
+        Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways), speech),
         Answer::Contact(contact) => contact_in_words([a, b], contact, told),
         Answer::Impact(impact) => impact_in_words([a, b], impact, told),
         Answer::MotionBound(MotionBound { bound }) if b.is_empty() => {
-            format!("no point of {a} travels farther than {}.", at_most(*bound))
+            speech.say(&NO_FARTHER, &[a, &speech.at_most(*bound)])
         }
         Answer::MotionBound(MotionBound { bound }) => {
-            format!(
-                "no two points of {a} and {b} come nearer to each other by more than {}.",
-                at_most(*bound)
-            )
+            speech.say(&NO_NEARER, &[a, b, &speech.at_most(*bound)])
         }
     }
 }
 
 /// Whether the bodies named `a` and `b` overlap; and where it is known, how far apart or how deep.
 fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> String {
-    let near = told.near.as_ref();
-    match (overlap.overlap, near) {
-        (None, _) => format!("rounding forbids to say whether {a} and {b} overlap."),
-        (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways)),
-        (Some(true), None) => format!("{a} and {b} overlap."),
+    let speech = told.speech;
+    match (overlap.overlap, told.near.as_ref()) {
+        (None, _) => speech.say(&UNSAID, &[a, b]),
+        (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways), speech),
+        (Some(true), None) => speech.say(&OVERLAP, &[a, b]),
         (Some(false), Some(s)) if s.bounds.lo > 0.0 => {
-            format!("{a} and {b} do not overlap: they are {} apart.", number(s.bounds.lo, s.bounds.hi))
+            speech.say(&NO_OVERLAP_BY, &[a, b, &speech.number(s.bounds.lo, s.bounds.hi)])
         }
-        (Some(false), _) => format!("{a} and {b} do not overlap."),
+        (Some(false), _) => speech.say(&NO_OVERLAP, &[a, b]),
     }
 }
 
 /// How the bodies named `a` and `b` stand; the push that parts them is that of the body `pushed`, one of
 /// so many.
-fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize)) -> String {
+fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize), speech: Speech) -> String {
     let (lo, hi) = (s.bounds.lo, s.bounds.hi);
     if lo > 0.0 {
-        format!("{a} and {b} are {} apart along the normal {}.", number(lo, hi), point(*s.normal))
+        speech.say(&APART, &[a, b, &speech.number(lo, hi), &speech.point(*s.normal)])
     } else if hi < 0.0 {
-        format!("{a} and {b} overlap; {}.", push([a, b], s, pushed))
+        speech.say(&OVERLAP_AND, &[a, b, &push([a, b], s, pushed, speech)])
     } else {
-        format!("{a} and {b} touch.")
+        speech.say(&TOUCH, &[a, b])
     }
 }
 
 /// The shortest push that parts bodies that overlap, of the body `pushed`: B goes along the normal, A against
 /// it. As far as doubles tell, so many `ways` are as short.
-fn push([a, b]: [&str; 2], s: &Separation, (pushed, ways): (Side, usize)) -> String {
-    let depth = number(-s.bounds.hi, -s.bounds.lo);
+fn push([a, b]: [&str; 2], s: &Separation, (pushed, ways): (Side, usize), speech: Speech) -> String {
+    let depth = speech.number(-s.bounds.hi, -s.bounds.lo);
     let (name, way) = if pushed == Side::B { (b, *s.normal) } else { (a, -*s.normal) };
-    let along = if s.ties == 0 { "in any direction, as along" } else { "along" };
+    let way = speech.point(way);
     let ties = usize::try_from(s.ties).unwrap_or(usize::MAX);
-    let which = match if ties == 0 { 0 } else { ties.max(ways) } {
-        0 | 1 => "the shortest push that parts them".to_owned(),
-        ties => format!("one of the {ties} shortest pushes that part them"),
-    };
-    format!("{which} moves {name} by {depth} {along} {}", point(way))
+    match ties {
+        0 => speech.say(&PUSH_ANY, &[name, &depth, &way]),
+        _ if ties.max(ways) > 1 => {
+            speech.say(&PUSH_OF_MANY, &[&ties.max(ways).to_string(), name, &depth, &way])
+        }
+        _ => speech.say(&PUSH, &[name, &depth, &way]),
+    }
 }
 
 /// How the bodies named `a` and `b` stand, and how many points of contact they have. The body is pushed that
@@ -155,60 +167,62 @@ fn contact_in_words(names: [&str; 2], contact: &Contact, told: &Account) -> Stri
         _ => None,
     });
     let pushed = reference.map_or(Side::B, Side::other);
-    let apart = separation_in_words(names, &contact.separation, (pushed, told.ways));
-    match contact.found().count() {
-        0 => format!("{apart} There is no point of contact."),
-        1 => format!("{apart} There is one point of contact."),
-        _ => format!("{apart} There are two points of contact."),
-    }
+    let apart = separation_in_words(names, &contact.separation, (pushed, told.ways), told.speech);
+    let phrase = match contact.found().count() {
+        0 => &CONTACTS_0,
+        1 => &CONTACTS_1,
+        _ => &CONTACTS_2,
+    };
+    told.speech.say(phrase, &[&apart])
 }
 
 /// The result of a query for the first contact of the bodies named `a` and `b`.
 fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String {
+    let speech = told.speech;
     match &impact.outcome {
-        Outcome::Hit { time, contact } => format!(
-            "{a} first touches {b} at t = {}, at {}.",
-            number(time.lo, time.hi),
-            point((contact.points[0] + contact.points[1]) / 2.0)
-        ),
-        Outcome::Miss => format!("{a} and {b} do not touch{}.", closest_in_words(told)),
-        Outcome::Overlapping { contact } if contact.bounds.hi < 0.0 => {
-            format!("{a} and {b} overlap from the start; {}.", push([a, b], contact, (Side::B, told.ways)))
+        Outcome::Hit { time, contact } => {
+            let at = (contact.points[0] + contact.points[1]) / 2.0;
+            speech.say(&HIT, &[a, b, &speech.number(time.lo, time.hi), &speech.point(at)])
         }
-        Outcome::Overlapping { .. } => format!("{a} and {b} touch from the start."),
+        Outcome::Miss => speech.say(&MISS, &[a, b, &closest_in_words(told)]),
+        Outcome::Overlapping { contact } if contact.bounds.hi < 0.0 => {
+            speech.say(&OVERLAP_FIRST, &[a, b, &push([a, b], contact, (Side::B, told.ways), speech)])
+        }
+        Outcome::Overlapping { .. } => speech.say(&TOUCH_FIRST, &[a, b]),
         Outcome::Unresolved { reason, free_until } => {
             let why = match reason {
-                Reason::WithinRounding => "rounding forbids more",
-                Reason::WithinTolerance => "they come within the tolerance",
-                Reason::IterationLimit => "the step cap was reached",
-                Reason::Stalled => "the steps no longer advanced",
+                Reason::WithinRounding => &ROUNDING,
+                Reason::WithinTolerance => &TOLERANCE,
+                Reason::IterationLimit => &STEP_CAP,
+                Reason::Stalled => &STALLED,
             };
-            let apart = format!("are apart until t = {}", at_least(*free_until));
-            // Bodies that overlap in the end have touched, whatever the search came to.
-            let overlap = told.near.filter(|end| end.bounds.hi < 0.0);
-            let depth = overlap.map(|end| number(-end.bounds.hi, -end.bounds.lo));
-            match depth {
-                Some(depth) if *free_until > 0.0 => format!(
-                    "{a} and {b} {apart} and overlap by {depth} at t = 1; when they first touch is \
-                     undecided: {why}."
-                ),
-                Some(depth) => format!(
-                    "{a} and {b} overlap by {depth} at t = 1; when they first touch is undecided: {why}."
-                ),
-                None if *free_until > 0.0 => {
-                    format!("{a} and {b} {apart}; whether they touch is undecided: {why}.")
-                }
-                None => format!("whether {a} and {b} touch is undecided: {why}."),
-            }
+            unresolved_in_words([a, b], *free_until, speech.0.word(why), told)
         }
+    }
+}
+
+/// What is undecided of the bodies named `a` and `b`, which are apart until then, and why. Bodies that
+/// overlap in the end have touched, whatever the search came to.
+fn unresolved_in_words([a, b]: [&str; 2], free_until: f64, why: &str, told: &Account) -> String {
+    let speech = told.speech;
+    let until = speech.at_least(free_until);
+    let overlap = told.near.filter(|end| end.bounds.hi < 0.0);
+    let depth = overlap.map(|end| speech.number(-end.bounds.hi, -end.bounds.lo));
+    match depth {
+        Some(depth) if free_until > 0.0 => speech.say(&UNRESOLVED_DEEP, &[a, b, &until, &depth, why]),
+        Some(depth) => speech.say(&DEEP, &[a, b, &depth, why]),
+        None if free_until > 0.0 => speech.say(&UNRESOLVED, &[a, b, &until, why]),
+        None => speech.say(&UNDECIDED, &[a, b, why]),
     }
 }
 
 /// How near a miss came, as "; they come closest at t = 0.5, 2 apart"; empty where that was not told.
 fn closest_in_words(told: &Account) -> String {
+    let speech = told.speech;
     let found = told.run.events().find_map(|event| match event {
         Event::ClosestApproachFound { at, bounds, normal, points, .. } => {
-            Some((at.time, number(bounds.lo, bounds.hi), closing(told.scene, at.time, *normal, *points)))
+            let closing = closing(told.scene, at.time, *normal, *points);
+            Some((at.time, speech.number(bounds.lo, bounds.hi), closing))
         }
         _ => None,
     });
@@ -216,13 +230,13 @@ fn closest_in_words(told: &Account) -> String {
     let query = told.scene.query_at(0.0);
     let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
     if query.b.is_some_and(rests) {
-        format!("; they stay {apart} apart")
+        speech.say(&STAY, &[&apart])
     } else if time >= 1.0 && closing > 0.0 {
-        format!("; the motion ends at t = {} while they still come nearer, {apart} apart", value(time))
+        speech.say(&ENDS_EARLY, &[&speech.value(time), &apart])
     } else if time <= 0.0 && closing < 0.0 {
-        format!("; they are closest at the start, {apart} apart")
+        speech.say(&CLOSEST_FIRST, &[&apart])
     } else {
-        format!("; they come closest at t = {}, {apart} apart", value(time))
+        speech.say(&CLOSEST, &[&speech.value(time), &apart])
     }
 }
 
@@ -237,12 +251,18 @@ fn closing(scene: &Scene, time: f64, normal: DVec2, [p, q]: [DVec2; 2]) -> f64 {
     if closing.abs() <= NEARER * passing.length() { 0.0 } else { closing }
 }
 
+/// The result with its moment, of bodies named so: it begins with a small letter, or a name.
+fn told_of(names: [&str; 2], told: &Account) -> String {
+    let text = result_of(names, told);
+    match told.moment() {
+        Some(moment) => told.speech.say(&AT_MOMENT, &[&told.speech.value(moment), &text]),
+        None => text,
+    }
+}
+
 /// The result as a sentence of its own, of bodies named so.
 fn sentence_of(names: [&str; 2], told: &Account) -> String {
-    let text = result_of(names, told);
-    if let Some(moment) = told.moment() {
-        return format!("{}{} {text}", moment[..1].to_uppercase(), &moment[1..]);
-    }
+    let text = told_of(names, told);
     if text.starts_with(&format!("{} ", names[0])) {
         return text;
     }

@@ -2,14 +2,14 @@
 //!
 //! Nobody can work out three digits from numbers that were rounded to three, so none is.
 
+use crate::figure::describe::body_phrases::{
+    AT, FROM_TO, IS, MOVED, MOVING, OF_RADIUS, OF_SIZE, POINT, SEGMENT, TURNED, TURNING,
+};
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Angle, Body, DVec2, Names, Side};
 use crate::scene::{Scene, Spanned};
 
-use super::phrases::{
-    AT, FROM_TO, IS, MOMENT, MOTION, MOVED, MOVING, OF_RADIUS, OF_SIZE, OF_VERTICES, POINT, REGULAR, SEGMENT,
-    TURNED, TURNED_BY_SINE, TURNING, WITH_VERTICES, Words,
-};
+use super::phrases::{MOMENT, MOTION, OF_VERTICES, REGULAR, TURNED_BY_SINE, WITH_VERTICES, Words};
 
 /// Vertices that are listed; more are on the picture only.
 const MOST_VERTICES: usize = 12;

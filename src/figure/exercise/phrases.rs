@@ -2,16 +2,13 @@
 //!
 //! A scene in any other language has them in English, with English numbers.
 
+use crate::figure::describe::body_phrases::AND;
 use crate::figure::text::Decimal;
 use crate::figure::tongue::tongue;
 use crate::geometry::DVec2;
 use crate::scene::Scene;
 use crate::trace::{Phrase, Tongue};
 
-/// A body and what it is.
-pub(super) const IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
-/// The sides of a box.
-pub(super) const OF_SIZE: Phrase = [" of * by *", " von * mal *", " de * sur *", " de * por *"];
 /// The vertices of a polygon, listed.
 pub(super) const WITH_VERTICES: Phrase =
     [" with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *"];
@@ -24,26 +21,6 @@ pub(super) const REGULAR: Phrase = [
     " à * arêtes, de rayon circonscrit *, l’arête la plus basse horizontale,",
     " de * aristas y circunradio *, con la arista más baja horizontal,",
 ];
-/// The two ends of a capsule.
-pub(super) const FROM_TO: Phrase = [" from * to *", " von * bis *", " de * à *", " de * a *"];
-/// A circle without a radius.
-pub(super) const POINT: Phrase = ["a point", "ein Punkt", "un point", "un punto"];
-/// A capsule without a radius.
-pub(super) const SEGMENT: Phrase = ["a segment", "eine Strecke", "un segment", "un segmento"];
-/// The radius of a body.
-pub(super) const OF_RADIUS: Phrase = [" of radius *", " vom Radius *", " de rayon *", " de radio *"];
-/// Where the origin of a body is, from which its vertices are given.
-pub(super) const MOVED: Phrase = [
-    ", as seen from its origin at *",
-    ", gesehen vom Ursprung des Körpers bei *",
-    ", vus de l’origine du corps en *",
-    ", vistos desde el origen del cuerpo en *",
-];
-/// Where a body is.
-pub(super) const AT: Phrase = [" at *", " bei *", " en *", " en *"];
-/// By which angle a body is turned.
-pub(super) const TURNED: Phrase =
-    [", turned by *", ", um * gedreht", ", tourné d’un angle de *", ", girado *"];
 /// By which angle a body is turned whose cosine and sine are given.
 pub(super) const TURNED_BY_SINE: Phrase = [
     ", turned by the angle of cosine * and sine *",
@@ -51,11 +28,6 @@ pub(super) const TURNED_BY_SINE: Phrase = [
     ", tourné de l’angle de cosinus * et de sinus *",
     ", girado el ángulo de coseno * y seno *",
 ];
-/// How a body moves from the start to the end.
-pub(super) const MOVING: Phrase =
-    [", moving by *", ", bewegt sich um *", ", se déplaçant de *", ", que se mueve *"];
-/// How a body turns from the start to the end.
-pub(super) const TURNING: Phrase = [", turning by *", ", dreht sich um *", ", tournant de *", ", que gira *"];
 /// When the motion begins and ends.
 pub(super) const MOTION: Phrase = [
     "The motion runs from t = 0 to t = 1.",
@@ -66,8 +38,6 @@ pub(super) const MOTION: Phrase = [
 /// The moment that is asked about.
 pub(super) const MOMENT: Phrase =
     ["The moment is t = *.", "Der Zeitpunkt ist t = *.", "L’instant est t = *.", "El instante es t = *."];
-/// Two things that are named together.
-pub(super) const AND: Phrase = ["* and *", "* und *", "* et *", "* y *"];
 /// What is to be done.
 pub(super) const FIND: Phrase = ["Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *."];
 /// An answer.
@@ -171,24 +141,12 @@ mod tests {
     #[test]
     fn every_phrase_has_its_stars_in_every_language() {
         let all = [
-            IS,
-            OF_SIZE,
             WITH_VERTICES,
             OF_VERTICES,
             REGULAR,
-            FROM_TO,
-            POINT,
-            SEGMENT,
-            OF_RADIUS,
-            MOVED,
-            AT,
-            TURNED,
             TURNED_BY_SINE,
-            MOVING,
-            TURNING,
             MOTION,
             MOMENT,
-            AND,
             FIND,
             ANSWER,
             SOLUTION,
@@ -206,7 +164,7 @@ mod tests {
             assert_eq!(stars, [stars[0]; 4], "{phrase:?}");
         }
         let german = Words { tongue: Tongue::new(1, true), decimal: Decimal::Comma };
-        assert_eq!(german.say(&IS, &["A*", "B"]), "A* ist B");
+        assert_eq!(german.say(&AND, &["A*", "B"]), "A* und B");
         assert_eq!(german.point(DVec2::new(1.5, -2.0)), "(1,5; −2)");
         assert_eq!(german.listed(&["a", "b", "c"].map(str::to_owned)), "a, b und c");
     }

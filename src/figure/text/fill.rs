@@ -140,12 +140,16 @@ mod tests {
     }
 
     #[test]
-    fn numbers_of_texts_and_labels_follow_the_language_and_our_words_stay_english() {
+    fn numbers_of_texts_and_labels_follow_the_language_and_so_do_our_sentences() {
         assert_eq!(caption("lang = 'de'", "{=time}, $t = {=time}$"), "0,343, t = 0,343");
         assert_eq!(caption("lang = 'de-CH'", "{=time}"), "0.343");
         let drawing = drawn("lang = 'fr'\nheadline = 'Touche à {=time}.'").unwrap();
         assert!(says(&drawing.items, "$d = 2{,}4$"));
-        assert!(drawing.desc.contains("t = 0.343"), "{}", drawing.desc);
+        assert!(drawing.desc.contains("B pour la première fois à t = 0,343"), "{}", drawing.desc);
+        assert_eq!(drawing.languages_of_words(), [None, None]);
+        // In a language that we have no sentences in they are English, and their numbers too.
+        let drawing = drawn("lang = 'pl'").unwrap();
+        assert!(drawing.desc.contains("first touches B at t = 0.343"), "{}", drawing.desc);
         assert_eq!(drawing.languages_of_words(), [Some("en"), Some("en")]);
         assert!(says(&drawn("").unwrap().items, "$d = 2.4$"));
     }
@@ -190,7 +194,7 @@ mod tests {
     fn a_scene_can_give_its_alternative_text_in_its_language() {
         let drawing = drawn("lang = 'de'\nalt = 'Der {a|Ball} trifft bei $t = {=time:.2}$.'").unwrap();
         assert_eq!(drawing.title, "Der Ball trifft bei t = 0,34.");
-        assert_eq!(drawing.languages_of_words(), [None, Some("en")]);
+        assert_eq!(drawing.languages_of_words(), [None, None]);
         assert!(drawn("alt = '{=tim}'").is_err());
         let british = drawn("lang = 'EN-gb'").unwrap();
         assert_eq!(british.languages_of_words(), [None, None]);

@@ -60,7 +60,9 @@ fn a_contact_pushes_the_body_that_the_reference_edge_faces_along_the_normal_that
         let runs = Runs::default();
         let run = runs.own(&scene, 0.0);
         let drawn = run.events().find_map(|event| match event {
-            Event::EdgesFaced { body, normal, .. } => Some((*body, point(*normal))),
+            Event::EdgesFaced { body, normal, .. } => {
+                Some((*body, Speech(crate::trace::Tongue::ENGLISH).point(*normal)))
+            }
             _ => None,
         });
         let (reference, normal) = drawn.unwrap();
@@ -194,4 +196,35 @@ fn the_bound_of_two_bodies_is_of_their_ways_together() {
         shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [-2, 0] }
         query = { kind = 'motion-bound', of = ['a', 'b'] }";
     assert_eq!(said(text), "No two points of a and b come nearer to each other by more than 5.");
+}
+
+#[test]
+fn phrases_have_as_many_values_in_every_language() {
+    let files = [super::super::phrases::ALL, super::super::body_phrases::ALL];
+    assert_eq!(crate::trace::unlike(files.concat().iter()), [&[""; 4]; 0]);
+}
+
+#[test]
+fn the_result_is_in_the_language_of_the_scene_with_its_numbers() {
+    let text = |lang: &str, time: f64| {
+        format!(
+            "lang = '{lang}'
+            shapes.a = {{ kind = 'circle', radius = 1, velocity = [1, 0] }}
+            shapes.b = {{ kind = 'circle', radius = 1, position = [4.5, 0] }}
+            query = {{ kind = 'separation', of = ['a', 'b'], time = {time} }}"
+        )
+    };
+    let said = |lang: &str, time: f64| {
+        let scene = open_text("lang.toml", &text(lang, time)).unwrap().scene;
+        let runs = Runs::default();
+        let run = runs.own(&scene, time);
+        Account::of(&scene, &runs, &run).sentence()
+    };
+    assert_eq!(said("de", 0.0), "a und b sind 2,5 voneinander entfernt, entlang der Normalen (1; 0).");
+    assert_eq!(said("fr", 0.5), "À t = 0,5 : a et b sont à une distance de 2 le long de la normale (1; 0).");
+    assert_eq!(
+        said("es-MX", 0.5),
+        "En t = 0.5: a y b están a una distancia de 2 a lo largo de la normal (1, 0)."
+    );
+    assert_eq!(said("pl", 0.0), "a and b are 2.5 apart along the normal (1, 0).");
 }
