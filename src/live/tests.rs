@@ -238,3 +238,15 @@ fn sums_that_labels_say_are_right_wherever_a_body_is_and_moves() {
     }
     assert!(said > 10, "{said}");
 }
+
+#[test]
+fn a_body_that_is_dragged_out_of_all_space_is_drawn_or_refused() {
+    for path in figures() {
+        let mut live = opened(&path);
+        for far in [[0.0, -7e299], [1e17, 0.0]] {
+            let edit = json!([[["shapes", 0, "position"], far]]);
+            // Without an end it would take all memory.
+            let _ = live.set(&edit.to_string()).and_then(|()| live.draw().map(drop));
+        }
+    }
+}

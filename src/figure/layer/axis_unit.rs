@@ -35,13 +35,18 @@ pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DV
     sketch.label(label.rank(Rank::Measure));
 }
 
+/// Units from 0 within which they are marked: a panel is at most some thousands of page pixels wide, and a unit
+/// is longer than [`LEAST`].
+const FARTHEST: f64 = 1e4;
+
 /// Marks each unit on the axis between two places, counted from 0, where they can be told apart.
 pub(super) fn units(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(f64, f64) -> DVec2) {
     if sketch.on_page(1.0) < LEAST {
         return;
     }
     let half = sketch.px(UNIT);
-    // A panel is at most some thousands of page pixels wide.
+    // Far beyond the panel nothing is marked: from 2⁵³ on k + 1 would be k, and there would be no end.
+    let (first, last) = (first.max(-FARTHEST), last.min(FARTHEST));
     let each = std::iter::successors(Some(first.ceil()), |k| Some(k + 1.0)).take_while(|k| *k < last);
     let marks: Vec<_> = each.map(|k| (sketch.page(at(k, -half)), sketch.page(at(k, half)))).collect();
     sketch.part("units").quiet_lines(&marks, Pen::dimension(Role::Muted));
