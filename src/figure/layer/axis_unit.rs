@@ -35,8 +35,8 @@ pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DV
     sketch.label(label.rank(Rank::Measure));
 }
 
-/// Units from 0 within which they are marked: a panel is at most some thousands of page pixels wide, and a unit
-/// is longer than [`LEAST`].
+/// Units from 0 within which they are marked: a panel is at most some thousands of page pixels wide, and a
+/// unit is longer than [`LEAST`].
 const FARTHEST: f64 = 1e4;
 
 /// Marks each unit on the axis between two places, counted from 0, where they can be told apart.
