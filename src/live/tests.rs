@@ -236,7 +236,7 @@ fn sums_that_labels_say_are_right_wherever_a_body_is_and_moves() {
             }
         }
     }
-    assert!(said > 10, "{said}");
+    assert!(said > 5, "{said}");
 }
 
 #[test]
