@@ -63,14 +63,8 @@ impl Scene {
 
 #[cfg(test)]
 mod tests {
-    use crate::collision::QueryKind;
-    use crate::geometry::{Body, DVec2, Shape};
-    use crate::scene::{Scene, Value};
-
-    fn made() -> Scene {
-        let body = |x| Body::at_rest(Shape::rectangle(DVec2::ONE).unwrap(), DVec2::new(x, 0.0));
-        Scene::asking(QueryKind::Separation, &[("A", body(0.0)), ("B", body(3.0))]).unwrap()
-    }
+    use crate::scene::Value;
+    use crate::scene::set::tests::made;
 
     #[test]
     fn a_question_is_asked_otherwise_as_a_file_would() {

@@ -68,12 +68,13 @@ fn told(words: &StepWords) -> Node {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use crate::collision::QueryKind;
     use crate::geometry::{Body, DVec2, Shape};
     use crate::scene::{LayerSpec, Panel, Refused, Scene, Space, StepWords, When};
 
-    fn made() -> Scene {
+    /// Two squares whose separation is asked, made without a text.
+    pub(in crate::scene) fn made() -> Scene {
         let body = |x| Body::at_rest(Shape::rectangle(DVec2::ONE).unwrap(), DVec2::new(x, 0.0));
         Scene::asking(QueryKind::Separation, &[("A", body(0.0)), ("B", body(3.0))]).unwrap()
     }
