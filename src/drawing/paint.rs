@@ -13,6 +13,8 @@ pub enum Role {
     Now,
     /// The minimum translation, and the separation of bodies apart.
     Translation,
+    /// Where two bodies overlap: the colour of the area itself, opaque.
+    Overlap,
     /// Text and main lines.
     Ink,
     /// Secondary lines and notes.
@@ -25,12 +27,13 @@ pub enum Role {
 
 impl Role {
     /// Every role, in the order of themes and style sheets.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::A,
         Self::B,
         Self::Difference,
         Self::Now,
         Self::Translation,
+        Self::Overlap,
         Self::Ink,
         Self::Muted,
         Self::Grid,
@@ -54,6 +57,7 @@ impl Role {
             Self::Difference => "the Minkowski difference",
             Self::Now => "what is new at the step shown",
             Self::Translation => "the minimum translation, the separation",
+            Self::Overlap => "where bodies overlap, the opaque colour of the area",
             Self::Ink => "text and main lines",
             Self::Muted => "secondary lines and notes",
             Self::Grid => "grid lines",
@@ -74,6 +78,7 @@ impl Role {
             Self::Difference => "difference",
             Self::Now => "now",
             Self::Translation => "translation",
+            Self::Overlap => "overlap",
             Self::Ink => "ink",
             Self::Muted => "muted",
             Self::Grid => "grid",

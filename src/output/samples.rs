@@ -16,6 +16,7 @@ const fn paint(role: Role) -> Paint {
         Role::Difference => 0x3A_2F_B0,
         Role::Now => 0xB3_5C_00,
         Role::Translation => 0x0B_5F_CC,
+        Role::Overlap => 0xFF_E1_8C,
         Role::Ink => 0x1B_1F_24,
         Role::Muted => 0x5B_64_72,
         Role::Grid => 0xE6_E9_EE,

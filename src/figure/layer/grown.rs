@@ -71,11 +71,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.arc(center, radius, start, sweep, Pen::outline(Role::Difference));
         }
     }
-    sketch.since(None).part("body-A").area(
-        &outline_a,
-        Some(Wash::theme(Role::A)),
-        Some(Pen::outline(Role::A)),
-    );
+    // On the page's own colour: its tint over that of the grown A would be a third one.
+    sketch.since(None).part("body-A").area(&outline_a, Some(Wash::faint(Role::Background, 1.0)), None);
+    sketch.area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     if options.flag("copies", true) {
         copies(sketch, context, &outline_b, b);
     }

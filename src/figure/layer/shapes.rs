@@ -74,7 +74,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
-    sketch.part(part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
+    sketch.part(part("body", side)).body(side, &outline, role);
     held::body(sketch, context, side);
 }
 

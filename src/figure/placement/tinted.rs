@@ -80,9 +80,14 @@ fn area(path: &Path, clip: Option<Rect>, opacity: f64) -> Option<Area> {
     // What a step takes away does not lie under what stays.
     let paint = path.fill.filter(|_| path.shown.until.is_none())?;
     let paint = paint.with_opacity(paint.opacity * opacity);
-    let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || paint.role == Some(Role::Background));
+    let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || is_ground(paint.role));
     let line = points(&path.contour).filter(|_| is_seen).and_then(Polyline::closed)?;
     Some(Area { line, clip, paint, shown: path.shown })
+}
+
+/// Whether the opaque areas of a role are no marks but lie under others: the page, and where bodies overlap.
+fn is_ground(role: Option<Role>) -> bool {
+    matches!(role, Some(Role::Background | Role::Overlap))
 }
 
 /// Points along a contour of one piece without Bézier curves, of which our areas have none.
@@ -135,9 +140,13 @@ fn ink(text: &Text) -> Option<Rect> {
 fn under(middle: Point, shown: Shown, areas: &[Area]) -> Vec<Paint> {
     let mut found = Vec::new();
     for area in areas.iter().filter(|area| area.shown.outlasts(shown) && area.holds(middle)) {
-        if area.paint.role == Some(Role::Background) {
+        if area.paint.opacity >= 1.0 {
             found.clear();
-        } else if found.len() < MOST_AREAS {
+        }
+        if area.paint.role == Some(Role::Background) {
+            continue;
+        }
+        if found.len() < MOST_AREAS {
             found.push(area.paint);
         } else {
             return Vec::new();
@@ -204,8 +213,8 @@ mod tests {
             let fill = |role| theme.paint(role).with_opacity(theme.fill_opacity);
             assert_eq!(a.areas, [fill(Role::A)], "{}", theme.name);
             assert_eq!(a.paint.color, fill(Role::A).over(page), "{}", theme.name);
-            assert_eq!(b.areas, [fill(Role::A), fill(Role::B)], "{}: B lies over A", theme.name);
-            assert_eq!(b.paint.color, fill(Role::B).over(fill(Role::A).over(page)), "{}", theme.name);
+            assert_eq!(b.areas, [theme.paint(Role::Overlap)], "{}: where A and B overlap", theme.name);
+            assert_eq!(b.paint.color, theme.color(Role::Overlap), "{}", theme.name);
         }
     }
 

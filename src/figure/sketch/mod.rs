@@ -8,12 +8,14 @@ mod construction;
 mod cover;
 mod cues;
 mod detail;
+mod intersection;
 mod label;
 mod line;
 mod look;
 mod marker;
 mod measure;
 mod outline;
+mod overlap;
 mod pen;
 mod right_angle;
 mod round;
@@ -81,6 +83,8 @@ pub(crate) struct Sketch<'f> {
     obstacles: Vec<Obstacle>,
     /// The labels asked for so far.
     requests: Vec<Request>,
+    /// The bodies that were filled so far.
+    bodies: Vec<overlap::Filled>,
     /// What has no label so far, though one of its kind could name it.
     unnamed: Vec<Anchor>,
     /// What a reader may take hold of so far, each once.
@@ -141,6 +145,7 @@ impl<'f> Sketch<'f> {
             small: theme.text.of(Size::Small.kind()),
             obstacles: Vec::new(),
             requests: Vec::new(),
+            bodies: Vec::new(),
             unnamed: Vec::new(),
             holds: Vec::new(),
             extent: None,

@@ -15,6 +15,10 @@ use super::{Side, index};
 /// How much of a line of the grid is ink, on a page of the file's own: as in the themes of the house.
 const GRID: f64 = 0.1;
 
+/// The shares of an overlap's colour that are tried on a page of the file's own: at the last one it is as
+/// faint as the areas of bodies.
+const THINNED: [f64; 5] = [1.0, 0.8, 0.6, 0.4, 0.2];
+
 /// A side whose given colours are as written, and the others told apart from them; its words are readable.
 pub(super) fn adapted(mut side: Side, given: impl Fn(Role) -> bool) -> Side {
     let page = side.colors[index(Role::Background)];
@@ -29,11 +33,23 @@ pub(super) fn adapted(mut side: Side, given: impl Fn(Role) -> bool) -> Side {
     if given(Role::Background) && !given(Role::Grid) {
         side.colors[index(Role::Grid)] = blend(side.colors[index(Role::Ink)], GRID, page);
     }
+    if given(Role::Background) && !given(Role::Overlap) {
+        side.colors[index(Role::Overlap)] = overlap(&side);
+    }
     side.words = side.colors;
     for role in SPEAKING {
         side.words[index(role)] = words(&side, role);
     }
     side
+}
+
+/// The colour of an overlap on a page of the file's own: as much of the theme's as ink can be read on.
+fn overlap(side: &Side) -> Color {
+    let (own, page) = (side.colors[index(Role::Overlap)], side.colors[index(Role::Background)]);
+    let thinned = THINNED.map(|share| blend(own, share, page));
+    let ink = words(side, Role::Ink);
+    let is_read = |color: &Color| contrast(ink, *color) >= TEXT_CONTRAST;
+    thinned.into_iter().find(is_read).unwrap_or(own)
 }
 
 /// The shade of a role's words: readable on the page, and ink on areas too where there is such a shade.

@@ -4,12 +4,13 @@ use crate::drawing::Color;
 
 use super::{Strokes, Theme, TypeSizes};
 
-pub(super) const COLORS: [Color; 9] = [
+pub(super) const COLORS: [Color; 10] = [
     Color::hex(0xFF_6B57),
     Color::hex(0x3F_E0BC),
     Color::hex(0xC9_A6FF),
     Color::hex(0xFF_D166),
     Color::hex(0x40_82FF),
+    Color::hex(0x4F_4319),
     Color::hex(0xE8_EAED),
     Color::hex(0x9A_A3AF),
     Color::hex(0x24_2B35),

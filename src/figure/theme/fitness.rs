@@ -6,6 +6,7 @@
 //! - lines, areas and markers keep [`LINE_CONTRAST`] against the page. WCAG 2.2 (1.4.11) asks 3 : 1 of what
 //!   stands alone; things of ours have a name beside them, in words that keep 4.5 : 1;
 //! - ink keeps [`TEXT_CONTRAST`] on the areas that it may stand on; all other words have a readable shade;
+//!   The area where bodies overlap is one of these, though nothing is seen through it;
 //! - A and B differ by [`BODIES_APART`], any other two roles by [`ROLES_APART`], for the worst of four
 //!   visions.
 
@@ -162,6 +163,11 @@ impl Measured<'_> {
                 hold(Measure::Contrast, [Role::Ink, role], [ink, fill], contrast(ink, fill), TEXT_CONTRAST);
             }
         }
+        if self.used.ink && self.used.marks.contains(&Role::Overlap) && asked(Role::Ink, Role::Overlap) {
+            let (area, ink) = (color(Role::Overlap), words[index(Role::Ink)]);
+            let value = contrast(ink, area);
+            hold(Measure::Contrast, [Role::Ink, Role::Overlap], [ink, area], value, TEXT_CONTRAST);
+        }
         for (i, &p) in marks.iter().enumerate() {
             for &q in marks[i + 1..].iter().filter(|&&q| asked(p, q)) {
                 let value = worst_difference(color(p), color(q));
@@ -224,7 +230,8 @@ pub fn shortcomings(theme: &Theme, drawing: &Drawing) -> Vec<Shortcoming> {
 #[must_use]
 pub fn remedies(theme: &Theme, drawing: &Drawing, short: &Shortcoming) -> Vec<(Role, Color)> {
     // What passes in every figure is better than what passes in this one, and the next names another.
-    let all = Used { marks: SPEAKING.into(), areas: AREAS.into(), ink: true };
+    let marks = SPEAKING.into_iter().chain([Role::Overlap]).collect();
+    let all = Used { marks, areas: AREAS.into(), ink: true };
     let used = Used::by(drawing);
     let theme = on_page(theme, drawing);
     let Some(side) = theme.sides().nth(usize::from(short.in_the_dark)) else { return Vec::new() };
@@ -255,7 +262,8 @@ mod tests {
 
     /// What falls short of a theme in a drawing that uses everything.
     fn short(theme: &Theme) -> Vec<String> {
-        let used = Used { marks: SPEAKING.into(), areas: AREAS.into(), ink: true };
+        let marks = SPEAKING.into_iter().chain([Role::Overlap]).collect();
+        let used = Used { marks, areas: AREAS.into(), ink: true };
         let side = |(i, side)| Measured { side, used: &used, in_the_dark: i > 0 }.shortcomings(None);
         theme.sides().enumerate().flat_map(side).map(|short| short.to_string()).collect()
     }

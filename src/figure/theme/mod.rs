@@ -35,10 +35,10 @@ pub struct Theme {
     /// What it is for, for `tracefig list`.
     pub about: &'static str,
     /// The colours, in the order of [`Role::ALL`].
-    pub colors: [Color; 9],
+    pub colors: [Color; 10],
     /// The colours of words, in the order of [`Role::ALL`]: the same, or a shade of them where they are too
     /// pale to read.
-    pub words: [Color; 9],
+    pub words: [Color; 10],
     /// How wide lines are drawn.
     pub strokes: Strokes,
     /// How large letters are set.
@@ -57,10 +57,10 @@ pub struct Theme {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Side {
     /// The colours, in the order of [`Role::ALL`].
-    pub colors: [Color; 9],
+    pub colors: [Color; 10],
     /// The colours of words, in the order of [`Role::ALL`]: the same, or a shade of them where they are too
     /// pale to read.
-    pub words: [Color; 9],
+    pub words: [Color; 10],
     /// Opacity of the fill of areas, from 0 to 1.
     pub fill_opacity: f64,
 }

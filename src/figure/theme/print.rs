@@ -4,12 +4,13 @@ use crate::drawing::{Color, PatternKind, Role};
 
 use super::{Strokes, Theme, TypeSizes};
 
-const COLORS: [Color; 9] = [
+const COLORS: [Color; 10] = [
     Color::hex(0x8E_0F18),
     Color::hex(0x00_7A66),
     Color::hex(0x2E_2A8F),
     Color::hex(0xB3_5C00),
     Color::hex(0x0B_55B8),
+    Color::hex(0xEF_D27A),
     Color::hex(0x00_0000),
     Color::hex(0x4A_4A4A),
     Color::hex(0xDD_DDDD),

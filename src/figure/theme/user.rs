@@ -246,8 +246,8 @@ fn theme(file: File) -> Result<Theme, ThemeError> {
 }
 
 /// The colours that are given, in the order of [`Role::ALL`].
-fn colors(table: &'static str, written: Written) -> Result<[Option<Color>; 9], ThemeError> {
-    let mut colors = [None; 9];
+fn colors(table: &'static str, written: Written) -> Result<[Option<Color>; 10], ThemeError> {
+    let mut colors = [None; 10];
     for (role, written) in written {
         let known = known(table, role.clone(), &Role::ALL.map(|role| (role.name(), role)))?;
         let color = color(&written).ok_or(ThemeError::NotAColor { table, role, written })?;
@@ -272,7 +272,7 @@ fn within(key: &str, got: f64, (least, most): (f64, f64)) -> Result<f64, ThemeEr
 }
 
 /// A side with the given colours in place of its own, and the others out of their way.
-fn with(mut side: Side, given: &[Option<Color>; 9]) -> Side {
+fn with(mut side: Side, given: &[Option<Color>; 10]) -> Side {
     for (own, given) in side.colors.iter_mut().zip(given) {
         *own = given.unwrap_or(*own);
     }
@@ -354,7 +354,7 @@ mod tests {
         let theme = parse("[colors]\na = '#9A1620'\n[dark]\na = '#FFB0A0'").unwrap();
         let dark = theme.dark.unwrap();
         assert_eq!(dark.colors[0], Color::hex(0xFF_B0A0));
-        assert_eq!(dark.colors[8], find("dark").unwrap().color(Role::Background));
+        assert_eq!(dark.colors[9], find("dark").unwrap().color(Role::Background));
         assert_eq!(theme.color(Role::A), Color::hex(0x9A_1620));
     }
 }

@@ -140,6 +140,27 @@ mod tests {
     }
 
     #[test]
+    fn where_bodies_overlap_is_a_colour_of_its_own_in_every_theme_for_every_vision() {
+        for (name, theme) in palettes() {
+            let (page, own) = (theme.color(Role::Background), theme.color(Role::Overlap));
+            for role in [Role::A, Role::B, Role::Difference] {
+                let fill = blend(theme.color(role), theme.fill_opacity, page);
+                // Their outlines lie between; two tints over each other are 4 from B's in print.
+                let worst = worst_difference(fill, own);
+                assert!(worst >= 6.0, "{name}: {role:?} {worst:.1}");
+            }
+            assert!(contrast(theme.color(Role::Ink), own) >= 4.5, "{name}");
+        }
+        // In grey only lightness tells them apart: that of A's and B's areas in print is 93 and 94 of 100.
+        let print = THEMES.iter().find(|theme| theme.name == "print").unwrap();
+        let lightness = |color| seen(color, Vision::Normal).l;
+        let fill = |role| blend(print.color(role), print.fill_opacity, print.color(Role::Background));
+        for role in [Role::A, Role::B] {
+            assert!(lightness(fill(role)) - lightness(print.color(Role::Overlap)) > 6.0, "{role:?}");
+        }
+    }
+
+    #[test]
     fn every_text_colour_is_readable_on_the_page_and_ink_on_every_fill() {
         let mut bad = Vec::new();
         for (name, theme) in palettes() {
