@@ -59,4 +59,4 @@ pub use certified::impact::MovingPair;
 pub use certified::sweep::Sweep;
 pub use expected::{Expected, Off};
 pub use query::{Bodies, Motion, QUERIES, Query, QueryKind, Question, Shapes, When};
-pub(crate) use size::of_one_scale;
+pub(crate) use size::{of_one_scale, scale_of};

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::collision::{
-    ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation,
+    ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation, scale_of,
 };
 use crate::geometry::Enclosure;
 use crate::scene::{Problem, Scene, Variant};
@@ -19,6 +19,11 @@ use super::called::Called;
 use super::cue::{Cue, Teller};
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
+
+/// The share of the size of a pair below which a gap at the first contact is none: that moment is known to
+/// its bounds, and nothing parts the bodies there. A wider one is what the tolerance of a search leaves, and
+/// is told as it is drawn. A millionth of the pair is a thousandth of a pixel.
+const TOUCHING: f64 = 1e-6;
 
 /// An answer to a query, and how it was found.
 #[derive(Debug)]
@@ -272,8 +277,23 @@ impl Runs {
             .err()
     }
 
+    /// Whether a query is for the separation at the first contact.
+    fn is_contact(&self, scene: &Scene, query: &Query) -> bool {
+        let may_be = query.kind == QueryKind::Separation && query.time > 0.0;
+        if self.is_blind || !may_be || is_of_a_moment(scene.query.kind) {
+            return false;
+        }
+        match &self.own(scene, 0.0).answer {
+            Answer::Impact(Impact { outcome: Outcome::Hit { time, .. }, .. }) => {
+                (time.lo..=time.hi).contains(&query.time)
+            }
+            _ => false,
+        }
+    }
+
     /// The run of a query by an algorithm: an earlier one where it was asked before.
     fn run(&self, scene: &Scene, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
+        let contact = self.is_contact(scene, query);
         let key = (query.kind, algorithm.name, query.time.to_bits(), query.max_iterations);
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, run)) = done.iter().find(|(k, _)| *k == key) {
@@ -286,7 +306,10 @@ impl Runs {
             return Arc::clone(run);
         }
         let mut trace = Trace::default();
-        let answer = (algorithm.traced)(query, &mut trace);
+        let mut answer = (algorithm.traced)(query, &mut trace);
+        if contact {
+            touch(&mut answer, query);
+        }
         let shown = Mutex::default();
         let (algorithm, teller) = (algorithm.name, teller(scene, algorithm, query));
         let moments = moments(query.time, &trace, &answer);
@@ -295,6 +318,16 @@ impl Runs {
         let run = Arc::new(run);
         done.push((key, Arc::clone(&run)));
         run
+    }
+}
+
+/// Lets bodies touch whose separation is none but for rounding.
+fn touch(answer: &mut Answer, query: &Query) {
+    let Answer::Separation(found) = answer else { return };
+    let Enclosure { lo, hi } = found.bounds;
+    let is_so = |b| lo.abs().max(hi.abs()) <= TOUCHING * scale_of(query.a, b);
+    if query.b.is_some_and(is_so) {
+        (found.separation, found.bounds) = (0.0, Enclosure { lo: 0.0, hi: 0.0 });
     }
 }
 

@@ -6,12 +6,12 @@ use std::ops::Range;
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{Scene, StepWords};
-use crate::trace::{self, Event, Voice, growth, step};
+use crate::trace::{self, Event, Hand, Voice, growth, step, told};
 
 use super::cue::{Cue, Teller};
 use super::describe::Account;
 use super::runs::{Run, Runs, tells_difference};
-use super::tongue::tongue;
+use super::tongue;
 
 /// Items of a page that share their cues: a panel and its title.
 pub(super) struct Scope {
@@ -39,7 +39,7 @@ impl Scope {
 /// Numbers the steps in all items, and tells them.
 pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Scene, &Runs)) -> Vec<Step> {
     let (runs, called) = (runs.all(), runs.called.names(scene));
-    let voice = Voice { names: &called, tongue: tongue(scene) };
+    let voice = tongue::voice(scene, &called, Hand::Words);
     let mut cues = Vec::new();
     for scope in scopes {
         let mut used = BTreeSet::new();
@@ -167,13 +167,13 @@ impl Told {
         let title = step::title(event, cue.part, voice);
         let is_given = cue.teller != Teller::Own && tells_difference(event);
         let ends = step::ends_step(event);
-        let told = |title, sentence| Self { cue, title, sentence, ends, is_given };
+        let tell = |title, sentence| Self { cue, title, sentence, ends, is_given };
         Some(match event {
             Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
                 if is_whole(&cue) && run.events().any(tells_edge) =>
             {
                 let edges = run.events().filter(|event| tells_edge(event)).count();
-                told(trace::difference(voice.names), step::sentence_of_difference(edges, voice))
+                tell(voice.difference(), step::sentence_of_difference(edges, voice))
             }
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
@@ -181,15 +181,18 @@ impl Told {
                 let beside =
                     |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
                 let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
-                told(title, Account::beside(scene, run, other).sentence_of_bodies(voice.names))
+                tell(title, Account::beside(scene, run, other).sentence_of_bodies(voice.names))
             }
             Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
                 let all = &run.trace.events;
                 let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
                 let title = growth::title(before, event, after, voice).unwrap_or(title);
-                told(title, step::sentence_of_part(event, cue.part, voice))
+                tell(title, step::sentence_of_part(event, cue.part, voice))
             }
-            _ => told(title, step::sentence_of_part(event, cue.part, voice)),
+            _ => {
+                let by_axes = told::by_axes(event, voice).filter(|_| run.events().any(told::tests_axis));
+                tell(title, by_axes.unwrap_or_else(|| step::sentence_of_part(event, cue.part, voice)))
+            }
         })
     }
 }
@@ -259,9 +262,9 @@ mod tests {
             steps.into_iter().map(|step| step.title).collect()
         };
         let both = "{ layers = ['shapes'] }, { space = 'configuration', layers = ['difference'] }";
-        let edges = ["The question", "Edge 0 of A", "Edge 1 of A", "Edge 2 of A", "B - A"];
+        let edges = ["The question", "Edge 0 of A", "Edge 1 of A", "Edge 2 of A", "B ⊖ A"];
         assert_eq!(titles("minkowski", both), edges);
-        assert_eq!(titles("gjk", both), ["The question", "B - A"]);
+        assert_eq!(titles("gjk", both), ["The question", "B ⊖ A"]);
         // Without the bodies there would be nothing to begin with.
         assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
     }

@@ -1,7 +1,9 @@
 //! The language of the sentences of a figure, and the sign that its numbers have.
 
+use crate::collision::scale_of;
+use crate::geometry::Names;
 use crate::scene::Scene;
-use crate::trace::Tongue;
+use crate::trace::{Hand, Tongue, Voice};
 
 use super::language::Language;
 use super::text::Decimal;
@@ -13,4 +15,12 @@ pub(crate) fn tongue(scene: &Scene) -> Tongue {
         0 => Tongue::ENGLISH,
         column => Tongue::new(column, Decimal::of(scene) == Decimal::Comma),
     }
+}
+
+/// The voice in which a reader of a figure is told what an algorithm did.
+pub(super) fn voice<'n>(scene: &Scene, names: &'n Names, hand: Hand) -> Voice<'n> {
+    let query = scene.query_of_bodies();
+    // Of one body nothing is told that could be next to nothing.
+    let size = query.b.map_or(0.0, |b| scale_of(query.a, b));
+    Voice { names, tongue: tongue(scene), hand, size }
 }

@@ -11,7 +11,7 @@ mod vocabulary;
 
 pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
 pub use json::{HEADER, VALUES, json_lines};
-pub(crate) use story::{Voice, difference, growth, sentence_in, step, told};
+pub(crate) use story::{Hand, Voice, growth, script, sentence_in, step, told};
 pub use story::{sentence, story};
 #[cfg(test)]
 pub(crate) use tongue::unlike;

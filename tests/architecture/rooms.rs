@@ -239,7 +239,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/text",
         ],
     ),
-    ("figure/tongue", &["trace", "scene", "figure/language", "figure/text"]),
+    ("figure/tongue", &["geometry", "trace", "collision", "scene", "figure/language", "figure/text"]),
     (
         "figure/describe",
         &[

@@ -3,16 +3,16 @@
 use crate::figure::context::Context;
 use crate::figure::runs::Runs;
 use crate::figure::text::{Digits, filled, in_math, rounded, value_of, with_powers};
-use crate::figure::tongue::tongue;
+use crate::figure::tongue::voice;
 use crate::geometry::{Side, read};
 use crate::scene::{Exercise, Scene, Space, Spanned};
-use crate::trace::{Event, Voice, told};
+use crate::trace::{Event, Hand, script, told};
 use crate::typeset::as_markup;
 
 use super::askable::{askable, in_words};
 use super::givens::givens;
 use super::measure::Measure;
-use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, Words};
+use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, WITHIN, Words};
 use super::quantities::Askable;
 
 /// Where the class writes a number.
@@ -24,6 +24,11 @@ const MORE_DIGITS: f64 = 2.0;
 /// How far a double that is told without bounds may be off its three digits, in parts of it or of 1: what the
 /// checker in `reference/` allows a normal.
 const TOLD: f64 = 1e-14;
+/// The part of an answer by which its bounds may lie off the number that is told, which then is the answer:
+/// what proving them added to a round number, far below the third digit.
+const ROUNDING: f64 = 1e-9;
+/// Digits of the bounds that a key tells of any other answer: two more than the answer has.
+const BOUND: Digits = Digits::Significant(5);
 /// What an answer of 0 may be off: half a unit of the second decimal.
 const OFF_ZERO: f64 = 0.005;
 
@@ -92,7 +97,8 @@ impl Asked {
         unit + (self.hi - value).max(value - self.lo)
     }
 
-    /// The answer as the key has it, as markup: three digits at most, the unit, and the bounds.
+    /// The answer as the key has it, as markup: three digits at most, the unit, and the bounds: how much it
+    /// is off at most where that is rounding, else what it is proved to lie between, to five digits.
     ///
     /// ```
     /// use tracefig::figure::exercise::Asked;
@@ -101,6 +107,13 @@ impl Asked {
     ///     lo: 2.25, hi: 2.25, is_proved: true,
     /// };
     /// assert_eq!(asked.line(), "Answer: $d = 2.25$ m, proved to be exact.");
+    /// let rounded = Asked { hi: 2.2500000000000004, ..asked.clone() };
+    /// assert_eq!(rounded.line(), "Answer: $d = 2.25$ m, proved to within $10^{-15}$.");
+    /// let wide = Asked { lo: 0.601252, hi: 0.601253, ..asked };
+    /// assert_eq!(
+    ///     wide.line(),
+    ///     r"Answer: $d \approx 0.601$ m, proved to lie between $0.60125$ and $0.60126$."
+    /// );
     /// ```
     #[must_use]
     pub fn line(&self) -> String {
@@ -111,7 +124,9 @@ impl Asked {
     pub(super) fn line_in(&self, words: Words) -> String {
         let (value, symbol) = (self.value(), self.symbol.trim_matches('$'));
         let text = rounded(self.lo, self.hi);
-        let sign = if read(&text) == Some(value) { "=" } else { r"\approx" };
+        let off = read(&text).map(|told| (self.hi - told).max(told - self.lo));
+        let off = off.filter(|off| self.is_proved && *off <= ROUNDING * value.abs());
+        let sign = if read(&text) == Some(value) || off.is_some() { "=" } else { r"\approx" };
         let [units, unit] = [UNITS, UNIT].map(|phrase| words.word(&phrase));
         let unit = if text == "1" && self.unit == units { unit } else { &self.unit };
         let answer = format!("${symbol} {sign} {}$ {unit}", words.in_latex(in_math(&text)));
@@ -119,10 +134,18 @@ impl Asked {
         if !self.is_proved {
             return format!("{answer}.");
         }
-        if self.lo == self.hi {
-            return words.say(&EXACT, &[&answer]);
+        match off {
+            Some(0.0) => words.say(&EXACT, &[&answer]),
+            Some(off) => {
+                let power = libm::floor(libm::log10(off)) + 1.0;
+                words.say(&WITHIN, &[&answer, &format!("$10^{{{power}}}$")])
+            }
+            None => {
+                let bounds = [BOUND.at_most(self.lo), BOUND.at_least(self.hi)];
+                let [lo, hi] = bounds.map(|text| format!("${}$", words.in_latex(in_math(&text))));
+                words.say(&BETWEEN, &[&answer, &lo, &hi])
+            }
         }
-        words.say(&BETWEEN, &[&answer, &words.number(self.lo), &words.number(self.hi)])
     }
 
     /// Which number is to be typed, and in which unit, as markup.
@@ -219,10 +242,25 @@ fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
 /// The sentences of the trace that a reader works through, as markup.
 pub(super) fn steps(scene: &Scene, runs: &Runs) -> Vec<String> {
     let (run, names) = (runs.own(scene, scene.query.time), runs.called.names(scene));
-    let turns = of_the_query(scene, runs).turns();
-    let voice = Voice { names: &names, tongue: tongue(scene) };
+    let context = of_the_query(scene, runs);
+    let (turns, voice) = (context.turns(), voice(scene, &names, Hand::Type));
     let way = told::way(told::told(&run.trace).filter(|event| is_worked(event)), voice, turns);
-    way.iter().map(|sentence| with_powers(&as_markup(&with_minus(sentence)))).collect()
+    way.iter().map(|sentence| with_scripts(with_powers(&as_markup(sentence)), &context)).collect()
+}
+
+/// Letters of quantities of a body as the picture has them.
+fn with_scripts(markup: String, context: &Context) -> String {
+    let with = |markup: String, side: Side| {
+        let mut pieces = markup.split(script(side)).peekable();
+        let mut out = String::new();
+        while let Some(piece) = pieces.next() {
+            let letter = piece.char_indices().next_back().filter(|_| pieces.peek().is_some());
+            out.push_str(letter.map_or(piece, |(at, _)| &piece[..at]));
+            out.extend(letter.map(|(at, _)| context.symbol(&piece[at..], side)));
+        }
+        out
+    };
+    Side::BOTH.into_iter().fold(markup, with)
 }
 
 /// Whether an event is a step of working an answer out: not that it begins, ends, or looks something up for
@@ -256,16 +294,4 @@ fn is_worked(event: &Event) -> bool {
         | Event::EdgeCut { .. }
         | Event::ContactFound { .. } => true,
     }
-}
-
-/// Words of the trace with real minus signs: before a number, and between two words.
-fn with_minus(words: &str) -> String {
-    let letters: Vec<char> = words.chars().collect();
-    let is_minus = |i: usize| {
-        let before = i.checked_sub(1).map(|i| letters[i]);
-        let opens = before.is_none_or(|c| matches!(c, ' ' | '(' | '['));
-        opens && letters.get(i + 1).is_some_and(|&c| matches!(c, ' ' | '|') || c.is_ascii_digit())
-    };
-    let sign = |(i, &c): (usize, &char)| if c == '-' && is_minus(i) { '−' } else { c };
-    letters.iter().enumerate().map(sign).collect()
 }

@@ -51,6 +51,13 @@ pub(super) const EXACT: Phrase = [
     "*, valeur exacte prouvée.",
     "*, valor exacto demostrado.",
 ];
+/// An answer that is proved but for rounding: how far off it is at most.
+pub(super) const WITHIN: Phrase = [
+    "*, proved to within *.",
+    "*, bewiesen bis auf *.",
+    "*, prouvé à * près.",
+    "*, demostrado con un error de * a lo sumo.",
+];
 /// An answer with its bounds.
 pub(super) const BETWEEN: Phrase = [
     "*, proved to lie between * and *.",
@@ -151,6 +158,7 @@ mod tests {
             ANSWER,
             SOLUTION,
             EXACT,
+            WITHIN,
             BETWEEN,
             UNITS,
             UNIT,

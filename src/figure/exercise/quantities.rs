@@ -173,7 +173,7 @@ pub(crate) static ASKABLE: &[Askable] = &[
     ),
     proved(row(
         "closest.separation",
-        "s",
+        "d",
         [
             "the least distance of {} on their way",
             "der kleinste Abstand von {} auf dem Weg",
@@ -273,10 +273,10 @@ pub(crate) static ASKABLE: &[Askable] = &[
         "bound",
         "b",
         [
-            "how far any point of {} travels at most",
-            "wie weit sich ein Punkt von {} höchstens bewegt",
-            "de combien un point de {} se déplace au plus",
-            "cuánto se mueve a lo sumo un punto de {}",
+            "the bound on the motion of {}: path and arc together",
+            "die Schranke für die Bewegung von {}: Weg und Bogen zusammen",
+            "la borne du mouvement de {} : trajet et arc réunis",
+            "la cota del movimiento de {}: recorrido y arco juntos",
         ],
         Measure::Length,
         bounds_motion,

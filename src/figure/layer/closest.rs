@@ -8,7 +8,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, angle_of};
-use crate::figure::text::{distance_or_depth, number};
+use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
@@ -83,7 +83,8 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
         Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => *foot,
         _ => answer.normal * answer.separation,
     };
-    Some(Nearest { foot, text: distance_or_depth(&answer), overlap: answer.bounds.hi < 0.0 })
+    let text = asked_distance(context, &answer).unwrap_or_else(|| distance_or_depth(&answer));
+    Some(Nearest { foot, text, overlap: answer.bounds.hi < 0.0 })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {

@@ -13,7 +13,7 @@ use crate::figure::runs::Run;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, left_of,
 };
-use crate::figure::text::{Quantity, distance_or_depth};
+use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::Event;
 
@@ -177,6 +177,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     points(sketch.since(run.nearest()), options, &answer);
     let (key, text) = words(&run, &answer);
+    let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
     let label = Label::new(key, text, anchor, role);

@@ -1,7 +1,9 @@
 //! A number of the answer with its bounds, and how it is written: texts and labels say the same of it.
 
 use crate::collision::Separation;
+use crate::figure::context::Context;
 use crate::geometry::Enclosure;
+use crate::scene::Variant;
 
 use super::digits::Digits;
 use super::number::{USUAL, in_math};
@@ -75,6 +77,20 @@ pub(crate) fn distance_or_depth(found: &Separation) -> String {
     format!("{word}$d = {}$", Quantity::distance_or_depth(found).latex())
 }
 
+/// The label of a distance or depth in the letter of an exercise that asks for it, as markup: the key of a
+/// figure has no other. `None` where nobody asks.
+#[must_use]
+pub(crate) fn asked_distance(context: &Context, found: &Separation) -> Option<String> {
+    let exercise = context.scene.exercise.as_ref().filter(|_| context.scene.variant == Variant::Key)?;
+    let asked = |names: &[&str]| exercise.ask.iter().any(|name| names.contains(&name.value.as_str()));
+    if asked(&["p"]) || asked(&["d", "depth"]) == asked(&["separation"]) {
+        // The algorithm's own letter, or both: then the label has its own.
+        return None;
+    }
+    let signed = || format!("$s = {}$", Quantity::separation(found).latex());
+    Some(if asked(&["separation"]) { signed() } else { distance_or_depth(found) })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,6 +108,53 @@ mod tests {
         for (x, expected) in [(1.5, "depth $d = 0.5$"), (2.5, "$d = 0.5$"), (2.0, "$d = 0$")] {
             let Answer::Separation(found) = crate::scene::solve(&scene(x)) else { panic!("a separation") };
             assert_eq!(distance_or_depth(&found), expected);
+        }
+    }
+
+    #[test]
+    fn at_the_first_contact_d_is_0_and_not_what_rounding_left() {
+        for algorithm in ["conservative-advancement", "swept-axis"] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [2, 1], velocity = [3, 1] }}
+                shapes.B = {{ kind = 'circle', radius = 1.3, position = [5.1, 1.7] }}
+                query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = '{algorithm}' }}
+                panels = [{{ time = 'hit', layers = ['shapes', 'separation'] }}]"
+            );
+            let scene = crate::scene::open_text("s.toml", &text).unwrap().scene;
+            let plan = crate::figure::plan(&scene).unwrap();
+            let hit = plan.panels[0].moment.time;
+            let run = plan.runs.separation(&scene, hit).unwrap();
+            let found = run.separation().unwrap();
+            assert_eq!(
+                (found.separation, distance_or_depth(found).as_str()),
+                (0.0, "$d = 0$"),
+                "{algorithm}"
+            );
+            let apart = plan.runs.separation(&scene, 0.5 * hit).unwrap();
+            assert!(apart.separation().unwrap().separation > 0.1, "before");
+        }
+    }
+
+    #[test]
+    fn the_key_of_an_exercise_has_the_letter_of_its_question() {
+        for (ask, shows) in
+            [("separation", "$s = -0.5$"), ("d", "depth $d = 0.5$"), ("['d', 'separation']", "$p = -0.5$")]
+        {
+            let ask = if ask.starts_with('[') { ask.to_owned() } else { format!("'{ask}'") };
+            let text = format!(
+                "exercise.ask = {ask}
+                shapes.A = {{ kind = 'circle', radius = 1 }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [1.5, 0] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'circles' }}
+                panels = [{{ layers = ['shapes', 'separation'] }}]"
+            );
+            let scene = crate::scene::open_text("s.toml", &text).unwrap().scene;
+            let key = crate::figure::exercise::variant(&scene, Variant::Key).unwrap();
+            let plan = crate::figure::plan(&key).unwrap();
+            let drawn = crate::figure::draw(&plan, plan.theme, "f");
+            let label = drawn.panels[0].placed.iter().find(|placed| placed.key == "p").unwrap();
+            let text: String = label.lines.iter().map(|(_, line)| line.markup.clone()).collect();
+            assert_eq!(text, shows, "{ask}");
         }
     }
 }

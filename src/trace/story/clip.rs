@@ -28,8 +28,8 @@ pub(super) fn found(voice: Voice, [a, b]: [DVec2; 2], separation: f64, touches: 
     let places =
         voice.say(&OVER, &[&voice.point(a), &voice.of(Side::A), &voice.point(b), &voice.of(Side::B)]);
     if touches {
-        voice.say(&CONTACT, &[&places, &voice.number(0.0_f64.max(-separation))])
+        voice.say(&CONTACT, &[&places, &voice.length(0.0_f64.max(-separation))])
     } else {
-        voice.say(&NO_CONTACT, &[&places, &voice.number(separation)])
+        voice.say(&NO_CONTACT, &[&places, &voice.length(separation)])
     }
 }

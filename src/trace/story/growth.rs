@@ -25,7 +25,7 @@ fn alike(a: &Event, b: &Event) -> bool {
 /// "Begin at (9, 2)", "Add (5, 0), drop (9, 2)", "Add (1, 3): no vertex is beyond". `None` of another event.
 #[must_use]
 pub(crate) fn title(before: &[Event], event: &Event, after: &[Event], voice: Voice) -> Option<String> {
-    let now = vertices(event)?;
+    let (voice, now) = (voice.in_short(), vertices(event)?);
     let last = before.iter().rev().find_map(vertices);
     let begins = !before.iter().any(|earlier| alike(earlier, event));
     let title = match (event, last) {
@@ -87,7 +87,7 @@ mod tests {
         let titles: Vec<_> = (0..3).filter_map(|k| title(&all[..k], &all[k], &all[k + 1..], voice)).collect();
         assert_eq!(
             titles,
-            ["Begin at (9, 2)", "Add (-1, 7)", "Add (5, 0), drop (9, 2): no vertex is beyond"]
+            ["Begin at (9, 2)", "Add (−1, 7)", "Add (5, 0), drop (9, 2): no vertex is beyond"]
         );
         assert_eq!(title(&[], &Event::Finished { outcome: "apart" }, &[], voice), None);
         // The last simplex of a search that goes on with a polytope holds the origin.

@@ -7,6 +7,7 @@ mod clip;
 #[cfg(test)]
 mod every_event;
 pub(crate) mod growth;
+mod hand;
 mod motion;
 mod phrases;
 pub(crate) mod step;
@@ -19,13 +20,14 @@ use super::tongue::Phrase;
 use super::{Event, Goal, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 
+pub(crate) use hand::Hand;
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
     AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE,
     LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, PROJECTED, RIGHT, ROUNDED, SEPARATED,
     SETTLED, SIMPLEX, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE, WAY_OUT,
 };
-pub(crate) use words::Voice;
+pub(crate) use words::{Voice, script};
 
 /// The whole trace, a line for each event, of bodies that are called `names`; of an algorithm by components
 /// without the edges of B ⊖ A, at which it does not look.
@@ -39,12 +41,14 @@ pub(crate) use words::Voice;
 /// ```
 #[must_use]
 pub fn story(trace: &Trace, names: &Names) -> String {
-    let mut text = String::new();
+    let (mut text, voice) = (String::new(), Voice::english(names));
+    let has_axes = trace.events.iter().any(told::tests_axis);
     for (k, event) in told::told(trace).enumerate() {
         if k > 0 && matches!(event, Event::Started { .. }) {
             text.push('\n');
         }
-        text.push_str(&sentence(event, names));
+        let by_axes = told::by_axes(event, voice).filter(|_| has_axes);
+        text.push_str(&by_axes.unwrap_or_else(|| sentence_in(event, voice)));
         text.push('\n');
     }
     text
@@ -57,7 +61,7 @@ pub fn story(trace: &Trace, names: &Names) -> String {
 /// use tracefig::trace::{Event, sentence};
 /// let event = Event::DifferenceRounded { center: Some(DVec2::new(3.0, 4.0)), radius: 2.0 };
 /// let names = Names::new("bullet", Some("wall"));
-/// assert_eq!(sentence(&event, &names), "wall - bullet is a disc of radius 2 around (3, 4).");
+/// assert_eq!(sentence(&event, &names), "wall ⊖ bullet is a disc of radius 2 around (3, 4).");
 /// ```
 #[must_use]
 pub fn sentence(event: &Event, names: &Names) -> String {
@@ -101,7 +105,7 @@ pub(crate) fn sentence_in(event: &Event, voice: Voice) -> String {
             axis_tested(voice, *axis, *source, [*interval_a, *interval_b], *gap)
         }
         Event::SeparatingAxisFound { normal, gap } => {
-            voice.say(&SEPARATED, &[&voice.point(*normal), &voice.number(*gap)])
+            voice.say(&SEPARATED, &[&voice.point(*normal), &voice.length(*gap)])
         }
         Event::SimplexUpdated { vertices, closest, direction } => {
             voice.say(&SIMPLEX, &[&voice.points(vertices), &voice.point(*closest), &voice.point(*direction)])
@@ -146,33 +150,38 @@ fn circles(
     [distance_squared, radii_squared]: [f64; 2],
     early_out: bool,
 ) -> String {
-    let than = if distance_squared < radii_squared { "<" } else { ">=" };
+    let than = if distance_squared < radii_squared { "<" } else { "≥" };
     let then = if early_out { voice.word(&SETTLED) } else { String::new() };
     let [r, q] = radii.map(|r| voice.number(r));
     let [distance, sum] = [distance_squared, radii_squared].map(|x| voice.number(x));
-    voice.say(&SQUARES, &[&centers_apart(voice), &distance, than, &r, &q, &sum, &then])
+    let (apart, of_both) = (centers_apart(voice), sum_of_radii(voice));
+    voice.say(&SQUARES, &[&apart, &distance, than, &of_both, &r, &q, &sum, &then])
 }
 
 /// The distance of two circles' centres, as the article writes it.
 fn centers_apart(voice: Voice) -> String {
-    format!("|{} - {}|", voice.of(Side::A), voice.of(Side::B))
+    format!("|{} {} {}|", voice.of(Side::A), voice.minus(), voice.of(Side::B))
+}
+
+/// The sum of two circles' radii in letters.
+fn sum_of_radii(voice: Voice) -> String {
+    let [a, b] = Side::BOTH.map(|side| voice.symbol("r", side));
+    format!("({a} + {b})")
 }
 
 fn penetration(voice: Voice, p: f64, direction: DVec2, vector: DVec2) -> String {
     let (p, direction, vector) = (voice.number(p), voice.point(direction), voice.point(vector));
     let [a, b] = Side::BOTH.map(|side| voice.of(side));
-    voice.say(&PENETRATION, &[&centers_apart(voice), &p, &direction, &b, &a, &vector])
+    let (apart, sum) = (centers_apart(voice), sum_of_radii(voice));
+    voice.say(&PENETRATION, &[&apart, voice.minus(), &sum, &p, &direction, &b, &a, &vector])
 }
 
 fn extents(voice: Voice, [a, b]: [DVec2; 2], [h, k]: [DVec2; 2], gap: DVec2) -> String {
-    let (first, second) = (voice.of(Side::A), voice.of(Side::B));
-    format!(
-        "D = |c_{second} - c_{first}| - (h_{first} + h_{second}) = {} - ({} + {}) = {}.",
-        voice.point((b - a).abs()),
-        voice.point(h),
-        voice.point(k),
-        voice.point(gap)
-    )
+    let [c, d] = Side::BOTH.map(|side| voice.symbol("c", side));
+    let [p, q] = Side::BOTH.map(|side| voice.symbol("h", side));
+    let [apart, first, second, gap] = [(b - a).abs(), h, k, gap].map(|v| voice.point(v));
+    let minus = voice.minus();
+    format!("D = |{d} {minus} {c}| {minus} ({p} + {q}) = {apart} {minus} ({first} + {second}) = {gap}.")
 }
 
 /// A circle's centre in the frame of a box: V, V clamped, the half-extents; then the world again.
@@ -203,7 +212,7 @@ fn difference_edge(
 ) -> String {
     let [edge, vertex] = indices.map(|i| i.to_string());
     let [from, to] = ends.map(|p| voice.point(p));
-    let (own, other, what) = (voice.of(source), voice.of(source.other()), difference(voice.names));
+    let (own, other, what) = (voice.of(source), voice.of(source.other()), voice.difference());
     let aside = voice.aside(distance);
     voice.say(&DIFFERENCE_EDGE, &[&edge, &own, &vertex, &other, &from, &to, &what, &aside])
 }
@@ -218,13 +227,8 @@ fn merged(voice: Voice, taken: Side, edge: DVec2, other: Option<DVec2>) -> Strin
     voice.say(&MERGED, &[&voice.point(edge), &voice.of(taken), &than])
 }
 
-/// The Minkowski difference in plain text, as "B - A".
-pub(crate) fn difference(names: &Names) -> String {
-    format!("{} - {}", names.quoted(Side::B), names.quoted(Side::A))
-}
-
 fn rounded(voice: Voice, center: Option<DVec2>, radius: f64) -> String {
-    let (what, radius) = (difference(voice.names), voice.number(radius));
+    let (what, radius) = (voice.difference(), voice.number(radius));
     match center {
         Some(center) => voice.say(&DISC, &[&what, &radius, &voice.point(center)]),
         None => voice.say(&ROUNDED, &[&what, &radius]),
@@ -242,7 +246,7 @@ fn candidate(
         Goal::LeastPenetrating => &LEAST_PENETRATING,
         Goal::LeastPositive => &LEAST_POSITIVE,
     };
-    let (distance, foot) = (voice.number(distance), voice.point(foot));
+    let (distance, foot) = (voice.length(distance), voice.point(foot));
     voice.say(best, &[&distance, &foot, &voice.part(feature), &voice.of(side)])
 }
 
@@ -256,9 +260,9 @@ fn axis_tested(
     let [first, second] = Side::BOTH.map(|side| voice.of(side));
     let [a, b] = intervals.map(|interval| voice.interval(interval));
     let between = if gap > 0.0 {
-        voice.say(&GAP, &[&voice.number(gap)])
+        voice.say(&GAP, &[&voice.length(gap)])
     } else {
-        voice.say(&OVERLAP, &[&second, &voice.number(-gap), &first])
+        voice.say(&OVERLAP, &[&second, &voice.length(-gap), &first])
     };
     let (axis, part, of) = (voice.point(axis), voice.part(feature), voice.of(side));
     voice.say(&AXIS, &[&axis, &part, &of, &first, &a, &second, &b, &between])
@@ -273,12 +277,12 @@ fn polytope(
     beyond: f64,
 ) -> String {
     let then = if beyond > 0.0 {
-        voice.say(&SPLITS, &[&voice.point(support), &voice.number(beyond)])
+        voice.say(&SPLITS, &[&voice.point(support), &voice.length(beyond)])
     } else {
         voice.word(&WAY_OUT)
     };
     let (count, points) = (vertices.len().to_string(), voice.points(vertices));
-    voice.say(&POLYTOPE, &[&count, &points, &voice.number(nearest), &voice.point(normal), &then])
+    voice.say(&POLYTOPE, &[&count, &points, &voice.length(nearest), &voice.point(normal), &then])
 }
 
 /// The sentence of a bounding box.

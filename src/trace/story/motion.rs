@@ -34,7 +34,7 @@ pub(super) fn advanced(
     next: Option<f64>,
 ) -> String {
     let on = next.map_or_else(|| voice.word(&STOPS), |t| voice.say(&ON_TO, &[&voice.number(t)]));
-    let (separation, normal) = (voice.number(separation), voice.point(normal));
+    let (separation, normal) = (voice.length(separation), voice.point(normal));
     let (speed, turning) = (voice.number(closing), with_turning(voice, [closing, bound]));
     let moment = voice.moment(at);
     voice.say(&STEP, &[&step.to_string(), &moment, &separation, &normal, &speed, &turning, &on])
@@ -64,7 +64,7 @@ pub(super) fn closest_approach(
     } else {
         String::new()
     };
-    let [reached, proved] = [separation, least].map(|x| voice.number(x));
+    let [reached, proved] = [separation, least].map(|x| voice.length(x));
     let than = if proved == reached { String::new() } else { voice.say(&THAN, &[&proved]) };
     let (moment, normal) = (voice.moment(at), voice.point(normal));
     voice.say(&CLOSEST, &[&voice.all(), &moment, &ends, &reached, &normal, &than])

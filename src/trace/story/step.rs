@@ -90,12 +90,13 @@ pub(crate) fn ends_step(event: &Event) -> bool {
 /// What a step is called that shows how the bodies stand at a moment.
 #[must_use]
 pub(crate) fn title_at(time: f64, voice: Voice) -> String {
-    voice.say(&words::AT, &[&voice.number(time)])
+    voice.say(&words::AT, &[&voice.in_short().number(time)])
 }
 
 /// What a step is called that ends with a part of an event.
 #[must_use]
 pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
+    let voice = voice.in_short();
     voice.word(match event {
         Event::Started { .. } => &words::QUESTION,
         Event::CirclesCompared { .. } => &words::SQUARES,
@@ -111,7 +112,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
             return voice.say(&words::EDGE_OF, &[&edge.to_string(), &voice.of(*source)]);
         }
         Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. } => {
-            return super::difference(voice.names);
+            return voice.difference();
         }
         Event::EdgesMerged { taken, .. } => return voice.say(&words::AN_EDGE_OF, &[&voice.of(*taken)]),
         Event::OriginProjected { .. } => &words::NEAREST_POINT,
@@ -124,7 +125,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
             return of_simplex(vertices.len(), *closest, voice);
         }
         Event::PolytopeExpanded { nearest, .. } => {
-            return voice.say(&words::AT_LEAST, &[&voice.number(*nearest)]);
+            return voice.say(&words::AT_LEAST, &[&voice.length(*nearest)]);
         }
         Event::RayClipped { .. } => &words::RAY,
         Event::Advanced { step, .. } => {
@@ -154,7 +155,7 @@ fn of_simplex(vertices: usize, closest: DVec2, voice: Voice) -> String {
     if closest == DVec2::ZERO {
         voice.say(&words::HOLDS, &[&what])
     } else {
-        voice.say(&words::AT_MOST, &[&what, &voice.number(closest.length())])
+        voice.say(&words::AT_MOST, &[&what, &voice.length(closest.length())])
     }
 }
 
@@ -188,7 +189,7 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
         }
         Event::Advanced { separation, normal, closing_speed, bound, next, .. } => match (of, next) {
             (advanced::APART, _) => {
-                voice.say(&words::APART, &[&voice.number(*separation), &voice.point(*normal)])
+                voice.say(&words::APART, &[&voice.length(*separation), &voice.point(*normal)])
             }
             (_, Some(next)) => {
                 let (speed, turning) =
@@ -204,7 +205,7 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
 /// What B ⊖ A as a whole is told as.
 #[must_use]
 pub(crate) fn sentence_of_difference(edges: usize, voice: Voice) -> String {
-    voice.say(&EDGES, &[&super::difference(voice.names), &edges.to_string()])
+    voice.say(&EDGES, &[&voice.difference(), &edges.to_string()])
 }
 
 /// What the sides of a box are called: as a title, and in a sentence.

@@ -4,9 +4,9 @@
 //! An algorithm by components records the edges of B ⊖ A for layers that draw them, and looks at none: its
 //! story leaves them out, as JSON lines do not.
 
-use super::phrases::events::{EDGES, LEAST_DEEP, NEAREST, OUTLINE};
+use super::phrases::events::{EDGES, LARGEST_GAP, LEAST_DEEP, LEAST_OVERLAP, NEAREST, OUTLINE};
 use super::phrases::moving::{MANY_AWAY, ONE_AWAY};
-use super::{Voice, difference, sentence_in};
+use super::{Voice, sentence_in};
 use crate::geometry::DVec2;
 use crate::trace::{Culling, Event, Goal, Trace};
 
@@ -39,11 +39,32 @@ pub(crate) fn told(trace: &Trace) -> impl Iterator<Item = &Event> {
     trace.events.iter().filter(move |event| !(is_by_components && is_of_edges(event)))
 }
 
+/// What is told of an event where axes were tested, if anything else than elsewhere: the last thing that they
+/// say, which is no candidate that another one may better.
+pub(crate) fn by_axes(event: &Event, voice: Voice) -> Option<String> {
+    let Event::CandidateImproved { goal, distance, source: (side, feature), .. } = event else { return None };
+    let phrase = match goal {
+        Goal::LeastPositive => &LARGEST_GAP,
+        Goal::LeastPenetrating => &LEAST_OVERLAP,
+    };
+    let (size, part, body) = (voice.length(distance.abs()), voice.part(*feature), voice.of(*side));
+    Some(voice.say(phrase, &[&size, &part, &body]))
+}
+
+/// Whether an event is the test of an axis.
+pub(crate) fn tests_axis(event: &Event) -> bool {
+    matches!(event, Event::AxisTested { .. })
+}
+
 /// The sentences of events that a reader works through: rows of many edges are gathered, and where nothing
 /// turns the edges are told once.
 pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, voice: Voice, turns: bool) -> Vec<String> {
     let events: Vec<&Event> = events.collect();
     let is_advancing = events.iter().any(|event| matches!(event, Event::Advanced { .. }));
+    let has_axes = events.iter().any(|event| tests_axis(event));
+    let said = |event: &Event| {
+        by_axes(event, voice).filter(|_| has_axes).unwrap_or_else(|| sentence_in(event, voice))
+    };
     let (mut all, mut rest, mut is_first) = (Vec::new(), &events[..], true);
     while let Some(&event) = rest.first() {
         let is_row: fn(&Event) -> bool = match event {
@@ -56,7 +77,7 @@ pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, voice: Voice, tur
         rest = after;
         let edges = rows.iter().filter(|event| !matches!(event, Event::CandidateImproved { .. })).count();
         if rows.len() == 1 || (edges <= FEW && !is_advancing) {
-            all.extend(rows.iter().map(|event| sentence_in(event, voice)));
+            all.extend(rows.iter().map(|event| said(event)));
         } else if is_of_ray(event) {
             all.extend(along_ray(rows, voice));
         } else {
@@ -85,7 +106,7 @@ fn outline(rows: &[&Event], voice: Voice) -> Option<String> {
         _ => None,
     };
     let edges: Vec<(DVec2, DVec2)> = rows.iter().filter_map(edge).collect();
-    let (what, count) = (difference(voice.names), edges.len());
+    let (what, count) = (voice.difference(), edges.len());
     let mut at = edges.first()?.0;
     let mut vertices = Vec::new();
     while vertices.len() < count.min(LISTED) {
@@ -109,7 +130,7 @@ fn nearest(rows: &[&Event], voice: Voice) -> Option<String> {
                 Goal::LeastPenetrating => &LEAST_DEEP,
             };
             let (edge, body) = (voice.part(*feature), voice.of(*side));
-            let (size, foot) = (voice.number(distance.abs()), voice.point(*foot));
+            let (size, foot) = (voice.length(distance.abs()), voice.point(*foot));
             Some(voice.say(phrase, &[&edge, &body, &size, &foot]))
         }
         _ => None,
@@ -132,7 +153,7 @@ fn along_ray(rows: &[&Event], voice: Voice) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Feature, Names, Side};
+    use crate::geometry::{Enclosure, Feature, Names, Side};
     use crate::trace::Tracer;
     use crate::trace::story::story;
 
@@ -173,11 +194,35 @@ mod tests {
         assert_eq!(
             way(many.iter(), Voice::english(&names), false),
             [
-                "B - A has 8 edges, from vertex to vertex: (1, -2) (2, -1) (2, 1) (1, 2) (-1, 2) (-2, 1) \
+                "B ⊖ A has 8 edges, from vertex to vertex: (1, -2) (2, -1) (2, 1) (1, 2) (-1, 2) (-2, 1) \
                  (-2, -1) (-1, -2).",
                 "Nearest to the origin is edge 3 of A: 2 away, at (1, 0).",
             ]
         );
+    }
+
+    #[test]
+    fn of_axes_the_largest_gap_decides() {
+        let axis = Event::AxisTested {
+            axis: DVec2::X,
+            source: (Side::A, Feature::Edge(3)),
+            interval_a: Enclosure { lo: 0.0, hi: 1.0 },
+            interval_b: Enclosure { lo: 3.0, hi: 4.0 },
+            gap: 2.0,
+        };
+        let names = Names::default();
+        let told = way([&axis, &improved()].into_iter(), Voice::english(&names), false);
+        assert_eq!(told[1], "The largest gap is the distance: 2, by edge 3 of A.");
+        let deep = Event::CandidateImproved {
+            goal: Goal::LeastPenetrating,
+            distance: -0.5,
+            foot: DVec2::X,
+            source: (Side::B, Feature::Edge(0)),
+        };
+        let mut trace = Trace::default();
+        [axis, deep].into_iter().for_each(|event| trace.record(|| event));
+        let told = story(&trace, &names);
+        assert!(told.ends_with("The least overlap is the depth: 0.5, by edge 0 of B.\n"), "{told}");
     }
 
     #[test]

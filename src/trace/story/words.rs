@@ -1,17 +1,17 @@
 //! Numbers, points and moments in the words of a story.
 
+use super::hand::{Hand, number, short};
 use super::phrases::{
-    AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
+    AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
 };
-use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, read};
+use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 use crate::trace::tongue::{Phrase, Tongue};
 use crate::trace::{Moment, SupportVertex};
 
-/// Significant digits of the numbers: a reader compares the first three, and a step of 1e-6 still shows.
-const DIGITS: usize = 6;
-
-/// The share of a point's larger coordinate below which the other one is what rounding left of a 0, and told
-/// as 0: a thousand times what a few roundings leave. The JSON lines have every bit.
+/// The share of a point's larger coordinate, and for readers of a figure of the size of the pair, below which
+/// a coordinate is what rounding left of a 0, and told as 0: a thousand times what a few roundings leave. A
+/// distance that small is told as less than a power of ten, as it may be proved not to be 0. The JSON lines
+/// have every bit.
 const NOTHING: f64 = 1e-12;
 
 /// Whose story it is and in which language: every number, point and name in it goes through here.
@@ -21,12 +21,22 @@ pub(crate) struct Voice<'n> {
     pub(crate) names: &'n Names,
     /// The language.
     pub(crate) tongue: Tongue,
+    /// For whom its numbers and signs are written.
+    pub(crate) hand: Hand,
+    /// The size of the pair in world units, by which a length is told to be next to nothing; 0 where all are
+    /// told.
+    pub(crate) size: f64,
 }
 
 impl<'n> Voice<'n> {
     /// A story in English.
     pub(super) const fn english(names: &'n Names) -> Self {
-        Self { names, tongue: Tongue::ENGLISH }
+        Self { names, tongue: Tongue::ENGLISH, hand: Hand::Terminal, size: 0.0 }
+    }
+
+    /// With the digits that pictures have, for titles.
+    pub(super) fn in_short(self) -> Self {
+        Self { hand: Hand::Title, ..self }
     }
 
     /// A phrase with the values that stand for its stars.
@@ -81,13 +91,13 @@ impl<'n> Voice<'n> {
 
     /// A distance from the boundary in words: "2 inside" or "2 away".
     pub(super) fn away(self, distance: f64) -> String {
-        self.say(if distance < 0.0 { &INSIDE } else { &AWAY }, &[&self.number(distance.abs())])
+        self.say(if distance < 0.0 { &INSIDE } else { &AWAY }, &[&self.length(distance.abs())])
     }
 
     /// A distance from a line in words: "2 inside" or "2 outside".
     pub(super) fn aside(self, distance: f64) -> String {
         let phrase = if distance < 0.0 { &INSIDE_LINE } else { &OUTSIDE_LINE };
-        self.say(phrase, &[&self.number(distance.abs())])
+        self.say(phrase, &[&self.length(distance.abs())])
     }
 
     /// An interval: "0 to 2".
@@ -103,27 +113,61 @@ impl<'n> Voice<'n> {
         }
     }
 
-    /// A point; a coordinate that is rounding beside the other one is told as 0.
+    /// A point; a coordinate that is rounding beside the other one, or the size of the pair, is told as 0.
     pub(super) fn point(self, p: DVec2) -> String {
-        let size = p.abs().max_element();
-        self.tongue.point([p.x, p.y].map(|x| number(if x.abs() < NOTHING * size { 0.0 } else { x })))
+        let least = NOTHING * p.abs().max_element().max(self.size);
+        self.tongue.point([p.x, p.y].map(|x| self.digits(if x.abs() < least { 0.0 } else { x })))
     }
 
     /// A number.
     pub(super) fn number(self, x: f64) -> String {
-        self.tongue.decimal(number(x))
+        self.tongue.decimal(self.digits(x))
+    }
+
+    /// A length; one that is next to nothing beside the pair is less than a power of ten.
+    pub(super) fn length(self, x: f64) -> String {
+        if x == 0.0 || x.abs() >= NOTHING * self.size {
+            return self.number(x);
+        }
+        let above = libm::exp10(libm::floor(libm::log10(x.abs())) + 1.0);
+        self.say(&LESS, &[&self.number(above)])
+    }
+
+    /// The quantity of a body that has a letter.
+    pub(super) fn symbol(self, letter: &str, side: Side) -> String {
+        match self.hand {
+            Hand::Type => format!("{letter}{}", script(side)),
+            Hand::Terminal | Hand::Words | Hand::Title => format!("{letter}_{}", self.of(side)),
+        }
+    }
+
+    /// What subtracts.
+    pub(super) const fn minus(self) -> &'static str {
+        if matches!(self.hand, Hand::Terminal) { "-" } else { "−" }
+    }
+
+    /// The name of B ⊖ A.
+    pub(crate) fn difference(self) -> String {
+        format!("{} ⊖ {}", self.of(Side::B), self.of(Side::A))
+    }
+
+    /// A number with a decimal point.
+    fn digits(self, x: f64) -> String {
+        match self.hand {
+            Hand::Terminal => number(x),
+            Hand::Words | Hand::Type => Hand::written(&number(x)),
+            Hand::Title => Hand::written(&short(x)),
+        }
     }
 }
 
-/// A number to [`DIGITS`] significant digits, without trailing zeros; with an exponent where it is very large
-/// or small.
-fn number(x: f64) -> String {
-    let written = format!("{:.*e}", DIGITS - 1, x);
-    let Some(rounded) = read(&written) else { return written };
-    if rounded == 0.0 {
-        return "0".to_owned();
+/// The character that stands for a body's name as the script of a letter, where signs are set: one for
+/// private use, which no text has.
+pub(crate) const fn script(side: Side) -> char {
+    match side {
+        Side::A => '\u{E002}',
+        Side::B => '\u{E003}',
     }
-    if (1e-4..1e7).contains(&rounded.abs()) { format!("{rounded}") } else { format!("{rounded:e}") }
 }
 
 #[cfg(test)]
@@ -131,24 +175,28 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_keep_six_digits_and_no_zeros() {
-        let cases = [
-            (1.0 / 3.0, "0.333333"),
-            (-0.0, "0"),
-            (2.5, "2.5"),
-            (1e-9, "1e-9"),
-            (123_456_789.0, "1.23457e8"),
-        ];
-        for (x, expected) in cases {
-            assert_eq!(number(x), expected);
-        }
-    }
-
-    #[test]
     fn what_rounding_left_of_a_zero_is_told_as_zero() {
         let names = Names::default();
         let told = |x, y| Voice::english(&names).point(DVec2::new(x, y));
         assert_eq!(told(4.4e-16, 5.0), "(0, 5)");
         assert_eq!(told(4e-16, 5e-16), "(4e-16, 5e-16)");
+    }
+
+    #[test]
+    fn for_a_reader_of_a_figure_a_length_that_is_rounding_is_less_than_a_power_of_ten() {
+        let names = Names::default();
+        let voice = Voice { hand: Hand::Words, size: 5.0, ..Voice::english(&names) };
+        assert_eq!(voice.length(4.54e-13), "less than 10^−12");
+        assert_eq!(voice.length(-4.54e-11), "−4.54 × 10^−11");
+        assert_eq!([voice.length(0.0), voice.length(-0.5)], ["0", "−0.5"]);
+        assert_eq!(voice.point(DVec2::new(4.5e-13, -3.4e-14)), "(0, 0)");
+        assert_eq!(Voice::english(&names).length(4.54e-13), "4.54e-13");
+    }
+
+    #[test]
+    fn a_title_has_the_digits_of_a_picture() {
+        let names = Names::default();
+        let point = |p| Voice::english(&names).in_short().point(p);
+        assert_eq!(point(DVec2::new(0.123_456, -2.162_5)), "(0.123, −2.1625)");
     }
 }

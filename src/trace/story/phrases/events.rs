@@ -11,20 +11,20 @@ phrases! {
     /// It ends.
     FINISHED: "Done: *.", "Fertig: *.", "Fini : *.", "Listo: *.";
     /// The early-out of circles: distance, its square, the sign, both radii, their square, what follows.
-    SQUARES: "Centres and radii, squared: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
-        "Mittelpunkte und Radien im Quadrat: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
-        "Centres et rayons, au carré : *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.",
-        "Centros y radios, al cuadrado: *^2 = * * (r1 + r2)^2 = (* + *)^2 = **.";
+    SQUARES: "Centres and radii, squared: *² = * * *² = (* + *)² = **.",
+        "Mittelpunkte und Radien im Quadrat: *² = * * *² = (* + *)² = **.",
+        "Centres et rayons, au carré : *² = * * *² = (* + *)² = **.",
+        "Centros y radios, al cuadrado: *² = * * *² = (* + *)² = **.";
     /// The squares are enough.
     SETTLED: "; that settles it, without a root",
         "; das entscheidet, ohne Wurzel",
         " ; cela suffit, sans racine",
         "; con eso basta, sin raíz";
     /// The penetration of circles: centres, p, N, from, to, P.
-    PENETRATION: "p = * - (r1 + r2) = *, N = * from * to *, P = N p = *.",
-        "p = * - (r1 + r2) = *; N = * von * nach *; P = N p = *.",
-        "p = * - (r1 + r2) = * ; N = * de * vers * ; P = N p = *.",
-        "p = * - (r1 + r2) = *; N = * de * a *; P = N p = *.";
+    PENETRATION: "p = * * * = *, N = * from * to *, P = N p = *.",
+        "p = * * * = *; N = * von * nach *; P = N p = *.",
+        "p = * * * = * ; N = * de * vers * ; P = N p = *.",
+        "p = * * * = *; N = * de * a *; P = N p = *.";
     /// A bounding box: whose, from, to.
     BOX: "The box of * runs from * to *",
         "Die Bounding-Box von * reicht von * bis *",
@@ -96,6 +96,16 @@ phrases! {
         "Bisher der kleinste positive Wert: * bei *, durch * von *.",
         "Plus petite valeur positive jusqu’ici : * en *, par * de *.",
         "Menor valor positivo hasta ahora: * en *, por * de *.";
+    /// What the axes say of bodies that are apart: distance, edge or vertex, body.
+    LARGEST_GAP: "The largest gap is the distance: *, by * of *.",
+        "Die größte Lücke ist der Abstand: *, durch * von *.",
+        "Le plus grand écart est la distance : *, par * de *.",
+        "El mayor hueco es la distancia: *, por * de *.";
+    /// What they say of bodies that overlap.
+    LEAST_OVERLAP: "The least overlap is the depth: *, by * of *.",
+        "Die kleinste Überlappung ist die Tiefe: *, durch * von *.",
+        "Le plus petit recouvrement est la profondeur : *, par * de *.",
+        "El menor solape es la profundidad: *, por * de *.";
     /// Both bodies along an axis: the axis, whose normal of which body, a body and its interval, the other
     /// one and its, and what lies between.
     AXIS: "Along *, the normal of * of *: * spans *, * spans *, *.",

@@ -25,6 +25,8 @@ phrases! {
     INSIDE_LINE: "* inside", "um * innerhalb", "à * en dedans", "* por dentro";
     /// Outside of a line, by a length.
     OUTSIDE_LINE: "* outside", "um * außerhalb", "à * en dehors", "* por fuera";
+    /// A length that is next to nothing.
+    LESS: "less than *", "weniger als *", "moins de *", "menos de *";
     /// An interval.
     SPAN: "* to *", "* bis *", "* à *", "* a *";
 }

@@ -135,15 +135,15 @@ phrases! {
         "Le plus loin de l’origine de *, à r = * : *.",
         "Lo más lejano del origen de *, a r = *: *.";
     /// The angle of its turn.
-    TURNS: "* turns by theta = * rad.",
-        "* dreht sich um theta = * rad.",
-        "* tourne de theta = * rad.",
-        "* gira theta = * rad.";
+    TURNS: "* turns by θ = * rad.",
+        "* dreht sich um θ = * rad.",
+        "* tourne de θ = * rad.",
+        "* gira θ = * rad.";
     /// The bound on its turn.
-    NO_FARTHER: "No point of * turns farther than L = theta r = *.",
-        "Kein Punkt von * dreht sich weiter als L = theta r = *.",
-        "Aucun point de * ne tourne de plus que L = theta r = *.",
-        "Ningún punto de * gira más que L = theta r = *.";
+    NO_FARTHER: "No point of * turns farther than L = θ r = *.",
+        "Kein Punkt von * dreht sich weiter als L = θ r = *.",
+        "Aucun point de * ne tourne de plus que L = θ r = *.",
+        "Ningún punto de * gira más que L = θ r = *.";
     /// A step of an advancement: separation, normal.
     APART: "They are * apart along *.",
         "Sie sind * voneinander entfernt, entlang *.",
