@@ -219,8 +219,7 @@ mod tests {
             foot: DVec2::X,
             source: (Side::B, Feature::Edge(0)),
         };
-        let mut trace = Trace::default();
-        [axis, deep].into_iter().for_each(|event| trace.record(|| event));
+        let trace = Trace { events: vec![axis, deep], left_out: 0 };
         let told = story(&trace, &names);
         assert!(told.ends_with("The least overlap is the depth: 0.5, by edge 0 of B.\n"), "{told}");
     }
