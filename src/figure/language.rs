@@ -141,6 +141,7 @@ const WORDS: &[[&str; 5]] = &[
     ["before the turn", "", "vor der Drehung", "avant le demi-tour", "antes del giro"],
     ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
+    ["shared", "", "gemeinsam", "commun", "compartido"],
     ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],
     ["$*$, less", "$*$", "$*$, weniger", "$*$, moins", "$*$, menos"],
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],

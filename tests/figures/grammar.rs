@@ -82,9 +82,18 @@ fn broken(items: &[Item], origins: &[Point]) -> Vec<String> {
     dashes(&all, &mut wrong);
     if all.iter().any(|p| is_dotted(p)) {
         let says = |word: &String| {
-            ["t =", "at $t_", "pushed out", "pushed to", "turned about", "moved around", "before the turn"]
-                .iter()
-                .any(|w| word.contains(w))
+            [
+                "t =",
+                "at $t_",
+                "pushed out",
+                "pushed to",
+                "turned",
+                "moved around",
+                "vertex moved",
+                "before the turn",
+            ]
+            .iter()
+            .any(|w| word.contains(w))
         };
         if !words.iter().any(says) {
             wrong.push(format!("dotted outlines, and no label says when or where: {words:?}"));

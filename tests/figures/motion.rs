@@ -160,24 +160,25 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let turned = |(x, y): P| (c * x - s * y, s * x + c * y);
     let p = (4.8, 1.4);
     let q = turned(p);
-    let view = [-1.7, -1.6, 5.5, 5.5];
-    let (one, two) = (look(&f, 0, view), look(&f, 1, view));
+    let one = look(&f, 0, [-1.7, -1.7, 5.7, 6.6]);
     let vertices = [(-0.9, -0.8), (3.4, -0.8), p, (-0.7, 1.0)];
-    shows![one.polygon(A, &vertices).is_some(), one.polygon(A, &vertices.map(turned)).is_some_and(dashed),];
     // Half as far out, on the way to p.
     let [near, far] = [p, q].map(|(x, y)| (0.5 * x, 0.5 * y));
-    for panel in [&one, &two] {
-        shows![
-            panel.any_line((0.0, 0.0), p),
-            panel.any_line((0.0, 0.0), q),
-            panel.arc(Now, (0.0, 0.0), p, q),
-            panel.head(Now, q) || panel.marker(A, q),
-            panel.marker(A, p),
-            panel.marker(A, q),
-        ];
-    }
     shows![
-        [&one, &two].iter().all(|l| l.arc(A, (0.0, 0.0), near, far) && l.marker(A, near) && l.marker(A, far)),
+        one.polygon(A, &vertices).is_some(),
+        one.polygon(A, &vertices.map(turned)).is_some_and(dashed),
+        one.any_line((0.0, 0.0), p) && one.any_line((0.0, 0.0), q),
+        one.arc(Now, (0.0, 0.0), p, q),
+        one.head(Now, q) || one.marker(A, q),
+        one.marker(A, p) && one.marker(A, q),
+        one.arc(A, (0.0, 0.0), near, far) && one.marker(A, near) && one.marker(A, far),
+    ];
+    // Straightened, as far out as they were: 1.2 times as long as that.
+    let two = look(&f, 1, [-0.8, -1.7, 6.6, 6.6]);
+    shows![
+        two.any_line((0.0, 0.0), (5.0, 0.0)) && two.any_line((0.0, 0.0), (5.0, 6.0)),
+        two.arrow_toward(Now, (5.0, 0.0), (5.0, 6.0)) && two.arrow_toward(A, (2.5, 0.0), (2.5, 3.0)),
+        [(5.0, 0.0), (5.0, 6.0), (2.5, 0.0), (2.5, 3.0)].iter().all(|&at| two.marker(A, at)),
         f.says("½ $r = 2.5$") && f.says("½ $L = 3$") && f.says("pivot"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),

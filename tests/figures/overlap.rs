@@ -41,8 +41,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-7.0, -4.1, 9.4, 5.7]);
-    let px = 1.0 / w.panel.scale;
+    let w = look(&f, 0, [-6.9, -3.6, 8.9, 5.6]);
     let a = [
         (-5.0, 0.5),
         (-2.5, -1.0),
@@ -53,7 +52,6 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         (3.0, 5.0),
         (0.0, 1.5),
     ];
-    let (below, right) = (-3.0 - 24.0 * px, 7.0 + 24.0 * px);
     shows![
         w.polygon(A, &a).is_some(),
         w.polygon(Now, &[(-5.0, -3.0), (7.0, -3.0), (7.0, 5.0), (-5.0, 5.0)]).is_some(),
@@ -64,14 +62,13 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.marker(A, (7.0, -1.0)),
         w.marker(A, (3.0, 5.0)),
         w.marker(Now, (1.0, 1.0)),
-        w.line(Translation, (1.0, below), (7.0, below)).is_some(),
-        w.line(Translation, (right, 1.0), (right, 5.0)).is_some(),
-        // From the centre on.
-        w.any_line((1.0, 1.0), (1.0, below)) && w.any_line((1.0, 1.0), (right, 1.0)),
+        // From the centre to the edges.
+        w.line(Translation, (1.0, 1.0), (7.0, 1.0)).is_some(),
+        w.line(Translation, (1.0, 1.0), (1.0, 5.0)).is_some(),
         // The others, grey.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
-        w.polygon(Muted, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some() && f.says("one vertex moved"),
+        w.polygon(A, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some_and(dotted) && f.says("one vertex moved"),
         w.arrow_toward(Muted, a[7], (-2.0, 4.0)),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
@@ -98,32 +95,36 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-4.3, -2.2, 8.5, 7.2]);
-    let closest = (3.0, 1.0);
+    let w = look(&f, 0, [-5.6, -2.3, 8.3, 6.7]);
+    let closest = (4.5, 1.4);
     shows![
-        w.polygon(A, &[(-3.0, -1.0), (3.0, -1.0), closest, (-3.0, 1.0)]).is_some(),
-        w.circle(B, (6.0, 5.0), 2.0).is_some(),
+        w.polygon(A, &[(-4.5, -1.4), (4.5, -1.4), closest, (-4.5, 1.4)]).is_some(),
+        w.circle(B, (6.0, 5.0), 1.5).is_some(),
         clamps(&w, (6.0, 5.0), closest),
         w.any_line((6.0, 0.0), (6.0, 5.0)),
         w.any_line((0.0, 5.0), (6.0, 5.0)),
-        w.text_near("$B_c = A + (3, 1)$", closest, 100.0),
+        w.text_near("$B_c = A + (4.5, 1.4)$", closest, 100.0),
         f.says("$V = (6, 5)$") && f.says("$V_x = 6$") && f.says("$V_y = 5$"),
-        f.says("clamp$(V_x, -h_x, h_x) = 3$"),
-        f.says("clamp$(V_y, -h_y, h_y) = 1$"),
-        f.says("$h_x = 3$") && f.says("$h_y = 1$"),
-        f.says("$D = (3, 4)$"),
-        f.says("$r = 2$"),
-        f.says("distance") && f.says("$= 3$"),
+        f.says("$V_x$ clamped to $h_x$") && f.says("$V_y$ clamped to $h_y$"),
+        f.says("$h_x = 4.5$") && f.says("$h_y = 1.4$"),
+        f.says("$D = (1.5, 3.6)$"),
+        f.says("$r = 1.5$"),
+        f.says("distance") && f.says("$= 2.4$"),
     ];
-    // On D lie the distance and, where it ends, the radius.
-    let rim = (4.8, 3.4);
-    shows![w.along(Translation, closest, rim), w.along(B, rim, (6.0, 5.0))];
+    // Beside D, 3.9 long, lie the distance and, where it ends, the radius; 34 px off, square to (5, 12)/13.
+    let off = 34.0 / w.panel.scale / 13.0;
+    let aside = |(x, y): (f64, f64)| (x + 12.0 * off, y - 5.0 * off);
+    let rim = (4.5 + 2.4 * 5.0 / 13.0, 1.4 + 2.4 * 12.0 / 13.0);
+    shows![
+        w.line(Translation, aside(closest), aside(rim)).is_some(),
+        w.line(B, aside(rim), aside((6.0, 5.0))).is_some(),
+    ];
 }
 
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, [-4.0, -6.4, 12.4, 4.4]);
+    let w = look(&f, 0, [-3.4, -6.2, 11.4, 4.4]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
         w.circle(B, (5.0, 0.0), 4.0).is_some(),
@@ -142,76 +143,79 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         f.says("$p = 5 - 7$") && f.says("$= -2$"),
         f.says("$P = N p = (2, 0)$"),
         f.says("$N = (-1, 0)$"),
+        f.says("shared"),
     ];
 }
 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-8.4, -5.8, 15.8, 4.9]);
+    let w = look(&f, 0, [-6.5, -5.2, 13.0, 5.0]);
+    let px = 16.0 / w.panel.scale;
     shows![
-        w.polygon(A, &[(-8.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-8.0, 1.0)]).is_some(),
-        w.polygon(B, &[(2.0, -0.5), (8.0, -0.5), (8.0, 4.5), (2.0, 4.5)]).is_some(),
-        w.marker(A, (-4.0, -1.0)),
-        w.marker(B, (5.0, 2.0)),
-        w.horizontal(A, -4.0, 0.0),
+        w.polygon(A, &[(-6.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-6.0, 1.0)]).is_some(),
+        w.polygon(B, &[(2.0, -0.5), (7.0, -0.5), (7.0, 4.5), (2.0, 4.5)]).is_some(),
+        w.marker(A, (-3.0, -1.0)),
+        w.marker(B, (4.5, 2.0)),
+        w.horizontal(A, -3.0, 0.0),
         w.horizontal(Now, 0.0, 2.0),
-        w.horizontal(B, 2.0, 5.0),
-        w.horizontal(Ink, -4.0, 5.0),
+        w.horizontal(B, 2.0, 4.5),
+        w.horizontal(Ink, -3.0, 4.5),
         w.vertical(A, -1.0, 1.0),
         w.vertical(B, -0.5, 2.0),
         w.vertical(Ink, -1.0, 2.0),
-        f.says("$h_{A,x} = 4$")
-            && f.says("$h_{B,x} = 3$")
+        f.says("$h_{A,x} = 3$")
+            && f.says("$h_{B,x} = 2.5$")
             && f.says("$h_{A,y} = 2$")
             && f.says("$h_{B,y} = 2.5$"),
         f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
-        f.says("$|c_B - c_A|_x = 9$") && f.says("$|c_B - c_A|_y = 3$"),
+        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
-        // The gap is lit from A's edge to B's, as high as both.
-        w.strip(Now, (0.0, 4.5), (2.0, 4.5)),
+        // Lit from A's edge to B's, and beyond both; what they share of the other axis too.
+        w.strip(Now, (0.0, 4.5 + px), (2.0, 4.5 + px)),
+        w.strip(Muted, (-6.0 - px, -0.5), (-6.0 - px, 1.0)),
     ];
 }
 
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.8, -3.7, 5.0, 5.9];
-    let vertices = [(-2.0, -2.6), (2.0, -2.6), (2.0, 2.6), (-2.0, 2.6)];
+    let view = [-3.7, -3.4, 4.0, 6.7];
+    let vertices = [(-2.4, -2.2), (2.4, -2.2), (2.4, 2.2), (-2.4, 2.2)];
     let tilted = vertices.map(turned);
-    let center = turned((4.7, 1.6));
+    // (-1.5, 5) in the world.
+    let center = turned((1.8, 4.9));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (2.8, 4.1), 1.5).is_some(),
-        world.arrow_toward(Ink, (0.0, 0.0), center),
+        world.circle(B, (-1.5, 5.0), 1.5).is_some(),
+        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-1.5, 5)$"),
         world.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
         world.any_line((0.0, 0.0), (3.6, 0.0)),
-        f.says("$-36.9°$") && f.says("$36.9°$"),
+        f.says("$-36.9°$"),
     ];
-    let body = look(&f, 1, [-2.3, -3.7, 6.5, 5.9]);
+    let body = look(&f, 1, [-3.85, -3.4, 3.85, 6.7]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (4.7, 1.6), 1.5).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (4.7, 1.6)) && body.arrow(Muted, (0.0, 0.0), (4.7, 0.0)),
-        // V_x is cut, V_y stays.
-        body.line(A, (0.0, 0.0), (2.0, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 1.6)).is_some_and(thick),
-        body.marker(A, (2.0, 1.6)) && body.arrow_toward(Translation, (2.0, 1.6), (4.7, 1.6)),
+        body.circle(B, (1.8, 4.9), 1.5).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (1.8, 4.9)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.9)),
+        // V_y is cut, V_x stays.
+        body.line(A, (0.0, 0.0), (1.8, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 2.2)).is_some_and(thick),
+        body.marker(A, (1.8, 2.2)),
+        f.says("$h_x = 2.4$") && f.says("$h_y = 2.2$"),
     ];
     let back = look(&f, 2, view);
-    // Of D = (2.7, 0) the circle takes 1.5.
-    let (closest, rim) = (turned((2.0, 1.6)), turned((3.2, 1.6)));
+    // Of D = (0, 2.7) the circle takes 1.5.
+    let (closest, rim) = (turned((1.8, 2.2)), turned((1.8, 3.4)));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
         back.along(Translation, closest, rim),
         // There the radius goes on.
         back.along(B, rim, center),
-        back.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        f.says("$V$") && f.says("$V_x = 4.7$") && f.says("$V_y = 1.6$"),
-        f.says("clamped $2$") && f.says("$B_c$"),
-        f.says("$D$"),
+        f.says("$V$") && f.says("$V_x = 1.8$") && f.says("$V_y = 4.9$"),
+        f.says("clamped") && f.says("$B_c$"),
         f.says("$r = 1.5$"),
         f.says("$1.2$"),
     ];
@@ -243,6 +247,10 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         f.says("not tested:") && f.says("$t = 0.5$"),
         f.says("$A$ in frame 1,") && f.says("$A$ in frame 2,"),
     ];
+}
+
+fn dotted(path: &tracefig::drawing::Path) -> bool {
+    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && path.fill.is_none()
 }
 
 fn thick(path: &tracefig::drawing::Path) -> bool {

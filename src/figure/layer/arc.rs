@@ -58,6 +58,13 @@ pub(super) const LAYER: Layer = Layer {
             about: "fills the sector and names its measures",
         },
         OptionSpec {
+            name: "unrolled",
+            takes: Takes::Flag,
+            default: "false",
+            about: "instead of the turn the sector's arcs straightened, each upright where its point is, \
+                    by distance from the origin",
+        },
+        OptionSpec {
             name: "around",
             takes: Takes::Flag,
             default: "false",
@@ -78,14 +85,14 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[
         LabelKey { key: "theta", about: "the angle" },
-        LabelKey { key: "r", about: "distance of the extreme point, with sector" },
+        LabelKey { key: "r", about: "distance of the extreme point, with sector or unrolled" },
         LabelKey { key: "L", about: "length of the arc" },
         LabelKey { key: "p", about: "the extreme point" },
         LabelKey { key: "p'", about: "the extreme point after the turn" },
         LabelKey { key: "q", about: "a nearer vertex" },
         LabelKey { key: "q'", about: "the nearer vertex after the turn" },
-        LabelKey { key: "r_q", about: "distance of the nearer vertex, with sector" },
-        LabelKey { key: "L_q", about: "length of its arc, with sector" },
+        LabelKey { key: "r_q", about: "distance of the nearer vertex, with sector or unrolled" },
+        LabelKey { key: "L_q", about: "length of its arc, with sector or unrolled" },
         LabelKey { key: "others", about: "another point that is as far" },
     ],
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
@@ -159,6 +166,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sector = options.flag("sector", false);
     let cue = context.cue(|event| matches!(event, Event::MotionBounded { .. }));
     let at = |part| cue.map(|cue| cue.part(part));
+    if options.flag("unrolled", false) {
+        let arm = nearer(context, options, &t).map(DVec2::length);
+        return unrolled(sketch.since(at(turned::BOUND)), options, &t, arm);
+    }
     sketch.since(at(if sector { turned::BOUND } else { turned::ARC }));
     let after = t.after();
     if sector {
@@ -236,6 +247,46 @@ fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
         let length = format!(r"$\theta\,r_q = {}$", number(radius * t.sweep.abs()));
         sketch.label(Label::new("L_q", length, path, role));
     }
+}
+
+/// Draws every arc of the sector straight and upright, where its point is on the way out from the origin: as
+/// long as that is far, times the angle, up to the longest. That one is named, and that of a nearer point.
+fn unrolled(sketch: &mut Sketch, options: &Options, t: &Turn, nearer: Option<f64>) {
+    let out = |radius: f64| t.center + DVec2::X * radius;
+    let up = |radius: f64| out(radius) + DVec2::Y * (radius * t.sweep.abs());
+    let slice = Outline::polygon(&[t.center, out(t.radius), up(t.radius)]);
+    sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
+    for end in [out(t.radius), up(t.radius)] {
+        sketch.part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
+    }
+    let accent = options.role(Role::Now);
+    let longest = (t.radius, ["p", "p'", "r", "L"], BELOW[1], Pen::highlighted(accent));
+    let shorter =
+        nearer.map(|radius| (radius, ["q", "q'", "r_q", "L_q"], BELOW[0], Pen::vector(t.side.into())));
+    let marker = if t.side == Side::A { Marker::Disc } else { Marker::Square };
+    for (radius, [before, after, r, l], below, pen) in std::iter::once(longest).chain(shorter) {
+        let (from, to) = (out(radius), up(radius));
+        sketch.part("arc").arrow_to(from, to, MARKER + 1.0, pen);
+        for (key, point, toward) in [(before, from, DVec2::X), (after, to, DVec2::Y)] {
+            sketch.part("extreme-point").marker(point, marker, t.side.into(), MARKER);
+            let anchor = Anchor::point_toward(point, toward);
+            sketch.label(Label::new(key, format!("${key}$"), anchor, Role::Ink).rank(Rank::Point));
+        }
+        let offset = sketch.fitted(below);
+        sketch.part("radius").dimension(t.center, from, -offset, Pen::dimension(Role::Ink));
+        let text = format!("${r} = {}$", number(radius));
+        let beside = Anchor::Beside { from, to: t.center, offset };
+        sketch.label(Label::new(r, text, beside, Role::Ink));
+        let length = number(radius * t.sweep.abs());
+        let text = if l == "L" {
+            format!(r"$L = \theta\,r = {length}$")
+        } else {
+            format!(r"$\theta\,r_q = {length}$")
+        };
+        let beside = Anchor::Beside { from: to, to: from, offset: ON_LINE };
+        sketch.label(Label::new(l, text, beside, pen.role));
+    }
+    sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
 }
 
 /// Marks the other points that are as far from the origin as the extreme point; the first is named.

@@ -1,9 +1,10 @@
 //! AABB against AABB, axis by axis: D = |`c_B` − `c_A`| − (`h_A` + `h_B`) laid out on tracks below (x) and to
 //! the right (y).
 //!
-//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end, and the strip between the boxes is lit. Where
-//! D < 0 the half-extents overlap: they lie on two lanes side by side, and the stretch that they share is
-//! hatched from lane to lane. The distance of the centres is the last.
+//! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
+//! on two lanes side by side, and the stretch that they share is hatched from lane to lane. Either stretch is
+//! a strip across both boxes; beside an axis with a gap, one that overlaps decides nothing and is grey. The
+//! distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -28,8 +29,11 @@ const LANE: f64 = 26.0;
 /// From one line of the hatch to the next along the axis, page pixels.
 const HATCH: f64 = 7.0;
 
-/// Opacity of the strip between boxes that are apart along an axis.
+/// Opacity of the strip between boxes that are apart along an axis, or of what they share of it.
 const LIT: f64 = 0.13;
+
+/// How far the strip goes on beyond both boxes, page pixels: no edge of a third one.
+const BEYOND: f64 = 16.0;
 
 /// The most lines of a hatch; more are a grey area on any page.
 const MOST_LINES: usize = 1000;
@@ -75,6 +79,8 @@ struct Extents {
     half: [f64; 2],
     /// D, negative where the boxes overlap.
     gap: f64,
+    /// Colour of D: muted where the boxes overlap along this axis and are apart along the other.
+    role: Role,
 }
 
 /// A length on a track beside the boxes.
@@ -137,8 +143,10 @@ fn compared(context: &Context) -> Option<([DVec2; 2], [DVec2; 2], DVec2)> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((c, h, gap)) = compared(context) else { return };
     sketch.since(context.cue(|event| matches!(event, Event::ExtentsCompared { .. })));
+    let role = |d: f64| if d < 0.0 && gap.max_element() > 0.0 { Role::Muted } else { Role::Now };
     if options.shows("axes", "x", true) {
-        let extents = Extents { name: 'x', centers: [c[0].x, c[1].x], half: [h[0].x, h[1].x], gap: gap.x };
+        let (centers, half) = ([c[0].x, c[1].x], [h[0].x, h[1].x]);
+        let extents = Extents { name: 'x', centers, half, gap: gap.x, role: role(gap.x) };
         let bottom = (c[0].y - h[0].y).min(c[1].y - h[1].y);
         axis(
             sketch,
@@ -149,7 +157,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         );
     }
     if options.shows("axes", "y", true) {
-        let extents = Extents { name: 'y', centers: [c[0].y, c[1].y], half: [h[0].y, h[1].y], gap: gap.y };
+        let (centers, half) = ([c[0].y, c[1].y], [h[0].y, h[1].y]);
+        let extents = Extents { name: 'y', centers, half, gap: gap.y, role: role(gap.y) };
         let right = (c[0].x + h[0].x).max(c[1].x + h[1].x);
         axis(
             sketch,
@@ -174,12 +183,14 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    if e.gap > 0.0 {
-        lit(sketch, facing, place, across);
+    if e.gap != 0.0 {
+        strip(sketch, (facing, e.role), place, across);
     }
     let guide = Pen::extension().opacity(GUIDE);
+    // The edges that face each other are those of the strip, if there is one.
+    let guided = if e.gap == 0.0 { 2 } else { 1 };
     for (body, starts) in across.iter().enumerate() {
-        for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts) {
+        for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts).take(guided) {
             let reach = |b: &&Bar| b.ends.contains(&along);
             let last = bars.iter().filter(reach).map(|b| b.track).fold(1.0, f64::max);
             let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
@@ -207,13 +218,13 @@ fn axis(
     }
 }
 
-/// Lights the strip between the edges that face each other, from the tracks to the far end of the boxes.
-fn lit(sketch: &mut Sketch, facing: [f64; 2], place: &Place, across: [[f64; 2]; 2]) {
+/// Draws the strip between the edges that face each other, from the tracks to beyond the far end.
+fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, across: [[f64; 2]; 2]) {
     let far = across.map(|[center, edge]| (2.0 * center - edge - place.edge) / place.step);
-    let far = far[0].min(far[1]);
+    let far = far[0].min(far[1]) - sketch.px(BEYOND) / place.step.abs();
     let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Now, LIT)), None);
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
 }
 
 /// Hatches a stretch from the first track to the bar's own: the two lanes bound it on their sides.
@@ -260,7 +271,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
         (false, _) => ([1.0, 1.0, 1.0, LAST - 1.0], [Outward; 4]),
     };
-    let pens = [half[0], Pen::highlighted(Role::Now), half[1], Pen::dimension(Role::Ink)];
+    let pens = [half[0], Pen::highlighted(e.role), half[1], Pen::dimension(Role::Ink)];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));
         let (ends, is_shared) = (ends[i], is_overlap && i == 1);
@@ -271,7 +282,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
 
 #[cfg(test)]
 mod tests {
-    use super::LANE;
+    use super::{BEYOND, LANE};
     use crate::drawing::Point;
     use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
@@ -301,14 +312,19 @@ mod tests {
             let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
             [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
         });
-        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both.
-        let strip = points(paths(&figure.drawing.items, "lit")[0]);
-        assert_eq!(paths(&figure.drawing.items, "lit").len(), 1);
-        for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| figure.panels[0].frame.page(DVec2::from(p))) {
-            assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both and beyond; along x
+        // they share 1.5 to 2.
+        let frame = &figure.panels[0].frame;
+        let beyond = BEYOND / frame.scale;
+        let ends = [[[1.5, 6.0 + beyond], [2.0, 6.0 + beyond]], [[-2.0 - beyond, 1.0], [-2.0 - beyond, 2.0]]];
+        let strips = paths(&figure.drawing.items, "lit");
+        assert_eq!(strips.len(), 2);
+        for (strip, ends) in strips.into_iter().map(points).zip(ends) {
+            for place in ends.map(|p| frame.page(DVec2::from(p))) {
+                assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
+            }
         }
         // From 1.5 to 2 of x they share, from lane to lane.
-        let frame = &figure.panels[0].frame;
         let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
         assert!((least[0] - from).abs() < 1e-6 && (most[0] - to).abs() < 1e-6, "{whole:?}");
         assert!((level[0] - least[1]).abs() < 1e-6 && (most[1] - level[1]).abs() < 1e-6, "{whole:?}");

@@ -21,6 +21,9 @@ const SIDES: [(&str, &str, DVec2); 4] = [
     ("touching.top", r"y_{\max}", DVec2::Y),
 ];
 
+/// Width of the box's line, page pixels.
+const BOX: f64 = 1.75;
+
 pub(super) const LAYER: Layer = Layer {
     name: "bounds",
     about: "the AABB with its corners and centre",
@@ -88,7 +91,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
     }
     let role = options.role(Role::Ink);
-    sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role)));
+    // Lighter than the body's own outline, round which it is.
+    sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(BOX)));
     if options.flag("touching", true) {
         touching(sketch, last, cue);
     }

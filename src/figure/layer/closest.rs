@@ -45,7 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "pushed", about: "B ⊖ A when B is pushed out" },
         LabelKey { key: "turn", about: "the half turn, with turned" },
-        LabelKey { key: "unturned", about: "B ⊖ A before the half turn, with turned" },
+        LabelKey { key: "unturned", about: "the distance before the half turn, with turned" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -96,7 +96,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let to = from + foot;
     right_angle(sketch, context, from, foot);
     if options.flag("turned", false) {
-        half_turn(sketch, context, from, foot);
+        half_turn(sketch, from, foot);
     }
     sketch.part("closest");
     if overlap {
@@ -115,17 +115,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 
-/// Draws B ⊖ A and the way from the origin to it before the half turn, dotted, and an arc arrow from there.
-fn half_turn(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
+/// Draws the way from the origin to B ⊖ A before the half turn, and an arc arrow from there.
+fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
     let (start, radius) = (angle_of(-foot), sketch.px(TURN).min(SHARE * foot.length()));
-    sketch.part("unturned").weight(Weight::Light);
-    if let Some(found) = difference(context, context.difference_time()) {
-        let before = found.outline().turned_about(from);
-        sketch.area(&before, None, Some(Pen::ghost(Role::Difference)));
-        let label = Label::new("unturned", "before the turn", Anchor::inside(&before), Role::Difference);
-        sketch.label(label.rank(Rank::Word).size(Size::Note));
-    }
-    sketch.line(from, from - foot, Pen::dimension(Role::Muted));
+    let before = from - foot;
+    sketch.part("unturned").weight(Weight::Light).dimension(from, before, 0.0, Pen::dimension(Role::Muted));
+    let label = Label::new("unturned", "before the turn", Anchor::tip(from, before), Role::Muted);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
     sketch.part("turn").weight(Weight::Light);
     sketch.arc_arrow(from, radius, start, PI, Pen::dimension(Role::Ink));
     let anchor = Anchor::Arc { center: from, radius, start, sweep: PI };

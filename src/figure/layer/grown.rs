@@ -8,7 +8,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
 use crate::geometry::{DVec2, Side};
 
@@ -85,7 +85,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     edges(sketch, &found, &cues, turned);
     sketch.since(None).part("around");
     for place in around {
-        sketch.marker(place, Marker::Square, Role::B, SMALL_MARKER);
+        sketch.marker(place, Marker::Square, Role::B, MARKER);
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {

@@ -36,9 +36,9 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec {
             name: "style",
-            takes: Takes::Word(&["bar", "dimension"]),
+            takes: Takes::Word(&["bar", "dimension", "inside"]),
             default: "\"dimension\"",
-            about: "thick bars or dimension lines",
+            about: "thick bars or dimension lines beside the box, or dimension lines from its centre",
         },
         OptionSpec {
             name: "offset",
@@ -150,8 +150,16 @@ struct Line {
 
 /// Draws one half-extent.
 fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
-    let bar = options.word("style", "dimension") == "bar";
+    let style = options.word("style", "dimension");
+    let bar = style == "bar";
     let role = options.role(Role::Ink);
+    if style == "inside" {
+        let tip = l.from + l.along;
+        sketch.part(l.key.replace('_', "-")).dimension(l.from, tip, 0.0, Pen::dimension(role).width(1.5));
+        let text = format!("${} = {}$", l.key, number(l.length));
+        sketch.label(Label::new(l.key, text, Anchor::middle(l.from, tip), role));
+        return;
+    }
     let (p, q) = (l.from + l.out, l.from + l.out + l.along);
     let part = l.key.replace('_', "-");
     // A bar, and the half-extent of bounds, stands for the way from the centre; else it begins at the box.

@@ -104,6 +104,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let (ends, text) = ((pose.position, MARKER), format!("${q}$ moved to ${p}$"));
         let to = pose.position - (b.at - a.at);
         way(sketch, ends, to, role);
+        // Where B's origin is then.
+        sketch.part("moved").marker(to, Marker::Square, Role::B, MARKER);
         let back = Label::new("back", format!("${p} - {q}$"), Anchor::middle(pose.position, to), role);
         sketch.label(back.rank(Rank::Point));
         sketch.part("moved").marker(a.at, Marker::Disc, Role::A, MARKER);

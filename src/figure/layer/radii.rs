@@ -4,7 +4,7 @@
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight, on_circle};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight, on_circle};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
@@ -55,6 +55,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "r1", about: "radius of A" },
         LabelKey { key: "r2", about: "radius of B" },
         LabelKey { key: "centers", about: "distance of the centres" },
+        LabelKey { key: "shared", about: "what both radii have of the line of the centres" },
     ],
     needs: "a round body; for lengths the algorithm \"circles\"",
     fed: |context, options| match options.word("as", "line") {
@@ -220,6 +221,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
         let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);
         let wash = Wash::faint(Role::Translation, SHARED);
         sketch.part("shared").weight(Weight::Background).area(&strip, Some(wash), None);
+        let label = Label::new("shared", "shared", Anchor::inside(&strip), Role::Translation);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for (i, length) in tracks.iter().enumerate() {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
@@ -242,13 +245,17 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
-        // Below both discs, through which no line need run.
-        let rim = centers.iter().zip(radii).map(|(&center, radius)| {
+        // Those of the centres begin below both discs, through which no line need run; the ends of what is
+        // shared are tied to it.
+        let rim = |center: DVec2, radius: f64| {
             let beside = (point - center).dot(*n);
             (radius * radius - beside * beside).max(0.0).sqrt()
-        });
+        };
+        let below = centers.iter().zip(radii).map(|(&center, radius)| rim(center, radius));
+        let shared = answer.bounds.hi < 0.0 && answer.points.contains(&point);
+        let start = if shared { 0.0 } else { below.fold(0.0, f64::max) };
         sketch.part("lengths").weight(Weight::Light).line(
-            point + down * rim.fold(0.0, f64::max),
+            point + down * start,
             point + out,
             Pen::extension().opacity(GUIDE),
         );

@@ -38,6 +38,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "the bodies that the query is not about, muted",
         },
         OptionSpec {
+            name: "dotted",
+            takes: Takes::Flag,
+            default: "false",
+            about: "those as dotted outlines in the colour of the first body: how it could be instead",
+        },
+        OptionSpec {
             name: "text",
             takes: Takes::Lines,
             default: "its name",
@@ -60,7 +66,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sides = options.of(&context.sides());
     let centers = options.flag("centers", false);
     if options.flag("context", !options.gives("of")) {
-        bystanders(sketch, context);
+        bystanders(sketch, context, options.flag("dotted", false));
     }
     for &side in &sides {
         body(sketch, context, options, side);
@@ -97,8 +103,9 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
     }
 }
 
-/// Draws the bodies that the query is not about.
-fn bystanders(sketch: &mut Sketch, context: &Context) {
+/// Draws the bodies that the query is not about; dotted, as what the first body could be.
+fn bystanders(sketch: &mut Sketch, context: &Context, dotted: bool) {
+    let role = if dotted { Role::A } else { Role::Muted };
     let pair = extent_of_the_pair(context);
     for (i, (index, name, outline)) in context.bystanders().enumerate() {
         let Some(own) = extent(context, &outline) else { continue };
@@ -110,13 +117,17 @@ fn bystanders(sketch: &mut Sketch, context: &Context) {
             continue;
         }
         let weight = if near { Weight::Light } else { Weight::Background };
-        let pen = Pen::outline(Role::Muted).width(1.0);
+        let (wash, pen) = if dotted {
+            (None, Pen::ghost(role))
+        } else {
+            (Some(Wash::faint(role, FAINT)), Pen::outline(role).width(1.0))
+        };
         sketch.part(format!("context-{}", i + 1)).weight(weight);
-        sketch.area(&outline, Some(Wash::faint(Role::Muted, FAINT)), Some(pen));
+        sketch.area(&outline, wash, Some(pen));
         held::bystander(sketch, context, index);
         if seen {
             let anchor = Anchor::inside(&outline);
-            sketch.label(Label::new("context", name, anchor, Role::Muted).rank(Rank::Word).size(Size::Note));
+            sketch.label(Label::new("context", name, anchor, role).rank(Rank::Word).size(Size::Note));
         }
     }
 }
