@@ -21,6 +21,11 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
     }
 }
 
+/// Whether a line is dotted or dashed, and nothing is filled.
+fn dotted(path: &Path) -> bool {
+    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && path.fill.is_none()
+}
+
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
@@ -40,7 +45,6 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         f.says("$p =$ $(3, -2)$") && f.says("$q - p$") && f.says("$q - p =$ $(-2, 4)$") && f.says("$p - q$"),
     ];
     let grown = look(&f, 1, view);
-    let dotted = |p: &Path| p.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && p.fill.is_none();
     // Each vertex of A less a vertex of B seen from b, whichever is farther out.
     let outline =
         [(0.0, 2.0), (-2.9, 1.6), (-3.9, -0.4), (-2.2, -2.2), (0.8, -4.2), (2.8, -3.2), (4.0, -1.0)];
@@ -89,116 +93,116 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-7.8, -4.15, 7.8, 6.65]);
+    let view = [-4.7, -3.55, 4.7, 5.45];
+    let world = look(&f, 0, view);
     // Vertices of A, whose x axis is (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
-    let (a_1, a_2) = (turned(4.0, 2.5), turned(-4.0, 2.5));
+    let outline = [(-3.0, -2.25), (3.0, -2.25), (3.0, 2.25), (-3.0, 2.25)].map(|(x, y)| turned(x, y));
+    let [.., a_1, a_2] = outline;
     shows![
-        world.polygon(A, &[turned(-4.0, -2.5), turned(4.0, -2.5), a_1, a_2]).is_some(),
-        world.polygon(B, &[(-1.58, 0.06), (2.26, 1.18), (1.42, 4.06), (-2.42, 2.94)]).is_some(),
+        world.polygon(A, &outline).is_some(),
+        world.polygon(B, &[(-1.03, -0.04), (1.85, 0.8), (1.15, 3.2), (-1.73, 2.36)]).is_some(),
         // From the middle of what the parallel edges share, along (-7, 24)/25.
-        world.arrow(Translation, (0.34, 0.62), (-0.22, 2.54)),
-        world.marker(B, (-1.58, 0.06)),
-        world.marker(B, (2.26, 1.18)),
-        // Pushed out by (-0.56, 1.92).
-        world
-            .polygon(B, &[(-2.14, 1.98), (1.7, 3.1), (0.86, 5.98), (-2.98, 4.86)])
-            .is_some_and(|p| p.fill.is_none()),
-        // The edges that face each other, 4 and 8 long.
-        world.emphasised(B, (-1.58, 0.06), (2.26, 1.18)),
+        world.arrow(Translation, (0.41, 0.38), (-0.15, 2.3)),
+        world.marker(B, (-1.03, -0.04)),
+        world.marker(B, (1.85, 0.8)),
+        // The edges that face each other, 3 and 6 long.
+        world.emphasised(B, (-1.03, -0.04), (1.85, 0.8)),
         world.emphasised(A, a_1, a_2),
-        world.arrow(B, (-1.58, 0.06), (2.26, 1.18)),
+        world.arrow(B, (-1.03, -0.04), (1.85, 0.8)),
         world.arrow(A, a_1, a_2),
-        world.text_near("$b_1$", (-1.58, 0.06), 40.0),
-        world.text_near("$b_2$", (2.26, 1.18), 40.0),
-        f.says("$4$ long") && f.says("$8$ long"),
-        // Both ends of what they share then.
-        world.marker(Ink, (-2.14, 1.98)) && world.marker(Ink, (1.7, 3.1)),
+        world.text_near("$b_1$", (-1.03, -0.04), 40.0),
+        world.text_near("$b_2$", (1.85, 0.8), 40.0),
+        f.says("$3$ long") && f.says("$6$ long"),
         world.marker(A, a_1),
         world.text_near("$a_1$", a_1, 40.0) && world.text_near("$a_2$", a_2, 40.0),
     ];
-    let conf = look(&f, 1, [-7.9, -5.0, 7.7, 8.0]);
+    let after = look(&f, 1, view);
+    shows![
+        after.polygon(A, &outline).is_some(),
+        // Pushed out by (-0.56, 1.92).
+        after
+            .polygon(B, &[(-1.59, 1.88), (1.29, 2.72), (0.59, 5.12), (-2.29, 4.28)])
+            .is_some_and(|p| p.fill.is_some()),
+        // Both ends of what the edges share then.
+        after.marker(Ink, (-1.59, 1.88)) && after.marker(Ink, (1.29, 2.72)),
+        after.text_near("contact", (-1.59, 1.88), 60.0) && after.text_near("contact", (1.29, 2.72), 60.0),
+        !after.marker(B, (-1.03, -0.04)),
+    ];
+    let conf = look(&f, 2, [-5.55, -4.3, 5.65, 6.4]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-4.72, -3.46), B),
-            ((-0.88, -2.34), A),
-            ((6.8, -0.1), B),
-            ((5.96, 2.78), A),
-            ((4.56, 7.58), B),
-            ((0.72, 6.46), A),
-            ((-6.96, 4.22), B),
-            ((-6.12, 1.34), A),
+            ((-3.28, -3.04), B),
+            ((-0.4, -2.2), A),
+            ((5.36, -0.52), B),
+            ((4.66, 1.88), A),
+            ((3.4, 6.2), B),
+            ((0.52, 5.36), A),
+            ((-5.24, 3.68), B),
+            ((-4.54, 1.28), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (0.56, -1.92), (0.0, 0.0)),
-        conf.marker(Now, (-0.88, -2.34)),
+        conf.marker(Now, (-0.4, -2.2)),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$", (-2.8, -2.9), 60.0),
-        conf.text_near("edge of $A$, reversed", (3.4, -1.1), 80.0),
+        conf.text_near("edge of $B$", (-1.84, -2.62), 60.0),
+        conf.text_near("edge of $A$, reversed", (2.48, -1.36), 80.0),
         // There it goes the other way.
-        conf.arrow(A, (-0.88, -2.34), (6.8, -0.1)),
-        // (−1.58, 0.06) − (3.14, 3.52) and (2.26, 1.18) − (−4.54, 1.28)
-        conf.text_near("$b_1 - a_1$", (-4.72, -3.46), 60.0)
-            && conf.text_near("$b_2 - a_2$", (6.8, -0.1), 60.0),
-        // (2.26, 1.18) − (3.14, 3.52)
-        conf.text_near("$b_2 - a_1$", (-0.88, -2.34), 60.0),
+        conf.arrow(A, (-0.4, -2.2), (5.36, -0.52)),
+        // (−1.03, −0.04) − (2.25, 3) and (1.85, 0.8) − (−3.51, 1.32)
+        conf.text_near("$b_1 - a_1$", (-3.28, -3.04), 60.0)
+            && conf.text_near("$b_2 - a_2$", (5.36, -0.52), 60.0),
+        // (1.85, 0.8) − (2.25, 3)
+        conf.text_near("$b_2 - a_1$", (-0.4, -2.2), 60.0),
     ];
 }
 
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-6.0, -3.6, 9.2, 6.8]);
+    let world = look(&f, 0, [-5.65, -4.1, 6.75, 7.1]);
     // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
     shows![
         world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
-        world.polygon(B, &[(-0.75, 3.0), (3.0, -2.0), (5.0, 4.0)]).is_some(),
-        world.polygon(B, &[(0.85, 4.2), (4.6, -0.8), (6.6, 5.2)]).is_some_and(|p| p.fill.is_none()),
+        world.polygon(B, &[(-0.75, 3.0), (1.8, -0.4), (3.5, 4.0)]).is_some(),
+        world.polygon(B, &[(0.85, 4.2), (3.4, 0.8), (5.1, 5.2)]).is_some_and(|p| p.fill.is_none()),
         world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
         f.says("$B$ pushed out"),
-        // One vertex can be worked out: (5, 4) − (−3, −1.5).
-        world.text_near("$(5, 4)$", (5.0, 4.0), 60.0) && world.text_near("$(-3, -1.5)$", (-3.0, -1.5), 60.0),
+        // One vertex can be worked out: (3.5, 4) − (−3, −1.5).
+        world.text_near("$(3.5, 4)$", (3.5, 4.0), 60.0)
+            && world.text_near("$(-3, -1.5)$", (-3.0, -1.5), 60.0),
     ];
-    let conf = look(&f, 1, [-4.2, -6.2, 11.0, 7.6]);
+    let conf = look(&f, 1, [-4.05, -4.75, 8.35, 6.45]);
     edges_wear_their_source(
         &conf,
         &[
-            ((4.75, -5.75), A),
-            ((7.0, -3.0), B),
-            ((9.0, 3.0), A),
-            ((8.0, 5.5), A),
-            ((5.5, 6.0), B),
+            ((3.55, -4.15), A),
+            ((5.8, -1.4), B),
+            ((7.5, 3.0), A),
+            ((6.5, 5.5), A),
+            ((4.0, 6.0), B),
             ((-0.25, 5.0), A),
             ((-3.25, 1.0), B),
-            ((0.5, -4.0), A),
+            ((-0.7, -2.4), A),
         ],
     );
     // The next way out is square to the edge from (-0.25, 5) to (-3.25, 1) on the line 4x - 3y = -16. Pushed by
     // (1.6, 1.2), B takes B ⊖ A along until the nearest edge runs through O.
     let foot = (-0.8 * 3.2, 0.6 * 3.2);
-    let pushed = [
-        (6.35, -4.55),
-        (8.6, -1.8),
-        (10.6, 4.2),
-        (9.6, 6.7),
-        (7.1, 7.2),
-        (1.35, 6.2),
-        (-1.65, 2.2),
-        (2.1, -2.8),
-    ];
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
-        conf.polygon(Difference, &pushed).is_some_and(|p| p.fill.is_none()),
+        conf.line(Difference, (-3.25 + 1.6, 1.0 + 1.2), (-0.7 + 1.6, -2.4 + 1.2)).is_some_and(dotted),
+        f.says("pushed to $O$"),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
         f.says("$3.2$, longer"),
-        conf.text_near("$(8, 5.5)$", (8.0, 5.5), 60.0),
+        conf.text_near("$(6.5, 5.5)$", (6.5, 5.5), 60.0),
     ];
 }
 

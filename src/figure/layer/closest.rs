@@ -12,7 +12,8 @@ use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::difference::{called, difference};
+use super::difference::difference;
+use super::polytope::PUSHED;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
@@ -31,7 +32,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "pushed",
             takes: Takes::Flag,
             default: "false",
-            about: "of bodies that overlap, where B ⊖ A lies when B is pushed out, dotted",
+            about: "of bodies that overlap, the edge of B ⊖ A that is at O when B is pushed out, dotted",
         },
         OptionSpec {
             name: "turned",
@@ -43,7 +44,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "rival", about: "length of the next longer way out" },
-        LabelKey { key: "pushed", about: "B ⊖ A when B is pushed out" },
+        LabelKey { key: "pushed", about: "the nearest edge when B is pushed out" },
         LabelKey { key: "turn", about: "the half turn, with turned" },
         LabelKey { key: "unturned", about: "the distance before the half turn, with turned" },
     ],
@@ -105,7 +106,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         sketch.since(run.map(|run| run.end()));
         if options.flag("pushed", false) {
-            pushed(sketch, context, -foot);
+            pushed(sketch, context, from, foot);
         }
         sketch.part("closest").arrow_to(to, from, Marker::Origin.reach(MARKER), Pen::vector(role));
     } else {
@@ -129,17 +130,14 @@ fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
-/// Draws B ⊖ A moved by the minimum translation of B, dotted.
-fn pushed(sketch: &mut Sketch, context: &Context, by: DVec2) {
-    let Some(found) = difference(context, context.difference_time()) else { return };
-    let (outline, role) = (found.outline().moved(by), Role::Difference);
-    sketch.part("pushed").weight(Weight::Light).area(&outline, None, Some(Pen::ghost(role)));
-    let text = format!("{} pushed out", called(context));
-    // Most of it lies on B ⊖ A, whose own name stands there: at the edge that is farthest the other way.
-    let far = found.edges.iter().max_by(|e, f| e.normal.dot(by).total_cmp(&f.normal.dot(by)));
-    let Some((from, to)) = far.map(|edge| found.drawn(edge)) else { return };
-    let label =
-        Label::new("pushed", text, Anchor::Beside { from: to + by, to: from + by, offset: 0.0 }, role);
+/// Draws the nearest edge of B ⊖ A moved by the minimum translation of B, dotted: through O. All of B ⊖ A goes
+/// along, and its outline there would be a second picture; where an arc is nearest there is no edge.
+fn pushed(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
+    let found = difference(context, context.difference_time());
+    let Some((p, q)) = found.and_then(|found| facing(&found, from, foot)) else { return };
+    let (p, q, role) = (p - foot, q - foot, Role::Difference);
+    sketch.part("pushed").weight(Weight::Light).line(p, q, Pen::ghost(role));
+    let label = Label::new("pushed", PUSHED, Anchor::tip(p, q), role);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
@@ -191,18 +189,21 @@ fn right_angle(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2)
     }
 }
 
+/// The edge of B ⊖ A that the way `foot` ends on and is square to; `None` where it is to none.
+fn facing(found: &Difference, from: DVec2, foot: DVec2) -> Option<(DVec2, DVec2)> {
+    let (to, size) = (from + foot, foot.length());
+    found.edges.iter().map(|edge| found.drawn(edge)).find(|(p, q)| {
+        let along = *q - *p;
+        let share = (to - *p).dot(along) / along.length_squared();
+        let off = (to - *p).perp_dot(along).abs() / along.length();
+        let square = along.dot(foot).abs() <= SAME * size * along.length();
+        square && (0.0..=1.0).contains(&share) && off <= SAME * size
+    })
+}
+
 /// From the end of the way `foot` along the edge of B ⊖ A that it is square to; `None` where it is to none.
 pub(super) fn leg(found: &Difference, from: DVec2, foot: DVec2) -> Option<DVec2> {
-    let (to, size) = (from + foot, foot.length());
-    found.edges.iter().map(|edge| found.drawn(edge)).find_map(|(p, q)| {
-        let along = q - p;
-        let share = (to - p).dot(along) / along.length_squared();
-        let off = (to - p).perp_dot(along).abs() / along.length();
-        let square = along.dot(foot).abs() <= SAME * size * along.length();
-        (square && (0.0..=1.0).contains(&share) && off <= SAME * size).then_some(if share > 0.5 {
-            p - to
-        } else {
-            q - to
-        })
-    })
+    let to = from + foot;
+    let (p, q) = facing(found, from, foot)?;
+    Some(if to.distance_squared(p) > to.distance_squared(q) { p - to } else { q - to })
 }

@@ -17,18 +17,16 @@ use crate::trace::{Culling, Event};
 
 use crate::scene::When;
 
+use super::difference_name::{called, name};
 use super::edge_cues::EdgeCues;
 use super::half_extents::ON_LINE;
 use super::held;
 use super::step_numbers::step_numbers;
+use super::unbuilt::unbuilt;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, number_of};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
 const THIN: (f64, f64) = (1.0, 0.75);
-
-/// Width, page pixels, and opacity of the outline of a difference that nobody has built, and the opacity of
-/// its area: seen, and less than anything that is known of it.
-const UNBUILT: [f64; 3] = [1.0, 0.5, 0.07];
 
 /// How many iterations are drawn at most; more are a blur.
 const MOST: usize = 6;
@@ -83,7 +81,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "true",
             about: "false: faint and without vertices, for an algorithm that never builds it",
         },
-        OptionSpec { name: "fill", takes: Takes::Flag, default: "true", about: "unbuilt, its faint area" },
+        OptionSpec {
+            name: "fill",
+            takes: Takes::Flag,
+            default: "true",
+            about: "unbuilt, its faint area, with the name in it",
+        },
         OptionSpec {
             name: "dotted",
             takes: Takes::Flag,
@@ -212,16 +215,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Draws the area and its outline faintly, and its name: what is there though no algorithm has seen it.
-fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
-    let role = options.role(Role::Difference);
-    let pen = Pen::outline(role).width(UNBUILT[0]).opacity(UNBUILT[1]);
-    sketch.part("difference").weight(Weight::Light);
-    let wash = options.flag("fill", true).then(|| Wash::faint(role, UNBUILT[2]));
-    sketch.area(&found.outline(), wash, Some(pen));
-    name(sketch, context, options, found);
-}
-
 /// Draws where it is at another moment: its outline, dotted, with its name and that moment.
 fn dotted(sketch: &mut Sketch, context: &Context, options: &Options, (time, found): (f64, &Difference)) {
     let (role, outline) = (options.role(Role::Difference), found.outline());
@@ -284,24 +277,6 @@ fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Opti
     for edge in &found.edges {
         sketch.since(cue(edge)).marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
     }
-}
-
-/// What B ⊖ A is called, as markup.
-pub(super) fn called(context: &Context) -> String {
-    if context.has_letters() {
-        let [a, b] = Side::BOTH.map(|side| context.named(side).term());
-        return format!(r"${b} \ominus {a}$");
-    }
-    format!(r"{} $\ominus$ {}", context.name(Side::B), context.name(Side::A))
-}
-
-/// Names the difference inside it.
-fn name(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
-    let text = called(context);
-    let anchor = Anchor::inside(&found.outline());
-    let role = options.role(Role::Difference);
-    // A part of its own, as the name must not lie on the vertices.
-    sketch.part("name").label(Label::new("difference", text, anchor, role).rank(Rank::Name).size(Size::Name));
 }
 
 /// Writes `from A` and `from B` outside the first edge of each that faces up, away from the origin.

@@ -20,6 +20,7 @@ mod contact;
 mod coordinates;
 mod cores;
 mod difference;
+mod difference_name;
 mod edge_cues;
 mod edge_fan;
 mod edge_normals;
@@ -61,6 +62,7 @@ mod sweep;
 mod tests;
 mod tracks;
 mod translation;
+mod unbuilt;
 mod velocity;
 mod vertices;
 

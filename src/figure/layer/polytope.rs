@@ -33,6 +33,9 @@ const SPLIT: f64 = 0.75;
 /// The shortest and the longest that nₑ is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
 
+/// What is said of the nearest edge where it comes to be when B is pushed out.
+pub(super) const PUSHED: &str = "pushed to $O$";
+
 pub(super) const LAYER: Layer = Layer {
     name: "polytope",
     about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
@@ -179,7 +182,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     if push {
         let [from, to] = step.edge.map(|end| end - foot);
         sketch.part("pushed").weight(Weight::Light).line(from, to, Pen::ghost(Role::Difference));
-        let label = Label::new("pushed", "pushed to $O$", Anchor::middle(from, to), Role::Difference);
+        let label = Label::new("pushed", PUSHED, Anchor::middle(from, to), Role::Difference);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
         sketch.part("push").arrow_to(foot, DVec2::ZERO, Marker::Origin.reach(MARKER), blue);
     } else {

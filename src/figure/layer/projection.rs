@@ -144,17 +144,13 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         .collect();
     let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
-    if t.gap > 0.0 {
-        let high = points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max);
-        let low = sketch.px(MEASURE);
-        let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, -far - high), (t.a.hi, -far - high)];
-        let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
-        sketch.part("lit").weight(Weight::Light).area(
-            &strip,
-            Some(Wash::faint(Role::Translation, LIT)),
-            None,
-        );
-    }
+    let high = points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max);
+    // What lies in both shadows is marked at them alone: light that would fall there is stopped.
+    let top = if t.gap > 0.0 { -far - high } else { -sketch.px(TRACK) };
+    let low = sketch.px(MEASURE);
+    let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, top), (t.a.hi, top)];
+    let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Translation, LIT)), None);
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -183,11 +179,12 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
             let measured = end == if body == Side::A { t.a.hi } else { t.b.lo };
             let track = if measured { sketch.px(MEASURE) } else { track };
             if let Some(from) = casting(&points, t.n, end, down) {
-                sketch.part("shadows").weight(Weight::Light).line(
-                    from,
-                    at(end, track),
-                    Pen::extension().opacity(GUIDE),
-                );
+                let across = hidden_by(context, body.other(), t.n, end, down);
+                sketch.part("shadows").weight(Weight::Light);
+                for [p, q] in seen([from.dot(down), far + track], across) {
+                    let place = |depth: f64| t.n * end + down * depth;
+                    sketch.line(place(p), place(q), Pen::extension().opacity(GUIDE));
+                }
             }
         }
         let pen = Pen::highlighted(options.role(body.into()));
@@ -200,15 +197,16 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     }
 }
 
-/// Writes where A ends and where B begins, each over its own interval, away from the other's.
+/// Writes where A ends and where B begins, each beyond the end of its own interval, on its side of the axis.
 fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(TRACK);
     let [a, b] = terms([t.a.hi, t.b.lo], t.gap);
-    for (key, side, along, text, out) in
-        [("end.A", Side::A, t.a.hi, a, -1.0), ("begin.B", Side::B, t.b.lo, b, 1.0)]
+    for (key, side, along, text, beyond) in
+        [("end.A", Side::A, t.a.hi, a, t.n - down), ("begin.B", Side::B, t.b.lo, b, down - t.n)]
     {
         let text = format!("${text}$");
-        let anchor = Anchor::point_toward(at(along, out * track), (down + t.n) * out);
+        let out = if side == Side::A { -track } else { track };
+        let anchor = Anchor::point_toward(at(along, out), beyond);
         sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }
 }
@@ -221,6 +219,23 @@ fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
         .iter()
         .copied()
         .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
+}
+
+/// From where to where along `down` a body hides the line of all points whose shadow is at `end`; `None`
+/// where that line misses it.
+fn hidden_by(context: &Context, side: Side, n: DVec2, end: f64, down: DVec2) -> Option<[f64; 2]> {
+    let points = context.outline(side, context.time)?.sampled();
+    let off = |p: DVec2| p.dot(n) - end;
+    let next = points.iter().skip(1).chain(points.first());
+    let crossings = points.iter().zip(next).filter(|(p, q)| (off(**p) < 0.0) != (off(**q) < 0.0));
+    let depths = crossings.map(|(&p, &q)| (p + (q - p) * (off(p) / (off(p) - off(q)))).dot(down));
+    depths.map(|depth| [depth; 2]).reduce(|[lo, hi], [least, most]| [lo.min(least), hi.max(most)])
+}
+
+/// The parts of a line, from the less to the more along it, that nothing hides.
+fn seen([from, to]: [f64; 2], hidden: Option<[f64; 2]>) -> impl Iterator<Item = [f64; 2]> {
+    let [lo, hi] = hidden.unwrap_or([to; 2]);
+    [[from, lo.min(to)], [hi.max(from), to]].into_iter().filter(|[p, q]| p < q)
 }
 
 /// Draws the edge whose normal the axis is, thick, and n square to it outside of its middle, where it is

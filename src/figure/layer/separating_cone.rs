@@ -62,7 +62,7 @@ const TICK: f64 = 10.0;
 const BEHIND: f64 = 96.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
-const READABLE: [f64; 2] = [24.0, 60.0];
+const READABLE: [f64; 2] = [24.0, 96.0];
 
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
@@ -174,9 +174,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
 }
 
-/// The radius of the cone.
+/// The radius of the cone: 1, as its ends are unit vectors, where that can be read.
 fn radius(sketch: &Sketch, cone: &Cone) -> f64 {
-    sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)))
+    let most = sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)));
+    if (sketch.px(FREE.1)..=most).contains(&1.0) { 1.0 } else { most }
 }
 
 /// Draws the cone, and the tangents that its ends are square to.

@@ -27,6 +27,12 @@ pub(super) const LAYER: Layer = Layer {
     tells: Tells::Found,
     options: &[
         OptionSpec {
+            name: "vertices",
+            takes: Takes::Flag,
+            default: "true",
+            about: "the vertices themselves, in the world where they are",
+        },
+        OptionSpec {
             name: "lengths",
             takes: Takes::Flag,
             default: "false",
@@ -127,7 +133,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         return;
     }
-    let Some((side, vertices)) = supports(context) else { return };
+    if options.flag("contacts", false) {
+        contacts(sketch, context);
+    }
+    let Some((side, vertices)) = supports(context).filter(|_| options.flag("vertices", true)) else {
+        return;
+    };
     if let Some(found) = difference(context, context.time).filter(|_| lengths) {
         for vertex in ends(context, &found, side.other()).into_iter().flatten() {
             mark(sketch, context, options.role(vertex.side.into()), vertex, Anchor::point(vertex.point));
@@ -145,11 +156,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = if lengths { options.role(side.into()) } else { role };
         mark(sketch, context, role, Marked { side, number, point }, anchor);
     }
-    if options.flag("contacts", false) {
-        for end in shared(context).into_iter().flatten() {
-            sketch.part("contact").marker(end, Marker::Disc, Role::Ink, MARKER);
-            sketch.label(Label::new("contact", "", Anchor::point(end), Role::Ink));
-        }
+}
+
+/// Marks the ends of what facing edges share once B is pushed out.
+fn contacts(sketch: &mut Sketch, context: &Context) {
+    for end in shared(context).into_iter().flatten() {
+        sketch.part("contact").marker(end, Marker::Disc, Role::Ink, MARKER);
+        let label = Label::new("contact", "", Anchor::point(end), Role::Ink);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
 }
 
