@@ -16,6 +16,7 @@ use tracefig::trace::{Event, Trace};
 use tracefig_reference::check::{Record, Report, check, check_certificate};
 use tracefig_reference::generate::Family;
 use tracefig_reference::json::Json;
+use tracefig_reference::random::Random;
 use tracefig_reference::scene::{Kind, Scene};
 use tracefig_reference::tally::Tally;
 
@@ -123,6 +124,57 @@ fn every_algorithm_keeps_within_its_bounds() {
     assert!(tally.failures.is_empty(), "{}", tally.told(SHOWN));
 }
 
+/// The scene with its two bodies called the other way round.
+fn swapped(scene: &Json) -> Json {
+    let mut scene = scene.clone();
+    let mut query = scene.get("query").cloned().expect("a query");
+    let mut of = query.get("of").expect("two bodies").list().to_vec();
+    of.reverse();
+    query.set("of", Json::List(of));
+    scene.set("query", query);
+    scene
+}
+
+/// Whether nothing in the scene is turned: its points are doubles exactly.
+fn is_unturned(text: &str) -> bool {
+    !text.contains("angle_deg")
+}
+
+#[test]
+fn points_and_segments_on_one_line_are_right_by_every_algorithm_in_both_orders() {
+    let mut tally = Tally::default();
+    let mut open = Vec::new();
+    for family in [Family::Separation, Family::Impact] {
+        let category = family.categories().iter().find(|c| c.name == "flat-pairs").expect("there");
+        for i in 0..setting("TRACEFIG_CASES_FLAT", 100) {
+            let case = (category.draw)(&mut Random::of_case(setting("TRACEFIG_SEED", 1), i));
+            let kinds: &[&str] = match family {
+                Family::Impact => &["linear-sweep", "time-of-impact"],
+                _ => &["separation", "overlap", "contact"],
+            };
+            let asked = tracefig::collision::ALGORITHMS
+                .iter()
+                .flat_map(|a| kinds.iter().map(move |kind| (*kind, a.name)))
+                .flat_map(|(kind, name)| {
+                    [&case, &swapped(&case)].map(|scene| asking(scene, kind, name).map(|text| (name, text)))
+                });
+            for (name, text) in asked.flatten() {
+                let answer = tracefig::solve_jsonl_line(&text, 1).line;
+                let mut report = checked(&text, &answer);
+                let is_default = matches!(name, "ray-cast" | "swept-axis" | "closest-features");
+                report.faults.retain(|fault| is_default || !TIGHT.contains(&fault.claim));
+                tally.add(&text, &answer, &report);
+                if is_default && is_unturned(&text) && answer.contains("unresolved") {
+                    open.push(format!("{text}\n{answer}"));
+                }
+            }
+        }
+    }
+    println!("{tally}");
+    assert!(tally.failures.is_empty(), "{} wrong\n{}", tally.failures.len(), tally.told(SHOWN));
+    assert!(open.is_empty(), "{} are left open, as\n{}", open.len(), open[0]);
+}
+
 #[test]
 fn separations_bounds_and_overlaps_are_exact_within_their_bounds() {
     assert_right(Family::Separation, setting("TRACEFIG_CASES_SEPARATION", 5_000));
@@ -206,6 +258,10 @@ fn planted_in_misses(fault: impl Fn(&mut Json)) -> (usize, usize) {
         let mut answer = Json::parse(&tracefig::solve_jsonl_line(&text, 1).line).expect("valid");
         let Some(mut result) = answer.get("result").cloned() else { continue };
         let Some(mut closest) = result.get("closest").cloned() else { continue };
+        // A graze by 1e-17 and less says as little of a millionth of it as doubles do.
+        if closest.number_at("separation").is_none_or(|s| s < 1e-15) {
+            continue;
+        }
         fault(&mut closest);
         result.set("closest", closest);
         answer.set("result", result);
@@ -228,10 +284,9 @@ fn a_miss_that_is_said_to_come_nearer_or_less_near_or_at_another_time_would_be_c
         }
     };
     let (less_near, caught) = planted_in_misses(by(1.0 + 1e-6));
-    // A graze by 1e-17 and less says as little of a millionth of it as doubles do.
-    assert!(caught + 2 >= less_near, "less near: {caught} of {less_near}");
+    assert!(caught == less_near, "less near: {caught} of {less_near}");
     let (nearer, caught) = planted_in_misses(by(1.0 - 1e-6));
-    assert!(caught + 2 >= nearer, "nearer: {caught} of {nearer}");
+    assert!(caught == nearer, "nearer: {caught} of {nearer}");
     let (moved, caught) = planted_in_misses(|closest| {
         let time = closest.number_at("time").expect("a time");
         closest.set("time", Json::Number(if time < 0.5 { time + 0.25 } else { time - 0.25 }));

@@ -5,6 +5,7 @@
 
 mod draft;
 mod extremes;
+mod flat_pairs;
 mod impact;
 mod lattice;
 mod logged;
@@ -43,6 +44,7 @@ const AT_ONE_MOMENT: &[Category] = &[
     Category { name: "many-corners", draw: separation::many_vertices },
     Category { name: "collinear-duplicate", draw: separation::collinear },
     Category { name: "flat", draw: separation::flat },
+    Category { name: "flat-pairs", draw: flat_pairs::at_rest },
     Category { name: "circles", draw: separation::circles },
     Category { name: "moment", draw: separation::moment },
     Category { name: "overlap", draw: stillness::overlap },
@@ -61,6 +63,7 @@ const IN_MOTION: &[Category] = &[
     Category { name: "rod-past-peg", draw: impact::rod_past_peg },
     Category { name: "arm", draw: impact::arm },
     Category { name: "flat", draw: impact::flat },
+    Category { name: "flat-pairs", draw: flat_pairs::moving },
     Category { name: "stops-above", draw: impact::stops_above },
     Category { name: "no-relative-motion", draw: impact::no_relative_motion },
     Category { name: "starts-near", draw: impact::starts_near },

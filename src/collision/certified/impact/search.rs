@@ -107,7 +107,8 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
     /// Certified steps from t = 0 on.
     fn step_by_step(&mut self) -> Ended {
         let (mut near, gap) = self.closest(0.0);
-        if gap < CLOSE * self.pair.rounding {
+        // Of two points at rest in one place nothing is rounded.
+        if gap <= CLOSE * self.pair.rounding {
             let start = self.separation_at(0.0, near);
             if start.bounds.lo <= 0.0 {
                 return Ended::Decided(Outcome::at_start(&start));
@@ -287,6 +288,14 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
 mod tests {
     use super::*;
     use crate::collision::tests::bodies::{moving, placed, polygon};
+
+    #[test]
+    fn two_points_at_rest_in_one_place_overlap_from_the_start() {
+        let a = placed(polygon(&[[0., 0.]], 0.0), 0.5, 0.25, 0.0);
+        let b = a.clone();
+        let impact = MovingPair::new(&a, &b).first_contact(1e-12, 100);
+        assert!(matches!(impact.outcome, Outcome::Overlapping { .. }), "{impact:?}");
+    }
 
     #[test]
     fn turns_without_end_spend_what_the_limit_allows_and_no_more() {

@@ -92,7 +92,7 @@ impl Ray<'_, '_> {
     /// Where the ray's line enters B ⊖ A.
     fn entry(&self) -> Entry {
         let Some(facing) = last_line(self.pair, self.direction()) else {
-            return self.entry_by_disc([0, 0]);
+            return self.entry_by_disc(self.first_vertex());
         };
         let measured = self.balls.measure(facing);
         let when = self.meets_line(&measured);
@@ -114,6 +114,14 @@ impl Ray<'_, '_> {
                 other => other,
             },
         }
+    }
+
+    /// The vertex of B ⊖ A that is first along the ray, in doubles: where no edge faces it, B ⊖ A is a point
+    /// or a segment along the ray, which meets it there if at all.
+    fn first_vertex(&self) -> [usize; 2] {
+        let (pair, v) = (self.pair, self.direction());
+        let seen = pair.b_rotation.rounded().undo(v);
+        [pair.hull(Side::A).highest(v, usize::MAX), pair.hull(Side::B).highest(-seen, usize::MAX)]
     }
 
     /// When the ray meets the line of an edge, moved out by ρ.
@@ -172,8 +180,12 @@ impl Ray<'_, '_> {
         if self.pair.radius.hi == 0.0 {
             return match across.sign() {
                 Some(0) => {
-                    let when = TimeQuotient { numerator: along, denominator: speed_squared };
-                    Entry::At { feature, time: when.doubles(), contact: None }
+                    // Nothing of B ⊖ A is before what is first along the ray, and the vertex is part of it.
+                    let first = along - Ball::new(self.drop_along(vertex));
+                    let [from, to] = [first, along]
+                        .map(|numerator| TimeQuotient { numerator, denominator: speed_squared }.doubles());
+                    let time = Enclosure { lo: from.lo, hi: to.hi };
+                    Entry::At { feature, time, contact: None }
                 }
                 Some(side) => self.passes(vertex, side),
                 None => Entry::Unsure,
@@ -207,6 +219,12 @@ impl Ray<'_, '_> {
         let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
         let closing = dot(&n, &self.v);
         closing.is_positive().then(|| TimeQuotient { numerator: gap.widen(drop), denominator: closing })
+    }
+
+    /// How much farther back along the ray B ⊖ A may reach than a vertex of it, times |v|: 0 where that is
+    /// certainly the first.
+    fn drop_along(&self, [i, j]: [usize; 2]) -> f64 {
+        self.balls.drop_below(Side::B, j, &self.v) + self.balls.drop_below(Side::A, i, &reversed(&self.v))
     }
 
     /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side

@@ -119,7 +119,7 @@ impl<'s> Sweep<'s> {
 mod tests {
     use super::*;
     use crate::collision::certified::distance::settle;
-    use crate::collision::tests::bodies::Bodies;
+    use crate::collision::tests::bodies::{Bodies, moving, placed, polygon};
 
     #[test]
     fn a_contact_of_doubles_is_the_certified_separation_at_its_time() {
@@ -134,5 +134,17 @@ mod tests {
                 (contact.points[0] - at.points[0]).length() + (contact.points[1] - at.points[1]).length();
             assert!(apart < 1e-9 || contact.features != at.features, "{k}: {contact:?} {at:?}");
         }
+    }
+    #[test]
+    fn of_two_segments_along_the_motion_the_ends_that_face_each_other_meet_first() {
+        let segment = |from: f64, to: f64, x: f64| placed(polygon(&[[from, from], [to, to]], 0.0), x, x, 0.0);
+        let (needle, thread) = (segment(-3.0, -2.0, 0.0), segment(-2.0, -1.0, 4.0));
+        let needle = moving(needle, [12.0, 12.0], 0.0);
+        for sweep in [Sweep::new(&needle, &thread), Sweep::new(&thread, &needle)] {
+            let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("a third of the way") };
+            assert!(time.lo <= 1.0 / 3.0 && 1.0 / 3.0 <= time.hi && time.hi - time.lo < 1e-16, "{time:?}");
+        }
+        let over = segment(-2.5, 0.0, 0.0);
+        assert!(matches!(Sweep::new(&needle, &over).first_contact(), Outcome::Overlapping { .. }));
     }
 }
