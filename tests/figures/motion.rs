@@ -278,26 +278,41 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 }
 
 #[test]
-fn demo_angular_sweep_shows_a_new_difference_at_each_of_two_steps() {
+fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
     let f = figure("demo-angular-sweep");
-    let b = [(3.5, -4.1), (5.3, -4.7), (7.0, -3.2), (5.6, -1.3)];
-    // A's vertices at t = 0 and t = 4 / 8, where n is that of B's edge, (0.8, -0.6); the closest points.
-    let steps: [([P; 4], [P; 2], &str); 2] = [
-        ([(-1.2, -0.5), (1.2, -0.5), (1.2, 0.5), (-1.2, 0.5)], [(1.2, -0.5), (4.4, -2.9)], "$d = 4$"),
+    let b = [(3.0, -5.09), (4.5, -5.3), (5.6, -3.8), (4.95, -2.49)];
+    // A's vertices at t = 0, 4.05 / 9 and 2.455 / 9 later, where n is that of B's edge, (0.8, -0.6); the
+    // closest points.
+    let steps: [([P; 4], [P; 2], &str); 3] = [
+        (
+            [(-1.44, -0.42), (1.44, -0.42), (1.44, 0.42), (-1.44, 0.42)],
+            [(1.44, -0.42), (4.68, -2.85)],
+            "$d = 4.05$",
+        ),
         (
             [
-                (2.638_862_851_301, -1.682_362_584_759),
-                (2.808_632_135_303, 0.711_625_383_091),
-                (1.811_137_148_699, 0.782_362_584_759),
-                (1.641_367_864_697, -1.611_625_383_091),
+                (1.444_434_180_873, -3.072_024_443_849),
+                (2.075_173_439_701, -0.261_941_173_309),
+                (1.255_565_819_127, -0.077_975_556_151),
+                (0.624_826_560_299, -2.888_058_826_691),
             ],
-            [(2.638_862_851, -1.682_362_585), (4.350_456_586, -2.966_057_886)],
-            "$d = 2.14$",
+            [(1.444_434_181, -3.072_024_444), (3.408_624_572, -4.545_167_237)],
+            "$d = 2.46$",
+        ),
+        (
+            [
+                (3.325_867_831_304, -3.483_909_912_023),
+                (1.705_368_011_553, -1.103_073_854_21),
+                (1.010_957_494_69, -1.575_719_634_97),
+                (2.631_457_314_442, -3.956_555_692_784),
+            ],
+            [(3.325_867_831, -3.483_909_912), (3.888_235_661, -3.905_685_785)],
+            "$d = 0.703$",
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, 2 * i, [-1.6, -5.25, 7.6, 1.2]);
-        let conf = look(&f, 2 * i + 1, [-0.8, -5.65, 8.4, 0.8]);
+        let world = look(&f, i, [-1.75, -5.6, 6.0, 0.9]);
+        let conf = look(&f, 3 + i, [-0.6, -5.9, 7.15, 1.55]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -323,24 +338,14 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_two_steps() {
             assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A at step {i}");
         }
     }
-    // B ⊖ A at t = 0: B's vertices less the box's.
-    let before = [
-        (2.3, -4.6),
-        (4.1, -5.2),
-        (6.5, -5.2),
-        (8.2, -3.7),
-        (8.2, -2.7),
-        (6.8, -0.8),
-        (4.4, -0.8),
-        (2.3, -3.6),
-    ];
+    let start = steps[0].0;
     shows![
-        // (4.45, -0.9) · (0.8, -0.6), and 1.3 · 3.
-        ["4.1", "3.9"].iter().all(|sum| f.texts.iter().any(|(text, _)| text.contains(sum))),
-        f.says("$t_2 = 4 / 8 = 0.5$") && f.says("$0.5 + 2.14 / 8 = 0.767$, and so on"),
-        // What the step before looked at, dotted.
-        look(&f, 3, [-0.8, -5.65, 8.4, 0.8])
-            .polygon(Difference, &before)
-            .is_some_and(|path| dashed(path) && path.fill.is_none()),
+        // Where it started, dotted beside where it is.
+        look(&f, 2, [-1.75, -5.6, 6.0, 0.9]).polygon(A, &start).is_some_and(dashed),
+        // (3, -3.5) · (0.8, -0.6), and 1.5 · 3.
+        f.texts.iter().any(|(text, _)| text.contains("4.5")),
+        ["0", "0.45", "0.723"]
+            .iter()
+            .all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
     ];
 }
