@@ -104,51 +104,46 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let view = [-6.6, -3.5, 7.9, 3.6];
-    let after = [-6.6, -2.6, 7.9, 3.6];
+    let view = [-6.2, -3.1, 6.2, 3.5];
+    let after = [-6.4, -2.45, 6.0, 3.75];
     let (w, then, hit) = (look(&f, 0, view), look(&f, 2, after), look(&f, 3, after));
-    let shape_a = [(0.0, -3.0), (1.0, 0.0), (0.2, 2.0), (-2.2, 1.2), (-1.8, -1.2)];
-    let shape_b = [(-2.0, -1.2), (1.2, -1.7), (2.4, 0.7), (1.0, 1.6), (-2.0, 1.2)];
+    let shape_a = [(1.0, -1.6), (1.0, 1.4), (-0.4, 2.2), (-2.2, 1.0), (-1.8, -2.4)];
+    let shape_b = [(-2.0, 0.3), (-1.0, -1.7), (2.0, -1.5), (1.9, 0.9), (0.0, 1.8)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
-    // cos and sin of 0.5, of 0.8 · 0.5, and of both angles at the hit, t = 0.759680666960.
-    let t = 0.759_680_666_960;
-    let [a, a_hit] = [(0.877_582_561_890, 0.479_425_538_604), (0.725_055_969_160, 0.688_689_945_902)]
+    // cos and sin of 0.5 · 0.5, of -0.5, and of both angles at the hit, t = 0.829970980547.
+    let t = 0.829_970_980_547;
+    let [a, a_hit] = [(0.968_912_421_711, 0.247_403_959_255), (0.915_122_170_574, 0.403_176_652_256)]
         .map(|angle| shape_a.map(turned(angle)));
-    let [b, b_hit] = [(0.921_060_994_003, 0.389_418_342_309), (0.820_938_015_250, 0.571_017_315_953)]
+    let [b, b_hit] = [(0.877_582_561_890, -0.479_425_538_604), (0.674_897_174_152, -0.737_911_786_274)]
         .map(|angle| shape_b.map(turned(angle)));
-    let contact = (0.393_861_189_478, 0.862_452_320_314);
-    // The point of A that touches, from its origin, and where that is at the bound.
-    let on_a = (0.530_144_641, -1.409_566_077);
-    let half = |p: P| {
-        let (x, y) = turned((0.877_582_561_890, 0.479_425_538_604))(p);
-        (x - 2.0, y + 1.0)
-    };
+    // A's vertex (1, -1.6) then.
+    let contact = (-0.529_853_224_722, 0.598_923_140_432);
     shows![
-        w.polygon(A, &moved(shape_a, (-4.0, 0.0))).is_some_and(|p| p.fill.is_some()),
-        w.polygon(B, &moved(shape_b, (5.0, -0.5))).is_some_and(|p| p.fill.is_some()),
-        w.along(Translation, (-3.0, 0.0), (3.0, 0.0)),
-        w.arrow(Ink, (-3.0, 0.0), (-2.0, 0.0)),
-        w.arrow(Ink, (-4.0, 0.0), (0.0, 2.0)),
-        w.arrow(Ink, (5.0, -0.5), (2.0, 1.5)),
-        w.round((-4.0, 0.0), 0.6) && w.round((5.0, -0.5), 0.6),
-        then.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(|p| p.fill.is_some()),
-        then.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(|p| p.fill.is_some()),
-        then.along(Translation, (-0.935_756_969, 0.443_352_995), (1.190_576_001, 0.826_436_508)),
-        hit.polygon(A, &moved(a_hit, (-4.0 + 4.0 * t, 2.0 * t))).is_some(),
-        hit.polygon(B, &moved(b_hit, (5.0 - 3.0 * t, 2.0 * t - 0.5))).is_some(),
+        w.polygon(A, &moved(shape_a, (-3.75, 0.0))).is_some_and(|p| p.fill.is_some()),
+        w.polygon(B, &moved(shape_b, (3.75, -0.6))).is_some_and(|p| p.fill.is_some()),
+        w.along(Translation, (-2.75, -0.3), (1.75, -0.3)),
+        // On the longer part of the edge, beside d.
+        w.arrow(Ink, (-2.75, 0.55), (-1.75, 0.55)),
+        w.arrow(Ink, (-3.75, 0.0), (-1.75, 2.0)),
+        w.arrow(Ink, (3.75, -0.6), (0.75, 0.9)),
+        w.round((-3.75, 0.0), 0.6) && w.round((3.75, -0.6), 0.6),
+        then.polygon(A, &moved(a, (-2.75, 1.0))).is_some_and(|p| p.fill.is_some()),
+        then.polygon(B, &moved(b, (2.25, 0.15))).is_some_and(|p| p.fill.is_some()),
+        // From A's vertex to the foot on B's edge.
+        then.along(Translation, (-1.385_241_243, -0.302_855_915), (0.575153172, -0.374152349)),
+        hit.polygon(A, &moved(a_hit, (-3.75 + 2.0 * t, 2.0 * t))).is_some(),
+        hit.polygon(B, &moved(b_hit, (3.75 - 3.0 * t, 1.5 * t - 0.6))).is_some(),
         hit.marker(Ink, contact),
-        // Of A a point of the edge to (1, 0), of B the vertex (−2, 1.2), each from where it is at the bound.
-        then.marker(A, half(on_a)) && then.marker(B, (1.190_576_001, 0.826_436_508)),
-        hit.polygon(A, &moved(a, (-2.0, 1.0))).is_some_and(dashed),
-        hit.polygon(B, &moved(b, (3.5, 0.5))).is_some_and(dashed),
-        f.says("$d = 6$"),
-        f.says("$x_1$") && f.says("$x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
-        f.says(r"$\omega_A = 1$") && f.says(r"$\omega_B = 0.8$"),
-        // v·n = (7, 1)·(1, 0), 3 · 1 and 2.5 · 0.8; 6 / 12 = 0.5, and what is left then.
-        f.says(r"$v \cdot n = 7$"),
-        f.says(r"$r_A|\omega_A| = 3$") && f.says(r"$r_B|\omega_B| = 2$") && f.says("$12$"),
-        f.says("$t = 0.5$") && f.says("$0.760$"),
-        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "2.16 left").count() == 2,
+        hit.polygon(A, &moved(a, (-2.75, 1.0))).is_some_and(dashed),
+        hit.polygon(B, &moved(b, (2.25, 0.15))).is_some_and(dashed),
+        f.says("$d = 4.5$"),
+        f.says("$x_1$, $x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
+        f.says(r"$\omega_A = 0.5$") && f.says(r"$\omega_B = -1$"),
+        // v·n = (5, 0.5)·(1, 0), 3 · 0.5 and 2.5 · 1; 4.5 / 9 = 0.5, and what is left then.
+        f.says(r"$v \cdot n = 5$"),
+        f.says(r"$r_A|\omega_A| = 1.5$") && f.says(r"$r_B|\omega_B| = 2.5$") && f.says("$9$"),
+        f.says("$t = 0.5$") && f.says("$0.830$"),
+        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.96 left").count() == 2,
     ];
 }
 
