@@ -230,7 +230,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         sketch.since(context.known(&When::Step(step)));
         let (wash, pen) = look(options, role);
         if let Some(outline) = context.outline(side, time) {
-            let pen = Some(pen.opacity(opacity));
+            // Bodies that are there are all as much there.
+            let pen = Some(if options.flag("solid", false) { pen } else { pen.opacity(opacity) });
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
             let label = Label::new("then", then(step, time), Anchor::inside(&outline), role);
             sketch.label(label.rank(Rank::Word).size(Size::Small));
