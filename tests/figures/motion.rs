@@ -130,7 +130,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         then.polygon(A, &moved(a, (-2.75, 1.0))).is_some_and(|p| p.fill.is_some()),
         then.polygon(B, &moved(b, (2.25, 0.15))).is_some_and(|p| p.fill.is_some()),
         // From A's vertex to the foot on B's edge.
-        then.along(Translation, (-1.385_241_243, -0.302_855_915), (0.575153172, -0.374152349)),
+        then.along(Translation, (-1.385_241_243, -0.302_855_915), (0.575_153_172, -0.374_152_349)),
         hit.polygon(A, &moved(a_hit, (-3.75 + 2.0 * t, 2.0 * t))).is_some(),
         hit.polygon(B, &moved(b_hit, (3.75 - 3.0 * t, 1.5 * t - 0.6))).is_some(),
         hit.marker(Ink, contact),
@@ -318,20 +318,7 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
             |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
         assert!((unit(&world) - unit(&conf)).abs() < 0.01, "{} and {}", unit(&world), unit(&conf));
         assert_eq!(f.texts.iter().filter(|(text, _)| text == said).count(), 2, "{said} in both spaces");
-        // B's edges keep their directions, A's have turned with it.
-        for (k, &from) in b.iter().enumerate() {
-            let to = b[(k + 1) % 4];
-            let far = |v: &P| (v.0 * (to.1 - from.1) - v.1 * (to.0 - from.0)) / 10.0;
-            let &(x, y) = a.iter().min_by(|v, w| far(v).total_cmp(&far(w))).unwrap();
-            let [from, to] = [from, to].map(|(u, v)| (u - x, v - y));
-            assert!(conf.edge(B, from, to).is_some(), "edge {k} of B at step {i}");
-        }
-        for (k, &(x, y)) in a.iter().enumerate() {
-            let (u, v) = a[(k + 1) % 4];
-            let far = |w: &P| w.0 * (v - y) - w.1 * (u - x);
-            let &(s, t) = b.iter().min_by(|v, w| far(v).total_cmp(&far(w))).unwrap();
-            assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A at step {i}");
-        }
+        edges_are_those_of_the_bodies(&conf, &a, &b);
     }
     let start = steps[0].0;
     shows![
@@ -343,4 +330,26 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
             .iter()
             .all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
     ];
+}
+
+/// The point at which something is least.
+fn least(points: &[P; 4], of: impl Fn(&P) -> f64) -> P {
+    points.iter().fold(points[0], |best, p| if of(p) < of(&best) { *p } else { best })
+}
+
+/// Holds that B ⊖ A has every edge of both bodies, as these lie: B's as they always did, A's turned with it.
+fn edges_are_those_of_the_bodies(conf: &super::seen::Look, a: &[P; 4], b: &[P; 4]) {
+    for (k, &from) in b.iter().enumerate() {
+        let to = b[(k + 1) % 4];
+        let far = |v: &P| v.0 * (to.1 - from.1) - v.1 * (to.0 - from.0);
+        let (x, y) = least(a, far);
+        let [from, to] = [from, to].map(|(u, v)| (u - x, v - y));
+        assert!(conf.edge(B, from, to).is_some(), "edge {k} of B");
+    }
+    for (k, &(x, y)) in a.iter().enumerate() {
+        let (u, v) = a[(k + 1) % 4];
+        let far = |w: &P| w.0 * (v - y) - w.1 * (u - x);
+        let (s, t) = least(b, far);
+        assert!(conf.edge(A, (s - x, t - y), (s - u, t - v)).is_some(), "edge {k} of A");
+    }
 }
