@@ -4,6 +4,7 @@
 //! `p_B` − `p_A` = s n, so the line runs outside both bodies or inside both, and its length is |s|. B parts
 //! from A by −s n, which takes `p_B` to `p_A`.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::collision::Separation;
@@ -11,10 +12,10 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Size, Sketch, Wash, Weight, left_of,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, angle_of, left_of,
 };
 use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
-use crate::geometry::{DVec2, Feature, Side};
+use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::trace::Event;
 
 use crate::scene::When;
@@ -30,7 +31,7 @@ const MOST: usize = 5;
 const NAMED: f64 = 10.0;
 
 /// Opacity of the disc's area, less than a body's, and of its line.
-const DISC: [f64; 2] = [0.03, 0.6];
+const DISC: [f64; 2] = [0.08, 0.6];
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.
@@ -100,6 +101,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "p", about: "the signed penetration of two circles" },
         LabelKey { key: "rival", about: "length of the next longer push, with rival" },
+        LabelKey { key: "disc", about: "the disc, with disc; only where a scene gives it a text" },
         LabelKey { key: "s_k", about: "the separation at a step, where it is long enough" },
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],
@@ -234,10 +236,17 @@ fn disc(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) 
         let next = points.iter().cycle().skip(1);
         points.iter().zip(next).all(|(&from, &to)| off(center, [from, to]) >= depth * (1.0 - UNSEEN))
     };
-    let Some((center, _)) = [(q, Side::A), (p, Side::B)].into_iter().find(lies_in) else { return };
+    let Some((center, side)) = [(q, Side::A), (p, Side::B)].into_iter().find(lies_in) else { return };
     let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC[1]));
     sketch.part("disc").weight(Weight::Background);
-    sketch.area(&Outline::circle(center, depth), Some(Wash::faint(role, DISC[0])), Some(pen));
+    let area = Outline::circle(center, depth);
+    sketch.area(&area, Some(Wash::faint(role, DISC[0])), Some(pen));
+    // In the half that the push, an arrow from B's deepest point to A's, does not lie in.
+    let away = if side == Side::A { -*answer.normal } else { *answer.normal };
+    let half = Outline::sector(center, depth, angle_of(-perp(away)), PI);
+    let label = Label::new("disc", "", Anchor::inside(&half), role);
+    // The body's own name in the disc would be the disc's.
+    sketch.label(label.rank(Rank::Word).size(Size::Note)).unnamed(Anchor::inside(&area));
 }
 
 /// How far a point is from a straight piece.
