@@ -25,7 +25,7 @@ const EDGE: f64 = 4.5;
 const READABLE: [f64; 2] = [24.0, 48.0];
 
 /// Length of the arrow from a plane to the inside of the strip, which is kept, page pixels.
-const KEPT: f64 = 26.0;
+const KEPT: f64 = 18.0;
 
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
@@ -45,6 +45,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "reference", about: "the reference edge" },
         LabelKey { key: "incident", about: "the incident edge" },
         LabelKey { key: "n", about: "the reference edge's normal" },
+        LabelKey { key: "facing", about: "the incident edge's normal, where nothing is cut or measured" },
         LabelKey { key: "inside", about: "between the planes, with planes" },
         LabelKey { key: "cut", about: "what a plane cuts off" },
         LabelKey { key: "d_1", about: "depth of the first contact along the reference edge" },
@@ -164,7 +165,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             let label = Label::new("cut", "cut off", Anchor::middle(*at, *end), Role::Muted);
             sketch.label(label.rank(Rank::Word).size(Size::Note));
             sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
-            sketch.part("cut").marker(*at, of(found.body.other()), found.body.other().into(), MARKER);
+        }
+        // What is left has two ends, cut or not.
+        for end in left(&found) {
+            sketch.part("left").marker(end, of(found.body.other()), found.body.other().into(), MARKER);
         }
     }
     if depths {
@@ -231,6 +235,8 @@ fn facing(sketch: &mut Sketch, found: &Clipping) {
     let tip = middle + out * 1.0_f64.max(least).min(most);
     let role = found.body.other().into();
     sketch.part("incident-normal").arrow(middle, tip, Pen::vector(role));
+    let label = Label::new("facing", "its normal", Anchor::tip(middle, tip), role);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws the ends of what is left, each contact with its depth.

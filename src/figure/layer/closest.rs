@@ -137,7 +137,7 @@ fn pushed(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
     let Some((p, q)) = found.and_then(|found| facing(&found, from, foot)) else { return };
     let (p, q, role) = (p - foot, q - foot, Role::Difference);
     sketch.part("pushed").weight(Weight::Light).line(p, q, Pen::ghost(role));
-    let label = Label::new("pushed", PUSHED, Anchor::tip(p, q), role);
+    let label = Label::new("pushed", PUSHED, Anchor::middle(from, q), role);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
