@@ -33,7 +33,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         f.says("$3$, longer"),
         f.says("$n$"),
         f.says(r"$B$ pushed out by $d\,n$"),
-        f.says("every shorter") && f.says("push ends in here"),
+        f.says("every shorter push ends in here"),
         f.says("$A$"),
         f.says("$B$"),
     ];

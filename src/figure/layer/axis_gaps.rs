@@ -312,8 +312,8 @@ mod tests {
             let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
             [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
         });
-        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both and beyond; along x
-        // they share 1.5 to 2.
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both and beyond; along
+        // x they share 1.5 to 2.
         let frame = &figure.panels[0].frame;
         let beyond = BEYOND / frame.scale;
         let ends = [[[1.5, 6.0 + beyond], [2.0, 6.0 + beyond]], [[-2.0 - beyond, 1.0], [-2.0 - beyond, 2.0]]];
