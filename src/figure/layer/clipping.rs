@@ -152,7 +152,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if edges {
         let left = if cut || depths { left(&found) } else { found.incident };
-        both_edges(sketch, &found, left, options);
+        // The ends of what is left have names of their own.
+        both_edges(sketch, &found, (left, cut || !depths), options);
         if !cut && !depths {
             facing(sketch, &found);
         }
@@ -205,15 +206,22 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     sketch.label(word.rank(Rank::Word).size(Size::Note));
 }
 
-/// Draws both edges, the reference edge with its normal.
-fn both_edges(sketch: &mut Sketch, found: &Clipping, left: [DVec2; 2], options: &Options) {
+/// Draws both edges, the reference edge with its normal; of the incident edge what is `left`, named or not.
+fn both_edges(
+    sketch: &mut Sketch,
+    found: &Clipping,
+    (left, is_named): ([DVec2; 2], bool),
+    options: &Options,
+) {
     let role = options.role(Role::Now);
     let [p, q] = found.reference;
     sketch.part("incident").line(left[0], left[1], Pen::highlighted(found.body.other().into()).width(EDGE));
     let beside = Anchor::middle(left[0], left[1]);
     // One word: beside a slanted line a longer one stands farther off.
     let word = Label::new("incident", "incident", beside, found.body.other().into());
-    sketch.label(word.rank(Rank::Word).size(Size::Note));
+    if is_named {
+        sketch.label(word.rank(Rank::Word).size(Size::Note));
+    }
     sketch.part("reference").line(p, q, Pen::highlighted(role).width(EDGE));
     let word = Label::new("reference", "reference", Anchor::middle(p, q), role);
     sketch.label(word.rank(Rank::Word).size(Size::Note));
