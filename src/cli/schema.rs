@@ -32,12 +32,13 @@ const DRAWN: &str = "$";
 const READ: &str = r"(?:\$(?:[^$\\]|\\[\s\S])*)?$";
 
 /// Where the schema says what texts with formulas, roles and values are, and how they end.
-const TEXTS: [(&str, &str); 7] = [
+const TEXTS: [(&str, &str); 8] = [
     ("/properties/title", READ),
     ("/properties/alt", READ),
     ("/properties/headline", DRAWN),
     ("/properties/caption", DRAWN),
     ("/properties/panels/items/properties/title", DRAWN),
+    ("/properties/panels/items/properties/caption", DRAWN),
     ("/properties/labels/additionalProperties/anyOf/0", DRAWN),
     ("/properties/labels/additionalProperties/anyOf/1/properties/text", DRAWN),
 ];

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Point, Role, Stroke};
+use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Role, Stroke};
 
 use crate::scene::{Background, Space, Variant};
 
@@ -12,13 +12,12 @@ use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::handle::Handle;
-use super::lettering::{Lettering, lettered};
 use super::page::Page;
 use super::placement::{LabelFault, Labelled, faults, tint};
 use super::plan::Plan;
+use super::printed::{across, title, under};
 use super::runs::Run;
 use super::steps::{Scope, numbered};
-use super::text::Across;
 use super::theme::{Side, Theme};
 use super::tongue::tongue;
 
@@ -198,7 +197,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
 
 /// All panels of a figure, drawn.
 struct Panels {
-    /// The lines between the panels, then each panel and its title.
+    /// The lines between the panels, then each panel with its title and caption.
     items: Vec<Item>,
     /// Which items come with which events.
     scopes: Vec<Scope>,
@@ -229,6 +228,7 @@ impl Panels {
             insets.extend(inset);
             items.push(Item::Group(group));
             items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
+            items.extend(under(&panel.caption, plan, &labelled, theme));
             let shows_bodies = panel.source.space != Space::Configuration;
             scopes.push(Scope { items: begin..items.len(), cues, base, shows_bodies });
             panels.push(labelled);
@@ -304,42 +304,15 @@ fn description(plan: &Plan, run: &Run) -> String {
         None => describe::long((plan.scene, run), &Account::of(plan.scene, &plan.runs, run), &panels),
     };
     let headline = plan.headline.words.as_deref().map(sentence);
-    let caption = plan.caption.words.clone().filter(|_| plan.caption.lines() == 0);
-    headline.into_iter().chain([long]).chain(caption).collect::<Vec<_>>().join(" ")
+    let captions = plan.panels.iter().map(|panel| &panel.caption).chain([&plan.caption]);
+    let dropped = captions.filter(|caption| caption.lines() == 0).filter_map(|caption| caption.words.clone());
+    headline.into_iter().chain([long]).chain(dropped).collect::<Vec<_>>().join(" ")
 }
 
 /// A text that ends as a sentence does, so that another one can follow.
 fn sentence(text: &str) -> String {
     let is_ended = text.trim_end().ends_with(['.', '!', '?', '…', ':', ';']);
     if is_ended { text.to_owned() } else { format!("{text}.") }
-}
-
-/// The title over a panel.
-fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &Theme) -> Item {
-    let lines = text.of(theme);
-    let mut group = Group::new("title");
-    for (line, at) in lines.iter().zip(plan.page.title_baselines(&panel.frame.panel, lines.len())) {
-        let origin = Point::new(at.x - 0.5 * line.width, at.y);
-        group.items.extend(lettered(line, origin, Role::Ink, (theme, None)));
-    }
-    Item::Group(group)
-}
-
-/// A text across the page: its first baseline begins at `at`, the others follow by `step` pixels, and another
-/// column by `aside`.
-fn across(name: &str, text: &Across, (at, step, aside): (Point, f64, f64), theme: &Theme) -> Item {
-    let mut group = Group::new(name);
-    group.label.clone_from(&text.words);
-    let mut x = at.x;
-    for column in &text.columns {
-        let mut y = at.y;
-        for line in column.of(theme) {
-            group.items.extend(lettered(line, Point::new(x, y), Role::Ink, (theme, None)));
-            y += step;
-        }
-        x += aside;
-    }
-    Item::Group(group)
 }
 
 /// The thin lines between panels.

@@ -37,6 +37,7 @@ mod placement;
 mod plan;
 mod played;
 mod playhead;
+mod printed;
 mod question;
 #[cfg(test)]
 #[path = "../../tests/random_scenes/mod.rs"]

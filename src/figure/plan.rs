@@ -17,7 +17,7 @@ use super::fault::{Fault, Problem};
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
 use super::layer::{EXPECTED, is_key};
-use super::lettering::Lettering;
+use super::lettering::{Across, Lettering};
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::narrow;
 use super::page::{Layout, Measures, Page};
@@ -25,7 +25,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
+use super::text::{Block, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
 use super::view;
 
@@ -176,6 +176,7 @@ fn resolve<'s>(
         measures,
         columns: scene.canvas.columns,
         titles,
+        captions: panels.iter().map(|panel| panel.caption.lines()).max().unwrap_or(0),
         head: headline.lines(),
         lines: caption.lines(),
     };
@@ -242,9 +243,7 @@ pub(super) fn panels_of<'s>(
         }
     }
     let count = sheets.len();
-    let title_width = Layout::title_width(measures, count, scene.canvas.columns);
-    let before = std::mem::take(problems);
-    let mut resolver = Resolver { scene, runs, measures, title_width, problems: before, notes: Vec::new() };
+    let mut resolver = Resolver::of(scene, runs, (measures, count), std::mem::take(problems));
     let panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
     (*problems, *warnings) = (resolver.problems, resolver.notes);
     // The labels of a question are those of the figure, some of which it has no layer for.

@@ -16,12 +16,12 @@ use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
-use super::page::Measures;
+use super::page::{Layout, Measures};
 use super::panel::{LayerPlan, PanelPlan};
 use super::question::is_of_a_moment;
 use super::runs::Runs;
 use super::standing::standing;
-use super::text::{filled, set};
+use super::text::{filled, set, under};
 
 /// Lines of the longest title that is broken into lines.
 const MOST_TITLE: usize = 4;
@@ -36,6 +36,8 @@ pub(super) struct Resolver<'r, 's> {
     pub(super) measures: &'r Measures,
     /// How wide a line of a panel's title may be, page pixels; `None` where it stands on one line.
     pub(super) title_width: Option<f64>,
+    /// How wide a line of a panel's caption is, page pixels, and how many lines there is room for.
+    pub(super) under: (f64, usize),
     /// What keeps the figure from being drawn.
     pub(super) problems: Vec<Problem>,
     /// What the answer lacks, with its place in the scene.
@@ -50,7 +52,20 @@ enum Resolved {
     Unfed(&'static Layer),
 }
 
-impl<'s> Resolver<'_, 's> {
+impl<'r, 's> Resolver<'r, 's> {
+    /// A resolver of so many panels; `problems` are those of the scene so far.
+    pub(super) fn of(
+        scene: &'s Scene,
+        runs: &'r Runs,
+        (measures, panels): (&'r Measures, usize),
+        problems: Vec<Problem>,
+    ) -> Self {
+        let columns = scene.canvas.columns;
+        let title_width = Layout::title_width(measures, panels, columns);
+        let under = Layout::under(measures, panels, columns);
+        Self { scene, runs, measures, title_width, under, problems, notes: Vec::new() }
+    }
+
     /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
     pub(super) fn panel(&mut self, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
         let Sheet { panel: mut source, ours } = sheet;
@@ -82,6 +97,10 @@ impl<'s> Resolver<'_, 's> {
                 Ok(if folded.len() <= MOST_TITLE { folded } else { vec![whole] })
             })
         });
+        let caption = source.caption.as_ref().map(|text| {
+            let said = (&mut self.problems, &mut self.notes);
+            under(text, self.under, (&context, self.measures), said)
+        });
         // What is said of the panel has the values that stand over it.
         let said = source.title.as_ref().and_then(|t| filled(t, &context));
         if let Some(said) = said
@@ -96,6 +115,7 @@ impl<'s> Resolver<'_, 's> {
             layers,
             unwritten,
             title,
+            caption: caption.unwrap_or_default(),
             frame,
             reach: None,
             now: None,

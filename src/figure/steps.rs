@@ -13,7 +13,7 @@ use super::describe::Account;
 use super::runs::{Run, Runs, tells_difference};
 use super::tongue;
 
-/// Items of a page that share their cues: a panel and its title.
+/// Items of a page that share their cues: a panel, its title and its caption.
 pub(super) struct Scope {
     /// Which of the items.
     pub(super) items: Range<usize>,

@@ -92,6 +92,7 @@ impl Panel {
     pub fn showing(space: Space, layers: Vec<LayerSpec>) -> Self {
         Self {
             title: None,
+            caption: None,
             space,
             when: None,
             layers: Some(layers),

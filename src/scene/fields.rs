@@ -169,6 +169,7 @@ pub(super) static PANEL: TableRows = TableRows {
     place: "a panel",
     fields: &[
         may("title", Holds::Text, "title above the panel"),
+        may("caption", Holds::Text, "text below the panel, as wide as that"),
         may("space", Holds::Word { what: "space", known: space_words }, "what it shows; default \"world\""),
         may(
             "frame",

@@ -236,6 +236,8 @@ pub enum Space {
 pub struct Panel {
     /// The title above it, as markup.
     pub title: Option<Spanned<String>>,
+    /// What leads through it, below it, as markup.
+    pub caption: Option<Spanned<String>>,
     /// The space that it shows.
     pub space: Space,
     /// The moment that it shows; `None` is the query's own.

@@ -43,6 +43,7 @@ pub(crate) fn of_text(text: &str, at: &Range<usize>) -> Vec<Panel> {
             .as_mut()
             .map(|t| &mut t.span)
             .into_iter()
+            .chain(panel.caption.as_mut().map(|c| &mut c.span))
             .chain(panel.when.as_mut().map(|w| &mut w.span))
             .chain(panel.inset.as_mut().map(|i| &mut i.span));
         spans.for_each(|span| *span = at.clone());
@@ -67,6 +68,7 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
     let layers = table.get("layers").map(|node| layers(node, p));
     Some(Panel {
         title: table.text("title"),
+        caption: table.text("caption"),
         space: space?,
         when,
         layers,

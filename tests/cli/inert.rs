@@ -31,6 +31,7 @@ const FIELDS: &[(&str, &str, bool)] = &[
     ("title", "title = TEXT\nBODIES\nPANEL", true),
     ("caption", "caption = TEXT\nBODIES\nPANEL", true),
     ("panel", "BODIES\nPANEL\ntitle = TEXT", true),
+    ("caption of a panel", "BODIES\nPANEL\ncaption = TEXT", true),
     ("note", "BODIES\n[[panels]]\nlayers = [{ layer = 'note', lines = [TEXT] }]", true),
     ("label", "BODIES\nPANEL\n[labels]\nA = TEXT", true),
     ("key of a label", "BODIES\nPANEL\n[labels]\nTEXT = 'x'", false),

@@ -32,6 +32,7 @@ fn mended(mut scene: Scene) -> Scene {
         scene.caption = scene.caption.filter(text_stays);
         for panel in &mut scene.panels {
             panel.title = panel.title.take().filter(text_stays);
+            panel.caption = panel.caption.take().filter(text_stays);
             panel.when = panel.when.take().filter(|when| !is_in(&when.span));
             panel.view = panel.view.take().filter(|view| !is_in(&view.span));
             for layer in panel.layers.iter_mut().flatten() {

@@ -89,7 +89,8 @@ fn asking(panel: &Panel, exercise: &Exercise) -> Option<Panel> {
     };
     let is_empty = layers.is_empty();
     let title = panel.title.clone().filter(is_of_words);
-    let asking = Panel { title, layers: Some(layers), inset: None, inset_at: None, ..panel.clone() };
+    let asking =
+        Panel { title, caption: None, layers: Some(layers), inset: None, inset_at: None, ..panel.clone() };
     (!is_empty).then_some(asking)
 }
 

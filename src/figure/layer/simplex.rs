@@ -173,13 +173,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 /// Draws one step.
 fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Options) {
     let role = options.role(Role::Now);
+    if !step.dropped.is_empty() && step.closest.is_some() {
+        let before: Vec<DVec2> = step.vertices.iter().chain(&step.dropped).copied().collect();
+        let before = Outline::polygon(&before);
+        // On the page's own colour: over the tint of B ⊖ A its own would be a third one.
+        sketch.part("before").area(&before, Some(Wash::faint(Role::Background, 1.0)), None);
+        sketch.area(&before, Some(Wash::faint(role, FILL)), None);
+    }
     if step.vertices.len() > 1 {
         let wash = (step.vertices.len() > 2).then(|| Wash::faint(role, FILL));
         sketch.part("simplex").area(&Outline::polygon(&step.vertices), wash, Some(Pen::highlighted(role)));
-    }
-    if !step.dropped.is_empty() && step.closest.is_some() {
-        let before: Vec<DVec2> = step.vertices.iter().chain(&step.dropped).copied().collect();
-        sketch.part("before").area(&Outline::polygon(&before), Some(Wash::faint(role, FILL)), None);
     }
     for &vertex in &step.vertices {
         sketch.part("simplex").marker(vertex, Marker::Diamond, role, MARKER);
@@ -348,9 +351,9 @@ mod tests {
             assert_eq!((least.is_none(), labels.contains_key("stop")), (step == 4, step == 4));
             assert_eq!(labels.contains_key("dropped"), dropped > 0, "step {step}");
             assert_eq!(paths(&figure.drawing.items, "dropped").is_empty(), dropped == 0, "step {step}");
-            // What it was dropped from: filled, without an outline.
+            // What it was dropped from: the page's colour and its own, without an outline.
             let before = paths(&figure.drawing.items, "before");
-            assert_eq!(before.len(), usize::from(dropped > 0), "step {step}");
+            assert_eq!(before.len(), if dropped > 0 { 2 } else { 0 }, "step {step}");
             assert!(before.iter().all(|p| p.fill.is_some() && p.stroke.is_none()), "step {step}");
             assert!(!lines(&figure, "supporting-line").is_empty());
         }

@@ -171,6 +171,14 @@ impl Measures {
         }
     }
 
+    /// Height of captions of so many lines below each panel of a row, page pixels.
+    pub(super) fn under(&self, lines: usize) -> f64 {
+        match lines {
+            0 => 0.0,
+            _ => self.drop() + self.step() * count(lines - 1) + DESCENT * self.size(TextKind::Caption),
+        }
+    }
+
     /// From the panels down to the first baseline of the caption, page pixels.
     pub(super) fn drop(&self) -> f64 {
         CAPTION_DROP * self.share.max(LEAST_DROP) * self.grown(TextKind::Caption)
@@ -226,9 +234,9 @@ impl Measures {
         lines
     }
 
-    /// The most lines of caption that the page takes.
-    pub(crate) fn caption_lines(&self) -> usize {
-        let room = CAPTION_SHARE * self.height.unwrap_or(TALLEST);
+    /// The most lines of caption that the page takes below each of so many rows.
+    pub(crate) fn caption_lines(&self, rows: f64) -> usize {
+        let room = CAPTION_SHARE * self.height.unwrap_or(TALLEST) / rows;
         let (mut lines, mut taken) = (1, 2.0 * self.step());
         while taken < room {
             lines += 1;

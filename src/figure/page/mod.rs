@@ -23,6 +23,8 @@ pub(crate) struct Layout {
     pub(crate) columns: Option<usize>,
     /// Lines of the longest title of a panel; 0 where none has one.
     pub(crate) titles: usize,
+    /// Lines of the longest caption of a panel; 0 where none has one.
+    pub(crate) captions: usize,
     /// Lines of the headline.
     pub(crate) head: usize,
     /// Lines of the caption.
@@ -52,7 +54,9 @@ pub(crate) struct Page {
     title_drop: f64,
     /// From one baseline of a panel's title to the next, page pixels.
     title_step: f64,
-    /// From one baseline of the caption to the next, page pixels.
+    /// From a panel down to the first baseline of its caption, page pixels.
+    drop: f64,
+    /// From one baseline of a caption to the next, page pixels.
     pub(crate) step: f64,
 }
 
@@ -67,16 +71,16 @@ impl Page {
 impl Layout {
     /// Cells for panels that show so much, above the caption.
     pub(crate) fn page(&self, wants: &[Want]) -> Page {
-        let Self { measures, titles, head, .. } = *self;
+        let Self { measures, titles, captions, head, .. } = *self;
         let (side, gap) = (measures.side(), measures.gap());
-        let title = measures.title(titles);
+        let (title, under) = (measures.title(titles), measures.under(captions));
         let foot = measures.foot(count(self.caption_room()));
         let top = measures.top() + measures.headline_height(head);
         let space = rows::Space {
             width: measures.width - 2.0 * side,
             height: measures.height.map(|height| height - foot - top),
             gap,
-            title,
+            words: title + under,
             larger: measures.larger(),
         };
         let rows::Grid { columns, width, heights } = space.grid(wants, self.columns);
@@ -90,7 +94,7 @@ impl Layout {
                 let x0 = side + (count(column) + 0.5 * count(columns - in_row)) * (width + gap);
                 cells.push(Rect { x0, y0, x1: x0 + width, y1: y0 + height });
             }
-            y0 += height + gap;
+            y0 += height + under + gap;
         }
         let bottom = match measures.height {
             Some(height) => (height - foot).max(top + 1.0),
@@ -107,6 +111,7 @@ impl Layout {
             caption_column: 0.5 * (measures.measure() + measures.gap()),
             title_drop: measures.title_drop(),
             title_step: measures.title_step(),
+            drop: measures.drop(),
             step: measures.step(),
         }
     }
@@ -114,14 +119,15 @@ impl Layout {
     /// How wide a line of a panel's title may be, page pixels; `None` on a page of a given height, where more
     /// lines would take room from the panels.
     pub(crate) fn title_width(measures: &Measures, panels: usize, columns: Option<usize>) -> Option<f64> {
-        let space = rows::Space {
-            width: measures.measure(),
-            height: None,
-            gap: measures.gap(),
-            title: 0.0,
-            larger: measures.larger(),
-        };
-        measures.height.is_none().then(|| space.narrowest(panels, columns))
+        measures.height.is_none().then(|| panel_width(measures, panels, columns))
+    }
+
+    /// How wide a line of a panel's caption is, page pixels, and how many lines there is room for.
+    pub(crate) fn under(measures: &Measures, panels: usize, columns: Option<usize>) -> (f64, usize) {
+        let width = panel_width(measures, panels, columns);
+        let beside = (measures.measure() / width).floor();
+        let rows = (count(panels) / beside.max(1.0)).ceil().max(1.0);
+        (width, measures.caption_lines(rows))
     }
 
     /// Lines that the caption has room for: on a page of a given height no fewer than two, so that the panels
@@ -135,11 +141,29 @@ impl Layout {
 }
 
 impl Page {
+    /// Left ends of the baselines of the caption below a panel, page pixels, from the top.
+    pub(crate) fn caption_baselines(&self, cell: &Rect) -> impl Iterator<Item = Point> {
+        let (left, first, step) = (cell.x0, cell.y1 + self.drop, self.step);
+        (0_u32..).map(move |below| Point::new(left, first + step * f64::from(below)))
+    }
+
     /// Middles of the baselines of a title of so many lines over a panel, page pixels, from the top.
     pub(crate) fn title_baselines(&self, cell: &Rect, lines: usize) -> impl Iterator<Item = Point> {
         let (middle, last, step) = (cell.center().x, cell.y0 - self.title_drop, self.title_step);
         (0..lines).rev().map(move |above| Point::new(middle, last - step * count(above)))
     }
+}
+
+/// The least width that a panel, one of so many, has whatever they show, page pixels.
+fn panel_width(measures: &Measures, panels: usize, columns: Option<usize>) -> f64 {
+    let space = rows::Space {
+        width: measures.measure(),
+        height: None,
+        gap: measures.gap(),
+        words: 0.0,
+        larger: measures.larger(),
+    };
+    space.narrowest(panels, columns)
 }
 
 /// Lines in the middle of the gaps between panels; `title` is the height of a row of titles. Between rows of
@@ -168,7 +192,7 @@ mod tests {
     /// A page for panels that show so much each.
     fn page(canvas: &Canvas, wants: &[(f64, f64)], titles: usize, lines: usize) -> Page {
         let measures = Measures::of(canvas, TypeSizes::HOUSE);
-        let layout = Layout { measures, columns: canvas.columns, titles, head: 0, lines };
+        let layout = Layout { measures, columns: canvas.columns, titles, captions: 0, head: 0, lines };
         let wants: Vec<_> =
             wants.iter().map(|&(width, height)| Want { width, height, room: false }).collect();
         layout.page(&wants)
@@ -205,6 +229,7 @@ mod tests {
                 measures: Measures::of(&canvas, TypeSizes::HOUSE),
                 columns: None,
                 titles: 0,
+                captions: 0,
                 head,
                 lines: 2,
             };

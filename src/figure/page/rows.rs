@@ -41,8 +41,8 @@ pub(super) struct Space {
     pub(super) height: Option<f64>,
     /// Between panels.
     pub(super) gap: f64,
-    /// Height of the titles above each row.
-    pub(super) title: f64,
+    /// Height of the titles above each row, and of the captions below.
+    pub(super) words: f64,
     /// How much larger letters are than usual; at least 1.
     pub(super) larger: f64,
 }
@@ -62,6 +62,11 @@ pub(super) struct Grid {
 pub(crate) fn room((width, height): (f64, f64), larger: f64) -> (f64, f64) {
     let room = ROOM * larger;
     (room.min(ROOM_SHARE.0 * width), room.min(ROOM_SHARE.1 * height))
+}
+
+/// Whether panels fill rows of so many: a number of columns that leaves a row nearly empty is none.
+fn is_even(panels: usize, columns: usize) -> bool {
+    columns == panels.div_ceil(panels.div_ceil(columns))
 }
 
 impl Space {
@@ -86,10 +91,8 @@ impl Space {
             };
             return (2..=panels).fold(1, |best, c| if size(c) > size(best) { c } else { best });
         }
-        // A number of columns that leaves a row nearly empty is none.
-        let is_even = |columns: &usize| *columns == panels.div_ceil(panels.div_ceil(*columns));
         let wide = |columns: &usize| *columns == 1 || self.panel_width(*columns) >= NARROWEST * self.larger;
-        let mut fit = (1..=panels).filter(is_even).filter(wide);
+        let mut fit = (1..=panels).filter(|c| is_even(panels, *c)).filter(wide);
         let all = |columns: &usize| self.all(&self.heights(wants, *columns)) <= TALLEST.0 * self.width;
         fit.clone().find(all).or_else(|| fit.next_back()).unwrap_or(1)
     }
@@ -99,7 +102,8 @@ impl Space {
     pub(super) fn narrowest(&self, panels: usize, asked: Option<usize>) -> f64 {
         let panels = panels.max(1);
         let wide = |columns: &usize| *columns == 1 || self.panel_width(*columns) >= NARROWEST * self.larger;
-        let columns = asked.map(|columns| columns.min(panels)).or_else(|| (1..=panels).rfind(wide));
+        let asked = asked.map(|columns| columns.min(panels));
+        let columns = asked.or_else(|| (1..=panels).filter(|c| is_even(panels, *c)).rfind(wide));
         self.panel_width(columns.unwrap_or(1))
     }
 
@@ -111,7 +115,7 @@ impl Space {
     /// The height of each row.
     fn heights(&self, wants: &[Want], columns: usize) -> Vec<f64> {
         let rows = wants.len().max(1).div_ceil(columns);
-        let between = (count(rows) - 1.0) * self.gap + count(rows) * self.title;
+        let between = (count(rows) - 1.0) * self.gap + count(rows) * self.words;
         if let Some(height) = self.height {
             return vec![((height - between) / count(rows)).max(1.0); rows];
         }
@@ -130,7 +134,7 @@ impl Space {
 
     /// All rows with their titles and the gaps between them.
     fn all(&self, heights: &[f64]) -> f64 {
-        heights.iter().sum::<f64>() + count(heights.len()) * (self.title + self.gap) - self.gap
+        heights.iter().sum::<f64>() + count(heights.len()) * (self.words + self.gap) - self.gap
     }
 
     /// The height at which a panel of that width shows what it has to and no more.

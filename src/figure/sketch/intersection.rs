@@ -37,8 +37,8 @@ pub(crate) struct Common {
     pub(crate) lines: [Vec<Outline>; 2],
 }
 
-/// What two convex closed outlines have in common, both counter-clockwise; `None` where that is nothing, where
-/// one is not convex, and where they have more pieces than a reader could tell.
+/// What two convex closed outlines have in common, both counter-clockwise; `None` where that is nothing, one
+/// is not convex, or they have more pieces than a reader could tell.
 pub(crate) fn common(a: &Outline, b: &Outline) -> Option<Common> {
     let (in_a, in_b) = (Region::of(a)?, Region::of(b)?);
     if in_a.spans.len().saturating_mul(in_b.spans.len()) > MOST_PAIRS {

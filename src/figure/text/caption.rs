@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
-use crate::figure::lettering::Lettering;
+use crate::figure::lettering::{Across, Lettering};
 use crate::figure::name::Name;
 use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
@@ -61,7 +61,7 @@ impl Block {
                 style: Style::regular(measures.caption_size()),
                 widths: [measures.caption_measure(), page],
                 column: measures.caption_column(),
-                most: measures.caption_lines(),
+                most: measures.caption_lines(1.0),
                 is_balanced: false,
             },
         }
@@ -159,22 +159,6 @@ fn set_as<T>(
     typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
-/// A text across the page, set.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Across {
-    /// Its lines, column by column from the left; none where there is no text, or no room for it on the page.
-    pub(crate) columns: Vec<Lettering>,
-    /// Its plain words; `None` where there is no text.
-    pub(crate) words: Option<String>,
-}
-
-impl Across {
-    /// How many lines the longest column has.
-    pub(crate) fn lines(&self) -> usize {
-        self.columns.iter().map(Lettering::len).max().unwrap_or(0)
-    }
-}
-
 /// A text across the page; without lines where the page has no room for all of them, which is a warning. Its
 /// values are those of `context`, the first panel's.
 pub(crate) fn across(
@@ -183,7 +167,30 @@ pub(crate) fn across(
     (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
 ) -> Across {
     let Some(text) = block.of(context.scene) else { return Across::default() };
-    let room = block.room(measures);
+    in_room((text, block.name()), context, &block.room(measures), (problems, warnings))
+}
+
+/// The caption of a panel, in lines as wide as that and as long as each other; without lines where there are
+/// more than there is room for. Its values are those of the panel.
+pub(crate) fn under(
+    text: &Spanned<String>,
+    (width, most): (f64, usize),
+    (context, measures): (&Context, &Measures),
+    said: (&mut Vec<Problem>, &mut Vec<Problem>),
+) -> Across {
+    let of_page = Block::Caption.room(measures);
+    let widths = [width.min(of_page.widths[0]), width];
+    let room = Room { widths, column: None, most, is_balanced: true, ..of_page };
+    in_room((text, Block::Caption.name()), context, &room, said)
+}
+
+/// A text in its room.
+fn in_room(
+    (text, what): (&Spanned<String>, &'static str),
+    context: &Context,
+    room: &Room,
+    (problems, warnings): (&mut Vec<Problem>, &mut Vec<Problem>),
+) -> Across {
     let in_columns = |filled: &str| room.columns(filled, |part, room| Lettering::new(part, |t| room.set(t)));
     let columns = set_as(text, context, (problems, warnings), in_columns).unwrap_or_default();
     let filled = fill(&text.value, context, &text.span).ok();
@@ -192,7 +199,7 @@ pub(crate) fn across(
     if set.lines() <= room.most {
         return set;
     }
-    let fault = Fault::TextDropped { what: block.name(), lines: set.lines(), room: room.most };
+    let fault = Fault::TextDropped { what, lines: set.lines(), room: room.most };
     warnings.push(Problem::new(fault, text.span.clone()));
     Across { columns: Vec::new(), ..set }
 }

@@ -23,8 +23,9 @@ mod symbols;
 mod values;
 mod wording;
 
+pub(crate) use super::lettering::Across;
 pub(crate) use caption::{
-    Across, Block, across, caption_of_words, named, paragraphs, set, spoken, with_powers,
+    Block, across, caption_of_words, named, paragraphs, set, spoken, under, with_powers,
 };
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
