@@ -14,10 +14,10 @@ use super::atomic_file::{Wait, clear_leftovers, write_whole};
 use super::checked::{Checked, ERROR, ORPHAN};
 use super::console::Console;
 use super::declared::Declared;
-use super::differences::{details, measured};
+use super::differences::{details, measured, told_before};
 use super::encoded::Encoded;
 use super::files::{Drawn, Files, Plan};
-use super::handout::Sheets;
+use super::handout::{Sheets, Told};
 use super::inputs::shown;
 use super::jobs::{Job, Target, Twins, bound_jobs, compared_jobs, folders_of, inputs_of, sheet_jobs, twins};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
@@ -120,7 +120,7 @@ impl Runs for Check {
         if self.accept {
             folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
-        let mut all = match self.sheets.encoded(&self.files, &plan.jobs, console)? {
+        let mut all = match self.sheets.encoded(&self.files, (&plan.jobs, &Told::new()), console)? {
             Ok(None) => self.check_all(&plan, &pictures, console)?,
             Err(Status::Usage) => return Ok(Status::Usage),
             document => {
@@ -129,7 +129,7 @@ impl Runs for Check {
             }
         };
         for document in declared {
-            let encoded = document.encoded(&self.files, console)?;
+            let encoded = document.encoded(&self.files, &all.told, console)?;
             all.add(self.check_document(&document.path, encoded, console)?);
         }
         let written = self.places.write(&all.findings, &mut console.out);
@@ -240,9 +240,14 @@ impl Check {
         if self.json || self.places.take_stdout() {
             return Ok(());
         }
-        for finding in checked.findings.iter().filter(|f| f.is_bad() && f.state != ERROR) {
+        let bad: Vec<&Finding> = checked.findings.iter().filter(|f| f.is_bad() && f.state != ERROR).collect();
+        for (k, finding) in bad.iter().enumerate() {
             writeln!(console.out, "{:<9} {}", finding.state, visible(&finding.file))?;
-            for line in &finding.details {
+            let (alike, other) = told_before(finding, &bad[..k]);
+            if let Some(other) = other {
+                writeln!(console.out, "          as {} ({alike} lines)", visible(&other.file))?;
+            }
+            for line in &finding.details[alike..] {
                 writeln!(console.out, "          {}", visible(line))?;
             }
             if let Some((path, _)) = &finding.picture {
@@ -308,6 +313,7 @@ impl Check {
             checked.is_unread = drawn.status == Status::Io;
         }
         checked.unfit = drawn.unfit;
+        checked.keep_told(job.input.shown());
         for encoded in &drawn.files {
             match &encoded.target {
                 Target::File(path) => {

@@ -3,7 +3,8 @@
 use tracefig::drift::report::Finding;
 
 use super::Status;
-use super::unfit::Unfit;
+use super::handout::Told;
+use super::unfit::{Unfit, Unfits};
 
 /// The state of a file that can't be drawn, read or written.
 pub(crate) const ERROR: &str = "error";
@@ -25,13 +26,30 @@ pub(crate) struct Checked {
     pub(crate) accepted: usize,
     /// Whether a scene, or a folder of scenes, can't be read.
     pub(crate) is_unread: bool,
+    /// What was said of each scene when it was drawn.
+    pub(crate) told: Told,
 }
 
 impl Checked {
     /// Nothing is said yet.
     pub(crate) fn new() -> Self {
         let (findings, messages, unfit) = (Vec::new(), String::new(), Vec::new());
-        Self { findings, messages, unfit, status: Status::Done, accepted: 0, is_unread: false }
+        Self {
+            findings,
+            messages,
+            unfit,
+            status: Status::Done,
+            accepted: 0,
+            is_unread: false,
+            told: Told::new(),
+        }
+    }
+
+    /// Remembers what is said of a scene, so that a document that holds it need not say it again.
+    pub(crate) fn keep_told(&mut self, scene: String) {
+        let own = Unfits::of(std::mem::take(&mut self.unfit));
+        self.told.insert(scene, self.messages.clone() + &own.messages());
+        self.unfit = own.found();
     }
 
     /// A scene that was not compared because of a bug, by its name and as people are shown it.
@@ -50,6 +68,7 @@ impl Checked {
         self.status = self.status.max(other.status);
         self.accepted += other.accepted;
         self.is_unread |= other.is_unread;
+        self.told.extend(other.told);
     }
 
     /// Says something on standard error.

@@ -11,7 +11,7 @@ use super::Status;
 use super::console::Console;
 use super::encoded::Encoded;
 use super::files::Files;
-use super::handout::Sheets;
+use super::handout::{Sheets, Told};
 use super::inputs::{default_scenes, find, shown};
 use super::jobs::{Job, Target, bound_jobs};
 use super::outputs::one_name;
@@ -76,15 +76,15 @@ impl Declared {
         Ok(Self { path, sheets, jobs })
     }
 
-    /// Writes it.
+    /// Writes it; of its scenes something may be told already.
     ///
     /// # Errors
     /// When standard output fails.
-    pub(crate) fn write(&self, files: &Files, console: &mut Console) -> io::Result<Status> {
+    pub(crate) fn write(&self, files: &Files, told: &Told, console: &mut Console) -> io::Result<Status> {
         if !makes_folders(self.path.parent(), console) {
             return Ok(Status::Io);
         }
-        Ok(self.sheets.write(files, &self.jobs, console)?.unwrap_or(Status::Done))
+        Ok(self.sheets.write_besides(files, &self.jobs, told, console)?.unwrap_or(Status::Done))
     }
 
     /// Whether it is there and shows its scenes as they are.
@@ -99,9 +99,10 @@ impl Declared {
     pub(crate) fn encoded(
         &self,
         files: &Files,
+        told: &Told,
         console: &mut Console,
     ) -> io::Result<Result<Option<Encoded>, Status>> {
-        self.sheets.encoded(files, &self.jobs, console)
+        self.sheets.encoded(files, (&self.jobs, told), console)
     }
 }
 

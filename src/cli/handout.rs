@@ -1,6 +1,7 @@
 //! `render -o FILE` of several scenes: their figures on the sheets of one document, or its slides; and what
 //! `check --handout FILE` compares such a file with.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -21,6 +22,9 @@ use super::jobs::{Job, Target, bound_file};
 use super::parallel::in_order;
 use super::unfit::Unfits;
 use super::written::{Written, cant_write};
+
+/// What was said of each scene when it was drawn last; nothing where it is well.
+pub(crate) type Told = BTreeMap<String, String>;
 
 /// Smaller letters, in points, are hard to read on paper: footnotes of books have 7 to 8.
 const SMALLEST: f64 = 7.0;
@@ -80,9 +84,24 @@ impl Sheets {
         jobs: &[Job],
         console: &mut Console,
     ) -> io::Result<Option<Status>> {
+        self.write_besides(files, jobs, &Told::new(), console)
+    }
+
+    /// Writes the document of a run, of whose scenes something may be told already, which then is not told
+    /// again; `None` where the run writes other files.
+    ///
+    /// # Errors
+    /// When standard output fails.
+    pub(crate) fn write_besides(
+        &self,
+        files: &Files,
+        jobs: &[Job],
+        told: &Told,
+        console: &mut Console,
+    ) -> io::Result<Option<Status>> {
         match self.document(jobs) {
             Ok(None) => Ok(None),
-            Ok(Some(document)) => document.write(files, jobs, console).map(Some),
+            Ok(Some(document)) => document.write(files, (jobs, told), console).map(Some),
             Err(message) => {
                 console.error(&message);
                 Ok(Some(Status::Usage))
@@ -98,7 +117,7 @@ impl Sheets {
     pub(crate) fn encoded(
         &self,
         files: &Files,
-        jobs: &[Job],
+        (jobs, told): (&[Job], &Told),
         console: &mut Console,
     ) -> io::Result<Result<Option<Encoded>, Status>> {
         let document = match self.document(jobs) {
@@ -109,7 +128,7 @@ impl Sheets {
                 return Ok(Err(Status::Usage));
             }
         };
-        let figures = match figures(files, jobs, console)? {
+        let figures = match figures(files, (jobs, told), console)? {
             Ok(figures) => figures,
             Err(status) => return Ok(Err(status)),
         };
@@ -173,8 +192,13 @@ impl Document {
     ///
     /// # Errors
     /// When standard output fails.
-    fn write(&self, files: &Files, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
-        let figures = match figures(files, jobs, console)? {
+    fn write(
+        &self,
+        files: &Files,
+        (jobs, told): (&[Job], &Told),
+        console: &mut Console,
+    ) -> io::Result<Status> {
+        let figures = match figures(files, (jobs, told), console)? {
             Ok(figures) => figures,
             Err(status) => {
                 console.error(&format!("{} is not written without all its figures", shown(&self.path)));
@@ -239,9 +263,12 @@ impl Document {
         let Some((name, size)) = small.iter().min_by(|(_, a), (_, b)| a.total_cmp(b)) else {
             return String::new();
         };
-        let others = match small.len() - 1 {
+        // Variants of a scene are figures of their own, and have its name.
+        let scenes: BTreeSet<&String> = small.iter().map(|(name, _)| *name).collect();
+        let others = match scenes.len() - 1 {
             0 => String::new(),
-            more => format!(" and small ones in {more} more"),
+            1 => " and small ones in another scene".to_owned(),
+            more => format!(" and small ones in {more} more scenes"),
         };
         format!(
             "warning: letters of {size:.1} points in {name}{others}: under {SMALLEST} they are hard to read; \
@@ -256,7 +283,7 @@ impl Document {
 /// When standard output fails.
 fn figures(
     files: &Files,
-    jobs: &[Job],
+    (jobs, told): (&[Job], &Told),
     console: &mut Console,
 ) -> io::Result<Result<Vec<(String, Encoded)>, Status>> {
     let ink = console.ink();
@@ -273,8 +300,11 @@ fn figures(
                 return Written::bug(&name).tell(console);
             };
             status = status.max(drawn.status);
-            Console::message(&drawn.messages);
-            unfits.extend(drawn.unfit);
+            let own = Unfits::of(drawn.unfit);
+            if told.get(&name) != Some(&(drawn.messages.clone() + &own.messages())) {
+                Console::message(&drawn.messages);
+                unfits.join(own);
+            }
             figures.extend(drawn.files.into_iter().map(|file| (name.clone(), file)));
             Ok(())
         },

@@ -12,7 +12,7 @@ use super::console::Console;
 use super::declared::Declared;
 use super::files::{Files, Plan};
 use super::gallery::finish;
-use super::handout::Sheets;
+use super::handout::{Sheets, Told};
 use super::jobs::{Job, bound_jobs, folders_of, sheet_jobs};
 use super::live::Live;
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
@@ -113,9 +113,9 @@ impl Runs for Render {
         if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
             return Ok(status);
         }
-        let mut status = self.draw_all(&jobs, console)?;
+        let (mut status, told) = self.draw_all(&jobs, console)?;
         for document in declared {
-            status = status.max(document.write(&self.files, console)?);
+            status = status.max(document.write(&self.files, &told, console)?);
         }
         Ok(status)
     }
@@ -128,13 +128,13 @@ impl Render {
         if is_elsewhere { Ok(Vec::new()) } else { Declared::all(&self.files, figures) }
     }
 
-    /// Draws scenes and writes their files.
-    fn draw_all(&self, jobs: &[Job], console: &mut Console) -> io::Result<Status> {
+    /// Draws scenes and writes their files; what was said of each is the second.
+    fn draw_all(&self, jobs: &[Job], console: &mut Console) -> io::Result<(Status, Told)> {
         let bar = progress(jobs.len(), console);
         let alone = bar.is_hidden();
         let ink = console.ink();
         let (mut status, mut timings) = (Status::Done, Timings::start());
-        let (mut names, mut unfits) = (BTreeSet::new(), Unfits::default());
+        let (mut names, mut unfits, mut told) = (BTreeSet::new(), Unfits::default(), Told::new());
         let work = |job: &Job| {
             if self.skip_unchanged && self.files.is_current(job) {
                 Written::nothing()
@@ -147,7 +147,9 @@ impl Render {
             status = status.max(written.status);
             timings.add(&written.timings);
             names.extend(written.names.iter().cloned());
-            unfits.extend(std::mem::take(&mut written.unfit));
+            let own = Unfits::of(std::mem::take(&mut written.unfit));
+            told.insert(job.input.shown(), written.messages.clone() + &own.messages());
+            unfits.join(own);
             bar.suspend(|| -> io::Result<()> {
                 written.tell(console)?;
                 // While the bar is away, lest the two write over each other.
@@ -164,7 +166,7 @@ impl Render {
         if self.timings {
             Console::message(&timings.to_string());
         }
-        Ok(status)
+        Ok((status, told))
     }
 
     /// Draws a stream of scenes.

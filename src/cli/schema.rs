@@ -1,6 +1,8 @@
 //! JSON Schemas: of scenes, with the layers and their options; of project files, with the formats; of theme
 //! files.
 
+use std::collections::BTreeSet;
+
 use serde_json::{Map, Value, json};
 use tracefig::drawing::Role;
 use tracefig::figure::exercise::askables;
@@ -46,6 +48,9 @@ const TEXTS: [(&str, &str); 8] = [
 /// Where the schema says what an exercise asks for.
 const ASKED: &str = "/properties/exercise/properties/ask";
 
+/// Where the schema says which layers and labels a question hides.
+const HIDDEN: &str = "/properties/exercise/properties/hide";
+
 /// A file that a schema is of.
 pub(crate) struct Schema {
     /// The word that asks for it.
@@ -73,6 +78,12 @@ fn scene_schema() -> Value {
     if let Some(ask) = schema.pointer_mut(ASKED) {
         *ask = one_or_more(&json!({ "enum": asked }), &ask["description"]);
     }
+    let layers = LAYERS.iter().map(|layer| layer.name);
+    let keys = LAYERS.iter().flat_map(|layer| layer.labels).map(|label| label.key);
+    let hidden: BTreeSet<_> = layers.chain(keys).collect();
+    if let Some(hide) = schema.pointer_mut(HIDDEN) {
+        *hide = one_or_more(&json!({ "enum": hidden }), &hide["description"]);
+    }
     themed(&mut schema, "/properties/canvas/properties/theme");
     if let Some(layers) = schema.pointer_mut(LAYERS_OF_A_PANEL) {
         let names: Vec<_> = LAYERS.iter().map(|layer| layer.name).collect();
@@ -93,7 +104,8 @@ fn markup(end: &str) -> String {
     let values: Vec<_> = values().map(|(name, _)| name.replace('.', r"\.")).collect();
     let values = values.join("|");
     let (escaped, formula) = (r"\\[\s\S]", r"\$(?:[^$\\]|\\[\s\S])*\$");
-    let named = format!(r"\{{(?:{roles})\||\{{=(?:{values})[:}}]|\{{(?![a-z][a-z-]*\||=)");
+    let digits = r"(?::\.(?:[0-9]+|0*[1-9][0-9]*g))?";
+    let named = format!(r"\{{(?:{roles})\||\{{=(?:{values}){digits}\}}|\{{(?![a-z][a-z-]*\||=)");
     format!(r"^(?:[^$\\{{]|{escaped}|{formula}|{named})*{end}")
 }
 

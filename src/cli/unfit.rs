@@ -110,6 +110,23 @@ impl Unfits {
         }
     }
 
+    /// What one scene says.
+    pub(crate) fn of(found: Vec<Unfit>) -> Self {
+        let mut all = Self::default();
+        all.extend(found);
+        all
+    }
+
+    /// Adds what a scene says that was asked by itself.
+    pub(crate) fn join(&mut self, own: Self) {
+        self.extend(own.found());
+    }
+
+    /// What is said, each thing once.
+    pub(crate) fn found(self) -> Vec<Unfit> {
+        self.0.into_iter().map(|group| group.first).collect()
+    }
+
     /// The messages, one for each thing that is said; empty where nothing is.
     pub(crate) fn messages(&self) -> String {
         let mut lines = String::new();

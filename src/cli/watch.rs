@@ -4,7 +4,7 @@
 //! been quiet for a moment. What has to be drawn again is asked of the files on disk, as `--skip-unchanged`
 //! does: a figure that says that it was drawn from this scene with these options stays.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -19,6 +19,7 @@ use super::atomic_file::clear_leftovers;
 use super::console::Console;
 use super::declared::Declared;
 use super::files::{Files, Plan};
+use super::handout::Told;
 use super::inputs::{Input, shown};
 use super::jobs::{Job, each_settings, folders_of};
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
@@ -112,9 +113,6 @@ impl Runs for Watch {
         Ok(Status::Done)
     }
 }
-
-/// What was said of each scene when it was drawn last; nothing where it is well.
-type Told = BTreeMap<String, String>;
 
 /// What is looked at from now on, and what ends that, in lines.
 fn begun(plan: &Plan, drawn: usize) -> String {
@@ -223,7 +221,7 @@ impl Watch {
             let texts = read_texts(&document.jobs);
             if told.get(&name) != Some(&texts) {
                 console.out.flush()?;
-                match document.write(&self.files, console)? {
+                match document.write(&self.files, told, console)? {
                     Status::Done => told.remove(&name),
                     _ => told.insert(name, texts),
                 };

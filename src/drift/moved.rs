@@ -53,7 +53,8 @@ pub(super) fn moved(old: &Value, new: &Value) -> Vec<String> {
 /// The first lines, and how many more there are.
 pub(super) fn limited(mut lines: Vec<String>, most: usize) -> Vec<String> {
     let more = lines.len().saturating_sub(most);
-    if more > 0 {
+    // A single one takes as much room as its count.
+    if more > 1 {
         lines.truncate(most);
         lines.push(format!("and {more} more differences"));
     }
@@ -286,6 +287,13 @@ mod tests {
         let words = moved(&trace(1.0), &trace(2.0));
         assert_eq!(words[..2], ["e: x 1.0 → 2.0", "e (2): x 1.0 → 2.0"]);
         assert_eq!(words.last().unwrap(), "and 29988 more differences");
+    }
+
+    #[test]
+    fn one_difference_more_is_told_rather_than_counted() {
+        let lines = |count: usize| limited((0..count).map(|i| i.to_string()).collect(), 3).join(" ");
+        assert_eq!([lines(3), lines(4)], ["0 1 2", "0 1 2 3"]);
+        assert_eq!(lines(5), "0 1 2 and 2 more differences");
     }
 
     #[test]

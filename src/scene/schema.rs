@@ -6,6 +6,7 @@ use serde_json::{Map, Value, json};
 use crate::collision::{Bodies, QUERIES, Question};
 use crate::geometry::shape::{FieldType, KINDS};
 
+use super::body::{ANGLES, MATRIX, SPINS};
 use super::fields::{
     CANVAS, EXERCISE, EXPECTED, EXPECTED_POINTS, Field, LABEL, LIVE, PANEL, QUERY, ROOT, STEP, TableRows,
     shape_rows,
@@ -13,6 +14,12 @@ use super::fields::{
 use super::holds::Holds;
 use super::project_fields::{HANDOUT, PROJECT, RENDER};
 use super::{COMPASS, When};
+
+/// The tag of a language: letters, then parts of letters and digits.
+const LANGUAGE: &str = "^[A-Za-z]{2,8}(-[A-Za-z0-9]{1,8})*$";
+
+/// Pairs of keys of a shape that say the same.
+const SAME: [[&str; 2]; 4] = [ANGLES, [ANGLES[0], MATRIX], [ANGLES[1], MATRIX], SPINS];
 
 /// JSON Schema (draft 2020-12) of a scene. Which layers there are is left open.
 ///
@@ -64,6 +71,9 @@ fn of(rows: &TableRows) -> Value {
 /// The schema of what a key holds, with its line of help.
 fn described(field: &Field) -> Value {
     let mut value = holds(field);
+    if field.name == "lang" {
+        value["pattern"] = json!(LANGUAGE);
+    }
     if let Value::Object(object) = &mut value {
         object.insert("description".to_owned(), json!(field.about));
     }
@@ -121,7 +131,7 @@ fn holds(field: &Field) -> Value {
             let label = json!({ "anyOf": [{ "type": "string" }, of(&LABEL)] });
             json!({ "type": "object", "additionalProperties": label })
         }
-        Holds::List("steps") => json!({ "type": "array", "items": of(&STEP) }),
+        Holds::List("steps") => json!({ "type": "array", "items": step() }),
         Holds::List("handouts") => json!({ "type": "array", "items": of(&HANDOUT) }),
         Holds::List("panels") => json!({ "type": "array", "items": of(&PANEL) }),
         Holds::List(_) => json!({ "type": "array", "items": { "type": "string" }, "minItems": 1 }),
@@ -154,9 +164,21 @@ fn shapes() -> Vec<(&'static str, Value)> {
                     FieldType::Count { .. } | FieldType::Point | FieldType::Switch => {}
                 }
             }
+            let known = |both: &[&str; 2]| both.iter().all(|key| shape["properties"].get(key).is_some());
+            let same = SAME.iter().filter(|both| known(both));
+            shape["allOf"] = same.map(|both| json!({ "not": { "required": both } })).collect();
             (kind.name, shape)
         })
         .collect()
+}
+
+/// The schema of what is said of some steps: of those that are skipped there are no words.
+fn step() -> Value {
+    let mut schema = of(&STEP);
+    let words = json!({ "not": { "anyOf": [{ "required": ["title"] }, { "required": ["text"] }] } });
+    schema["if"] = json!({ "required": ["skip"], "properties": { "skip": { "const": true } } });
+    schema["then"] = words;
+    schema
 }
 
 /// The schema of a query: how many bodies it is of depends on its kind.

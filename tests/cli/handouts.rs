@@ -149,6 +149,24 @@ fn what_is_wrong_with_a_handout_is_told_with_its_place() {
 }
 
 #[test]
+fn what_a_scene_warns_of_is_told_once_though_a_document_holds_it_too() {
+    let folder = project("file = 'all.pdf'");
+    let here = folder.path();
+    // Pinned far from the panel.
+    let clash = format!("{}\n[labels]\nA = {{ at = [900, 0] }}\n", drawn());
+    fs::write(here.join("docs/scenes/a.toml"), &clash).unwrap();
+    for command in ["render", "check"] {
+        let got = ran(here, &[command]);
+        assert_eq!(got.err.matches("over the edge").count(), 1, "{command}: {}", got.err);
+    }
+    // What is refused is told once, too.
+    fs::write(here.join("docs/scenes/a.toml"), clash.replace("circle", "circel")).unwrap();
+    let got = ran(here, &["render"]);
+    assert_eq!(got.err.matches("did you mean").count(), 2, "of two shapes: {}", got.err);
+    assert!(got.err.contains("all.pdf is not written without all its figures"), "{}", got.err);
+}
+
+#[test]
 fn a_report_does_not_take_the_place_of_a_handout() {
     let folder = project("file = 'all.pdf'");
     let got = ran(folder.path(), &["check", "--junit", "all.pdf"]);

@@ -88,7 +88,8 @@ fn is_of_type(name: &Value, value: &Value) -> bool {
     }
 }
 
-/// Whether a text is as a pattern of the schemas wants it: of theme files, of markup, of colours.
+/// Whether a text is as a pattern of the schemas wants it: of theme files, of markup, of languages, of
+/// colours.
 fn fits(pattern: &str, text: &str) -> bool {
     if pattern == r"\.toml(#dark)?$" {
         return Path::new(text.trim_end_matches("#dark")).extension().is_some_and(|end| end == "toml");
@@ -96,9 +97,28 @@ fn fits(pattern: &str, text: &str) -> bool {
     if pattern.starts_with("^(?:[^$") {
         return is_markup(pattern, text);
     }
+    if pattern.starts_with("^[A-Za-z]{2,8}") {
+        return is_tag(text);
+    }
     let (_, digits) = COLORS.iter().find(|(known, _)| *known == pattern).expect("a known pattern");
     text.strip_prefix('#')
         .is_some_and(|hex| digits.contains(&hex.len()) && hex.bytes().all(|b| b.is_ascii_hexdigit()))
+}
+
+/// Whether a text says how many digits a value has, as the pattern of the schema has it.
+fn is_format(text: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+    text.strip_prefix('.').is_some_and(|count| match count.strip_suffix('g') {
+        Some(count) => digits(count) && count.bytes().any(|b| b != b'0'),
+        None => digits(count),
+    })
+}
+
+/// Whether a text is the tag of a language, as the pattern of the schema has it.
+fn is_tag(text: &str) -> bool {
+    let mut parts = text.split('-');
+    parts.next().is_some_and(|p| (2..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphabetic()))
+        && parts.all(|p| (1..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
 
 /// Whether a text is markup as the pattern of the schema has it, which names the roles and values.
@@ -121,7 +141,13 @@ fn is_markup(pattern: &str, text: &str) -> bool {
                 let end = after.find(|c: char| !(c.is_ascii_alphanumeric() || "-=._".contains(c)));
                 let (word, end) = end.map_or((after, ""), |end| (&after[..end], &after[end..=end]));
                 let is_known = match word.strip_prefix('=') {
-                    Some(value) => values.iter().any(|known| known == value),
+                    Some(value) => {
+                        let ends = after.split_once('}').is_some_and(|(inner, _)| {
+                            let format = inner.split_once(':').map(|(_, format)| format);
+                            format.is_none_or(is_format)
+                        });
+                        ends && values.iter().any(|known| known == value)
+                    }
                     None => end != "|" || word.is_empty() || roles.iter().any(|known| known == word),
                 };
                 if !is_known {
@@ -165,6 +191,7 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
         "minItems" => length(u64::ge),
         "maxItems" => length(u64::le),
         "anyOf" => fitting() > 0,
+        "not" => !faults(rule, value, "").is_empty(),
         "uniqueItems" => {
             let items = value.as_array().map_or(&[][..], Vec::as_slice);
             items.iter().enumerate().all(|(i, item)| !items[..i].contains(item))
@@ -232,6 +259,10 @@ fn the_schema_takes_what_the_reader_takes() {
         ("/title", json!("a formula $x without an end")),
         ("/canvas/theme", json!("dark")),
         ("/exercise", json!({ "ask": ["separation"] })),
+        ("/exercise", json!({ "ask": "separation", "hide": ["shapes", "A"] })),
+        ("/headline", json!("{=separation:.3g} and {=separation:.0}")),
+        ("/lang", json!("pt-BR")),
+        ("/steps", json!([{ "skip": true }, { "title": "Then" }])),
     ] {
         let right = with(pointer, put);
         assert_eq!(
@@ -291,6 +322,13 @@ fn the_schema_refuses_what_the_reader_refuses() {
         ("/query/of", json!(["A", "A"])),
         ("/exercise", json!({ "ask": "dpth" })),
         ("/exercise", json!({ "ask": ["separation", "dpth"] })),
+        ("/exercise", json!({ "ask": "separation", "hide": ["shaeps"] })),
+        ("/title", json!("{=separation:.2q} apart")),
+        ("/headline", json!("{=separation:2}")),
+        ("/lang", json!("e")),
+        ("/lang", json!("de_AT")),
+        ("/shapes/B/angle_rad", json!(0.5)),
+        ("/steps", json!([{ "skip": true, "title": "Nothing" }])),
     ] {
         let wrong = with(pointer, put.clone());
         assert_eq!(drawn(folder.path(), &wrong), Some(1), "{pointer} {put}");

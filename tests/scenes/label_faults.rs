@@ -12,7 +12,7 @@
 #![expect(clippy::cast_precision_loss, reason = "counts of scenes and vertices")]
 
 #[path = "../random_scenes/mod.rs"]
-mod random_scenes;
+pub(crate) mod random_scenes;
 
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -11,6 +11,7 @@ mod extreme_sizes;
 mod fuzz_bodies;
 mod label_faults;
 mod label_rule;
+mod layer_options;
 mod names;
 mod no_panic;
 mod templates;

@@ -19,6 +19,10 @@ const LONGER: f64 = 0.08;
 /// How much longer they are at most, page pixels: less than the room to the right of a chart and above it.
 const FARTHEST: f64 = 29.5;
 
+/// The height of a chart at least where its view is fitted, page pixels: in that of a flat pair of bodies its
+/// lines would run through its words.
+const LEAST_HEIGHT: f64 = 130.0;
+
 /// Half the length of a tick on the axis of time, page pixels.
 const TICK: f64 = 4.0;
 
@@ -40,11 +44,12 @@ impl<'c> Chart<'c> {
     /// A chart that fills its panel but for some room around it: left, right, below and above, page pixels.
     /// Values run from `least` to that of `most`.
     pub(super) fn new(
-        sketch: &Sketch,
+        sketch: &mut Sketch,
         context: &'c Context<'c>,
         room: [f64; 4],
         (least, most): (f64, DVec2),
     ) -> Self {
+        sketch.at_least_high(LEAST_HEIGHT);
         let (lo, hi) = sketch.visible();
         let [left, right, below, above] = room.map(|px| sketch.px(px));
         let area = [lo + DVec2::new(left, below), hi - DVec2::new(right, above)];

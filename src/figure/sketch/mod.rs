@@ -266,6 +266,15 @@ impl<'f> Sketch<'f> {
         self.fitted(px) / self.frame.scale
     }
 
+    /// Lets a view that is fitted be so high at least, page pixels, about the middle of what is seen now.
+    pub(crate) fn at_least_high(&mut self, px: f64) {
+        let ((lo, hi), half) = (self.visible(), 0.5 * self.px(px));
+        let middle = 0.5 * (lo + hi);
+        let ends = [middle - DVec2::Y * half, middle + DVec2::Y * half];
+        let (from, to) = self.extent.unwrap_or((ends[0], ends[1]));
+        self.extent = Some((from.min(ends[0]), to.max(ends[1])));
+    }
+
     /// The length on the page, in pixels, of a length in the panel's space.
     #[must_use]
     pub(crate) fn on_page(&self, length: f64) -> f64 {
