@@ -10,7 +10,7 @@
 //! which proves the separation from there, and tells what was proved, so that all algorithms give the same
 //! answer of the same pair.
 
-use crate::collision::algorithm::outline::{Projection, Span};
+use crate::collision::algorithm::outline::{Projection, Span, each_two_on_one_line, holding};
 use crate::collision::algorithm::view::{PairView, Turning};
 use crate::collision::certified::distance::certify;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
@@ -141,9 +141,25 @@ pub(crate) fn tell(pair: &PairView, answer: &Separation, tracer: &mut impl Trace
         foot,
         source: match answer.features {
             [Feature::Vertex(_), of_b @ Feature::Edge(_)] => (Side::B, of_b),
+            [Feature::Edge(_), of_b @ Feature::Edge(_)] if is_on_edge_of_b(pair, answer) => (Side::B, of_b),
             [of_a, _] => (Side::A, of_a),
         },
     });
+}
+
+/// Where two edges face each other, whether the point of B ⊖ A nearest the origin is on B's: both are on one
+/// line there, one after the other.
+fn is_on_edge_of_b(pair: &PairView, answer: &Separation) -> bool {
+    let normal = pair.local_vector(*answer.normal);
+    let foot = normal * (answer.separation + pair.radius());
+    let (mut of_b, mut most) = (false, 0.0);
+    each_two_on_one_line(pair, |both| {
+        let facing = -both[0].outward(pair).dot(normal);
+        if facing > most {
+            (of_b, most) = (holding(pair, both, foot).source == Side::B, facing);
+        }
+    });
+    of_b
 }
 
 /// The vertex of a feature, or both ends of an edge, in the world.

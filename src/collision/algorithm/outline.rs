@@ -133,6 +133,26 @@ pub(crate) fn each_edge(pair: &PairView, mut visit: impl FnMut(DifferenceEdge)) 
     }
 }
 
+/// Visits the edges of B ⊖ A that share a line: an edge of B, and the edge of A that goes on from its end.
+pub(crate) fn each_two_on_one_line(pair: &PairView, mut visit: impl FnMut([DifferenceEdge; 2])) {
+    let mut before: Option<DifferenceEdge> = None;
+    each_edge(pair, |edge| {
+        if let Some(first) = before.replace(edge)
+            && (first.source, edge.source) == (Side::B, Side::A)
+            && pair.turning_of(Side::A, edge.edge, first.edge) == Turning::Along
+        {
+            visit([first, edge]);
+        }
+    });
+}
+
+/// The one of two edges of B ⊖ A on one line that holds a point of it, in A's frame; where they meet,
+/// the first.
+pub(crate) fn holding(pair: &PairView, [first, second]: [DifferenceEdge; 2], point: DVec2) -> DifferenceEdge {
+    let [joint, end] = second.ends(pair);
+    if (point - joint).dot(end - joint) > 0.0 { second } else { first }
+}
+
 /// Tells B ⊖ A at the pair's moment: its edges counter-clockwise, and that it is round where it is.
 ///
 /// Any algorithm may call it at any time; it costs nothing where nobody listens.

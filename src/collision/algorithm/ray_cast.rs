@@ -14,13 +14,13 @@
 //!
 //! Source: Paul Firth, "Collision detection for dummies" (2011), section Continuous.
 
-use crate::collision::algorithm::outline::{self, each_edge};
+use crate::collision::algorithm::outline::{self, each_edge, each_two_on_one_line, holding};
 use crate::collision::algorithm::view::PairView;
 use crate::collision::algorithm::{Algorithm, Stops, motion, unturning_pair};
 use crate::collision::certified::sweep::Sweep;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
 use crate::collision::{Answer, Impact, Outcome, Query, QueryKind};
-use crate::geometry::{Feature, Side};
+use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event, Tracer};
 
 /// Its row in the table of algorithms.
@@ -68,15 +68,26 @@ fn tell(query: &Query, sweep: &Sweep, outcome: &Outcome, tracer: &mut impl Trace
     tracer.record(|| Event::Started { algorithm: ALGORITHM.name, at: pair.moment() });
     outline::tell(&pair, tracer);
     let v = pair.local_vector(a.velocity - b.velocity);
-    let hit = if matches!(outcome, Outcome::Hit { .. }) { sweep.entered() } else { None };
+    let hit = match outcome {
+        Outcome::Hit { .. } | Outcome::Overlapping { .. } => sweep.entered(),
+        Outcome::Miss | Outcome::Unresolved { .. } => None,
+    };
+    let starts_inside = matches!(outcome, Outcome::Overlapping { .. });
     let radius = pair.radius();
+    let met = match hit {
+        Some(DifferenceFeature::Edge(edge)) => Some(met(&pair, edge, v)),
+        _ => None,
+    };
     each_edge(&pair, |p| {
         let [from, to] = p.ends(&pair);
         let outward = p.outward(&pair);
         let faces = v.perp_dot(to - from) < 0.0;
+        let time = faces.then(|| (outward.dot(from) + radius) / outward.dot(v) + 0.0);
         let culling = match faces {
             false => Culling::BackFacing,
-            true if is_edge(hit, p) => Culling::Hit,
+            // A ray that starts inside has entered before; one that starts on the edge enters there.
+            true if starts_inside && time != Some(0.0) => Culling::Missed,
+            true if met.is_some_and(|edge| is_same(edge, p)) => Culling::Hit,
             true => Culling::Missed,
         };
         tracer.record(|| Event::RayClipped {
@@ -84,18 +95,37 @@ fn tell(query: &Query, sweep: &Sweep, outcome: &Outcome, tracer: &mut impl Trace
             from: pair.world_vector(from + outward * radius),
             to: pair.world_vector(to + outward * radius),
             outcome: culling,
-            time: faces.then(|| (outward.dot(from) + radius) / outward.dot(v)),
+            time,
         });
     });
-    if let (Some(DifferenceFeature::Vertex([i, j])), Outcome::Hit { time, .. }) = (hit, outcome) {
-        let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
-        let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
-        let time = Some(time.lo);
-        tracer.record(|| Event::RayClipped { source, from: center, to: center, outcome: Culling::Hit, time });
+    if let (Some(DifferenceFeature::Vertex(vertex)), Outcome::Hit { time, .. }) = (hit, outcome) {
+        tell_disc(&pair, vertex, time.lo, tracer);
     }
 }
 
-/// Whether a feature of B ⊖ A is an edge made by the same edge of the same body.
-fn is_edge(feature: Option<DifferenceFeature>, edge: DifferenceEdge) -> bool {
-    matches!(feature, Some(DifferenceFeature::Edge(f)) if (f.source, f.edge) == (edge.source, edge.edge))
+/// Records that the ray enters through the disc at a vertex of B ⊖ A.
+fn tell_disc(pair: &PairView, [i, j]: [usize; 2], time: f64, tracer: &mut impl Tracer) {
+    let center = pair.world_vector(pair.vertex(Side::B, j) - pair.vertex(Side::A, i));
+    let source = (Side::B, Feature::Vertex(pair.file_vertex(Side::B, j)));
+    let (outcome, time) = (Culling::Hit, Some(time));
+    tracer.record(|| Event::RayClipped { source, from: center, to: center, outcome, time });
+}
+
+/// The edge of B ⊖ A that the ray along `v` meets on the line of an edge: that one, or the other body's that
+/// goes on from it.
+fn met(pair: &PairView, edge: DifferenceEdge, v: DVec2) -> DifferenceEdge {
+    let ([from, _], outward) = (edge.ends(pair), edge.outward(pair));
+    let point = v * ((outward.dot(from) + pair.radius()) / outward.dot(v)) - outward * pair.radius();
+    let mut met = edge;
+    each_two_on_one_line(pair, |both| {
+        if both.iter().any(|p| is_same(*p, edge)) {
+            met = holding(pair, both, point);
+        }
+    });
+    met
+}
+
+/// Whether two edges of B ⊖ A are made by the same edge of the same body.
+fn is_same(p: DifferenceEdge, q: DifferenceEdge) -> bool {
+    (p.source, p.edge) == (q.source, q.edge)
 }

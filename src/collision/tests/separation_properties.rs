@@ -1,8 +1,10 @@
 //! What must hold of the proved separation: exact cases, and pairs that nobody chose.
 
+use crate::collision::tests::asking::separation as ask;
 use crate::collision::tests::bodies::{Bodies, body, placed};
 use crate::collision::{Pair, Separation};
-use crate::geometry::{Angle, Body, DVec2, Feature, Shape, shape::FieldValue};
+use crate::geometry::{Angle, Body, DVec2, Feature, Shape, Side, shape::FieldValue};
+use crate::trace::Event;
 
 fn at(shape: Shape, position: (f64, f64), angle: f64) -> Body {
     placed(body(shape), position.0, position.1, angle)
@@ -112,4 +114,46 @@ fn tiny_and_huge_scenes_have_the_same_answer_scaled() {
             assert!(two.bounds.hi - two.bounds.lo <= 1e-14 * factor, "{exponent} {round}: {two:?}");
         }
     }
+}
+
+/// How far a point is from a segment.
+fn beside(p: DVec2, [from, to]: [DVec2; 2]) -> f64 {
+    let along = to - from;
+    (p - from - along * ((p - from).dot(along) / along.length_squared()).clamp(0.0, 1.0)).length()
+}
+
+#[test]
+fn the_edge_that_is_told_nearest_holds_the_point_that_is_told_nearest() {
+    let mut bodies = Bodies::new(41);
+    let mut told = 0;
+    for k in 0..300 {
+        let [a, b] = bodies.resting_pair().map(|body| Body { angle: Angle::ZERO, ..body });
+        let edges = ask("merge", &a, &b).1.events;
+        // A segment's edge is there twice: there and back.
+        let off = |source: Side, i: usize, p: DVec2| {
+            let of = edges.iter().filter_map(|event| match event {
+                Event::DifferenceEdgeFound { source: s, edge, from, to, .. }
+                    if (*s, *edge) == (source, i) =>
+                {
+                    Some(beside(p, [*from, *to]))
+                }
+                _ => None,
+            });
+            of.reduce(f64::min)
+        };
+        for name in ["closest-features", "gjk", "separating-axes"] {
+            let (answer, trace) = ask(name, &a, &b);
+            let last = trace.events.iter().rev().find_map(|event| match event {
+                Event::CandidateImproved { foot, source: (side, Feature::Edge(i)), .. } => {
+                    Some((*foot + *answer.normal * (a.shape.radius + b.shape.radius), *side, *i))
+                }
+                _ => None,
+            });
+            let Some((core, side, i)) = last else { continue };
+            let off = off(side, i, core).expect("an edge of the outline");
+            assert!(off < 1e-9, "{k}: {name} tells {core:?} on {side:?} {i}, {off} off");
+            told += 1;
+        }
+    }
+    assert!(told > 300, "{told} of 900");
 }

@@ -3,7 +3,7 @@
 use crate::collision::tests::asking::impact as ask;
 use crate::collision::tests::bodies::{boxed, moving, placed, polygon};
 use crate::collision::{Impact, Outcome, Separation};
-use crate::geometry::{Body, DVec2, Enclosure, Side};
+use crate::geometry::{Body, DVec2, Enclosure, Feature, Side};
 use crate::trace::{Culling, Event, Trace};
 
 fn hit(impact: &Impact) -> (Enclosure, Separation) {
@@ -55,7 +55,7 @@ fn the_linear_demo_skips_the_six_edges_that_face_away() {
         .events
         .iter()
         .filter_map(|e| match e {
-            Event::RayClipped { source: (side, crate::geometry::Feature::Edge(k)), outcome, .. } => {
+            Event::RayClipped { source: (side, Feature::Edge(k)), outcome, .. } => {
                 Some((*side == Side::B, *k, *outcome))
             }
             _ => None,
@@ -71,6 +71,27 @@ fn the_linear_demo_skips_the_six_edges_that_face_away() {
         of(Culling::BackFacing),
         [(false, 1), (false, 2), (false, 3), (true, 1), (true, 2), (true, 3)]
     );
+}
+
+#[test]
+fn of_two_edges_on_one_line_the_one_that_is_met_is_told() {
+    let wall = placed(boxed("box", 0.5, 2.0), 2.0, 0.5, 0.0);
+    let told = |x: f64, y: f64| {
+        let car = moving(placed(boxed("box", 1.0, 0.5), x, y, 0.0), [8.0, 0.0], 0.0);
+        let (_, trace) = ask("ray-cast", &car, &wall, 0.0);
+        let met = trace.events.iter().filter_map(|event| match event {
+            Event::RayClipped { source, outcome: Culling::Hit, .. } => Some(*source),
+            _ => None,
+        });
+        met.collect::<Vec<_>>()
+    };
+    // B - A has the wall's edge from (5.5, 3 - y) down to (5.5, -1 - y), and from there the car's.
+    let (wall, car) = ((Side::B, Feature::Edge(3)), (Side::A, Feature::Edge(1)));
+    for (y, met) in [(0.0, wall), (2.9, wall), (-0.9, wall), (-1.0, wall), (-1.1, car), (-1.9, car)] {
+        assert_eq!(told(-5.0, y), [met], "{y}");
+        // Touching from the start; and inside from the start.
+        assert_eq!((told(0.5, y), told(1.0, y)), (vec![met], vec![]), "{y}");
+    }
 }
 
 #[test]
