@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::collision::{
     ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation, scale_of,
 };
-use crate::geometry::Enclosure;
+use crate::geometry::{Body, Enclosure};
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
@@ -324,11 +324,15 @@ impl Runs {
 /// Lets bodies touch whose separation is none but for rounding.
 fn touch(answer: &mut Answer, query: &Query) {
     let Answer::Separation(found) = answer else { return };
-    let Enclosure { lo, hi } = found.bounds;
-    let is_so = |b| lo.abs().max(hi.abs()) <= TOUCHING * scale_of(query.a, b);
-    if query.b.is_some_and(is_so) {
+    if query.b.is_some_and(|b| is_touch(found, query.a, b)) {
         (found.separation, found.bounds) = (0.0, Enclosure { lo: 0.0, hi: 0.0 });
     }
+}
+
+/// Whether the separation of two bodies is none but for rounding.
+pub(crate) fn is_touch(found: &Separation, a: &Body, b: &Body) -> bool {
+    let Enclosure { lo, hi } = found.bounds;
+    lo.abs().max(hi.abs()) <= TOUCHING * scale_of(a, b)
 }
 
 /// The moments that the events of a run are about, which was asked about the moment `asked`: that of the last

@@ -174,7 +174,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
         two.any_line((0.0, 0.0), (5.0, 0.0)) && two.any_line((0.0, 0.0), (5.0, 6.0)),
         two.arrow_toward(Now, (5.0, 0.0), (5.0, 6.0)) && two.arrow_toward(A, (2.5, 0.0), (2.5, 3.0)),
         [(5.0, 0.0), (5.0, 6.0), (2.5, 0.0), (2.5, 3.0)].iter().all(|&at| two.marker(A, at)),
-        f.says("½ $r = 2.5$") && f.says("½ $L = 3$") && f.says("pivot"),
+        f.says("$r_q = 2.5$") && f.says(r"$\theta\,r_q = 3$") && f.says("pivot"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
         f.says("$r = 5$"),

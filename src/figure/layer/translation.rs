@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::runs::Run;
+use crate::figure::runs::{Run, is_touch};
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::Side;
 use crate::trace::Event;
@@ -35,9 +35,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let tip = pose.position - answer.normal * answer.separation;
     let role = options.role(Role::Now);
     let of_circles = run.tells(|e| matches!(e, Event::PenetrationMeasured { .. }));
+    let both = context.body(Side::A).zip(context.body(Side::B));
+    let touches = both.is_some_and(|(a, b)| is_touch(answer, a, b));
     let text = if of_circles {
         "$P = N p$"
-    } else if answer.separation > 0.0 {
+    } else if answer.separation > 0.0 && !touches {
         // Apart, B comes back along n; d is a length.
         r"$-d\,n$"
     } else {

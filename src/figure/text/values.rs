@@ -6,7 +6,7 @@ use crate::figure::question::has_a_tolerance;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
-use super::boxes::{bounds, half_extents, middle};
+use super::boxes::{angle_of_the_box, bounds, half, half_extents, middle};
 use super::quantity::{Quantity, arc_length};
 use super::step_values::{of_step, of_step_or_first};
 
@@ -123,6 +123,7 @@ pub(crate) static VALUES: &[Value] = &[
     told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
     told!("clamped.y", "y of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.y),
     told!("r", "the circle's radius", Event::Clamped { radius, .. } => *radius),
+    Value { name: "box.angle", about: "angle of the box that clamps, degrees", of: angle_of_the_box },
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
     Value { name: "D.x", about: "x of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.x) },
     Value { name: "D.y", about: "y of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.y) },
@@ -146,7 +147,12 @@ pub(crate) static VALUES: &[Value] = &[
         "sum of two AABBs' half-extents in y",
         Event::ExtentsCompared { half_extents: [p, q], .. } => p.y + q.y
     ),
+    Value { name: "halves.a.x", about: "the first AABB's half-extent in x", of: |c| half(c, |[a, _]| a.x) },
+    Value { name: "halves.b.x", about: "the second AABB's half-extent in x", of: |c| half(c, |[_, b]| b.x) },
+    Value { name: "halves.a.y", about: "the first AABB's half-extent in y", of: |c| half(c, |[a, _]| a.y) },
+    Value { name: "halves.b.y", about: "the second AABB's half-extent in y", of: |c| half(c, |[_, b]| b.y) },
     told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
+    told!("theta.rad", "angle turned, radians", Event::MotionBounded { theta, .. } => *theta),
     told!(
         "radius",
         "distance of the farthest point from the body's origin",
