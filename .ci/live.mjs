@@ -2,8 +2,9 @@
 //
 // The pages are drawn into a folder and opened as files. Each shows the committed SVG byte for byte and draws the same;
 // asks for nothing and breaks no policy; says while dragged, by a pointer and by keys, what `tracefig solve` says of the
-// scene that it copies; is again what it was after a reset; and axe finds nothing. Frame times are printed: on the
-// clock, and the processor time of scripts, in which what else the machine does is not.
+// scene that it copies; shows the same where its address is opened again; is again what it was after a reset; and axe
+// finds nothing. Frame times are printed: on the clock, and the processor time of scripts, in which what else the
+// machine does is not.
 // `TRACEFIG=path` is the binary; names of figures may follow.
 
 import { execFileSync } from "node:child_process";
@@ -38,14 +39,14 @@ run(["render", join(figures, `${stems[0]}.toml`), "--live", "-o", alone]);
 const browser = await launched();
 
 // A page that tells of everything that it must not do.
-async function opened(file, about, options = {}) {
+async function opened(file, about, options = {}, hash = "") {
     const page = await browser.newPage({ viewport: { width: 1100, height: 900 }, ...options });
     const own = pathToFileURL(dirname(file)).href;
     page.on("request", (request) => request.url().startsWith(`${own}/`) || fail(about, `asks for ${request.url()}`));
     page.on("console", (message) => fail(about, message.text()));
     page.on("pageerror", (error) => fail(about, error.stack));
     const start = performance.now();
-    await page.goto(pathToFileURL(file).href);
+    await page.goto(pathToFileURL(file).href + hash);
     if (options.javaScriptEnabled === false) return { page };
     await page.waitForFunction(() => document.querySelector(".tracefig-live").dataset.live);
     const ready = performance.now() - start;
@@ -66,13 +67,19 @@ async function opened(file, about, options = {}) {
     return { page, ready, drawn };
 }
 
-// Keeps the picture, or says whether it is as it was kept.
-const picture = (page) => page.evaluate(() => {
+// The picture as it is now, as text.
+const shown = (page) => page.evaluate(() => {
     const now = document.querySelector("figure > svg").cloneNode(true);
     for (const body of now.querySelectorAll("[data-held]")) delete body.dataset.held;
-    globalThis.kept ??= now;
-    return now.isEqualNode(globalThis.kept);
+    return now.outerHTML;
 });
+
+// Keeps the picture, or says whether it is as it was kept.
+async function picture(page) {
+    const now = await shown(page);
+    page.kept ??= now;
+    return now === page.kept;
+}
 const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
 
 // Compares what the page says with what we say of the scene that it copies.
@@ -155,6 +162,18 @@ async function figure(stem) {
         await field.fill(String(Number(await field.inputValue()) + 0.25));
         await field.press("Enter");
         await judge(page, `${stem}, by numbers`);
+        const { page: again } = await opened(file, stem, {}, new URL(page.url()).hash);
+        await again.waitForTimeout(SAID);
+        if ((await shown(again)) !== (await shown(page))) fail(stem, `shows something else at ${page.url()}`);
+        await again.close();
+    }
+    const time = page.locator(".numbers input").last();
+    if ((await page.locator(".time").count()) > 0) {
+        await time.fill("-1.2");
+        await time.press("Enter");
+        await frame(page);
+        const told = [await time.inputValue(), await page.textContent(".why")];
+        if (told.join() !== "0,") fail(stem, `a time before the first gives ${told}`);
     }
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => globalThis.axe.run());

@@ -121,27 +121,35 @@ class Knob {
 class Row {
     constructor(figure, handle) {
         this.figure = figure;
+        const name = handle.grip === "time" ? figure.word("time") : handle.name;
         const words = Array.isArray(handle.value) ? ["x", "y"] : [""];
         const field = (word) => make("input", {
             type: "number", step: figure.snap(handle) || "any", inputmode: "decimal",
-            "aria-label": word ? `${handle.name}, ${word}` : handle.name,
+            "aria-label": word ? `${name}, ${word}` : name,
         });
         this.fields = words.map(field);
         const change = () => {
+            this.typed = undefined;
             const numbers = this.fields.map((field) => field.valueAsNumber);
             if (!numbers.every(Number.isFinite)) return;
-            figure.alive(() => figure.attempt(handle, words.length > 1 ? numbers : numbers[0]));
+            const value = words.length > 1 ? numbers : numbers[0];
+            const asked = handle.grip === "time" ? within(value, handle.range) : value;
+            figure.alive(() => figure.attempt(handle, asked));
             figure.settle();
         };
-        for (const field of this.fields) field.addEventListener("change", change);
-        const name = make("span", { "aria-hidden": "true" }, handle.name);
-        figure.numbers.append(name, make("span", {}, ...this.fields));
+        for (const field of this.fields) {
+            field.addEventListener("input", () => (this.typed = field));
+            field.addEventListener("change", change);
+        }
+        const shown = make("span", { "aria-hidden": "true" }, name);
+        figure.numbers.append(shown, make("span", {}, ...this.fields));
     }
 
+    // What is typed stays until it is done; then the field says what has become of it.
     show(value) {
         [value].flat().forEach((v, i) => {
             const field = this.fields[i];
-            if (document.activeElement !== field && field.value !== String(v)) field.value = v;
+            if (this.typed !== field && field.value !== String(v)) field.value = v;
         });
     }
 }

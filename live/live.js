@@ -16,9 +16,9 @@ class Figure extends Edited {
     static async start(root, alone) {
         const request = root.querySelector("script[type='application/json']").textContent;
         const figure = new Figure(root, request, alone);
-        if (figure.info && "compileStreaming" in WebAssembly) figure.build();
-        // What is on the page is seen first.
+        // What is on the page is seen first; what its address says waits for it.
         figure.begun = new Promise(requestAnimationFrame).then(() => figure.begin(request));
+        if (figure.info && "compileStreaming" in WebAssembly) figure.build();
         try {
             await figure.begun;
         } catch (error) {
@@ -217,6 +217,11 @@ class Figure extends Edited {
             stops.add(key);
         }
         for (const knob of this.knobs.values()) knob.element.classList.toggle("gone", !seen.has(knob));
+        // What has left its panel has no handle, and numbers still.
+        const keys = new Set(this.info.handles.map(keyOf));
+        for (const [key, row] of this.rows) {
+            if (!keys.has(key)) row.show(this.edits.get(key)?.value ?? this.first.get(key));
+        }
         const held = this.info.handles.map(({ panel, name }) => `${panel} ${name}`).join();
         // The module's first picture is compared with that of the page as it came.
         if (this.engine && (!stays || held !== this.heldBy)) this.hold();

@@ -209,12 +209,16 @@ class Picture {
             return;
         }
         const [before, now] = [attributesOf(tag), attributesOf(next.tag)];
+        // Others stand in another order: at rest the element is written as in the file.
+        if ([...before.keys()].join() !== [...now.keys()].join()) {
+            for (const name of before.keys()) element.removeAttribute(name);
+            before.clear();
+        }
         for (const [name, value] of now) {
             if (before.get(name) === value) continue;
             if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
             else element.setAttribute(name, value);
         }
-        for (const name of before.keys()) if (!now.has(name)) element.removeAttribute(name);
     }
 
     // Children keep their elements: those with an id wherever they stand now, others take that of the next
