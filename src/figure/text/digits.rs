@@ -2,9 +2,10 @@
 //! is asked for, a number has three, or all it has where those are no more than five.
 //!
 //! A number lies between its bounds. A digit that the two ends do not share is not proved, and is never
-//! written: the most digits at which both ends round to the same text are all there are. Ends as near to
-//! each other as the rounding of doubles are one number, and half a digit is rounded away from 0, as at
-//! school: else 2.125, known to sixteen digits, would have two, as its ends lie on two sides of a half.
+//! written: the most digits at which both ends round to the same text are all there are; where nobody asks
+//! for digits and that is one, both ends are written. Ends as near to each other as the rounding of doubles
+//! are one number, and half a digit is rounded away from 0, as at school: else 2.125, known to sixteen
+//! digits, would have two, as its ends lie on two sides of a half.
 
 use crate::geometry::read;
 
@@ -23,6 +24,9 @@ const TOLD: usize = 10;
 const HALF: f64 = 0.5;
 /// Digits in all of a number that has more than `WHOLE`.
 const USUAL: usize = 3;
+/// Fewest digits that say where a number lies better than its two ends: of one in [0.96, 1.04] the only one
+/// that is proved is 1, which reads as if it were that.
+const FEWEST: usize = 2;
 /// Most digits in all with which a number is written whole where nobody asks: with three, a width of 261 has
 /// a half of 130, and a place at 1234 stands at 1230. More than five are no longer read at a glance.
 const WHOLE: usize = 5;
@@ -62,7 +66,7 @@ impl Digits {
         }
         let (lo, hi) = as_one(lo, hi);
         let (most, least) = match self {
-            Self::Usual => (USUAL, 1),
+            Self::Usual => (USUAL, FEWEST),
             Self::Significant(most) => (most.min(MOST), 1),
             Self::Decimals(most) => (most.min(decimals_within(lo.abs().max(hi.abs()))), 0),
         };

@@ -131,7 +131,8 @@ mod tests {
         assert_eq!(rounded(0.123, 0.124), "0.12");
         assert_eq!(rounded(0.308_487, 0.308_488), "0.308");
         assert_eq!(rounded(0.499_999_999_999_999_94, 0.5), "0.5");
-        assert_eq!(rounded(0.31, 0.34), "0.3");
+        assert_eq!(rounded(0.31, 0.34), "0.31…0.34");
+        assert_eq!(rounded(0.96, 1.04), "0.96…1.04", "which is not 1");
         assert_eq!(rounded(0.25, 1.0), "0.25…1");
         assert_eq!(in_math("0.25…1"), r"0.25 \ldots 1");
     }
