@@ -1,4 +1,4 @@
-// Whether the module draws the bytes that `tracefig render` wrote:
+// Whether the module draws the bytes that `tracefig render` wrote, and says what the page says before it:
 // `node live/same.mjs SCENES FOLDER [MODULE]`.
 //
 // For each scene of the first folder it draws every STEM.svg and STEM.THEME.svg that lies in the second.
@@ -10,18 +10,21 @@ import { requests } from './scenes.mjs';
 const [scenes, folder, module] = process.argv.slice(2);
 const tracefig = await instance(bytes(module));
 let [same, all] = [0, 0];
-for (const [stem, { scene, faces }] of requests(scenes)) {
+for (const [stem, { scene, faces, texts, info }] of requests(scenes)) {
     const is_ours = (name) => name.startsWith(`${stem}.`) && name.endsWith('.svg');
+    const says = JSON.stringify(info);
     const pictures = readdirSync(folder).filter(is_ours);
     for (const name of pictures) {
         const wanted = readFileSync(join(folder, name), 'utf8');
         const theme = name.slice(stem.length + 1, -'.svg'.length) || undefined;
         all += 1;
-        const request = { scene, faces, id: prefix(wanted), theme };
-        if (tracefig.open(request) && tracefig.draw() && tracefig.svg() === wanted) {
-            same += 1;
-        } else {
+        const request = { scene, faces, texts, id: prefix(wanted), theme };
+        if (!tracefig.open(request) || !tracefig.draw() || tracefig.svg() !== wanted) {
             console.log(`OTHER BYTES: ${name} ${tracefig.info().error ?? ''}`);
+        } else if (JSON.stringify(tracefig.info()) !== says) {
+            console.log(`OTHER WORDS: ${name}`);
+        } else {
+            same += 1;
         }
     }
 }

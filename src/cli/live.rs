@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 use tracefig::drawing::{Drawing, Role};
 use tracefig::figure::plain;
-use tracefig::live::{self, Frame, whole_faces};
+use tracefig::live::{self, Frame, foreign_texts, whole_faces};
 use tracefig::output::{FORMATS, INLINE, LivePage, Module, OutputError, WriteLive};
 use tracefig::scene::{SceneFile, Source, Variant};
 
@@ -137,6 +137,9 @@ pub(crate) fn request(
     }
     if let Some(faces) = whole_faces(file) {
         rest["faces"] = faces;
+    }
+    if let Some(texts) = foreign_texts(file) {
+        rest["texts"] = texts;
     }
     // The order of a scene's keys stays: the scene is written as it is.
     let (mut scene, rest) = (file.json(), rest.to_string());

@@ -146,6 +146,17 @@ pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 /// ```
 #[must_use]
 pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
+    let mut figure = draw_unjudged(plan, theme, id, before);
+    let faults = figure.faults().into_iter().map(|fault| {
+        let span = fault.label().1.clone();
+        Problem::new(Fault::LabelClash(fault), span)
+    });
+    figure.warnings.extend(faults);
+    figure
+}
+
+/// What [`draw_after`] draws, without a look at how the labels stand, which takes a twentieth of a frame.
+pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let theme = &on_background(theme, plan);
     let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
     let sheet = |share| Sheet { plan, theme, share };
@@ -166,11 +177,6 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         words: shaded(side),
         fill_opacity: side.fill_opacity,
     });
-    let mut warnings = plan.warnings.clone();
-    warnings.extend(panels.iter().chain(&insets).flat_map(faults).map(|fault| {
-        let span = fault.label().1.clone();
-        Problem::new(Fault::LabelClash(fault), span)
-    }));
     let steps = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
     tint(&mut items);
     let drawing = Drawing {
@@ -192,7 +198,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
         steps,
         motion: Vec::new(),
     };
-    Figure { drawing, panels, insets, handles, warnings, share }
+    Figure { drawing, panels, insets, handles, warnings: plan.warnings.clone(), share }
 }
 
 /// All panels of a figure, drawn.

@@ -21,7 +21,7 @@ use crate::geometry::{Angle, Body, DVec2};
 use crate::scene::{Grip, Scene};
 
 use super::frame::Frame;
-use super::language::Language;
+use super::language::{Language, Row, rows};
 use super::playhead::playhead;
 
 /// Something on the page that can be dragged.
@@ -197,14 +197,14 @@ impl Handle {
 }
 
 /// What handles are called, as rows of a [`Language`].
-const NAMES: &[[&str; 5]] = &[
+pub(crate) static NAMES: &[Row] = &rows([
     ["position of *", "*", "Lage von *", "position de *", "posición de *"],
     ["half-extents of *", "*", "Halbmaße von *", "demi-étendues de *", "semiejes de *"],
     ["vertex * of *", "*, *", "Ecke * von *", "sommet * de *", "vértice * de *"],
     ["velocity of *", "*", "Geschwindigkeit von *", "vitesse de *", "velocidad de *"],
     ["angle of *", "*", "Winkel von *", "angle de *", "ángulo de *"],
     ["radius of *", "*", "Radius von *", "rayon de *", "radio de *"],
-];
+]);
 
 /// What is changed, wherever it stands.
 #[derive(Clone, Copy)]

@@ -4,6 +4,7 @@
 //! words of ours at all: what has a formula keeps that, and what is a word alone is left out.
 
 use crate::scene::Scene;
+use crate::trace::text;
 
 /// The languages of the columns after the second one, by their ISO 639 code.
 const LANGUAGES: [&str; 3] = ["de", "fr", "es"];
@@ -26,8 +27,31 @@ const NAMES: [&str; 4] = ["A", "B", "a", "context"];
 /// Labels that have a name, beside words of ours.
 const NAMES_OF_GHOSTS: [&str; 3] = ["A'", "B'", "b"];
 
-/// Our words: in English, without words, and in each of [`LANGUAGES`].
-const WORDS: &[[&str; 5]] = &[
+/// Words of ours: in English, without words, and in each of [`LANGUAGES`].
+#[cfg(not(tracefig_page))]
+pub(crate) type Row = [&'static str; 5];
+
+/// Words of ours in English and without words: a page has the others, where it is in one of them ([`text`]).
+#[cfg(tracefig_page)]
+pub(crate) type Row = [&'static str; 2];
+
+/// What this program has of words.
+pub(crate) const fn rows<const N: usize>(all: [[&'static str; 5]; N]) -> [Row; N] {
+    #[cfg(tracefig_page)]
+    let all = {
+        let mut own = [["", ""]; N];
+        let mut k = 0;
+        while k < N {
+            own[k] = [all[k][0], all[k][1]];
+            k += 1;
+        }
+        own
+    };
+    all
+}
+
+/// Our words for labels and titles.
+pub(crate) static WORDS: &[Row] = &rows([
     ["expected at $t*", "$t*", "erwartet bei $t*", "attendu à $t*", "esperado en $t*"],
     ["* expected at $t*", "*: $t*", "* erwartet bei $t*", "* attendu à $t*", "* esperado en $t*"],
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
@@ -180,7 +204,7 @@ const WORDS: &[[&str; 5]] = &[
     ["Points of contact", "", "Kontaktpunkte", "Points de contact", "Puntos de contacto"],
     ["min $=*", "$\\min =*", "min $=*", "min $=*", "mín $=*"],
     ["max $=*", "$\\max =*", "max $=*", "max $=*", "máx $=*"],
-];
+]);
 
 /// The language of the words of ours in a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -234,15 +258,15 @@ impl Language {
     }
 
     /// What another table has for words of ours that must be said: in English where the language has none.
-    pub(crate) fn of_rows(self, rows: &[[&str; 5]], english: &str) -> String {
+    pub(crate) fn of_rows(self, rows: &[Row], english: &str) -> String {
         if self.column == WORDLESS { english.to_owned() } else { self.said(rows, english) }
     }
 
     /// What is written in English, as a row has it; as it is where no row is of it.
-    fn said(self, rows: &[[&str; 5]], english: &str) -> String {
+    fn said(self, rows: &[Row], english: &str) -> String {
         let found = rows.iter().find_map(|row| Some((row, taken(row[0], english)?)));
         let Some((row, parts)) = found else { return english.to_owned() };
-        let mut said = row[self.column].to_owned();
+        let mut said = text(row, self.column).to_owned();
         for part in parts {
             said = said.replacen(STAR, &part.replace(STAR, "\u{0}"), 1);
         }

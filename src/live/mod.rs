@@ -11,12 +11,13 @@ mod refusal;
 mod request;
 #[cfg(test)]
 mod tests;
+mod texts;
 
 use serde_json::Value;
 
 use crate::drawing::Drawing;
 use crate::drift::{facts, fingerprint, metadata, text_chunk};
-use crate::figure::{Figure, Language, Plan, draw_after, off_page, plan, plan_in};
+use crate::figure::{Figure, Language, Plan, draw_unjudged, off_page, plan, plan_in};
 use crate::output::{OutputError, found_words, inline_with, svg_key, svg_with};
 use crate::scene::{SceneFile, open_text};
 
@@ -24,6 +25,8 @@ use crate::scene::{SceneFile, open_text};
 pub use faces::whole_faces;
 pub use refusal::Refusal;
 use request::{Inline, Look, Request};
+#[cfg(not(tracefig_page))]
+pub use texts::foreign_texts;
 
 /// A scene with the text that it was read from.
 #[derive(Clone, Debug)]
@@ -103,8 +106,9 @@ impl Live {
     /// hash; without one it is the scene's own. With `"inline": {}` the picture is an element for the
     /// middle of a page (`output::inline`); with `"inline": {"words": ["a"]}` that page's style sheet sets
     /// its colours, those of words of these roles apart from those of lines, and says when it is dark. The
-    /// module of live pages has cut faces, and takes from `"faces"` the whole ones that the scene needs
-    /// besides ([`whole_faces`]); the library itself has them all.
+    /// module of live pages has cut faces and English texts, and takes from `"faces"` the whole ones that the
+    /// scene needs besides ([`whole_faces`]) and from `"texts"` those of its language ([`foreign_texts`]).
+    /// The library itself has them all.
     /// An `"info"`, which the page reads itself, is passed over.
     ///
     /// # Errors
@@ -267,7 +271,7 @@ impl Live {
     /// What the scene looks like as it is now.
     fn frame(&self) -> Result<Drawn, Refusal> {
         let plan = self.plan()?;
-        let mut figure = Box::new(draw_after(&plan, plan.theme, &self.id, self.before.as_deref()));
+        let mut figure = Box::new(draw_unjudged(&plan, plan.theme, &self.id, self.before.as_deref()));
         let panel = panel::panel(&plan, &figure);
         // What is kept for the next picture is where labels stand.
         let items = std::mem::take(&mut figure.drawing.items);

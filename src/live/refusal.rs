@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde_json::json;
 
-use crate::figure::{self, Language};
+use crate::figure::{self, Language, Row, rows};
 use crate::output::OutputError;
 use crate::scene::{Explain, Problem, Refused, Source};
 
@@ -51,7 +51,7 @@ pub enum Refusal {
 
 /// What is said of the scenes that there can't be, as rows of a [`Language`]. Reasons are those of messages
 /// about files, in English, but for the one that a drag meets.
-const WORDS: &[[&str; 5]] = &[
+pub(super) static WORDS: &[Row] = &rows([
     [
         "* can't be so: it would not be convex",
         "*",
@@ -74,7 +74,7 @@ const WORDS: &[[&str; 5]] = &[
         "La figura no puede ser así",
     ],
     ["* can't be so: *", "*", "* kann so nicht sein", "* ne peut pas être ainsi", "* no puede ser así"],
-];
+]);
 
 impl Refusal {
     /// What a page is told of a call that was refused, as JSON.

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 
 use serde_json::{Map, Value};
 
-use super::faces::bring_all;
 use super::refusal::Refusal;
+use super::{faces, texts};
 use crate::drawing::Role;
 use crate::figure::theme::{self, Theme};
 
@@ -63,7 +63,7 @@ impl Inline {
 }
 
 impl Request {
-    /// Reads a request, and sets from the faces that it brings.
+    /// Reads a request, sets from the faces that it brings and tells in its texts.
     pub(super) fn read(text: &str) -> Result<Self, Refusal> {
         let written = serde_json::from_str(text)
             .map_err(|error| Refusal::Malformed { expected: EXPECTED, got: error.to_string() })?;
@@ -75,7 +75,10 @@ impl Request {
         // What the page shows before the module is there.
         written.take("info");
         if let Some(faces) = written.take("faces") {
-            bring_all(&Fields::of(faces)?.0)?;
+            faces::bring_all(&Fields::of(faces)?.0)?;
+        }
+        if let Some(texts) = written.take("texts") {
+            texts::bring_all(texts)?;
         }
         written.end()?;
         Ok(Self { scene, id, look, inline })

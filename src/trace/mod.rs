@@ -4,18 +4,22 @@
 //! called, so an untraced query costs what it would without tracing.
 
 mod event;
+mod foreign;
 mod json;
 mod story;
 mod tongue;
 mod vocabulary;
 
 pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
+#[cfg(not(tracefig_page))]
+pub(crate) use foreign::of_language;
+pub(crate) use foreign::{bring_texts, text};
 pub use json::{HEADER, VALUES, json_lines};
-pub(crate) use story::{Hand, Voice, growth, script, sentence_in, step, told};
+pub(crate) use story::{Hand, Voice, all_phrases, growth, script, sentence_in, step, told};
 pub use story::{sentence, story};
 #[cfg(test)]
 pub(crate) use tongue::unlike;
-pub(crate) use tongue::{Phrase, Tongue, phrases};
+pub(crate) use tongue::{Phrase, Tongue, phrase, phrases};
 pub use vocabulary::{EventField, EventKind};
 
 /// Listens to an algorithm.

@@ -3,19 +3,35 @@
 //! A sentence is a [`Phrase`], the same one in every language, with stars for its values. No sentence is made
 //! from another one: a language has its own words around the values, which stand in the same order.
 
+use super::foreign::text;
+
 /// A phrase in English, German, French and Spanish. A star stands for a value, in their order.
+#[cfg(not(tracefig_page))]
 pub(crate) type Phrase = [&'static str; 4];
+
+/// A phrase in English: a page has the others, where it is in one of them ([`text`]).
+#[cfg(tracefig_page)]
+pub(crate) type Phrase = [&'static str; 1];
+
+/// What this program has of a phrase.
+pub(crate) const fn phrase(all: [&'static str; 4]) -> Phrase {
+    #[cfg(tracefig_page)]
+    let all = [all[0]];
+    all
+}
 
 /// What stands in a phrase for a value.
 const STAR: char = '*';
 
-/// Declares phrases, and for tests the list of them.
+/// Declares phrases, and the list of them.
 macro_rules! phrases {
     ($($(#[doc = $about:literal])+ $NAME:ident: $en:literal, $de:literal, $fr:literal, $es:literal;)+) => {
-        $($(#[doc = $about])+ pub(crate) static $NAME: $crate::trace::Phrase = [$en, $de, $fr, $es];)+
+        $(
+            $(#[doc = $about])+
+            pub(crate) static $NAME: $crate::trace::Phrase = $crate::trace::phrase([$en, $de, $fr, $es]);
+        )+
 
         /// Every phrase of this file.
-        #[cfg(test)]
         pub(crate) const ALL: &[&$crate::trace::Phrase] = &[$(&$NAME),+];
     };
 }
@@ -40,12 +56,12 @@ impl Tongue {
     }
 
     /// A phrase without a star.
-    pub(crate) fn word(self, phrase: &Phrase) -> &'static str {
-        phrase.get(self.column).unwrap_or(&phrase[0])
+    pub(crate) fn word(self, phrase: &[&'static str]) -> &'static str {
+        text(phrase, self.column)
     }
 
     /// A phrase with the values that stand for its stars.
-    pub(crate) fn say(self, phrase: &Phrase, values: &[&str]) -> String {
+    pub(crate) fn say(self, phrase: &[&'static str], values: &[&str]) -> String {
         let mut pieces = self.word(phrase).split(STAR);
         let mut said = pieces.next().unwrap_or_default().to_owned();
         for (piece, value) in pieces.zip(values) {
@@ -73,23 +89,23 @@ impl Tongue {
 
 /// Phrases of which a language has another count of stars than English.
 #[cfg(test)]
-pub(crate) fn unlike<'p>(all: impl IntoIterator<Item = &'p &'static Phrase>) -> Vec<&'static Phrase> {
+pub(crate) fn unlike(all: impl IntoIterator<Item = &'static Phrase>) -> Vec<&'static Phrase> {
     let stars = |said: &str| said.matches(STAR).count();
     let is_unlike = |phrase: &Phrase| phrase.iter().any(|said| stars(said) != stars(phrase[0]));
-    all.into_iter().copied().filter(|phrase| is_unlike(phrase)).collect()
+    all.into_iter().filter(|phrase| is_unlike(phrase)).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
+    static IS: Phrase = ["* is *", "* ist *", "* est *", "* es *"];
 
     #[test]
     fn values_stand_for_stars_and_a_star_in_a_value_stays() {
         assert_eq!(Tongue::new(1, true).say(&IS, &["A*", "B"]), "A* ist B");
         assert_eq!(Tongue::ENGLISH.say(&IS, &["A", "B"]), "A is B");
-        assert_eq!(unlike([&&IS]), [&[""; 4]; 0]);
+        assert_eq!(unlike([&IS]), [&[""; 4]; 0]);
     }
 
     #[test]

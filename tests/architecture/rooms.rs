@@ -131,7 +131,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/question", &["collision"]),
     ("figure/name", &["typeset"]),
     ("figure/called", &["geometry", "scene", "typeset", "figure/name"]),
-    ("figure/language", &["scene"]),
+    ("figure/language", &["trace", "scene"]),
     ("figure/standing", &["collision"]),
     ("figure/frame", &["geometry", "drawing"]),
     ("figure/playhead", &["geometry", "scene", "figure/question"]),
@@ -332,7 +332,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("output", &["drawing", "typeset"]),
     ("drift", &["scene", "trace", "figure", "drawing", "output"]),
-    ("live", &["geometry", "scene", "typeset", "drawing", "figure", "drift", "output"]),
+    ("live", &["geometry", "trace", "scene", "typeset", "drawing", "figure", "drift", "output"]),
     ("report", &["geometry", "trace", "collision", "scene", "typeset", "drawing", "figure", "output"]),
     // Speaks to the library from outside, as `tracefig::…`, so it sees the public API and no more.
     ("cli", &[]),

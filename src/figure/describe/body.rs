@@ -23,7 +23,7 @@ pub(super) fn kind_in_words(body: &Body, speech: Speech) -> &'static str {
     let is_bare = shape.radius == 0.0 && shape.half_extents.is_none();
     let bare = shape.vertices.len().checked_sub(1).and_then(|more| WITHOUT_WIDTH.get(more));
     if let Some(kind) = bare.filter(|_| is_bare) {
-        return speech.0.word(kind);
+        return speech.0.word(*kind);
     }
     let known = KINDS.iter().find(|kind| kind.name == shape.kind);
     known.map_or(shape.kind, |kind| speech.0.word(&kind.in_words))

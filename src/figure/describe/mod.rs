@@ -17,3 +17,10 @@ pub(crate) use long::{long, shown};
 pub(crate) use phrases::QUESTION;
 pub(crate) use result::Account;
 pub(crate) use short::short;
+
+use crate::trace::Phrase;
+
+/// Every phrase of the short and the long text, in an order that stays.
+pub(crate) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
+    phrases::ALL.iter().chain(body_phrases::ALL).copied()
+}

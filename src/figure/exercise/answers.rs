@@ -127,7 +127,7 @@ impl Asked {
         let off = read(&text).map(|told| (self.hi - told).max(told - self.lo));
         let off = off.filter(|off| self.is_proved && *off <= ROUNDING * value.abs());
         let sign = if read(&text) == Some(value) || off.is_some() { "=" } else { r"\approx" };
-        let [units, unit] = [UNITS, UNIT].map(|phrase| words.word(&phrase));
+        let [units, unit] = [&UNITS, &UNIT].map(|phrase| words.word(phrase));
         let unit = if text == "1" && self.unit == units { unit } else { &self.unit };
         let answer = format!("${symbol} {sign} {}$ {unit}", words.in_latex(in_math(&text)));
         let answer = words.say(&ANSWER, &[answer.trim_end()]);

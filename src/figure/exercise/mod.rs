@@ -28,3 +28,10 @@ pub(crate) use caption::{caption, spoken};
 pub use plan::{answer_in_words, asked, solution, task, to_enter, way};
 pub use search::{Found, TooFew, search};
 pub use variant::variant;
+
+use crate::trace::Phrase;
+
+/// Every phrase of an exercise, in an order that stays.
+pub(super) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
+    phrases::ALL.iter().copied().chain(quantities::ASKABLE.iter().map(|row| &row.what))
+}

@@ -7,86 +7,73 @@ use crate::figure::text::Decimal;
 use crate::figure::tongue::tongue;
 use crate::geometry::DVec2;
 use crate::scene::Scene;
-use crate::trace::{Phrase, Tongue};
+use crate::trace::{Tongue, phrases};
 
-/// The vertices of a polygon, listed.
-pub(super) const WITH_VERTICES: Phrase =
-    [" with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *"];
-/// The vertices of a polygon, counted.
-pub(super) const OF_VERTICES: Phrase = [" of * vertices", " mit * Ecken", " de * sommets", " de * vértices"];
-/// A regular polygon: its edges, its circumradius, and how it stands.
-pub(super) const REGULAR: Phrase = [
-    " with * edges and circumradius *, the lowest edge level,",
-    " mit * Kanten und dem Umkreisradius *, die unterste Kante waagrecht,",
-    " à * arêtes, de rayon circonscrit *, l’arête la plus basse horizontale,",
-    " de * aristas y circunradio *, con la arista más baja horizontal,",
-];
-/// By which angle a body is turned whose cosine and sine are given.
-pub(super) const TURNED_BY_SINE: Phrase = [
-    ", turned by the angle of cosine * and sine *",
-    ", um den Winkel mit Kosinus * und Sinus * gedreht",
-    ", tourné de l’angle de cosinus * et de sinus *",
-    ", girado el ángulo de coseno * y seno *",
-];
-/// When the motion begins and ends.
-pub(super) const MOTION: Phrase = [
-    "The motion runs from t = 0 to t = 1.",
-    "Die Bewegung geht von t = 0 bis t = 1.",
-    "Le mouvement va de t = 0 à t = 1.",
-    "El movimiento va de t = 0 a t = 1.",
-];
-/// The moment that is asked about.
-pub(super) const MOMENT: Phrase =
-    ["The moment is t = *.", "Der Zeitpunkt ist t = *.", "L’instant est t = *.", "El instante es t = *."];
-/// What is to be done.
-pub(super) const FIND: Phrase = ["Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *."];
-/// An answer.
-pub(super) const ANSWER: Phrase = ["Answer: *", "Antwort: *", "Réponse : *", "Respuesta: *"];
-/// What is behind a question.
-pub(super) const SOLUTION: Phrase = ["Answer", "Lösung", "Réponse", "Solución"];
-/// An answer that needs no bounds.
-pub(super) const EXACT: Phrase = [
-    "*, proved to be exact.",
-    "*, bewiesen als exakt.",
-    "*, valeur exacte prouvée.",
-    "*, valor exacto demostrado.",
-];
-/// An answer that is proved but for rounding: how far off it is at most.
-pub(super) const WITHIN: Phrase = [
-    "*, proved to within *.",
-    "*, bewiesen bis auf *.",
-    "*, prouvé à * près.",
-    "*, demostrado con un error de * a lo sumo.",
-];
-/// An answer with its bounds.
-pub(super) const BETWEEN: Phrase = [
-    "*, proved to lie between * and *.",
-    "*, bewiesen zwischen * und *.",
-    "*, prouvé entre * et *.",
-    "*, demostrado entre * y *.",
-];
-/// The unit of lengths where a scene names none.
-pub(super) const UNITS: Phrase = ["units", "Einheiten", "unités", "unidades"];
-/// One of [`UNITS`].
-pub(super) const UNIT: Phrase = ["unit", "Einheit", "unité", "unidad"];
-/// Which number is to be typed, and what it is.
-pub(super) const ENTER: Phrase = ["Enter * (*)", "Gib * ein (*)", "Saisir * (*)", "Escribe * (*)"];
-/// The unit in which a number is to be typed.
-pub(super) const IN_UNIT: Phrase = [" in *", " in *", " en *", " en *"];
-/// How many digits a number has that is typed.
-pub(super) const DIGITS: Phrase = [
-    "*, to three digits.",
-    "*, auf drei Ziffern.",
-    "*, à trois chiffres significatifs.",
-    "*, con tres cifras significativas.",
-];
-/// Steps that have no room.
-pub(super) const MORE: Phrase = [
-    "* more steps are in the trace of the scene.",
-    "* weitere Schritte stehen im Verlauf der Szene.",
-    "* autres étapes sont dans la trace de la scène.",
-    "Otros * pasos están en la traza de la escena.",
-];
+phrases! {
+    /// The vertices of a polygon, listed.
+    WITH_VERTICES: " with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *";
+    /// The vertices of a polygon, counted.
+    OF_VERTICES: " of * vertices", " mit * Ecken", " de * sommets", " de * vértices";
+    /// A regular polygon: its edges, its circumradius, and how it stands.
+    REGULAR: " with * edges and circumradius *, the lowest edge level,",
+        " mit * Kanten und dem Umkreisradius *, die unterste Kante waagrecht,",
+        " à * arêtes, de rayon circonscrit *, l’arête la plus basse horizontale,",
+        " de * aristas y circunradio *, con la arista más baja horizontal,";
+    /// By which angle a body is turned whose cosine and sine are given.
+    TURNED_BY_SINE: ", turned by the angle of cosine * and sine *",
+        ", um den Winkel mit Kosinus * und Sinus * gedreht",
+        ", tourné de l’angle de cosinus * et de sinus *",
+        ", girado el ángulo de coseno * y seno *";
+    /// When the motion begins and ends.
+    MOTION: "The motion runs from t = 0 to t = 1.",
+        "Die Bewegung geht von t = 0 bis t = 1.",
+        "Le mouvement va de t = 0 à t = 1.",
+        "El movimiento va de t = 0 a t = 1.";
+    /// The moment that is asked about.
+    MOMENT: "The moment is t = *.",
+        "Der Zeitpunkt ist t = *.",
+        "L’instant est t = *.",
+        "El instante es t = *.";
+    /// What is to be done.
+    FIND: "Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *.";
+    /// An answer.
+    ANSWER: "Answer: *", "Antwort: *", "Réponse : *", "Respuesta: *";
+    /// What is behind a question.
+    SOLUTION: "Answer", "Lösung", "Réponse", "Solución";
+    /// An answer that needs no bounds.
+    EXACT: "*, proved to be exact.",
+        "*, bewiesen als exakt.",
+        "*, valeur exacte prouvée.",
+        "*, valor exacto demostrado.";
+    /// An answer that is proved but for rounding: how far off it is at most.
+    WITHIN: "*, proved to within *.",
+        "*, bewiesen bis auf *.",
+        "*, prouvé à * près.",
+        "*, demostrado con un error de * a lo sumo.";
+    /// An answer with its bounds.
+    BETWEEN: "*, proved to lie between * and *.",
+        "*, bewiesen zwischen * und *.",
+        "*, prouvé entre * et *.",
+        "*, demostrado entre * y *.";
+    /// The unit of lengths where a scene names none.
+    UNITS: "units", "Einheiten", "unités", "unidades";
+    /// One of [`UNITS`].
+    UNIT: "unit", "Einheit", "unité", "unidad";
+    /// Which number is to be typed, and what it is.
+    ENTER: "Enter * (*)", "Gib * ein (*)", "Saisir * (*)", "Escribe * (*)";
+    /// The unit in which a number is to be typed.
+    IN_UNIT: " in *", " in *", " en *", " en *";
+    /// How many digits a number has that is typed.
+    DIGITS: "*, to three digits.",
+        "*, auf drei Ziffern.",
+        "*, à trois chiffres significatifs.",
+        "*, con tres cifras significativas.";
+    /// Steps that have no room.
+    MORE: "* more steps are in the trace of the scene.",
+        "* weitere Schritte stehen im Verlauf der Szene.",
+        "* autres étapes sont dans la trace de la scène.",
+        "Otros * pasos están en la traza de la escena.";
+}
 
 /// The words of an exercise in the language of its scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -108,12 +95,12 @@ impl Words {
     }
 
     /// A phrase without a star.
-    pub(super) fn word(self, phrase: &Phrase) -> &'static str {
+    pub(super) fn word(self, phrase: &[&'static str]) -> &'static str {
         self.tongue.word(phrase)
     }
 
     /// A phrase with what stands for its stars.
-    pub(super) fn say(self, phrase: &Phrase, parts: &[&str]) -> String {
+    pub(super) fn say(self, phrase: &[&'static str], parts: &[&str]) -> String {
         self.tongue.say(phrase, parts)
     }
 

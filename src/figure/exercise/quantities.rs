@@ -5,7 +5,7 @@ use crate::collision::QueryKind;
 use crate::figure::question::is_of_a_moment;
 
 use super::measure::Measure;
-use crate::trace::Phrase;
+use crate::trace::{Phrase, phrase};
 
 /// A value that can be asked for.
 pub(crate) struct Askable {
@@ -48,11 +48,11 @@ fn is_for_a_box(kind: QueryKind) -> bool {
 const fn row(
     name: &'static str,
     symbol: &'static str,
-    what: Phrase,
+    what: [&'static str; 4],
     measure: Measure,
     of: fn(QueryKind) -> bool,
 ) -> Askable {
-    Askable { name, symbol, what, measure, is_proved: false, of }
+    Askable { name, symbol, what: phrase(what), measure, is_proved: false, of }
 }
 
 /// A row whose bounds are proved.

@@ -29,6 +29,12 @@ use phrases::events::{
 };
 pub(crate) use words::{Voice, script};
 
+/// Every phrase of a story, in an order that stays.
+pub(crate) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
+    let files = [phrases::ALL, phrases::events::ALL, phrases::moving::ALL, phrases::steps::ALL];
+    files.into_iter().flatten().copied().chain(&OUTCOMES)
+}
+
 /// The whole trace, a line for each event, of bodies that are called `names`; of an algorithm by components
 /// without the edges of B ⊖ A, at which it does not look.
 ///

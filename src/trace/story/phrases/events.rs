@@ -1,6 +1,6 @@
 //! What is told of bodies that stand.
 
-use crate::trace::tongue::phrases;
+use crate::trace::tongue::{Phrase, phrase, phrases};
 
 phrases! {
     /// An algorithm begins: its name, the bodies, the moment.
@@ -186,13 +186,13 @@ phrases! {
 }
 
 /// How an algorithm says that it ended: as events have it, then in the other languages.
-pub(crate) static OUTCOMES: [crate::trace::Phrase; 8] = [
-    ["overlapping", "überlappend", "recouvrement", "solapados"],
-    ["separating axis", "Trennachse", "axe séparateur", "eje separador"],
-    ["apart", "getrennt", "séparés", "separados"],
-    ["undecided", "unentschieden", "indécis", "sin decidir"],
-    ["touching", "in Berührung", "en contact", "en contacto"],
-    ["hit", "Treffer", "impact", "contacto"],
-    ["miss", "kein Treffer", "pas de contact", "sin contacto"],
-    ["unresolved", "ungeklärt", "non résolu", "sin resolver"],
+pub(crate) static OUTCOMES: [Phrase; 8] = [
+    phrase(["overlapping", "überlappend", "recouvrement", "solapados"]),
+    phrase(["separating axis", "Trennachse", "axe séparateur", "eje separador"]),
+    phrase(["apart", "getrennt", "séparés", "separados"]),
+    phrase(["undecided", "unentschieden", "indécis", "sin decidir"]),
+    phrase(["touching", "in Berührung", "en contact", "en contacto"]),
+    phrase(["hit", "Treffer", "impact", "contacto"]),
+    phrase(["miss", "kein Treffer", "pas de contact", "sin contacto"]),
+    phrase(["unresolved", "ungeklärt", "non résolu", "sin resolver"]),
 ];
