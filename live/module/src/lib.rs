@@ -6,6 +6,9 @@
 //!
 //! All that is unsafe is here: the names are exported as they are, and nothing else of the program has one.
 
+#[cfg(target_arch = "wasm32")]
+mod memory;
+
 use std::cell::RefCell;
 
 use tracefig::live::{Frame, Live, Refusal};
@@ -49,6 +52,10 @@ impl Desk {
         }
     }
 }
+
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static MEMORY: memory::Memory = memory::Memory::new();
 
 thread_local!(static DESK: RefCell<Desk> = RefCell::default());
 

@@ -19,9 +19,17 @@ const EXACT: usize = 30;
 pub struct Buffer(String);
 
 /// `f32` and `f64`.
-pub trait Float: LowerExp {}
-impl Float for f32 {}
-impl Float for f64 {}
+pub trait Float: LowerExp {
+    /// Digits that a number has at least which lies in the middle between two of so many: from two of fewer it
+    /// is told apart.
+    const MIDDLE: usize;
+}
+impl Float for f32 {
+    const MIDDLE: usize = 7;
+}
+impl Float for f64 {
+    const MIDDLE: usize = 16;
+}
 
 impl Buffer {
     /// An empty one.
@@ -37,7 +45,7 @@ impl Buffer {
 
     /// A finite number: `1.0`, `0.25`, `1e+16`, `1.5e-7`.
     pub fn format_finite<F: Float>(&mut self, value: F) -> &str {
-        self.0 = to_even(format!("{value:e}"), &format!("{value:.EXACT$e}"));
+        self.0 = to_even(format!("{value:e}"), F::MIDDLE, || format!("{value:.EXACT$e}"));
         if let Some((mantissa, exponent)) = self.0.split_once('e') {
             let exponent: i32 = exponent.parse().unwrap_or(0);
             self.0 = match exponent {
@@ -51,12 +59,18 @@ impl Buffer {
 }
 
 /// Of two shortest decimals that are as near the even one, as the standard library takes the larger one.
-fn to_even(shortest: String, exact: &str) -> String {
+/// All digits are written out where it may be so, as that takes ten times as long.
+fn to_even(shortest: String, least: usize, exact: impl FnOnce() -> String) -> String {
     let Some((mantissa, power)) = shortest.split_once('e') else { return shortest };
+    let is_odd = mantissa.ends_with(['1', '3', '5', '7', '9']);
+    // A point is between them.
+    if !is_odd || !mantissa.contains('.') || mantissa.trim_start_matches('-').len() <= least {
+        return shortest;
+    }
+    let exact = exact();
     let beyond = exact.get(mantissa.len()..).and_then(|rest| rest.strip_prefix('5'));
     let is_middle = beyond.is_some_and(|rest| rest.trim_start_matches('0').starts_with('e'));
-    let is_odd = mantissa.ends_with(['1', '3', '5', '7', '9']);
-    if is_middle && is_odd && mantissa.contains('.') {
+    if is_middle {
         return format!("{}e{power}", &exact[..mantissa.len()]);
     }
     shortest
