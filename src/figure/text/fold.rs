@@ -7,6 +7,9 @@ use crate::typeset::{Line, Style, line, paragraph};
 
 /// A name that is shorter than this, in ems, stays on one line: a word of eight letters.
 const SHORT: f64 = 4.0;
+/// A word beside what is clear already stays on one line if it is shorter than this, in ems: longer than all
+/// that a layer says by itself, so that what is folded has a long name in it.
+const WORDY: f64 = 10.0;
 /// Most lines of a name; with more it would be read as a paragraph.
 const MOST: usize = 3;
 /// Lines are as short as they can be up to this, in ems.
@@ -17,6 +20,11 @@ const LONG: usize = 9;
 
 /// Signs after which a word is broken rather than between two letters.
 const JOINTS: [char; 5] = ['-', '_', '/', '.', ':'];
+
+/// The ways to set a word beside what is clear already, as `edge 2 of` a body with a long name.
+pub(super) fn wordy(line: &Line, style: Style) -> Vec<Fold> {
+    if line.width < WORDY * style.size { Vec::new() } else { folds(line, style) }
+}
 
 /// The ways to set a line on two lines and on three, broken at spaces, and where a word is long, in words
 /// too; none where it is short.
@@ -33,22 +41,36 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
     all
 }
 
-/// The way to set a sum and its result, as `d $= a - b = c$`, on two lines: the last equals sign begins the
-/// second one. None where there is no sum, or the line is short.
+/// The way to set a sum and its result, as `d $= a - b = c$`, or a long product and its value, on two lines:
+/// the last equals sign begins the second one. None where there is no such formula, or the line is short.
 pub(super) fn chain(set: &Line, style: Style) -> Option<Fold> {
-    const EQUALS: &str = " = ";
-    if set.width < SHORT * style.size {
-        return None;
-    }
-    let (sum, result) = set.markup.rsplit_once(EQUALS)?;
-    // Inside a formula, which has an equals sign before.
-    let formula = sum.rsplit_once('$').filter(|_| sum.matches('$').count() % 2 == 1)?.1;
-    if !formula.contains('=') || !result.ends_with('$') {
-        return None;
-    }
-    let lines = [format!("{sum}$"), format!("$= {result}")].map(|markup| line(&markup, style).ok());
-    let lines = lines.into_iter().collect::<Option<_>>()?;
-    Some(Fold { lines, cut: Cut::InSum })
+    let (sum, result) = set.markup.rsplit_once(" = ")?;
+    let first = before_the_cut(set, style, sum)?;
+    // What has no equals sign before is one letter mostly: that is no line.
+    let is_long = || first.width >= SHORT * style.size;
+    let formula = sum.rsplit_once('$')?.1;
+    let is_chain = formula.contains('=') || !formula.is_empty() && is_long();
+    let result = line(&format!("$= {result}"), style).ok().filter(|_| is_chain)?;
+    Some(Fold { lines: vec![first, result], cut: Cut::InSum })
+}
+
+/// The way to set the difference of two points with long names, as `$b - a$`, on two lines: the minus sign
+/// begins the second one. None where the text is another one, or short.
+pub(super) fn difference(set: &Line, style: Style) -> Option<Fold> {
+    let (to, from) = set.markup.split_once(" - ")?;
+    let first = before_the_cut(set, style, to)?;
+    // The empty group before the sign: it is one between two terms.
+    let second = line(&format!("${{}} - {from}"), style).ok()?;
+    Some(Fold { lines: vec![first, second], cut: Cut::InSum })
+}
+
+/// The first line of a formula that ends the text and is cut in two; none where the cut is not in such a
+/// formula, or the whole is short.
+fn before_the_cut(set: &Line, style: Style, before: &str) -> Option<Arc<Line>> {
+    let in_formula = before.matches('$').count() % 2 == 1;
+    let ends = set.markup.ends_with('$') && !set.markup[before.len()..set.markup.len() - 1].contains('$');
+    let long = set.width >= SHORT * style.size;
+    if in_formula && ends && long { line(&format!("{before}$"), style).ok() } else { None }
 }
 
 /// A text on two lines and on three, each as narrow as it can be; `width` is that of the whole.
@@ -126,7 +148,28 @@ mod tests {
         let sum = lines("overlap $= 0.5 - (-3.2) = 3.7$").unwrap();
         assert_eq!(sum, ["overlap $= 0.5 - (-3.2)$", "$= 3.7$"]);
         assert_eq!(lines("$d = a + b = 12345$").unwrap(), ["$d = a + b$", "$= 12345$"]);
-        for whole in ["overlap $= 3.712345678$", "$a = b + c + d + e$", "words = of a = kind, no formula"] {
+        let product = r"$r_{\text{crate}}|\omega_{\text{crate}}| = 3.28$";
+        assert_eq!(lines(product).unwrap(), [r"$r_{\text{crate}}|\omega_{\text{crate}}|$", "$= 3.28$"]);
+        for whole in [
+            "overlap $= 3.712345678$",
+            "$d = 123456789$",
+            "$a = b + c + d + e$",
+            "words = of a = kind, no formula",
+        ] {
+            assert_eq!(lines(whole), None, "{whole}");
+        }
+    }
+
+    #[test]
+    fn a_difference_of_points_with_long_names_is_folded_before_its_sign() {
+        let style = Style::regular(14.0);
+        let lines = |markup: &str| {
+            let fold = difference(&typeset(markup, style).unwrap(), style)?;
+            Some(fold.lines.iter().map(|line| line.markup.clone()).collect::<Vec<_>>())
+        };
+        let long = r"$p_{\text{crate}} - p_{\text{player}}$";
+        assert_eq!(lines(long).unwrap(), [r"$p_{\text{crate}}$", r"${} - p_{\text{player}}$"]);
+        for whole in ["$b_2 - a_0$", r"the way - to the crate", r"$a - b$ from $c$ to the crate"] {
             assert_eq!(lines(whole), None, "{whole}");
         }
     }

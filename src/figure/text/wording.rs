@@ -15,7 +15,7 @@ use crate::typeset::{self, Style, TypesetError};
 
 use super::decimal::Decimal;
 use super::fill::fill;
-use super::fold::{chain, folds};
+use super::fold::{chain, difference, folds, wordy};
 use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.
@@ -81,8 +81,12 @@ impl Wording<'_> {
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
         let folds = match &lines[..] {
-            [line] if label.rank == Rank::Point || matches!(label.anchor, Anchor::Inside { .. }) => {
-                folds(line, style)
+            [line] if matches!(label.anchor, Anchor::Inside { .. }) => folds(line, style),
+            [line] if label.rank == Rank::Point => {
+                folds(line, style).into_iter().chain(difference(line, style)).collect()
+            }
+            [line] if label.rank == Rank::Word => {
+                wordy(line, style).into_iter().chain(difference(line, style)).collect()
             }
             [line] if label.rank == Rank::Measure => chain(line, style).into_iter().collect(),
             _ => Vec::new(),
