@@ -5,7 +5,7 @@ use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Cover, Obstacle, Weight};
 
 use super::rect::{cross, distance_to, length_inside, nearest_in, rect_distance, segment_distance};
-use super::things::{ALIKE, Things};
+use super::things::{ALIKE, Thing, Things};
 use super::weights::Costs;
 use super::{Candidate, Placed, Sought};
 
@@ -75,6 +75,13 @@ pub(super) fn own_cost(
             cost += w.parted;
         }
         cost += obstacle_cost(obstacle, obstacle.part == sought.part, candidate, scene);
+        if let (Some(line), Cover::Marker { at, radius }) = (candidate.leader, obstacle.cover)
+            && things.own.as_ref().is_some_and(Thing::has_ends)
+            && (line.from - at).length() < radius + w.marker_room
+        {
+            // It leads to the marker that ends the line.
+            cost += w.nearer;
+        }
         if let (Anchor::Inside { .. }, Cover::Marker { at, radius }) = (&sought.anchor, obstacle.cover) {
             let near = 1.0 - (distance_to(&candidate.rect, at) - radius) / w.naming_reach;
             cost += w.naming * near.clamp(0.0, 1.0);

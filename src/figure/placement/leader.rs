@@ -59,6 +59,13 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
     if long { straight(own, rect, own.nearest(rect.center()), w) } else { aimed }
 }
 
+/// The leader line of a label off an end of a line to the middle of that; none where it would be too long, or
+/// look like a part of it.
+fn to_middle(own: &Thing, rect: &Rect, w: &Places) -> Option<Leader> {
+    let line = straight(own, rect, own.aim(rect.center()), w)?;
+    (line.length() <= LONGEST && !own.is_along(line.to - line.from)).then_some(line)
+}
+
 /// The leader line from a point of a thing; none where it would not be seen.
 fn straight(own: &Thing, rect: &Rect, at: Point, w: &Places) -> Option<Leader> {
     let near = nearest_in(rect, at);
@@ -92,8 +99,8 @@ fn into(things: &Things, rect: &Rect, w: &Places) -> Option<Leader> {
     seen.then_some(Leader { from, to, dot: true, border: border + u * w.leader_room })
 }
 
-/// The places that are on a page, those far from what their label belongs to with a leader line, those that
-/// mislead a second time with one.
+/// The places that are on a page, those far from what their label belongs to with a leader line; those that
+/// mislead, or stand off an end of a line, a second time with one.
 pub(super) fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w: &Places) -> Vec<Candidate> {
     let on_page = |c: &Candidate| [c.rect.x0, c.rect.y0, c.rect.x1, c.rect.y1].iter().all(|v| v.is_finite());
     let mut all = Vec::new();
@@ -101,6 +108,12 @@ pub(super) fn led(found: impl IntoIterator<Item = Candidate>, things: &Things, w
         let line = || leader(things, &candidate.rect, w).filter(|line| line.length() <= LONGEST);
         if is_far(things, &candidate.rect, w) {
             all.extend(line().map(|line| Candidate { leader: Some(line), ..candidate.clone() }));
+            continue;
+        }
+        if let Some(own) = things.own.as_ref().filter(|own| !own.is_beside(&candidate.rect)) {
+            let line = to_middle(own, &candidate.rect, w);
+            all.extend(line.map(|line| Candidate { leader: Some(line), ..candidate.clone() }));
+            all.push(Candidate { reluctance: candidate.reluctance + w.lead, ..candidate });
             continue;
         }
         let clearer = if things.misleads(&candidate) { line() } else { None };
@@ -146,6 +159,20 @@ mod tests {
             let line = leader(&things, &about(Point::new(60.0, -20.0), (30.0, 12.0)), W).unwrap();
             assert!(line.from.x > 4.0 && line.from.x < 16.0, "{kind:?}: {line:?}");
         }
+    }
+
+    #[test]
+    fn a_place_off_an_end_of_a_line_is_led_to_its_middle_or_is_worse() {
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let ends = vec![Point::new(0.0, 0.0), Point::new(20.0, 0.0)];
+        let things = Things::among(&[], Thing::new(Kind::Length, ends, 0.0), &panel);
+        let offered = |x: f64, y: f64| {
+            let places = led([Candidate::new(about(Point::new(x, y), (30.0, 12.0)), 0.0)], &things, W);
+            places.iter().map(|c| (c.leader.is_some(), c.reluctance)).collect::<Vec<_>>()
+        };
+        assert_eq!(offered(10.0, -12.0), [(false, 0.0)], "above it");
+        assert_eq!(offered(40.0, -14.0), [(true, 0.0), (false, W.lead)], "off its end");
+        assert_eq!(offered(40.0, 0.0), [(false, W.lead)], "in line with it, where no leader would be seen");
     }
 
     #[test]

@@ -15,7 +15,7 @@
 
 use std::cell::OnceCell;
 
-use crate::drawing::{Point, Rect};
+use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Cover, MARKER, Obstacle, Request, SPECK};
 
@@ -33,6 +33,8 @@ pub(super) const ALIKE: f64 = 0.75;
 const ONE: f64 = 4.5;
 /// The part of a line, from its start, on which a leader line may end: clear of what marks its ends.
 const MIDDLE: (f64, f64) = (0.3, 0.7);
+/// The sine of the angle between a line and a leader line to it that makes less look like one line: 20°.
+const OBLIQUE: f64 = 0.34;
 /// How many points of a thing are looked at to see whether it lies within another one; an outline that has
 /// more is smooth between them.
 const LOOKS: usize = 24;
@@ -254,13 +256,41 @@ impl Thing {
         if let Some(at) = self.hollow {
             return at;
         }
-        match (self.kind, self.line.points()) {
-            (Kind::Length | Kind::Line, &[from, to]) => {
+        match *self.line.points() {
+            [from, to] if self.has_ends() => {
                 let inner = [MIDDLE.0, MIDDLE.1].map(|part| from + (to - from) * part);
                 Polyline::open(inner.to_vec()).map_or_else(|| self.nearest(p), |line| line.nearest(p))
             }
             _ => self.nearest(p),
         }
+    }
+
+    /// Whether it is a line between two points, which is named at its middle.
+    pub(super) fn has_ends(&self) -> bool {
+        matches!(self.kind, Kind::Length | Kind::Line) && self.line.points().len() == 2
+    }
+
+    /// Whether a box stands beside it rather than off one of its ends, where a reader takes it for a label of
+    /// what lies there: of a line between two points, half of it or of the box, whichever is less, is beside
+    /// the other. All other things have no ends.
+    pub(super) fn is_beside(&self, rect: &Rect) -> bool {
+        let &[from, to] = self.line.points() else { return true };
+        if !self.has_ends() {
+            return true;
+        }
+        let Some(u) = (to - from).unit() else { return true };
+        let length = (to - from).length();
+        let half = 0.5 * (u.dx.abs() * rect.width() + u.dy.abs() * rect.height());
+        let middle = (rect.center() - from).dot(u);
+        let common = (middle + half).min(length) - (middle - half).max(0.0);
+        common >= half.min(0.5 * length)
+    }
+
+    /// Whether a leader line to it would look like a part of it: it runs along a line between two points.
+    pub(super) fn is_along(&self, way: Offset) -> bool {
+        let &[from, to] = self.line.points() else { return false };
+        let both = (to - from).unit().zip(way.unit());
+        self.has_ends() && both.is_some_and(|(u, v)| u.left().dot(v).abs() < OBLIQUE)
     }
 
     /// Whether a name stands inside it where it can.

@@ -50,7 +50,8 @@ super::numbers! {
         /// of `separating-axes` has it below, where a line suffices.
         /// Twice and half: nothing.
         result_below: f64 = 12.0;
-        /// Reluctance to have a leader line where a label stands near its thing, but as near to another one.
+        /// Reluctance to have a leader line where a label stands near its thing, but as near to another one;
+        /// and to have none where it stands off an end of a line.
         /// Twice: 1 + 4 labels; half: 0 + 2 labels.
         lead: f64 = 5.0;
         /// How far a leader line reaches into an area, page pixels.
