@@ -12,6 +12,7 @@ use crate::geometry::sorted;
 const PASSES: usize = 64;
 /// A move has to gain this much, so that rounding never decides between equal places.
 const GAIN: f64 = 1e-6;
+
 /// The candidates of every label, and which one each has at the moment.
 pub(super) struct Choices<'w> {
     /// For each label its candidates, each with what it costs whatever the other labels do.
@@ -28,6 +29,16 @@ pub(super) struct Choices<'w> {
     pub(super) priced: Cell<usize>,
     /// How many may be.
     pub(super) most: usize,
+}
+
+/// What a place costs beside the first of the labels that are set: each of them is priced once, while one is
+/// set after the other.
+#[derive(Clone, Copy, Default)]
+struct Sum {
+    /// What it costs beside them.
+    pairs: f64,
+    /// How many they are.
+    count: usize,
 }
 
 impl Choices<'_> {
@@ -60,16 +71,32 @@ impl Choices<'_> {
         own + pairs
     }
 
+    /// The cost of a place of a label beside those in `set`, or what of it is already as much as `most`; the
+    /// sum so far goes on.
+    fn cost_further(&self, (label, slot): (usize, usize), set: &[usize], most: f64, sum: &mut Sum) -> f64 {
+        let (candidate, own) = &self.places[label][slot];
+        for &other in set.iter().skip(sum.count) {
+            if own + sum.pairs >= most {
+                break;
+            }
+            self.priced.set(self.priced.get() + 1);
+            sum.pairs += self.pair(candidate, self.candidate(other));
+            sum.count += 1;
+        }
+        own + sum.pairs
+    }
+
     /// The cost of a place beside the labels in `set`.
     pub(super) fn cost(&self, label: usize, slot: usize, set: &[usize]) -> f64 {
         self.cost_within(label, slot, set, f64::INFINITY)
     }
 
-    /// The best place beside the labels in `set`, and how much worse the second best is.
-    pub(super) fn regret(&self, label: usize, set: &[usize]) -> (usize, f64) {
+    /// The best place beside the labels in `set`, and how much worse the second best is; `sums` are those of
+    /// the label's places.
+    fn regret(&self, label: usize, set: &[usize], sums: &mut [Sum]) -> (usize, f64) {
         let (mut best, mut first, mut second) = (0, f64::INFINITY, f64::INFINITY);
-        for slot in 0..self.places[label].len() {
-            let cost = self.cost_within(label, slot, set, second);
+        for (slot, sum) in sums.iter_mut().enumerate() {
+            let cost = self.cost_further((label, slot), set, second, sum);
             if cost < first {
                 (best, second, first) = (slot, first, cost);
             } else if cost < second {
@@ -110,10 +137,12 @@ impl Choices<'_> {
         let mut waiting: Vec<usize> =
             (0..self.places.len()).filter(|&i| !self.places[i].is_empty()).collect();
         let mut set = Vec::new();
+        let mut sums: Vec<Vec<Sum>> =
+            self.places.iter().map(|places| vec![Sum::default(); places.len()]).collect();
         while !waiting.is_empty() {
             let mut next = (0, 0, f64::NEG_INFINITY);
             for (i, &label) in waiting.iter().enumerate() {
-                let (slot, regret) = self.regret(label, &set);
+                let (slot, regret) = self.regret(label, &set, &mut sums[label]);
                 if regret > next.2 {
                     next = (i, slot, regret);
                 }
