@@ -105,6 +105,15 @@ impl Inset {
         sketch.write(&words, origin, Role::Muted);
     }
 
+    /// Makes the inset's own labels keep off its frame.
+    pub(crate) fn keep_off_the_frame(&self, sketched: &mut Sketched) {
+        let rect = self.frame.panel;
+        sketched.obstacles.extend(edges(&rect).map(|(from, to)| {
+            let cover = Cover::Stroke { from, to, half: 0.5 * THIN };
+            Obstacle { cover, weight: Weight::Normal, part: usize::MAX }
+        }));
+    }
+
     /// How many times it enlarges, for who does not see it.
     pub(crate) fn in_words(&self) -> String {
         format!("detail, enlarged {} times", self.factor)

@@ -110,6 +110,7 @@ impl PanelPlan<'_> {
         inset.write_factor(&mut sketch);
         let mut sketched = sketch.finish();
         inset.without_the_panels(&self.source, own, &mut sketched);
+        inset.keep_off_the_frame(&mut sketched);
         sketched
     }
 
