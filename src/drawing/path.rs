@@ -1,6 +1,8 @@
 //! Contours: polygons, curves, circular arcs, whole circles.
 
-use super::{Paint, Pattern, Point, Shown, Stroke};
+use std::f64::consts::FRAC_PI_2;
+
+use super::{Offset, Paint, Pattern, Point, Rect, Shown, Stroke};
 
 /// A contour with what is drawn in and along it, in the order fill, pattern, stroke.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,6 +97,37 @@ impl Contour {
     #[must_use]
     pub fn polygon(points: &[Point]) -> Self {
         let Self::Segments(mut segments) = Self::polyline(points) else { return Self::Segments(Vec::new()) };
+        segments.push(Segment::Close);
+        Self::Segments(segments)
+    }
+
+    /// The line around a rectangle whose corners are arcs of a `radius` in page pixels; less where the
+    /// rectangle is too small for that.
+    ///
+    /// ```
+    /// use tracefig::drawing::{Contour, Rect, Segment};
+    /// let card = Rect { x0: 0.0, y0: 0.0, x1: 90.0, y1: 12.0 };
+    /// let Contour::Segments(segments) = Contour::rounded(card, 8.0) else { unreachable!() };
+    /// assert!(matches!(segments[2], Segment::Arc { radius: 6.0, .. }));
+    /// ```
+    #[must_use]
+    pub fn rounded(around: Rect, radius: f64) -> Self {
+        let Rect { x0, y0, x1, y1 } = around;
+        let radius = radius.min(0.5 * (x1 - x0)).min(0.5 * (y1 - y0));
+        let mut segments = vec![Segment::Move(Point::new(x0 + radius, y0))];
+        // Clockwise on the page, from the upper right corner on: each with the way in and out, seen from it.
+        let (right, down) = (Offset::new(radius, 0.0), Offset::new(0.0, radius));
+        let corners = [
+            (Point::new(x1, y0), -right, down, -FRAC_PI_2),
+            (Point::new(x1, y1), -down, -right, 0.0),
+            (Point::new(x0, y1), right, -down, FRAC_PI_2),
+            (Point::new(x0, y0), down, right, 2.0 * FRAC_PI_2),
+        ];
+        for (corner, from, to, start) in corners {
+            segments.push(Segment::Line(corner + from));
+            let center = corner + from + to;
+            segments.push(Segment::Arc { center, radius, start, sweep: FRAC_PI_2 });
+        }
         segments.push(Segment::Close);
         Self::Segments(segments)
     }

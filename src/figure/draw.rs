@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::drawing::{Color, Contour, Dark, Drawing, Group, Item, Paint, Path, Role, Stroke};
+use crate::drawing::{Color, Dark, Drawing, Item, Paint, Role};
 
 use crate::scene::{Background, Space, Variant};
 
@@ -11,6 +11,7 @@ use super::describe::{self, Account};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
 use super::fault::{Fault, Problem};
+use super::grounds::grounds;
 use super::handle::Handle;
 use super::page::Page;
 use super::placement::{LabelFault, Labelled, faults, tint};
@@ -20,9 +21,6 @@ use super::runs::Run;
 use super::steps::{Scope, numbered};
 use super::theme::{Side, Theme};
 use super::tongue::tongue;
-
-/// Width of the lines between panels, page pixels.
-const RULE: f64 = 1.5;
 
 /// The shares of their scale at which panels without a `view` are tried in turn, where labels stand badly: of
 /// a panel of 400 px the second leaves 40 more on each side, room for a leader line and a name.
@@ -203,7 +201,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
 
 /// All panels of a figure, drawn.
 struct Panels {
-    /// The lines between the panels, then each panel with its title and caption.
+    /// What tells the panels apart, then each panel with its title and caption.
     items: Vec<Item>,
     /// Which items come with which events.
     scopes: Vec<Scope>,
@@ -223,7 +221,7 @@ impl Panels {
     /// The panels of a sheet; `before` is the frame before of a figure that moves.
     fn drawn(sheet: Sheet, before: Option<&Figure>) -> Self {
         let Sheet { plan, theme, share } = sheet;
-        let (mut items, mut scopes, mut points) = (vec![rules(plan, theme)], Vec::new(), 0);
+        let (mut items, mut scopes, mut points) = (vec![grounds(plan, theme)], Vec::new(), 0);
         let (mut panels, mut insets, mut handles) = (Vec::new(), Vec::new(), Vec::new());
         for (i, panel) in plan.panels.iter().enumerate() {
             let last = before.map(|before| [before.panels.get(i), before.insets.get(insets.len())]);
@@ -234,7 +232,7 @@ impl Panels {
             insets.extend(inset);
             items.push(Item::Group(group));
             items.extend(panel.title.as_ref().map(|text| title(text, plan, &labelled, theme)));
-            items.extend(under(&panel.caption, plan, &labelled, theme));
+            items.extend(under(panel, plan, &labelled, theme));
             let shows_bodies = panel.source.space != Space::Configuration;
             scopes.push(Scope { items: begin..items.len(), cues, base, shows_bodies });
             panels.push(labelled);
@@ -310,8 +308,9 @@ fn description(plan: &Plan, run: &Run) -> String {
         None => describe::long((plan.scene, run), &Account::of(plan.scene, &plan.runs, run), &panels),
     };
     let headline = plan.headline.words.as_deref().map(sentence);
-    let captions = plan.panels.iter().map(|panel| &panel.caption).chain([&plan.caption]);
-    let dropped = captions.filter(|caption| caption.lines() == 0).filter_map(|caption| caption.words.clone());
+    let of_panels = plan.panels.iter().map(|panel| (panel.caption.len(), &panel.caption_words));
+    let captions = of_panels.chain([(plan.caption.lines(), &plan.caption.words)]);
+    let dropped = captions.filter_map(|(lines, words)| words.clone().filter(|_| lines == 0));
     headline.into_iter().chain([long]).chain(dropped).collect::<Vec<_>>().join(" ")
 }
 
@@ -319,16 +318,6 @@ fn description(plan: &Plan, run: &Run) -> String {
 fn sentence(text: &str) -> String {
     let is_ended = text.trim_end().ends_with(['.', '!', '?', '…', ':', ';']);
     if is_ended { text.to_owned() } else { format!("{text}.") }
-}
-
-/// The thin lines between panels.
-fn rules(plan: &Plan, theme: &Theme) -> Item {
-    let mut group = Group::new("rules");
-    for &(from, to) in &plan.page.rules {
-        let stroke = Stroke::solid(theme.paint(Role::Grid), RULE);
-        group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
-    }
-    Item::Group(group)
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use crate::drawing::{Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke
 use crate::scene::Space;
 
 use super::cue::Cue;
+use super::grounds::ground;
 use super::handle::Handle;
 use super::inset::Inset;
 use super::layer::is_key;
@@ -136,7 +137,8 @@ pub(super) fn draw_panel(
     let names = labels(&labelled, &sketched.requests, theme);
     let mut cues = sketched.cues.clone();
     let points = sketched.points + enlarged.as_ref().map_or(0, |enlarged| enlarged.sketched.points);
-    group.items = vec![layers(sketched)];
+    let edge = ground(sketched.frame.panel, plan, theme);
+    group.items = vec![layers(sketched, edge)];
     group.items.extend(enlarged.iter().map(|enlarged| enlarged.inset.marks(theme)));
     group.items.push(names);
     let inset = enlarged.map(|Enlarged { inset, sketched, labelled }| {
@@ -145,7 +147,8 @@ pub(super) fn draw_panel(
         detail.label = Some(inset.in_words());
         let names = labels(&labelled, &sketched.requests, theme);
         let (first, own) = (cues.len(), sketched.cues.clone());
-        detail.items = vec![ground, layers(sketched), frame, names];
+        let edge = sketched.frame.panel;
+        detail.items = vec![ground, layers(sketched, edge), frame, names];
         let mut detail = Item::Group(detail);
         detail.for_each_shown(&|shown| *shown = shown.after(first));
         inset.comes(&mut detail);
@@ -171,10 +174,10 @@ fn labelled(
     place(sought, &ground)
 }
 
-/// What layers drew, cut off at the edges of their panel.
-fn layers(sketched: Sketched) -> Item {
+/// What layers drew, cut off at the edges of a rectangle.
+fn layers(sketched: Sketched, edge: Rect) -> Item {
     let mut layers = Group::new("layers");
-    layers.clip = Some(sketched.frame.panel);
+    layers.clip = Some(edge);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();
     Item::Group(layers)
 }

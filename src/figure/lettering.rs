@@ -117,22 +117,6 @@ impl Lettering {
     }
 }
 
-/// A text across the page or a panel, set.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Across {
-    /// Its lines, column by column from the left; none where there is no text, or no room for it on the page.
-    pub(crate) columns: Vec<Lettering>,
-    /// Its plain words; `None` where there is no text.
-    pub(crate) words: Option<String>,
-}
-
-impl Across {
-    /// How many lines the longest column has.
-    pub(crate) fn lines(&self) -> usize {
-        self.columns.iter().map(Lettering::len).max().unwrap_or(0)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -20,6 +20,7 @@ mod drawn_panel;
 pub mod exercise;
 mod fault;
 mod frame;
+mod grounds;
 mod handle;
 mod inset;
 mod label_keys;

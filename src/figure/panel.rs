@@ -12,7 +12,7 @@ use super::cue::Cue;
 use super::frame::{Extent, Frame};
 use super::inset::Inset;
 use super::layer::{LabelKey, Layer, Options};
-use super::lettering::{Across, Lettering};
+use super::lettering::Lettering;
 use super::limits::MAX_POINTS;
 use super::page::Measures;
 use super::runs::Runs;
@@ -35,8 +35,10 @@ pub(crate) struct PanelPlan<'s> {
     pub(crate) unwritten: Vec<&'static LabelKey>,
     /// The title, set in type.
     pub(crate) title: Option<Lettering>,
-    /// What leads through it, set as wide as the panel.
-    pub(crate) caption: Across,
+    /// What leads through it, set as wide as the panel; no lines where there is no room for it.
+    pub(crate) caption: Lettering,
+    /// The plain words of that; `None` where it has none.
+    pub(crate) caption_words: Option<String>,
     /// Where its space lies on the page.
     pub(crate) frame: Frame,
     /// What it shows besides what it draws, its smallest and largest coordinates: where bodies are on their

@@ -17,7 +17,7 @@ use super::fault::{Fault, Problem};
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
 use super::layer::{EXPECTED, is_key};
-use super::lettering::{Across, Lettering};
+use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::narrow;
 use super::page::{Layout, Measures, Page};
@@ -25,7 +25,7 @@ use super::panel::PanelPlan;
 use super::resolve::Resolver;
 use super::runs::{Run, Runs};
 use super::sketch::Sketched;
-use super::text::{Block, across, caption_of_words, check_texts, spoken};
+use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
 use super::view;
 
@@ -171,11 +171,12 @@ fn resolve<'s>(
         let words = account.sentence_of_bodies(&runs.called.names(scene));
         caption = caption_of_words(&measures, words, &account.sentence_markup(&runs.called));
     }
+    let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let mut layout = Layout {
         measures,
         columns: scene.canvas.columns,
-        titles: panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0),
-        captions: panels.iter().map(|panel| panel.caption.lines()).max().unwrap_or(0),
+        titles,
+        captions: panels.iter().map(|panel| panel.caption.len()).max().unwrap_or(0),
         head: headline.lines(),
         lines: caption.lines(),
     };

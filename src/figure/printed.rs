@@ -2,9 +2,11 @@
 
 use crate::drawing::{Group, Item, Point, Role};
 
-use super::lettering::{Across, Lettering, lettered};
+use super::lettering::{Lettering, lettered};
+use super::panel::PanelPlan;
 use super::placement::Labelled;
 use super::plan::Plan;
+use super::text::Across;
 use super::theme::Theme;
 
 /// The title over a panel, in the middle.
@@ -19,11 +21,10 @@ pub(super) fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &The
 }
 
 /// The caption below a panel, from its left edge on; none where it has none.
-pub(super) fn under(text: &Across, plan: &Plan, panel: &Labelled, theme: &Theme) -> Option<Item> {
+pub(super) fn under(of: &PanelPlan, plan: &Plan, panel: &Labelled, theme: &Theme) -> Option<Item> {
     let mut group = Group::new("caption");
-    group.label = Some(text.words.clone()?);
-    let lines = text.columns.iter().flat_map(|column| column.of(theme));
-    for (line, origin) in lines.zip(plan.page.caption_baselines(&panel.frame.panel)) {
+    group.label = Some(of.caption_words.clone()?);
+    for (line, origin) in of.caption.of(theme).iter().zip(plan.page.caption_baselines(&panel.frame.panel)) {
         group.items.extend(lettered(line, origin, Role::Ink, (theme, None)));
     }
     Some(Item::Group(group))

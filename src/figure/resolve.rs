@@ -97,10 +97,11 @@ impl<'r, 's> Resolver<'r, 's> {
                 Ok(if folded.len() <= MOST_TITLE { folded } else { vec![whole] })
             })
         });
-        let caption = source.caption.as_ref().map(|text| {
+        let captioned = source.caption.as_ref().map(|text| {
             let said = (&mut self.problems, &mut self.notes);
             under(text, self.under, (&context, self.measures), said)
         });
+        let (caption, caption_words) = captioned.unwrap_or_default();
         // What is said of the panel has the values that stand over it.
         let said = source.title.as_ref().and_then(|t| filled(t, &context));
         if let Some(said) = said
@@ -115,7 +116,8 @@ impl<'r, 's> Resolver<'r, 's> {
             layers,
             unwritten,
             title,
-            caption: caption.unwrap_or_default(),
+            caption,
+            caption_words,
             frame,
             reach: None,
             now: None,

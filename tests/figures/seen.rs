@@ -155,7 +155,8 @@ impl Look<'_> {
         self.shaft(role, from, tip) && self.head(role, tip)
     }
 
-    /// An arrow of the role that starts at `from` and ends up to 12 px short of `tip`, at the rim of a marker.
+    /// An arrow of the role that starts at `from` and ends up to 14 px short of `tip`: at the rim of a marker,
+    /// or behind a head that ends there.
     pub(crate) fn arrow_toward(&self, role: Role, from: P, tip: P) -> bool {
         let end = self.panel.page(tip);
         let heads = |reach: f64| {
@@ -165,7 +166,7 @@ impl Look<'_> {
                 filled && on_segment(c[0], self.panel.page(from), end) && distance(c[0], end) <= reach
             })
         };
-        self.carried(role, from, tip) && heads(12.0)
+        self.carried(role, from, tip) && heads(14.0)
     }
 
     /// An edge of a difference from p to q: a plain line of A's, a cased one of B's, two strokes as far from

@@ -121,7 +121,7 @@ fn every_figure_is_small() {
         let plan = plan(&file.scene).unwrap();
         let drawing = draw(&plan, find("light").unwrap(), &stem).drawing;
         let png = written(&drawing, "png").len();
-        // A grid, whose lines cross every row, is half of it.
-        assert!(png < 150_000, "{stem}: {png} bytes at 1920 × 1080");
+        // A grid, whose lines cross every row, is half of it; areas on a ground have more colours than a palette.
+        assert!(png < 200_000, "{stem}: {png} bytes at 1920 × 1080");
     }
 }

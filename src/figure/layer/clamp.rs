@@ -5,7 +5,9 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Sketch, Weight};
+use crate::figure::sketch::{
+    Anchor, HEAD_LENGTH, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Sketch, Weight,
+};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
 use crate::trace::Event;
@@ -89,10 +91,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
     let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
-    // V and D end at the circle's centre: their heads stop short of it and do not lie on each other.
+    // V and D end at the circle's centre: their heads stop short of it, and V's behind D's.
+    let behind = if shows("D") && c.d.length() > 0.0 { MARKER + HEAD_LENGTH } else { MARKER };
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
-        sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, MARKER, Pen::vector(Role::Ink));
+        sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, behind, Pen::vector(Role::Ink));
         let text = valued("V", seen(c.pose.vector(c.v)), options);
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }

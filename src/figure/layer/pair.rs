@@ -88,7 +88,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     };
     if *context.space == Space::Configuration {
         let to = b.at - a.at;
-        way(sketch, (DVec2::ZERO, Marker::Origin.reach(MARKER)), to, role);
+        way(sketch, (DVec2::ZERO, Marker::Origin.rim(MARKER)), to, role);
         sketch.marker(to, Marker::Diamond, role, MARKER);
         let text = written(sketch, format!("{q} - {p}"), to);
         let anchor = Anchor::point_toward(to, to);

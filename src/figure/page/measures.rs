@@ -17,7 +17,7 @@ const TITLE: f64 = 24.0;
 /// From one baseline of a title to the next, page pixels.
 const TITLE_STEP: f64 = 17.0;
 /// From a title's baseline down to its panel, page pixels.
-const TITLE_DROP: f64 = 12.0;
+const TITLE_DROP: f64 = 14.0;
 /// From the panels down to the first baseline of the caption, page pixels.
 const CAPTION_DROP: f64 = 24.0;
 /// From one baseline of the caption to the next, page pixels.
@@ -135,7 +135,7 @@ impl Measures {
     }
 
     /// The gap between panels, page pixels.
-    pub(super) fn gap(&self) -> f64 {
+    pub(crate) fn gap(&self) -> f64 {
         MARGIN * self.share
     }
 

@@ -210,7 +210,7 @@ mod tests {
         let two = page(&usual, &[(1.0, 1.0); 2], 1, 1);
         assert_eq!(two.cells[0], Rect { x0: 24.0, y0: 44.0, x1: 468.0, y1: 476.0 });
         assert_eq!(two.cells[1], Rect { x0: 492.0, y0: 44.0, x1: 936.0, y1: 476.0 });
-        assert_eq!(two.title_baselines(&two.cells[0], 1).next().unwrap().y, 32.0);
+        assert_eq!(two.title_baselines(&two.cells[0], 1).next().unwrap().y, 30.0);
         let three = page(&usual, &[(1.0, 1.0); 3], 1, 2);
         assert_eq!(three.cells[2].width(), 288.0);
     }
@@ -248,7 +248,7 @@ mod tests {
         assert!(top(1) > top(0) && (top(3) - top(1) - 2.0 * 17.0).abs() < 1e-9);
         let page = page(3);
         let ys: Vec<f64> = page.title_baselines(&page.cells[0], 3).map(|p| p.y).collect();
-        assert!(20.0 + 9.0 < ys[0] && ys[0] < ys[1] && ys[2] == page.cells[0].y0 - 12.0, "{ys:?}");
+        assert!(20.0 + 9.0 < ys[0] && ys[0] < ys[1] && ys[2] == page.cells[0].y0 - 14.0, "{ys:?}");
     }
 
     #[test]

@@ -13,8 +13,8 @@ use super::polyline::Polyline;
 
 /// The turn of a piece of an arc, radians, 36 to a circle: its line is 2 px off on a circle of 500.
 const PIECE: f64 = PI / 18.0;
-/// The most areas that a halo shows through itself: four are A, B, B ⊖ A and a sector.
-const MOST_AREAS: usize = 4;
+/// The most areas that a halo shows through itself: five are a panel's ground, A, B, B ⊖ A and a sector.
+const MOST_AREAS: usize = 5;
 /// The most pairs of a text and a point of an area's line that are looked at: a hundred times a figure's.
 /// Beyond, halos keep the page's colour.
 const MOST_PAIRS: usize = 5_000_000;

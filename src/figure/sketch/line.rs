@@ -6,7 +6,7 @@ use crate::geometry::DVec2;
 use super::{Cover, Outline, Pen, Sketch};
 
 /// Length of an arrowhead on a vector of 1.75 px, page pixels.
-const HEAD_LENGTH: f64 = 9.0;
+pub(crate) const HEAD_LENGTH: f64 = 9.0;
 /// Width of that arrowhead across, page pixels.
 const HEAD_WIDTH: f64 = 6.5;
 /// How much a head grows for each pixel of the shaft above 1.75, page pixels.
@@ -17,11 +17,12 @@ const SHORT: f64 = 14.0;
 const DOT: f64 = 6.0;
 /// Radius of that dot, page pixels.
 const DOT_RADIUS: f64 = 2.2;
-/// Width of either stroke of a cased line, in widths of a plain one: together they weigh as much.
-const CASE_STROKE: f64 = 0.5;
+/// Width of either stroke of a cased line, in widths of a plain one: at half of one, hair thin at a third of
+/// the size.
+const CASE_STROKE: f64 = 0.62;
 /// How far the middle of either stroke is from the line at least, page pixels: a gap that is seen at a third
 /// of the size.
-const CASE_GAP: f64 = 0.3;
+const CASE_GAP: f64 = 0.65;
 /// How much farther, in widths of a plain line.
 const CASE_OFF: f64 = 0.5;
 

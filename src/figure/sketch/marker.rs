@@ -38,7 +38,8 @@ impl Sketch<'_> {
             Marker::HollowDiamond => self.hollow(diamond(p, OPEN * radius), role),
             Marker::Cross => self.cross(p, radius, role),
             Marker::Origin => {
-                self.hollow(disc(RING * radius), role);
+                // Not filled: what begins or ends at the origin is seen up to its dot, at its true length.
+                self.push_stroked(disc(RING * radius), Pen::vector(role).width(HOLLOW));
                 self.solid(disc(ORIGIN_DOT * radius), role)
             }
         }
@@ -107,6 +108,13 @@ impl Marker {
             Role::Difference => Self::Diamond,
             _ => Self::Disc,
         }
+    }
+
+    /// How far what ends at a marker of `radius` page pixels stays off its point, page pixels: as far as that
+    /// is filled.
+    #[must_use]
+    pub(crate) fn rim(self, radius: f64) -> f64 {
+        if self == Self::Origin { ORIGIN_DOT * radius } else { self.reach(radius) }
     }
 
     /// How far a marker of `radius` page pixels reaches from its point at most, page pixels.

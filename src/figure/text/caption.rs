@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
-use crate::figure::lettering::{Across, Lettering};
+use crate::figure::lettering::Lettering;
 use crate::figure::name::Name;
 use crate::figure::page::Measures;
 use crate::scene::{Scene, Spanned};
@@ -159,6 +159,22 @@ fn set_as<T>(
     typeset(&filled).map_err(|e| problems.push(bad_markup(e, filled.clone(), &text.span))).ok()
 }
 
+/// A text across the page, set.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Across {
+    /// Its lines, column by column from the left; none where there is no text, or no room for it on the page.
+    pub(crate) columns: Vec<Lettering>,
+    /// Its plain words; `None` where there is no text.
+    pub(crate) words: Option<String>,
+}
+
+impl Across {
+    /// How many lines the longest column has.
+    pub(crate) fn lines(&self) -> usize {
+        self.columns.iter().map(Lettering::len).max().unwrap_or(0)
+    }
+}
+
 /// A text across the page; without lines where the page has no room for all of them, which is a warning. Its
 /// values are those of `context`, the first panel's.
 pub(crate) fn across(
@@ -171,17 +187,18 @@ pub(crate) fn across(
 }
 
 /// The caption of a panel, in lines as wide as that and as long as each other; without lines where there are
-/// more than there is room for. Its values are those of the panel.
+/// more than there is room for; and its plain words. Its values are those of the panel.
 pub(crate) fn under(
     text: &Spanned<String>,
     (width, most): (f64, usize),
     (context, measures): (&Context, &Measures),
     said: (&mut Vec<Problem>, &mut Vec<Problem>),
-) -> Across {
+) -> (Lettering, Option<String>) {
     let of_page = Block::Caption.room(measures);
     let widths = [width.min(of_page.widths[0]), width];
     let room = Room { widths, column: None, most, is_balanced: true, ..of_page };
-    in_room((text, Block::Caption.name()), context, &room, said)
+    let Across { mut columns, words } = in_room((text, Block::Caption.name()), context, &room, said);
+    (columns.pop().unwrap_or_default(), words)
 }
 
 /// A text in its room.

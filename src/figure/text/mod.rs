@@ -23,9 +23,8 @@ mod symbols;
 mod values;
 mod wording;
 
-pub(crate) use super::lettering::Across;
 pub(crate) use caption::{
-    Block, across, caption_of_words, named, paragraphs, set, spoken, under, with_powers,
+    Across, Block, across, caption_of_words, named, paragraphs, set, spoken, under, with_powers,
 };
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
