@@ -177,7 +177,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
         f.says("$r_q = 2.5$") && f.says(r"$\theta\,r_q = 3$") && f.says("pivot"),
         f.says("$q$") && f.says("$q'$"),
         f.says(r"$\theta = 1.2$"),
-        f.says("$r = 5$"),
+        f.says("radius $r = 5$"),
         f.says("$L$") && f.says(r"$L = \theta\,r = 6$"),
         f.says("$p$"),
         f.says("$p'$"),

@@ -27,13 +27,14 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         // Halfway from the contact to the edge's far end.
         w.arrow(Ink, (2.225, 2.7), (3.025, 3.3)),
         // No edge of A is nearer to that vertex than 2, so that the disc lies within A.
-        w.circle(Translation, (1.6, 0.2), 2.0).is_some_and(|disc| disc.fill.is_some()),
+        w.circle(Translation, (1.6, 0.2), 2.0).is_some_and(|disc| disc.fill.is_none()),
         w.arrow(Muted, (1.6, 0.2), (3.4, -2.2)),
         f.says("$d = 2$"),
         f.says("$3$, longer"),
         f.says("$n$"),
         f.says(r"$B$ pushed out by $d\,n$"),
         f.says("every shorter push ends in here"),
+        w.text_near("$b$", (1.6, 0.2), 30.0),
         f.says("$A$"),
         f.says("$B$"),
     ];
@@ -69,7 +70,8 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         // The others, grey.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
-        w.polygon(A, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some_and(dotted) && f.says("one vertex moved"),
+        w.polygon(A, &[a[7], a[6], (-2.0, 4.0), a[0]]).is_some_and(dotted)
+            && f.says("{muted|one vertex moved}"),
         w.arrow_toward(Muted, a[7], (-2.0, 4.0)),
         f.says("min $= (-5, -3)$"),
         f.says("max $= (7, 5)$"),
@@ -96,29 +98,28 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-5.6, -2.3, 8.3, 6.7]);
-    let closest = (4.5, 1.4);
+    let w = look(&f, 0, [-4.5, -2.1, 8.3, 6.9]);
+    let closest = (3.5, 1.2);
     shows![
-        w.polygon(A, &[(-4.5, -1.4), (4.5, -1.4), closest, (-4.5, 1.4)]).is_some(),
-        w.circle(B, (6.0, 5.0), 1.5).is_some(),
-        clamps(&w, (6.0, 5.0), closest),
-        w.any_line((6.0, 0.0), (6.0, 5.0)),
-        w.any_line((0.0, 5.0), (6.0, 5.0)),
-        w.text_near("$B_c = A + (4.5, 1.4)$", closest, 100.0),
-        f.says("$V = (6, 5)$") && f.says("$V_x = 6$") && f.says("$V_y = 5$"),
+        w.polygon(A, &[(-3.5, -1.2), (3.5, -1.2), closest, (-3.5, 1.2)]).is_some(),
+        w.circle(B, (6.5, 5.2), 1.5).is_some(),
+        clamps(&w, (6.5, 5.2), closest),
+        w.any_line((6.5, 0.0), (6.5, 5.2)),
+        w.any_line((0.0, 5.2), (6.5, 5.2)),
+        w.text_near("$B_c = A + (3.5, 1.2)$", closest, 100.0),
+        f.says("$V = (6.5, 5.2)$") && f.says("$V_x = 6.5$") && f.says("$V_y = 5.2$"),
         f.says("$V_x$ clamped to $h_x$") && f.says("$V_y$ clamped to $h_y$"),
-        f.says("$h_x = 4.5$") && f.says("$h_y = 1.4$"),
-        f.says("$D = (1.5, 3.6)$"),
+        f.says("$h_x = 3.5$") && f.says("$h_y = 1.2$"),
+        f.says("$D = (3, 4)$"),
         f.says("$r = 1.5$"),
-        f.says("distance") && f.says("$= 2.4$"),
+        f.says("distance $= 3.5$"),
     ];
-    // Beside D, 3.9 long, lie the distance and, where it ends, the radius; 34 px off, square to (5, 12)/13.
-    let off = 34.0 / w.panel.scale / 13.0;
-    let aside = |(x, y): (f64, f64)| (x + 12.0 * off, y - 5.0 * off);
-    let rim = (4.5 + 2.4 * 5.0 / 13.0, 1.4 + 2.4 * 12.0 / 13.0);
+    // The part of D, (3, 4), that the circle leaves, 5 - 1.5, is thick; the radius goes another way.
+    let rim = (3.5 + 3.5 * 0.6, 1.2 + 3.5 * 0.8);
+    let out = 1.5 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
-        w.line(Translation, aside(closest), aside(rim)).is_some(),
-        w.line(B, aside(rim), aside((6.0, 5.0))).is_some(),
+        w.line(Translation, closest, rim).is_some_and(thick),
+        w.line(B, (6.5, 5.2), (6.5 + out, 5.2 + out)).is_some(),
     ];
 }
 
@@ -134,7 +135,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         w.marker(B, (5.0, 0.0)),
         w.line(Translation, (1.0, 0.0), (3.0, 0.0)).is_some(),
         w.arrow(Now, (5.0, 0.0), (7.0, 0.0)),
-        w.arrow(Ink, (5.0, 0.0), (4.0, 0.0)),
+        w.arrow(Ink, (0.0, 0.0), (-1.0, 0.0)),
         w.horizontal(Ink, 0.0, 5.0),
         w.horizontal(A, 0.0, 3.0),
         w.horizontal(B, 1.0, 5.0),
@@ -151,37 +152,35 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.5, -5.2, 13.0, 5.0]);
-    let px = 16.0 / w.panel.scale;
+    let w = look(&f, 0, [-6.3, -4.7, 12.0, 3.8]);
     shows![
-        w.polygon(A, &[(-6.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-6.0, 1.0)]).is_some(),
-        w.polygon(B, &[(2.0, -0.5), (7.0, -0.5), (7.0, 4.5), (2.0, 4.5)]).is_some(),
+        w.polygon(A, &[(-6.0, -2.5), (0.0, -2.5), (0.0, 0.5), (-6.0, 0.5)]).is_some(),
+        w.polygon(B, &[(2.0, -0.5), (7.0, -0.5), (7.0, 3.5), (2.0, 3.5)]).is_some(),
         w.marker(A, (-3.0, -1.0)),
-        w.marker(B, (4.5, 2.0)),
+        w.marker(B, (4.5, 1.5)),
         w.horizontal(A, -3.0, 0.0),
         w.horizontal(Now, 0.0, 2.0),
         w.horizontal(B, 2.0, 4.5),
         w.horizontal(Ink, -3.0, 4.5),
-        w.vertical(A, -1.0, 1.0),
-        w.vertical(B, -0.5, 2.0),
-        w.vertical(Ink, -1.0, 2.0),
+        w.vertical(A, -1.0, 0.5),
+        w.vertical(B, -0.5, 1.5),
+        w.vertical(Ink, -1.0, 1.5),
         f.says("$h_{A,x} = 3$")
             && f.says("$h_{B,x} = 2.5$")
-            && f.says("$h_{A,y} = 2$")
-            && f.says("$h_{B,y} = 2.5$"),
-        f.says("$D_x = 2$") && f.says("$D_y = -1.5$"),
-        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 3$"),
+            && f.says("$h_{A,y} = 1.5$")
+            && f.says("$h_{B,y} = 2$"),
+        f.says("$D_x = 2$") && f.says("$D_y = -1$"),
+        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 2.5$"),
         f.says("$c_A$") && f.says("$c_B$"),
-        // Lit from A's edge to B's, and beyond both; what they share of the other axis too.
-        w.strip(Now, (0.0, 4.5 + px), (2.0, 4.5 + px)),
-        w.strip(Muted, (-6.0 - px, -0.5), (-6.0 - px, 1.0)),
+        // Lit from A's edge to B's, up to the top; of what they share of the other axis only its ends.
+        w.strip(Now, (0.0, 3.5), (2.0, 3.5)),
     ];
 }
 
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.7, -3.4, 4.0, 6.7];
+    let view = [-3.75, -3.4, 4.25, 6.7];
     let vertices = [(-2.4, -2.2), (2.4, -2.2), (2.4, 2.2), (-2.4, 2.2)];
     let tilted = vertices.map(turned);
     // (-1.5, 5) in the world.
@@ -191,11 +190,11 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         world.polygon(A, &tilted).is_some(),
         world.circle(B, (-1.5, 5.0), 1.5).is_some(),
         world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-1.5, 5)$"),
-        world.arrow(Muted, (0.0, 0.0), turned((3.6, 0.0))),
-        world.any_line((0.0, 0.0), (3.6, 0.0)),
+        world.arrow(Muted, (0.0, 0.0), turned((4.3, 0.0))),
+        world.any_line((0.0, 0.0), (4.3, 0.0)),
         f.says("$-36.9°$"),
     ];
-    let body = look(&f, 1, [-3.85, -3.4, 3.85, 6.7]);
+    let body = look(&f, 1, [-4.0, -3.4, 4.0, 6.7]);
     shows![
         body.polygon(A, &vertices).is_some(),
         body.circle(B, (1.8, 4.9), 1.5).is_some(),
@@ -209,16 +208,17 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let back = look(&f, 2, view);
     // Of D = (0, 2.7) the circle takes 1.5.
     let (closest, rim) = (turned((1.8, 2.2)), turned((1.8, 3.4)));
+    let out = 1.5 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
-        back.along(Translation, closest, rim),
-        // There the radius goes on.
-        back.along(B, rim, center),
+        back.line(Translation, closest, rim).is_some_and(thick),
+        back.arrow_toward(Translation, closest, center),
+        back.line(B, center, (center.0 - out, center.1 + out)).is_some(),
         f.says("$V$") && f.says("$V_x = 1.8$") && f.says("$V_y = 4.9$"),
-        f.says("clamped") && f.says("$B_c$"),
+        f.says("cut to $2.2$") && f.says("$B_c$"),
         f.says("$r = 1.5$"),
-        f.says("$1.2$"),
+        f.says(r"$\|D\| = 2.7$") && f.says("$1.2$"),
     ];
 }
 

@@ -32,9 +32,6 @@ const HATCH: f64 = 7.0;
 /// Opacity of the strip between boxes that are apart along an axis, or of what they share of it.
 const LIT: f64 = 0.13;
 
-/// How far the strip goes on beyond both boxes, page pixels: no edge of a third one.
-const BEYOND: f64 = 16.0;
-
 /// The most lines of a hatch; more are a grey area on any page.
 const MOST_LINES: usize = 1000;
 
@@ -183,12 +180,14 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    if e.gap != 0.0 {
+    // What they share along one axis decides nothing where the other has a gap: no strip that crosses its.
+    let is_lit = e.gap != 0.0 && e.role != Role::Muted;
+    if is_lit {
         strip(sketch, (facing, e.role), place, across);
     }
     let guide = Pen::extension().opacity(GUIDE);
     // The edges that face each other are those of the strip, if there is one.
-    let guided = if e.gap == 0.0 { 2 } else { 1 };
+    let guided = if is_lit { 1 } else { 2 };
     for (body, starts) in across.iter().enumerate() {
         for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts).take(guided) {
             let reach = |b: &&Bar| b.ends.contains(&along);
@@ -218,10 +217,10 @@ fn axis(
     }
 }
 
-/// Draws the strip between the edges that face each other, from the tracks to beyond the far end.
+/// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes.
 fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, across: [[f64; 2]; 2]) {
     let far = across.map(|[center, edge]| (2.0 * center - edge - place.edge) / place.step);
-    let far = far[0].min(far[1]) - sketch.px(BEYOND) / place.step.abs();
+    let far = far[0].min(far[1]);
     let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
     sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
@@ -282,7 +281,7 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
 
 #[cfg(test)]
 mod tests {
-    use super::{BEYOND, LANE};
+    use super::LANE;
     use crate::drawing::Point;
     use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
@@ -312,17 +311,14 @@ mod tests {
             let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
             [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
         });
-        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both and beyond; along
-        // x they share 1.5 to 2.
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both; what they share
+        // of x crosses that with no strip.
         let frame = &figure.panels[0].frame;
-        let beyond = BEYOND / frame.scale;
-        let ends = [[[1.5, 6.0 + beyond], [2.0, 6.0 + beyond]], [[-2.0 - beyond, 1.0], [-2.0 - beyond, 2.0]]];
         let strips = paths(&figure.drawing.items, "lit");
-        assert_eq!(strips.len(), 2);
-        for (strip, ends) in strips.into_iter().map(points).zip(ends) {
-            for place in ends.map(|p| frame.page(DVec2::from(p))) {
-                assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
-            }
+        assert_eq!(strips.len(), 1);
+        let strip = points(strips[0]);
+        for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| frame.page(DVec2::from(p))) {
+            assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
         }
         // From 1.5 to 2 of x they share, from lane to lane.
         let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);

@@ -6,7 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, HEAD_LENGTH, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Sketch, Weight,
+    Anchor, HEAD_LENGTH, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash, Weight,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
@@ -14,6 +14,9 @@ use crate::trace::Event;
 use crate::trace::step::clamped as parts;
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+/// Opacity of the rectangle that the clamped components span.
+const SPANNED: f64 = 0.1;
 
 /// The words of the parts that can be shown alone.
 const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
@@ -152,9 +155,13 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
     }
 }
 
-/// Draws what clamping left of the components, thick.
+/// Draws what clamping left of the components, thick, and the rectangle that they span.
 fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped) {
     let role = options.role(Role::Now);
+    // The two lead to its corner.
+    let corners = [DVec2::ZERO, DVec2::new(c.kept.x, 0.0), c.kept, DVec2::new(0.0, c.kept.y)];
+    let spanned = Outline::polygon(&corners.map(|p| c.pose.point(p)));
+    sketch.part("spanned").weight(Weight::Background).area(&spanned, Some(Wash::faint(role, SPANNED)), None);
     let names =
         [("clamped_x", "V_x", "$V_x$", "clamped $V_x$"), ("clamped_y", "V_y", "$V_y$", "clamped $V_y$")];
     for ((axis, component, kept), (key, whole_key, whole, cut)) in axes(c).into_iter().zip(names) {

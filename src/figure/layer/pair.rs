@@ -97,10 +97,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if options.flag("turned", false) {
         let Some(pose) = context.pose(Side::B, context.time) else { return };
-        if let Some(outline) = context.outline(Side::B, context.time) {
-            let moved = outline.moved(a.at - b.at);
-            sketch.part("moved").weight(Weight::Light).area(&moved, None, Some(Pen::ghost(Role::B)));
-        }
+        let Some(outline) = context.outline(Side::B, context.time) else { return };
+        let moved = outline.moved(a.at - b.at);
+        sketch.part("moved").weight(Weight::Light).area(&moved, None, Some(Pen::ghost(Role::B)));
         let (ends, text) = ((pose.position, MARKER), format!("${q}$ moved to ${p}$"));
         let to = pose.position - (b.at - a.at);
         way(sketch, ends, to, role);
@@ -109,7 +108,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let back = Label::new("back", format!("${p} - {q}$"), Anchor::middle(pose.position, to), role);
         sketch.label(back.rank(Rank::Point));
         sketch.part("moved").marker(a.at, Marker::Disc, Role::A, MARKER);
-        let label = Label::new("moved", text, Anchor::point_toward(a.at, a.at - b.at), Role::B);
+        let label = Label::new("moved", text, Anchor::inside(&moved), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
         return;
     }

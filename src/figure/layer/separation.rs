@@ -12,7 +12,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, angle_of, left_of,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight, angle_of, left_of,
 };
 use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side, perp};
@@ -30,8 +30,8 @@ const MOST: usize = 5;
 /// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
 const NAMED: f64 = 10.0;
 
-/// Opacity of the disc's area, less than a body's, and of its line.
-const DISC: [f64; 2] = [0.08, 0.6];
+/// Opacity of the disc's line; its area has no tint, which would be a third one over the overlap's.
+const DISC: f64 = 0.7;
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.
@@ -237,10 +237,10 @@ fn disc(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) 
         points.iter().zip(next).all(|(&from, &to)| off(center, [from, to]) >= depth * (1.0 - UNSEEN))
     };
     let Some((center, side)) = [(q, Side::A), (p, Side::B)].into_iter().find(lies_in) else { return };
-    let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC[1]));
+    let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC));
     sketch.part("disc").weight(Weight::Background);
     let area = Outline::circle(center, depth);
-    sketch.area(&area, Some(Wash::faint(role, DISC[0])), Some(pen));
+    sketch.area(&area, None, Some(pen));
     // In the half that the push, an arrow from B's deepest point to A's, does not lie in.
     let away = if side == Side::A { -*answer.normal } else { *answer.normal };
     let half = Outline::sector(center, depth, angle_of(-perp(away)), PI);
