@@ -53,6 +53,7 @@ mod text;
 mod texts;
 pub mod theme;
 mod tongue;
+mod touching;
 mod unnamed;
 mod view;
 

@@ -84,6 +84,16 @@ phrases! {
         "* berührt * zum ersten Mal bei t = *, in *.",
         "* touche * pour la première fois à t = *, en *.",
         "* toca a * por primera vez en t = *, en *.";
+    /// A hit edge to edge: bodies, time, from where to where.
+    HIT_ALONG: "* first touches * at t = *, from * to *.",
+        "* berührt * zum ersten Mal bei t = *, von * bis *.",
+        "* touche * pour la première fois à t = *, de * à *.",
+        "* toca a * por primera vez en t = *, de * a *.";
+    /// A hit at a place that is open: bodies, time.
+    HIT_SOMEWHERE: "* first touches * at t = *.",
+        "* berührt * zum ersten Mal bei t = *.",
+        "* touche * pour la première fois à t = *.",
+        "* toca a * por primera vez en t = *.";
     /// A miss, and how near it came.
     MISS: "* and * do not touch*.",
         "* und * berühren sich nicht*.",

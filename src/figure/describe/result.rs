@@ -7,6 +7,7 @@ use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
 use crate::figure::tongue::tongue;
+use crate::figure::touching::{Touching, touching};
 use crate::geometry::{Body, DVec2, Names, Side, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
@@ -15,9 +16,9 @@ use super::body_phrases::AND;
 use super::number::Speech;
 use super::phrases::{
     APART, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, ENDS_EARLY, HIT,
-    MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH,
-    PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, UNDECIDED,
-    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND,
+    OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH,
+    TOUCH_FIRST, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -181,8 +182,15 @@ fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String
     let speech = told.speech;
     match &impact.outcome {
         Outcome::Hit { time, contact } => {
-            let at = (contact.points[0] + contact.points[1]) / 2.0;
-            speech.say(&HIT, &[a, b, &speech.number(time.lo, time.hi), &speech.point(at)])
+            let when = speech.number(time.lo, time.hi);
+            let query = told.scene.query_at(0.0);
+            match touching([query.a, query.b.unwrap_or(query.a)], *time, contact) {
+                Touching::At(place) => speech.say(&HIT, &[a, b, &when, &speech.point(place)]),
+                Touching::Along([from, to]) => {
+                    speech.say(&HIT_ALONG, &[a, b, &when, &speech.point(from), &speech.point(to)])
+                }
+                Touching::Open => speech.say(&HIT_SOMEWHERE, &[a, b, &when]),
+            }
         }
         Outcome::Miss => speech.say(&MISS, &[a, b, &closest_in_words(told)]),
         Outcome::Overlapping { contact } if contact.bounds.hi < 0.0 => {

@@ -3,6 +3,8 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
+use crate::figure::touching::{Touching, touching};
+use crate::geometry::Side;
 
 use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
@@ -19,11 +21,17 @@ pub(super) const LAYER: Layer = Layer {
 };
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some((_, contact)) = context.hit() else { return };
+    let (Some((_, contact)), Some(bounds)) = (context.hit(), context.hit_time()) else { return };
     // At the last moment proved free the witness points are a rounding apart; the contact is between them.
     sketch.since(context.answered());
     let point = 0.5 * (contact.points[0] + contact.points[1]);
     let role = options.role(Role::Ink);
-    sketch.part("contact").marker(point, Marker::Disc, role, MARKER);
+    let open = match (context.body(Side::A), context.body(Side::B)) {
+        (Some(a), Some(b)) => touching([a, b], bounds, &contact) == Touching::Open,
+        _ => false,
+    };
+    // An estimate within a tolerance that is seen is none of the bodies' points.
+    let marker = if open { Marker::HollowDisc } else { Marker::Disc };
+    sketch.part("contact").marker(point, marker, role, MARKER);
     sketch.label(Label::new("contact", "", Anchor::point(point), role));
 }

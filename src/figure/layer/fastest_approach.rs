@@ -16,7 +16,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::{Quantity, number};
+use crate::figure::text::{Quantity, number, parts as written};
 use crate::geometry::{DVec2, Enclosure, Side};
 use crate::scene::When;
 use crate::trace::Event;
@@ -164,7 +164,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     let corner = chart.place(0.0, 0.0);
     let mut below = 0.0;
-    for part in parts {
+    let values: Vec<f64> = parts.iter().map(|part| part.value).collect();
+    let (texts, sum) = written(&values, first.bound);
+    for (part, text) in parts.iter().zip(texts) {
         let above = below + part.value;
         let [p, q] = [below, above].map(|y| chart.place(1.0, y));
         let faint = if part.role == Role::Ink { FAINT } else { TURNING };
@@ -172,7 +174,7 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
         sketch.part("wedge").weight(Weight::Background);
         sketch.area(&wedge, Some(Wash::faint(part.role, faint)), None);
         sketch.part("part").weight(Weight::Background).bar(p, q, 0.0, Pen::highlighted(part.role));
-        let text = format!("${} = {}$", part.symbol, number(part.value));
+        let text = format!("${} = {text}$", part.symbol);
         let anchor = Anchor::point_toward(0.5 * (p + q), chart.vector(DVec2::X));
         sketch.label(Label::new(part.key, text, anchor, part.role));
         below = above;
@@ -183,9 +185,8 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     let anchor = Anchor::point_toward(end, chart.vector(DVec2::NEG_Y));
     sketch.label(Label::new("unit", "$1$", anchor, Role::Ink));
     let top = chart.place(1.0, first.bound);
-    let sum = format!("${}$", number(first.bound));
     let anchor = Anchor::point_toward(top, chart.vector(DVec2::Y));
-    sketch.part("sum").label(Label::new("sum", sum, anchor, Role::Ink));
+    sketch.part("sum").label(Label::new("sum", format!("${sum}$"), anchor, Role::Ink));
     sketch.part("most").weight(Weight::Background).line(corner, top, Pen::vector(Role::Ink));
     let label = Label::new("most", "at most", Anchor::middle(corner, top), Role::Ink);
     sketch.label(label.rank(Rank::Word).size(Size::Note));

@@ -200,10 +200,9 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
 /// Writes where A ends and where B begins, each beyond the end of its own interval, on its side of the axis.
 fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(TRACK);
-    let [a, b] = terms([t.a.hi, t.b.lo], t.gap);
-    for (key, side, along, text, beyond) in
-        [("end.A", Side::A, t.a.hi, a, t.n - down), ("begin.B", Side::B, t.b.lo, b, down - t.n)]
-    {
+    let ends = [("end.A", Side::A, t.a.hi, t.n - down), ("begin.B", Side::B, t.b.lo, down - t.n)];
+    let (texts, _) = terms([t.a.hi, t.b.lo], t.gap);
+    for ((key, side, along, beyond), text) in ends.into_iter().zip(texts) {
         let text = format!("${text}$");
         let out = if side == Side::A { -track } else { track };
         let anchor = Anchor::point_toward(at(along, out), beyond);
@@ -296,11 +295,15 @@ fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) 
         false => "gap $=",
     };
     // Subtracted so that what is left is positive.
-    let [a, b] = terms([t.a.hi, t.b.lo], t.gap);
-    let (more, less, is_below) = if t.gap < 0.0 { (a, b, t.b.lo < 0.0) } else { (b, a, t.a.hi < 0.0) };
-    let minus = if is_below { format!("- ({less})") } else { format!("- {less}") };
-    let terms = if values { format!(" {more} {minus} =") } else { String::new() };
-    let mut lines = vec![format!("{word}{terms} {}$", number(t.gap.abs()))];
+    let (a, b) = (t.a.hi, t.b.lo);
+    let (more, less) = if t.gap < 0.0 { (a, b) } else { (b, a) };
+    let mut lines = vec![match terms([more, less], t.gap.abs()) {
+        ([from, text], result) if values => {
+            let minus = if less < 0.0 { format!("- ({text})") } else { format!("- {text}") };
+            format!("{word} {from} {minus} = {result}$")
+        }
+        _ => format!("{word} {}$", number(t.gap.abs())),
+    }];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());

@@ -29,7 +29,7 @@ pub(crate) use caption::{
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
 pub(crate) use fill::filled;
-pub(crate) use number::{in_math, in_words, number, rounded, rounded_down, rounded_up, terms};
+pub(crate) use number::{in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms};
 pub(crate) use overrides::{label_key, overridden};
 pub use plain::plain;
 pub(crate) use quantity::{Quantity, arc_length, asked_distance, distance_or_depth};

@@ -9,6 +9,10 @@ pub(crate) const USUAL: Digits = Digits::Usual;
 /// The part of a number that rounding may have added to it in a few operations.
 const ROUNDING: f64 = 1e-14;
 
+/// Digits that terms and their result are given at most, until they add up as they are written: each digit
+/// more does for three sums of four.
+const MORE: usize = 6;
+
 /// A number lying in [lo, hi], to three digits, or all it has where they are few: digits that the two ends do
 /// not share are left out.
 #[must_use]
@@ -34,24 +38,95 @@ pub(crate) fn number(value: f64) -> String {
     in_math(&rounded(value, value))
 }
 
-/// The terms of a sum, of which the result is written by [`number`], as LaTeX: to the last digit of the
-/// result, and of each other where one is short, so that who adds them up as they are written has the result.
-/// A term that is short is written as anywhere else.
+/// The terms of a difference of two numbers, or of a sum, and its result, as LaTeX: to the last digit of the
+/// result, and of each other where one is short, or to more digits, so that who takes one from the other as
+/// they are written has the result as it is written. What is short is written as anywhere else.
 #[must_use]
-pub(crate) fn terms(terms: [f64; 2], result: f64) -> [String; 2] {
-    let after_point = |text: &str| text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-    let whole = rounded(result, result);
-    let texts = terms.map(|term| rounded(term, term));
-    if texts.iter().chain([&whole]).any(|text| text.contains('e')) {
-        return terms.map(number);
+pub(crate) fn terms(terms: [f64; 2], result: f64) -> ([String; 2], String) {
+    let sum = Sum::of(&terms, result);
+    let own = (0..2).filter(|&i| sum.short[i]).map(|i| after_point(&sum.texts[i])).max();
+    let fewest = after_point(&sum.texts[2]).max(own.unwrap_or(0));
+    let mut first = sum.to_decimals(fewest);
+    first[2].clone_from(&sum.texts[2]);
+    let [p, q, result] = [0, 1, 2].map({
+        let written = sum.written(first, fewest);
+        move |i| written[i].clone()
+    });
+    ([p, q], result)
+}
+
+/// The terms of a sum and its result as LaTeX, each as anywhere else; or all to as many digits after the
+/// point, so that who adds them up as they are written has the result as it is written.
+#[must_use]
+pub(crate) fn parts(parts: &[f64], result: f64) -> (Vec<String>, String) {
+    let sum = Sum::of(parts, result);
+    let fewest = sum.texts.iter().map(|text| after_point(text)).max().unwrap_or(0);
+    let mut written = sum.written(sum.texts.clone(), fewest);
+    let result = written.pop().unwrap_or_default();
+    (written, result)
+}
+
+/// Digits of a text after its point.
+fn after_point(text: &str) -> usize {
+    text.split_once('.').map_or(0, |(_, decimals)| decimals.len())
+}
+
+/// Terms and their result, the last, to be written so that they add up.
+struct Sum {
+    /// The numbers.
+    values: Vec<f64>,
+    /// Each as anywhere else.
+    texts: Vec<String>,
+    /// Whether that is all of it.
+    short: Vec<bool>,
+}
+
+impl Sum {
+    fn of(terms: &[f64], result: f64) -> Self {
+        let values: Vec<f64> = terms.iter().copied().chain([result]).collect();
+        let texts: Vec<String> = values.iter().map(|&x| rounded(x, x)).collect();
+        let is_short = |(text, x): (&String, &f64)| {
+            read(text).is_some_and(|written| (written - x).abs() <= ROUNDING * x.abs())
+        };
+        let short = texts.iter().zip(&values).map(is_short).collect();
+        Self { values, texts, short }
     }
-    let is_short = |text: &str, term: f64| {
-        read(text).is_some_and(|written| (written - term).abs() <= ROUNDING * term.abs())
-    };
-    let short = [0, 1].map(|i| is_short(&texts[i], terms[i]));
-    let own = [0, 1].into_iter().filter(|&i| short[i]).map(|i| after_point(&texts[i])).max();
-    let decimals = Digits::Decimals(after_point(&whole).max(own.unwrap_or(0)));
-    [0, 1].map(|i| if short[i] { in_math(&texts[i]) } else { in_math(&decimals.of(terms[i], terms[i])) })
+
+    /// What is not short to as many digits after the point.
+    fn to_decimals(&self, decimals: usize) -> Vec<String> {
+        let digits = Digits::Decimals(decimals);
+        let text = |i: usize| {
+            let x = self.values[i];
+            if self.short[i] { self.texts[i].clone() } else { digits.of(x, x) }
+        };
+        (0..self.values.len()).map(text).collect()
+    }
+
+    /// What is written, as LaTeX: the first try, or the one with the fewest digits, from so many after the
+    /// point, that adds up; as anywhere else where one has a power of ten.
+    fn written(&self, first: Vec<String>, fewest: usize) -> Vec<String> {
+        let latex = |texts: &[String]| texts.iter().map(|text| in_math(text)).collect();
+        if self.texts.iter().any(|text| text.contains('e')) {
+            return latex(&self.texts);
+        }
+        let more = (fewest..=fewest + MORE).map(|decimals| self.to_decimals(decimals));
+        let found = std::iter::once(first.clone()).chain(more).find(|texts| self.adds_up(texts));
+        latex(&found.unwrap_or(first))
+    }
+
+    /// Whether terms and their result are as they are written those of a sum; of a difference, where that is
+    /// what the numbers make.
+    fn adds_up(&self, texts: &[String]) -> bool {
+        let written: Vec<f64> = texts.iter().filter_map(|text| read(text)).collect();
+        let off = |numbers: &[f64], is_difference: bool| match *numbers {
+            [p, q, result] if is_difference => ((p - q).abs() - result.abs()).abs(),
+            [ref terms @ .., result] => (terms.iter().sum::<f64>().abs() - result.abs()).abs(),
+            [] => 0.0,
+        };
+        let is_difference = off(&self.values, true) < off(&self.values, false);
+        let size = self.values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        off(&written, is_difference) <= ROUNDING * size
+    }
 }
 
 /// A number from [`rounded`] as LaTeX.
@@ -113,16 +188,30 @@ mod tests {
 
     #[test]
     fn a_sum_comes_out_as_it_is_written() {
-        for (of, result, shown) in [
-            ([2.956_91, 2.859_91], 0.097, ["2.957", "2.860"]),
-            ([1.634_234, 0.164_123], 1.470_111, ["1.63", "0.16"]),
-            ([2.5, 0.5], 2.0, ["2.5", "0.5"]),
-            ([3.0, 1.0], 2.0, ["3", "1"]),
-            ([2.5, 0.123_456], 2.376_544, ["2.5", "0.12"]),
-            ([1e-7, 0.0], 1e-7, ["10^{-7}", "0"]),
-            ([4.0, -2.25], 6.25, ["4", "-2.25"]),
+        for (of, sum, shown) in [
+            ([2.956_91, 2.859_91], 0.097, ["2.957", "2.860", "0.097"]),
+            ([1.634_234, 0.164_123], 1.470_111, ["1.63", "0.16", "1.47"]),
+            ([2.5, 0.5], 2.0, ["2.5", "0.5", "2"]),
+            ([3.0, 1.0], 2.0, ["3", "1", "2"]),
+            ([2.5, 0.123_456], 2.376_544, ["2.5", "0.12", "2.38"]),
+            ([1e-7, 0.0], 1e-7, ["10^{-7}", "0", "10^{-7}"]),
+            ([4.0, -2.25], 6.25, ["4", "-2.25", "6.25"]),
+            // To three digits the difference would be 0.110.
+            ([2.146_823_4, 2.037_411_1], 0.109_412_3, ["2.1468", "2.0374", "0.1094"]),
         ] {
-            assert_eq!(terms(of, result), shown, "{of:?}");
+            let ([p, q], result) = terms(of, sum);
+            assert_eq!([p, q, result], shown, "{of:?}");
+        }
+        // To three digits the terms make 4.65 or 4.66, and 9.706 beside 9.71.
+        for (of, sum, shown) in [
+            (vec![3.155_12, 1.495_01], 4.650_13, ["3.155", "1.495", "4.650"].as_slice()),
+            (vec![6.0, 3.0, 0.706_412], 9.706_412, ["6", "3", "0.706", "9.706"].as_slice()),
+            (vec![6.0, 3.0], 9.0, ["6", "3", "9"].as_slice()),
+            (vec![6.123_456], 6.123_456, ["6.12", "6.12"].as_slice()),
+        ] {
+            let (mut all, result) = parts(&of, sum);
+            all.push(result);
+            assert_eq!(all, shown, "{of:?}");
         }
     }
 

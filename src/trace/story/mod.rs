@@ -25,7 +25,8 @@ use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
     AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE,
     LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, PROJECTED, RIGHT, ROUNDED, SEPARATED,
-    SETTLED, SIMPLEX, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE, WAY_OUT,
+    SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE,
+    WAY_OUT,
 };
 pub(crate) use words::{Voice, script};
 
@@ -112,6 +113,9 @@ pub(crate) fn sentence_in(event: &Event, voice: Voice) -> String {
         }
         Event::SeparatingAxisFound { normal, gap } => {
             voice.say(&SEPARATED, &[&voice.point(*normal), &voice.length(*gap)])
+        }
+        Event::SimplexUpdated { vertices, closest, .. } if *closest == DVec2::ZERO => {
+            voice.say(&SIMPLEX_HOLDS, &[&voice.points(vertices)])
         }
         Event::SimplexUpdated { vertices, closest, direction } => {
             voice.say(&SIMPLEX, &[&voice.points(vertices), &voice.point(*closest), &voice.point(*direction)])
@@ -219,7 +223,8 @@ fn difference_edge(
     let [edge, vertex] = indices.map(|i| i.to_string());
     let [from, to] = ends.map(|p| voice.point(p));
     let (own, other, what) = (voice.of(source), voice.of(source.other()), voice.difference());
-    let aside = voice.aside(distance);
+    let far = ends.iter().map(|p| p.length()).fold(0.0, f64::max);
+    let aside = voice.aside(distance, far);
     voice.say(&DIFFERENCE_EDGE, &[&edge, &own, &vertex, &other, &from, &to, &what, &aside])
 }
 

@@ -62,3 +62,27 @@ fn a_query_about_one_body_does_not_speak_of_another() {
     let told = sentence(&event, &Names::new("crate_1", None));
     assert_eq!(told, "any looks at crate_1 at t = 0 (crate_1 at 30 deg).");
 }
+
+#[test]
+fn what_rounding_leaves_of_a_place_on_a_line_has_no_digits_and_no_side() {
+    let edge = |distance| Event::DifferenceEdgeFound {
+        source: Side::A,
+        edge: 1,
+        vertex: 3,
+        from: DVec2::new(0.0, 1.5),
+        to: DVec2::new(0.0, -0.5),
+        normal: DVec2::NEG_X,
+        distance,
+    };
+    let told = |distance| sentence(&edge(distance), &Names::default());
+    assert!(told(f64::EPSILON).ends_with("the origin is less than 1e-15 from its line."), "{}", told(1e-16));
+    assert!(told(-1e-9).ends_with("the origin is 1e-9 inside its line."), "{}", told(-1e-9));
+}
+
+#[test]
+fn a_simplex_around_the_origin_looks_nowhere_further() {
+    let (vertices, direction) = (vec![DVec2::X, DVec2::NEG_X], DVec2::ZERO);
+    let event = Event::SimplexUpdated { vertices, closest: DVec2::ZERO, direction };
+    let expected = "The simplex is (1, 0) (-1, 0); the origin is in it.";
+    assert_eq!(sentence(&event, &Names::default()), expected);
+}

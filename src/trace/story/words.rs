@@ -2,7 +2,7 @@
 
 use super::hand::{Hand, number, short};
 use super::phrases::{
-    AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
+    AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
 };
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 use crate::trace::tongue::{Phrase, Tongue};
@@ -94,8 +94,13 @@ impl<'n> Voice<'n> {
         self.say(if distance < 0.0 { &INSIDE } else { &AWAY }, &[&self.length(distance.abs())])
     }
 
-    /// A distance from a line in words: "2 inside" or "2 outside".
-    pub(super) fn aside(self, distance: f64) -> String {
+    /// A distance from a line in words, of the origin from the line of an edge that is so `far` away: "2
+    /// inside" or "2 outside". What is next to nothing is rounding, and may be on either side.
+    pub(super) fn aside(self, distance: f64, far: f64) -> String {
+        let voice = Self { size: self.size.max(far), ..self };
+        if distance != 0.0 && distance.abs() < NOTHING * voice.size {
+            return self.say(&NEAR_LINE, &[&voice.length(distance.abs())]);
+        }
         let phrase = if distance < 0.0 { &INSIDE_LINE } else { &OUTSIDE_LINE };
         self.say(phrase, &[&self.length(distance.abs())])
     }

@@ -129,6 +129,11 @@ phrases! {
         "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *.",
         "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de *.",
         "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *.";
+    /// A simplex around the origin, or through it: vertices.
+    SIMPLEX_HOLDS: "The simplex is *; the origin is in it.",
+        "Das Simplex ist *; der Ursprung liegt darin.",
+        "Le simplexe est * ; l’origine est dedans.",
+        "El símplex es *; el origen está dentro.";
     /// A polytope: count, vertices, how near its nearest edge is, along what, and what is beyond.
     POLYTOPE: "The polytope has * vertices, *; its nearest edge is * from the origin along *; *.",
         "Das Polytop hat * Ecken, *; seine nächste Kante ist * vom Ursprung entfernt, entlang *; *.",

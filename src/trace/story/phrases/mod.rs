@@ -25,6 +25,8 @@ phrases! {
     INSIDE_LINE: "* inside", "um * innerhalb", "à * en dedans", "* por dentro";
     /// Outside of a line, by a length.
     OUTSIDE_LINE: "* outside", "um * außerhalb", "à * en dehors", "* por fuera";
+    /// On either side of a line, by less than a length.
+    NEAR_LINE: "* from", "* von", "à *", "a *";
     /// A length that is next to nothing.
     LESS: "less than *", "weniger als *", "moins de *", "menos de *";
     /// An interval.
