@@ -156,7 +156,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let p = (4.8, 1.4);
     let q = turned(p);
     let one = look(&f, 0, [-1.7, -1.7, 5.7, 6.6]);
-    let vertices = [(-0.9, -0.8), (3.4, -0.8), p, (-0.7, 1.0)];
+    let vertices = [(-1.4, -0.8), (3.4, -0.8), p, (-1.3, 0.6)];
     // Half as far out, on the way to p.
     let [near, far] = [p, q].map(|(x, y)| (0.5 * x, 0.5 * y));
     shows![

@@ -145,7 +145,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         f.says("$p = 5 - 7$") && f.says("$= -2$"),
         f.says("$P = N p = (2, 0)$"),
         f.says("$N = (-1, 0)$"),
-        f.says("shared"),
+        f.says("$2$ shared"),
     ];
 }
 
