@@ -171,11 +171,10 @@ fn resolve<'s>(
         let words = account.sentence_of_bodies(&runs.called.names(scene));
         caption = caption_of_words(&measures, words, &account.sentence_markup(&runs.called));
     }
-    let titles = panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0);
     let mut layout = Layout {
         measures,
         columns: scene.canvas.columns,
-        titles,
+        titles: panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0),
         captions: panels.iter().map(|panel| panel.caption.len()).max().unwrap_or(0),
         head: headline.lines(),
         lines: caption.lines(),

@@ -257,35 +257,39 @@ fn thick(path: &tracefig::drawing::Path) -> bool {
 #[test]
 fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let f = figure("separating-axes");
-    let view = [-1.5, -7.75, 15.3, 7.2];
     let length = |l: &super::seen::Look, p: (f64, f64), q: (f64, f64)| {
         super::seen::distance(l.panel.page(p), l.panel.page(q))
     };
-    let has = |l: &super::seen::Look, role, n: (f64, f64), wanted: f64| {
-        let along = (l.panel.page(n), l.panel.page((0.0, 0.0)));
-        let (bars, unit) = (l.lengths(role, along), length(l, n, (0.0, 0.0)));
+    let has = |l: &super::seen::Look, role, wanted: f64| {
+        let (n, o) = ((1.0, 0.0), (0.0, 0.0));
+        let (bars, unit) = (l.lengths(role, (l.panel.page(n), l.panel.page(o))), length(l, n, o));
         assert!(bars.iter().any(|&b| (b - wanted * unit).abs() < 0.25), "{wanted} units: {bars:?}");
     };
-    let one = look(&f, 0, view);
+    // In the frame of A, whose x axis is (24, −7)/25, where light falls along A's edge.
+    let one = look(&f, 0, [-1.3, -3.6, 13.2, 10.1]);
     shows![
-        one.polygon(A, &[(5.1, -1.8), (6.5, 3.0), (2.9, 4.0), (1.9, 0.6)]).is_some(),
-        one.polygon(B, &[(5.6, 6.7), (11.6, -1.3), (12.6, 0.8), (9.4, 6.3)]).is_some(),
-        one.line(Now, (5.1, -1.8), (6.5, 3.0)).is_some(),
+        one.polygon(A, &[(5.4, -0.3), (5.4, 4.7), (2.1, 4.1), (1.5, 1.2)]).is_some(),
+        one.polygon(B, &[(3.5, 8.0), (11.5, 2.0), (11.74, 4.32), (7.26, 8.68)]).is_some(),
+        one.line(Now, (5.4, -0.3), (5.4, 4.7)).is_some(),
         f.says("overlap $= 5.4 - 3.5 = 1.9$") && f.says("gap $= 8.5 - 7 = 1.5$"),
         f.texts.iter().filter(|(t, _)| t == "$n$").count() == 2,
         f.says("$0$") && f.says("$5.4$") && f.says("$3.5$") && f.says("$7$") && f.says("$8.5$"),
     ];
-    // Along (24, −7)/25 A spans 1.656 to 5.4, where its edge lies, and B 3.5 to 11.872.
-    let across = (0.96, -0.28);
-    has(&one, A, across, 3.744);
-    has(&one, B, across, 8.372);
-    has(&one, Translation, across, 1.9);
-    // Along (4, 3)/5 A spans 1.88 to 7, at its vertex (6.5, 3), and B 8.5, on the edge 4x + 3y = 42.5, to 11.3.
-    let two = look(&f, 1, view);
-    assert!(two.line(Now, (5.6, 6.7), (11.6, -1.3)).is_some());
-    has(&two, A, (0.8, 0.6), 5.12);
-    has(&two, B, (0.8, 0.6), 2.8);
-    has(&two, Translation, (0.8, 0.6), 1.5);
-    // The gap is lit up to B's upper end, from A's line, 1.5 back along n, to B's edge.
-    assert!(two.strip(Translation, (5.6 - 1.2, 6.7 - 0.9), (5.6, 6.7)));
+    // A spans 1.5 to 5.4, where its edge lies, and B 3.5 to 11.74.
+    has(&one, A, 3.9);
+    has(&one, B, 8.24);
+    has(&one, Translation, 1.9);
+    // In that of B, whose x axis is (4, 3)/5, A spans 1.86 to 7, at its vertex (7, −1.5), and B 8.5, where its edge
+    // lies, to 11.3.
+    let two = look(&f, 1, [-1.3, -11.3, 13.2, 2.4]);
+    shows![
+        two.polygon(A, &[(3.0, -4.5), (7.0, -1.5), (4.54, 0.78), (1.86, -0.48)]).is_some(),
+        two.polygon(B, &[(8.5, 2.0), (8.5, -8.0), (10.5, -6.8), (11.3, -0.6)]).is_some(),
+        two.line(Now, (8.5, 2.0), (8.5, -8.0)).is_some(),
+        // The gap is lit up to B's upper end.
+        two.strip(Translation, (7.0, 2.0), (8.5, 2.0)),
+    ];
+    has(&two, A, 5.14);
+    has(&two, B, 2.8);
+    has(&two, Translation, 1.5);
 }

@@ -30,7 +30,7 @@ pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DV
     let to_scale = if length == 1.0 { "" } else { " (not to scale)" };
     let (from, tip) = (at(0.0, 0.0), at(length, 0.0));
     sketch.part("normal").arrow(from, tip, Pen::vector(Role::Ink));
-    sketch.right_angle(from, at(0.0, 1.0) - from, -n);
+    sketch.right_angle(from, at(0.0, -1.0) - from, -n);
     let label = Label::new("axis", format!("${}${to_scale}", written(n)), beside(from, tip, n), Role::Ink);
     sketch.label(label.rank(Rank::Measure));
 }
@@ -71,14 +71,12 @@ pub(super) fn zero(
         return;
     }
     let tick = sketch.px(ZERO);
-    // n is on the other side.
-    let back = (at(-1.0, 0.0) - at(0.0, 0.0)).normalize_or_zero() - down;
     if far > 0.0 && sees(sketch, context, DVec2::ZERO) {
         // Dashed, as it is no body's.
         sketch.part("shadow-of-origin").weight(Weight::Light);
         sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::construction());
     }
     sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
-    let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, -tick), back), Role::Ink);
+    let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, tick), down), Role::Ink);
     sketch.label(label.rank(Rank::Measure).size(Size::Note));
 }

@@ -130,8 +130,8 @@ fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
-/// Draws the nearest edge of B ⊖ A moved by the minimum translation of B, dotted: through O. All of B ⊖ A goes
-/// along, and its outline there would be a second picture; where an arc is nearest there is no edge.
+/// Draws the nearest edge of B ⊖ A moved by the minimum translation of B, dotted: through O. All of B ⊖ A
+/// goes along, and its outline there would be a second picture; where an arc is nearest there is no edge.
 fn pushed(sketch: &mut Sketch, context: &Context, from: DVec2, foot: DVec2) {
     let found = difference(context, context.difference_time());
     let Some((p, q)) = found.and_then(|found| facing(&found, from, foot)) else { return };

@@ -150,7 +150,9 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let low = sketch.px(MEASURE);
     let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, top), (t.a.hi, top)];
     let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(Role::Translation, LIT)), None);
+    let wash =
+        if t.gap > 0.0 { Wash::faint(Role::Translation, LIT) } else { Wash::faint(Role::Overlap, 1.0) };
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(wash), None);
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);

@@ -13,8 +13,8 @@ use super::half_extents::ON_LINE;
 /// its area: seen, and less than anything that is known of it.
 const UNBUILT: [f64; 3] = [1.0, 0.5, 0.07];
 
-/// Draws its outline faintly, and its name: in its faint area, or, where it has none as what is drawn in there
-/// is something else, outside of its longest edge.
+/// Draws its outline faintly, and its name: in its faint area, or, where it has none as what is drawn in
+/// there is something else, outside of its longest edge.
 pub(super) fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
     let role = options.role(Role::Difference);
     let pen = Pen::outline(role).width(UNBUILT[0]).opacity(UNBUILT[1]);
