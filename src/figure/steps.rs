@@ -72,6 +72,10 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
         let goes_on = told.get(i + 1).is_some_and(|next| next.cue.is_of_the_run_of(&this.cue));
         is_open = goes_on && !this.ends;
     }
+    if let [_, .., last] = &mut steps[..] {
+        last.sentences
+            .extend(untold((scene, voice), &runs, &cues).filter(|said| !last.sentences.contains(said)));
+    }
     let (steps, counted) = worded(steps, &scene.steps);
     for scope in scopes {
         let number = |number: usize| {
@@ -178,10 +182,7 @@ impl Told {
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
                 let title = if of_a_moment { step::title_at(cue.asked, voice) } else { title };
-                let beside =
-                    |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
-                let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
-                tell(title, Account::beside(scene, run, other).sentence_of_bodies(voice.names))
+                tell(title, result((scene, voice), runs, run))
             }
             Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
                 let all = &run.trace.events;
@@ -195,6 +196,21 @@ impl Told {
             }
         })
     }
+}
+
+/// What a run came to.
+fn result((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>], run: &Run) -> String {
+    let beside = |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
+    let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
+    Account::beside(scene, run, other).sentence_of_bodies(voice.names)
+}
+
+/// What the figure's own run came to, where no mark comes with that: its last step says it.
+fn untold(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>], cues: &[Cue]) -> Option<String> {
+    let is_end = |event: &Event| matches!(event, Event::Finished { .. });
+    let own = runs.iter().find(|run| run.is_own() && run.events().any(is_end))?;
+    let is_told = cues.iter().any(|cue| own.event_of(cue).is_some_and(is_end));
+    (!is_told).then(|| result(of, runs, own))
 }
 
 /// Whether a cue of B ⊖ A is that of the whole.
@@ -245,6 +261,18 @@ mod tests {
             of_the_article += usize::from(number);
         }
         assert_eq!(of_the_article, 8);
+    }
+
+    #[test]
+    fn the_last_step_says_the_result_where_no_mark_comes_with_it() {
+        let all = figures();
+        let (name, text) = all.iter().find(|(name, _)| name.ends_with("gjk-steps.toml")).unwrap();
+        let scene = open_text(name, text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let steps = draw_in_steps(&plan, plan.theme, "f").drawing.steps;
+        let [.., before, last] = &steps[..] else { panic!("{steps:?}") };
+        assert_eq!(last.sentences.last().unwrap(), "A and B are 3 apart along the normal (0.6, 0.8).");
+        assert_eq!((before.sentences.len(), last.sentences.len()), (1, 2));
     }
 
     #[test]
