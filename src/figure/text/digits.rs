@@ -20,6 +20,8 @@ const NOTHING: f64 = 1e-9;
 const LACKING: f64 = 1e-13;
 /// Digits in all by which a number is told to be whole: what searching for it may have added is below them.
 const TOLD: usize = 10;
+/// The most that a unit of the last of those digits is of a number.
+const UNIT_TOLD: f64 = 1e-9;
 /// Half of a digit's unit, which takes a number that was rounded to one side to the other.
 const HALF: f64 = 0.5;
 /// Digits in all of a number that has more than `WHOLE`.
@@ -82,9 +84,15 @@ impl Digits {
 
     /// All digits of a number that has few, where nobody asks for fewer or more.
     fn whole(self, lo: f64, hi: f64) -> Option<String> {
+        if self != Self::Usual {
+            return None;
+        }
         let all = significant(lo, WHOLE);
-        let few = || [lo, hi].iter().all(|&end| significant(end, TOLD) == all);
-        (self == Self::Usual && few()).then_some(all)
+        // Most numbers have more, which is seen without writing more.
+        if read(&all).is_some_and(|all| (lo - all).abs() > UNIT_TOLD * lo.abs()) {
+            return None;
+        }
+        [lo, hi].iter().all(|&end| significant(end, TOLD) == all).then_some(all)
     }
 
     /// A number that is not less than the one given: of an upper bound.
