@@ -174,6 +174,7 @@ async function figure(stem) {
         await frame(page);
         const told = [await time.inputValue(), await page.textContent(".why")];
         if (told.join() !== "0,") fail(stem, `a time before the first gives ${told}`);
+        await page.waitForTimeout(SAID);
     }
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => globalThis.axe.run());

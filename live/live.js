@@ -168,6 +168,7 @@ class Figure extends Edited {
             reached = between(before, value, good);
         }
         if (!this.draw()) return;
+        this.root.toggleAttribute("data-untold", true); // What is said is of before.
         this.remember(handle, reached);
         this.refuse(why);
     }
@@ -360,6 +361,7 @@ class Figure extends Edited {
     }
 
     tell(words, language) {
+        this.root.removeAttribute("data-untold");
         this.say.lang = language;
         this.say.textContent = words;
     }
