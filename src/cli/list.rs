@@ -10,7 +10,7 @@ use tracefig::drawing::Role;
 use tracefig::figure;
 use tracefig::figure::default_picture::{PICTURES, Picture};
 use tracefig::figure::exercise::askables;
-use tracefig::figure::layer::{LAYERS, LabelKey, Layer};
+use tracefig::figure::layer::{LAYERS, LabelKey, Layer, Shows};
 use tracefig::figure::theme::{THEMES, ThemeKey, keys};
 use tracefig::figure::{COMMON, OptionSpec, Takes};
 use tracefig::geometry::shape::{KINDS, SHAPE_ERRORS};
@@ -235,7 +235,8 @@ fn layers() -> Vec<(String, String)> {
     let mut rows = vec![("(every layer)".to_owned(), String::new())];
     rows.extend(COMMON.iter().map(option));
     for layer in LAYERS {
-        rows.push((layer.name.to_owned(), format!("{}; needs {}", layer.about, layer.needs)));
+        let of = if layer.shows == Shows::Configuration { " (configuration space)" } else { "" };
+        rows.push((layer.name.to_owned(), format!("{}{of}; needs {}", layer.about, layer.needs)));
         rows.extend(layer.options.iter().map(option));
     }
     rows

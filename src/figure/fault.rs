@@ -62,8 +62,8 @@ pub enum Fault {
     UnsuitedLayer {
         /// The name of the layer.
         layer: &'static str,
-        /// The space that it shows, as "the world".
-        shows: &'static str,
+        /// The space that it shows, as a scene names it.
+        space: &'static str,
     },
     /// A layer that draws what this query does not give.
     UnfedLayer {
@@ -195,6 +195,7 @@ impl Explain for Fault {
                 let labels = |key| format!("{fonts}; `{key} = \"…\"` in `[labels]` calls it otherwise");
                 Some(key.map_or_else(|| fonts.to_owned(), labels))
             }
+            Self::UnsuitedLayer { space, .. } => Some(format!("such a panel has `space = \"{space}\"`")),
             Self::OffPage { .. } => Some(
                 "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
@@ -210,7 +211,6 @@ impl Explain for Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NoValue { .. }
-            | Self::UnsuitedLayer { .. }
             | Self::BadTheme { .. }
             | Self::BadMarkup { .. } => None,
         }
@@ -237,8 +237,8 @@ impl fmt::Display for Fault {
             Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
-            Self::UnsuitedLayer { layer, shows } => {
-                write!(f, "the layer `{layer}` shows {shows}, and the panel another space")
+            Self::UnsuitedLayer { layer, space } => {
+                write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, shown, reason, .. } => {
@@ -343,9 +343,9 @@ mod tests {
                 "without the key `layers` it shows what suits the answer",
             ),
             (
-                Fault::UnsuitedLayer { layer: "one", shows: "the world" },
-                "the layer `one` shows the world, and the panel another space",
-                "",
+                Fault::UnsuitedLayer { layer: "one", space: "world" },
+                "the layer `one` is of the space `world`, and the panel of another",
+                "such a panel has `space = \"world\"`",
             ),
             (
                 Fault::UnfedLayer { layer: "one", needs: "a hit" },

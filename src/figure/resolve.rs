@@ -187,8 +187,8 @@ impl<'r, 's> Resolver<'r, 's> {
                 return None;
             }
         };
-        if let Some(shows) = other_space(layer, context.space) {
-            let fault = Fault::UnsuitedLayer { layer: layer.name, shows };
+        if let Some(space) = other_space(layer, context.space) {
+            let fault = Fault::UnsuitedLayer { layer: layer.name, space };
             self.problems.push(Problem::new(fault, span.clone()));
             return None;
         }
@@ -224,11 +224,11 @@ fn without<'s>(mut panel: Cow<'s, Panel>, silent: &[usize]) -> Cow<'s, Panel> {
     panel
 }
 
-/// The space that a layer shows, as "the world", where it is not the panel's.
+/// The space that a layer shows, as a scene names it, where it is not the panel's.
 fn other_space(layer: &Layer, space: &Space) -> Option<&'static str> {
     match (layer.shows, *space == Space::Configuration) {
-        (Shows::World, true) => Some("the world"),
-        (Shows::Configuration, false) => Some("configuration space"),
+        (Shows::World, true) => Some("world"),
+        (Shows::Configuration, false) => Some("configuration"),
         _ => None,
     }
 }

@@ -14,8 +14,55 @@ fn is_near(_: &str, _: &str) -> Option<usize> {
     None
 }
 
+/// Words of other tools, and what they are called here.
+#[cfg(not(tracefig_page))]
+const MEANT: &[(&str, &str)] = &[
+    ("ball", "circle"),
+    ("disc", "circle"),
+    ("disk", "circle"),
+    ("distance", "separation"),
+    ("collision", "overlap"),
+    ("intersection", "overlap"),
+    ("line", "capsule"),
+    ("manifold", "contact"),
+    ("ngon", "regular-polygon"),
+    ("obb", "box"),
+    ("penetration", "separation"),
+    ("ray-cast", "linear-sweep"),
+    ("raycast", "linear-sweep"),
+    ("rect", "box"),
+    ("rectangle", "box"),
+    ("segment", "capsule"),
+    ("square", "box"),
+    ("sweep", "linear-sweep"),
+    ("toi", "time-of-impact"),
+    ("triangle", "polygon"),
+];
+
+/// What a word of another tool is called here.
+#[cfg(not(tracefig_page))]
+fn meant(got: &str) -> Option<&'static str> {
+    MEANT.iter().find(|(word, _)| word.eq_ignore_ascii_case(got)).map(|(_, ours)| *ours)
+}
+
+/// A page has no words of other tools.
+#[cfg(tracefig_page)]
+fn meant(_: &str) -> Option<&'static str> {
+    None
+}
+
+/// The known words that a word begins which lacks its unit, as `angle` begins `angle_deg` and `angle_rad`.
+fn with_units(got: &str, known: &[String]) -> Vec<String> {
+    let begun = known.iter().filter(|word| word.strip_prefix(got).is_some_and(|rest| rest.starts_with('_')));
+    begun.map(|word| format!("`{word}`")).collect()
+}
+
 /// The nearest of the known words where one is near, else all of them.
 pub(super) fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
+    let begun = with_units(got, known);
+    if !begun.is_empty() {
+        return Some(format!("did you mean {}?", begun.join(" or ")));
+    }
     // A misspelt word is short; a long text is compared with nothing, as that takes quadratic time.
     const LONGEST_WORD: usize = 64;
     let near = known
@@ -23,6 +70,7 @@ pub(super) fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
         .filter(|_| got.len() <= LONGEST_WORD)
         .filter_map(|word| is_near(got, word).map(|d| (d, word)))
         .min_by_key(|&(d, _)| d);
+    let near = near.or_else(|| Some((0, known.iter().find(|word| meant(got) == Some(word.as_str()))?)));
     match near {
         Some((_, word)) => Some(format!("did you mean `{word}`?")),
         None if known.is_empty() => None,
@@ -48,6 +96,18 @@ mod tests {
         let known = words(&["radius", "center", "position"]);
         assert_eq!(nearest_or_all("raduis", &known).as_deref(), Some("did you mean `radius`?"));
         assert_eq!(nearest_or_all("centre", &known).as_deref(), Some("did you mean `center`?"));
+    }
+
+    #[test]
+    fn a_word_of_another_tool_and_one_without_its_unit_are_understood() {
+        let known = words(&["overlap", "separation"]);
+        assert_eq!(nearest_or_all("distance", &known).as_deref(), Some("did you mean `separation`?"));
+        assert_eq!(nearest_or_all("square", &known).as_deref(), Some("known are: `overlap`, `separation`"));
+        let known = words(&["angle_deg", "angle_rad", "angles"]);
+        assert_eq!(
+            nearest_or_all("angle", &known).as_deref(),
+            Some("did you mean `angle_deg` or `angle_rad`?")
+        );
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //!
 //! `TRACEFIG_SCENES=10000 cargo test --release --test scenes layer_options -- --nocapture` draws as many as one
 //! likes and prints what they took; with `TRACEFIG_PICTURES=FOLDER` it leaves the scene and the picture of
-//! every fiftieth there, to be looked at, and of each that took the longest so far.
+//! every fiftieth there, to be looked at, and the scene of each that took the longest so far.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic wherever it is")]
 
@@ -117,6 +117,9 @@ fn every_option_of_every_layer_is_drawn_or_refused() {
         if took > longest {
             longest = took;
             println!("seed {seed}: {took:?}");
+            if let Some(folder) = std::env::var_os("TRACEFIG_PICTURES") {
+                std::fs::write(Path::new(&folder).join(format!("slow-{seed}.toml")), &text).unwrap();
+            }
         }
         if took > LONGEST {
             failed.push(format!("seed {seed}: {took:?}\n{text}"));

@@ -68,7 +68,7 @@ impl Digits {
         }
         let (lo, hi) = as_one(lo, hi);
         let (most, least) = match self {
-            Self::Usual => (USUAL, FEWEST),
+            Self::Usual => (usual(lo.abs().max(hi.abs())), FEWEST),
             Self::Significant(most) => (most.min(MOST), 1),
             Self::Decimals(most) => (most.min(decimals_within(lo.abs().max(hi.abs()))), 0),
         };
@@ -116,7 +116,7 @@ impl Digits {
         }
         let last = match self {
             Self::Significant(digits) => exponent(value) + 1 - exponent_of(digits.min(MOST)),
-            Self::Usual => exponent(value) + 1 - exponent_of(USUAL),
+            Self::Usual => exponent(value) + 1 - exponent_of(usual(value)),
             Self::Decimals(digits) => -exponent_of(digits.min(decimals_within(value.abs()))),
         };
         let beyond = value + side * HALF * libm::exp10(f64::from(last));
@@ -142,6 +142,14 @@ impl Digits {
 fn exponent(value: f64) -> i32 {
     let scientific = format!("{value:e}");
     scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// Digits in all of a number where nobody asks: three, or all before the point of one that is written without
+/// a power of ten. A place at 12342.4 is not at 12300.
+fn usual(value: f64) -> usize {
+    let before_point = exponent(value).min(*PLAIN.end()) + 1;
+    let is_plain = PLAIN.contains(&exponent(value));
+    usize::try_from(before_point).ok().filter(|_| is_plain).map_or(USUAL, |digits| digits.max(USUAL))
 }
 
 /// A count of digits as an exponent.
@@ -256,7 +264,9 @@ mod tests {
             (1234.0, "1234"),
             (0.1 + 0.2, "0.3"),
             (-0.031_25, "-0.03125"),
-            (123_456.0, "123000"),
+            (123_456.0, "123456"),
+            (12_342.402, "12342"),
+            (-8_005.25, "-8005"),
             (1.0 / 3.0, "0.333"),
             (2.000_04, "2.00"),
             (5e-9, "5e-9"),

@@ -126,16 +126,19 @@ fn winding(vertices: &[DVec2], distinct: &[usize], turns: &[f64]) -> f64 {
     turn.or(turns.iter().copied().find(|&turn| turn != 0.0)).map_or(1.0, f64::signum)
 }
 
+/// The share of a polygon's size below which a dent may be what computing its vertices in single precision left.
+const ROUNDING: f64 = 1e-5;
+
 /// The error of a vertex at which the polygon is not convex: that of a dent says how deep it is.
 fn not_convex(vertex: usize, dent: Option<[DVec2; 3]>) -> ShapeError {
     let mut message = format!("expected a convex polygon, got one that is not at vertex {vertex}");
     if let Some(around) = dent {
         let (depth, size) = depth(around);
-        let share = depth / (size * f64::EPSILON);
-        let _ = write!(
-            message,
-            ", which lies {depth:.1e} inside the line of its neighbours ({share:.1e} ε of the size)"
-        );
+        let _ = write!(message, ", which lies {depth:.1e} inside the line of its neighbours");
+        // Of a plain dent nobody asks how much more than rounding it is.
+        if depth < ROUNDING * size {
+            let _ = write!(message, " ({:.1e} ε of the size)", depth / (size * f64::EPSILON));
+        }
     }
     message.push_str("; with `hull = true` the polygon is the convex hull of its vertices");
     ShapeError::at("not-convex", "vertices", vertex, message)
