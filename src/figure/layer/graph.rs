@@ -89,8 +89,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "tolerance", about: "the separation at which it stops, with tolerance" },
         LabelKey { key: "kink", about: "the sharpest kink of the curve, with kink" },
     ],
-    needs: "an algorithm that advances in steps: `conservative-advancement` of a time of impact, `ray-clipping` \
-            of a linear sweep",
+    needs: "an algorithm that advances in steps: `conservative-advancement` of a time of impact, \
+            `ray-clipping` of a linear sweep",
     fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
     draw,
 };

@@ -126,7 +126,7 @@ fn winding(vertices: &[DVec2], distinct: &[usize], turns: &[f64]) -> f64 {
     turn.or(turns.iter().copied().find(|&turn| turn != 0.0)).map_or(1.0, f64::signum)
 }
 
-/// The share of a polygon's size below which a dent may be what computing its vertices in single precision left.
+/// The share of a polygon's size below which a dent may be what computing in single precision left.
 const ROUNDING: f64 = 1e-5;
 
 /// The error of a vertex at which the polygon is not convex: that of a dent says how deep it is.
