@@ -42,8 +42,8 @@ pub(crate) struct Asked {
     /// Dots of an image for each page pixel; default: what the project file says, else 2
     #[arg(long, value_parser = scale)]
     scale: Option<f64>,
-    /// `question` of an exercise, without any trace of the answer, `key` with the answer and the way to it, or
-    /// both as `question,key`: STEM.question.EXT and STEM.key.EXT; default: the figure
+    /// `question` of an exercise, without any trace of the answer, `key` with the answer and the way to it,
+    /// or both as `question,key`: STEM.question.EXT and STEM.key.EXT; default: the figure
     #[arg(long, value_delimiter = ',', value_name = "VARIANT", value_parser = variant)]
     variant: Vec<Variant>,
     /// Variants of an exercise by number, as 7 or 1..30: other bodies near the scene's own, whose answer has

@@ -59,12 +59,12 @@ fn with_units(got: &str, known: &[String]) -> Vec<String> {
 
 /// The nearest of the known words where one is near, else all of them.
 pub(super) fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
+    // A misspelt word is short; a long text is compared with nothing, as that takes quadratic time.
+    const LONGEST_WORD: usize = 64;
     let begun = with_units(got, known);
     if !begun.is_empty() {
         return Some(format!("did you mean {}?", begun.join(" or ")));
     }
-    // A misspelt word is short; a long text is compared with nothing, as that takes quadratic time.
-    const LONGEST_WORD: usize = 64;
     let near = known
         .iter()
         .filter(|_| got.len() <= LONGEST_WORD)

@@ -11,7 +11,7 @@ use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, angle_of,
     on_circle,
 };
-use crate::figure::text::{arc_length, number};
+use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 use crate::trace::step::turned;
@@ -197,7 +197,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
     points(sketch, &t, after);
     let arm = nearer(context, options, &t);
-    measures(sketch, (context, options), &t, (sector, arm.is_some()));
+    measures(sketch, options, &t, (sector, arm.is_some()));
     if let Some(arm) = arm {
         shorter(sketch, &t, arm, sector);
     }
@@ -335,12 +335,7 @@ fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'stat
 
 /// Names the angle and the arc, and with the sector writes its radius and the arc's length; a radius that
 /// is divided by a nearer vertex has a dimension line over its whole length.
-fn measures(
-    sketch: &mut Sketch,
-    (context, options): (&Context, &Options),
-    t: &Turn,
-    (sector, divided): (bool, bool),
-) {
+fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
     let theta = if sector {
         // In radians too, by which r is multiplied.
         let (degrees, radians) = (number(t.sweep.abs().to_degrees()), number(t.sweep.abs()));
@@ -351,11 +346,7 @@ fn measures(
     angle(sketch, t, (t.start, MARK * t.radius), theta);
     let outside = t.radius + sketch.px(CLEAR);
     let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
-    let length = if sector {
-        format!(r"$L = \theta\,r = {}$", arc_length(context, t.arc).latex())
-    } else {
-        "$L$".to_owned()
-    };
+    let length = if sector { format!(r"$L = \theta\,r = {}$", number(t.arc)) } else { "$L$".to_owned() };
     sketch.label(Label::new("L", length, path, options.role(Role::Now)));
     if sector {
         let r = format!("$r = {}$", number(t.radius));

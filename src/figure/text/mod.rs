@@ -32,7 +32,7 @@ pub(crate) use fill::filled;
 pub(crate) use number::{in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms};
 pub(crate) use overrides::{label_key, overridden};
 pub use plain::plain;
-pub(crate) use quantity::{Quantity, arc_length, asked_distance, distance_or_depth};
+pub(crate) use quantity::{Quantity, asked_distance, distance_or_depth};
 pub(crate) use symbols::{Symbol, symbols};
 pub(crate) use values::value_of;
 pub use values::values;

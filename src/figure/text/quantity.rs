@@ -77,12 +77,6 @@ pub(crate) fn distance_or_depth(found: &Separation) -> String {
     format!("{word}$d = {}$", Quantity::distance_or_depth(found).latex())
 }
 
-/// The length of an arc that bounds what a point travels: rounded as the bound of which it is a part, never
-/// down; in the key of an exercise that asks for it to the nearest, as its answer.
-pub(crate) fn arc_length(context: &Context, arc: f64) -> Quantity {
-    if asks(context, &["L"]) { Quantity::exactly(arc) } else { Quantity::at_most(arc) }
-}
-
 /// Whether a figure is the key of an exercise that asks for one of these values.
 fn asks(context: &Context, names: &[&str]) -> bool {
     let exercise = context.scene.exercise.as_ref().filter(|_| context.scene.variant == Variant::Key);
@@ -144,21 +138,6 @@ mod tests {
             let apart = plan.runs.separation(&scene, 0.5 * hit).unwrap();
             assert!(apart.separation().unwrap().separation > 0.1, "before");
         }
-    }
-
-    #[test]
-    fn an_arc_is_rounded_as_the_bound_that_it_is_all_of() {
-        let text = "shapes.A = { kind = 'circle', radius = 20, angular_velocity_deg = 60 }
-            query = { kind = 'motion-bound', of = ['A'] }
-            headline = '{=L} and {=bound}'
-            panels = [{ layers = ['shapes', { layer = 'arc', sector = true }] }]";
-        // 20 π / 3 is 20.94.
-        let scene = crate::scene::open_text("s.toml", text).unwrap().scene;
-        let plan = crate::figure::plan(&scene).unwrap();
-        assert_eq!(plan.headline.words.as_deref(), Some("21.0 and 21.0"));
-        let drawn = crate::figure::draw(&plan, plan.theme, "f");
-        let label = drawn.panels[0].placed.iter().find(|placed| placed.key == "L").unwrap();
-        assert_eq!(label.lines[0].1.markup, r"$L = \theta\,r = 21.0$");
     }
 
     #[test]

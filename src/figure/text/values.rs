@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::trace::Event;
 
 use super::boxes::{angle_of_the_box, bounds, half, half_extents, middle};
-use super::quantity::{Quantity, arc_length};
+use super::quantity::Quantity;
 use super::step_values::{of_step, of_step_or_first};
 
 /// A value that text may name.
@@ -158,7 +158,7 @@ pub(crate) static VALUES: &[Value] = &[
         "distance of the farthest point from the body's origin",
         Event::MotionBounded { radius, .. } => *radius
     ),
-    Value { name: "L", about: "arc length θ r, which bounds the turning: never rounded down", of: arc },
+    told!("L", "arc length θ r", Event::MotionBounded { arc, .. } => *arc),
     Value { name: "min.x", about: "smallest x of the bounds", of: |c| bounds(c, |[min, _]| min.x) },
     Value { name: "min.y", about: "smallest y of the bounds", of: |c| bounds(c, |[min, _]| min.y) },
     Value { name: "max.x", about: "largest x of the bounds", of: |c| bounds(c, |[_, max]| max.x) },
@@ -209,15 +209,6 @@ fn distance_or_depth(context: &Context) -> Option<Quantity> {
 fn depth(context: &Context) -> Option<Quantity> {
     let s = separation(context)?;
     (s.hi <= 0.0).then_some(s.negated())
-}
-
-/// The length of the arc.
-fn arc(context: &Context) -> Option<Quantity> {
-    let arc = context.run().find_told(|event| match *event {
-        Event::MotionBounded { arc, .. } => Some(arc),
-        _ => None,
-    })?;
-    Some(arc_length(context, arc))
 }
 
 /// The bounds of the time of first contact, or the panel's moment.
