@@ -18,7 +18,7 @@ use crate::trace::Event;
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
-use super::simplex::{MOST_PASSING, has_simplexes, named_w};
+use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// How far the supporting line reaches past the nearest edge and past w, page pixels.
@@ -58,7 +58,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "coordinates",
             takes: Takes::Flag,
             default: "false",
-            about: "writes those of the vertices that the search begins with, of each that is added, of w",
+            about: "writes those of the vertices that the search begins with, and of each that is added",
         },
     ],
     labels: &[
@@ -201,8 +201,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
     if let Some(w) = step.beyond {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        let text = named_w(sketch, context, w, coordinated);
-        sketch.label(Label::new("w", text, Anchor::point(w), role).rank(Rank::Point));
+        sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
     } else {
         let [from, to] = step.edge;
         let beside = Anchor::Beside { from, to, offset: 0.0 };

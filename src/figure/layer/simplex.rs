@@ -220,7 +220,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
 }
 
 /// What is said of the vertex that comes next, as markup.
-pub(super) fn named_w(sketch: &Sketch, context: &Context, w: DVec2, coordinated: bool) -> String {
+fn named_w(sketch: &Sketch, context: &Context, w: DVec2, coordinated: bool) -> String {
     if coordinated {
         return format!("$w = {}$", coordinates(sketch, context, w).trim_matches('$'));
     }
