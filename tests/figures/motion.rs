@@ -207,7 +207,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
         // The way's head is at its end, where A would be.
         one.head(A, (2.25, -3.25)),
     ];
-    let two = look(&f, 1, [-4.4, -0.98, 1.9, 4.57]);
+    let two = look(&f, 1, view);
     shows![
         two.circle(A, (-0.9, 1.3), 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, (-2.25, 3.25), 1.0).is_some_and(dashed),
@@ -306,8 +306,8 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
         ),
     ];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-1.75, -5.6, 6.0, 0.9]);
-        let conf = look(&f, 3 + i, [-0.6, -5.9, 7.15, 1.55]);
+        let world = look(&f, i, [-2.2, -5.6, 6.5, 1.2]);
+        let conf = look(&f, 3 + i, [-1.5, -6.0, 7.2, 1.8]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -323,7 +323,7 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
     let start = steps[0].0;
     shows![
         // Where it started, dotted beside where it is.
-        look(&f, 2, [-1.75, -5.6, 6.0, 0.9]).polygon(A, &start).is_some_and(dashed),
+        look(&f, 2, [-2.2, -5.6, 6.5, 1.2]).polygon(A, &start).is_some_and(dashed),
         // (3, -3.5) · (0.8, -0.6), and 1.5 · 3.
         f.texts.iter().any(|(text, _)| text.contains("4.5")),
         ["0", "0.45", "0.723"]
