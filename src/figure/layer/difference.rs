@@ -26,7 +26,7 @@ use super::unbuilt::unbuilt;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, number_of};
 
 /// Width, page pixels, and opacity of an edge that the algorithm skipped.
-const THIN: (f64, f64) = (1.25, 0.8);
+const THIN: (f64, f64) = (1.25, 0.5);
 
 /// How many iterations are drawn at most; more are a blur.
 const MOST: usize = 6;

@@ -12,8 +12,8 @@ use super::difference::{culled, difference};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Width of the normals of edges that face away, page pixels.
-const AWAY: f64 = 1.0;
+/// Width, page pixels, and opacity of the normals of edges that face away: one of either kind has words.
+const AWAY: (f64, f64) = (1.0, 0.6);
 /// The length of a normal on the page at least, page pixels, where 1 is shorter.
 const LEAST: f64 = 22.0;
 
@@ -68,7 +68,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let pen = Pen::vector(if away { Role::Muted } else { role });
         let (from, tip) = arrow(edge);
         sketch.since(cues.of(edge)).part(if away { "away" } else { "facing" }).weight(Weight::Light);
-        sketch.arrow(from, tip, if away { pen.width(AWAY) } else { pen });
+        sketch.arrow(from, tip, if away { pen.width(AWAY.0).opacity(AWAY.1) } else { pen });
     }
     let against = |edge: &&Edge| edge.normal.dot(v);
     let signs = options.flag("signs", false) && v != DVec2::ZERO;

@@ -221,30 +221,33 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
     let Some((&last, before)) = times.split_last() else { return };
     let (role, numbered) = (options.role(side.into()), options.flag("numbered", false));
+    let solid = options.flag("solid", false);
     let then = |step: usize, time: f64| {
         if numbered { format!("$t_{{{step}}}$") } else { format!("$t = {}$", number(time)) }
     };
+    let at = |then: String| format!("{} at {then}", context.named(side).primed(0));
     // An advancement closes in: its first steps are the ones that differ.
     let kept = before.get(..MOST - 1).unwrap_or(before);
     for ((step, &time), opacity) in (2..).zip(kept).zip(fade(SERIES, kept.len())) {
         sketch.since(context.known(&When::Step(step)));
         let (wash, pen) = look(options, role);
         if let Some(outline) = context.outline(side, time) {
-            // Bodies that are there are all as much there.
-            let pen = Some(if options.flag("solid", false) { pen } else { pen.opacity(opacity) });
+            // Bodies that are there are all as much there, and named alike.
+            let pen = Some(if solid { pen } else { pen.opacity(opacity) });
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
-            let label = Label::new("then", then(step, time), Anchor::inside(&outline), role);
-            sketch.label(label.rank(Rank::Word).size(Size::Small));
+            let label = Label::new("then", then(step, time), Anchor::inside(&outline), role).rank(Rank::Word);
+            sketch.label(if solid && numbered {
+                Label { lines: vec![at(then(step, time))], ..label }.size(Size::Note)
+            } else {
+                label.size(Size::Small)
+            });
         }
     }
     if let Some(outline) = context.outline(side, last) {
         sketch.since(context.known(&When::Step(times.len() + 1)));
         let count = times.len() + 1;
-        let text = if numbered {
-            vec![format!("{} at {}", context.named(side).primed(0), then(count, last))]
-        } else {
-            at_moment(context, side, &number(last))
-        };
+        let text =
+            if numbered { vec![at(then(count, last))] } else { at_moment(context, side, &number(last)) };
         ghost(sketch, options, side, &outline, text);
     }
 }

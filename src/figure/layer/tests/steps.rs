@@ -152,6 +152,26 @@ fn a_step_has_the_same_name_among_the_ghosts_in_the_graph_and_at_its_difference(
 }
 
 #[test]
+fn bodies_that_are_there_at_each_step_are_all_named_alike() {
+    for (solid, alike) in [(", solid = true", true), ("", false)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1.5, 0.5], position = [-4, -1], velocity = [7, 2],
+                angle_deg = 20, angular_velocity_deg = 90 }}
+            shapes.B = {{ kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], tolerance = 0.5,
+                algorithm = 'conservative-advancement' }}
+            panels = [{{ layers = [{{ layer = 'ghosts', of = 'A', at = 'steps', numbered = true{solid} }}] }}]"
+        );
+        let scene = open_text("alike", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "alike");
+        let earlier: Vec<_> = figure.panels[0].placed.iter().filter(|label| label.key == "then").collect();
+        let named = |markup: &str| markup.starts_with("$A$ at $t_{");
+        assert!(!earlier.is_empty() && earlier.iter().all(|label| named(&label.lines[0].1.markup) == alike));
+    }
+}
+
+#[test]
 fn a_radius_divided_by_a_nearer_vertex_is_measured_over_its_whole_length() {
     for (nearer, measured) in [(", nearer = 0", true), ("", false)] {
         let text = format!(
