@@ -183,6 +183,7 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
+    ("figure/touching", &["geometry", "collision"]),
     (
         "figure/context",
         &[
@@ -237,6 +238,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/runs",
             "figure/sketch",
             "figure/text",
+            "figure/touching",
         ],
     ),
     ("figure/tongue", &["geometry", "trace", "collision", "scene", "figure/language", "figure/text"]),
@@ -253,6 +255,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/runs",
             "figure/text",
             "figure/tongue",
+            "figure/touching",
         ],
     ),
     (
