@@ -1,6 +1,6 @@
 //! What came out, as a sentence.
 
-use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Reason, Separation};
+use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Pair, Reason, Separation};
 use crate::figure::called::Called;
 use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
@@ -15,15 +15,21 @@ use crate::trace::Event;
 use super::body_phrases::AND;
 use super::number::Speech;
 use super::phrases::{
-    APART, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, ENDS_EARLY, HIT,
-    HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND,
-    OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH,
-    TOUCH_FIRST, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    APART, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP,
+    ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY,
+    OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP,
+    TOLERANCE, TOUCH, TOUCH_FIRST, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
 /// rounding leaves of bodies that go past each other side by side.
 const NEARER: f64 = 1e-9;
+
+/// How long bodies must be as near as anywhere to be said to, in parts of the motion: what three digits tell.
+const A_WHILE: f64 = 1e-3;
+
+/// Halvings by which the ends of that while are found: to 1e-12.
+const HALVINGS: usize = 40;
 
 /// A run, and what its sentence needs besides.
 pub(crate) struct Account<'r> {
@@ -230,11 +236,12 @@ fn closest_in_words(told: &Account) -> String {
     let found = told.run.events().find_map(|event| match event {
         Event::ClosestApproachFound { at, bounds, normal, points, .. } => {
             let closing = closing(told.scene, at.time, *normal, *points);
-            Some((at.time, speech.number(bounds.lo, bounds.hi), closing))
+            let span = as_near(told.scene, at.time, bounds.hi);
+            Some((at.time, speech.number(bounds.lo, bounds.hi), closing, span))
         }
         _ => None,
     });
-    let Some((time, apart, closing)) = found else { return String::new() };
+    let Some((time, apart, closing, span)) = found else { return String::new() };
     let query = told.scene.query_at(0.0);
     let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
     if query.b.is_some_and(rests) {
@@ -243,9 +250,31 @@ fn closest_in_words(told: &Account) -> String {
         speech.say(&ENDS_EARLY, &[&speech.value(time), &apart])
     } else if time <= 0.0 && closing < 0.0 {
         speech.say(&CLOSEST_FIRST, &[&apart])
+    } else if let Some([from, to]) = span {
+        speech.say(&CLOSEST_WHILE, &[&speech.value(from), &speech.value(to), &apart])
     } else {
         speech.say(&CLOSEST, &[&speech.value(time), &apart])
     }
+}
+
+/// From when to when bodies that do not turn are as near as at `time`, as far as proofs tell; `None` where that
+/// is one moment. Their distance is a convex function of time, so that it is level in one piece if at all.
+fn as_near(scene: &Scene, time: f64, distance: f64) -> Option<[f64; 2]> {
+    let query = scene.query_at(0.0);
+    let b = query.b.filter(|b| b.spin.is_zero() && query.a.spin.is_zero())?;
+    let is_near = |t: f64| Pair::at(query.a, b, t).separation().bounds.lo <= distance;
+    let ends = [0.0, 1.0].map(|end| {
+        let (mut near, mut far) = (time, end);
+        if is_near(end) {
+            return end;
+        }
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(near, far);
+            if is_near(middle) { near = middle } else { far = middle }
+        }
+        near
+    });
+    (ends[1] - ends[0] > A_WHILE).then_some(ends)
 }
 
 /// How fast witness points that are carried with the bodies come nearer at `time`, world units per unit of

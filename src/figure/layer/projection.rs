@@ -21,6 +21,9 @@ use super::half_extents::{GUIDE, beside};
 use super::normal::{unit_length, unit_vector};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
+/// The part of a measure by which others are as large, as far as rounding tells.
+const TIED: f64 = 1e-12;
+
 /// Distance of the axis from the bodies, page pixels.
 const OFFSET: f64 = 26.0;
 
@@ -110,8 +113,22 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let all: Vec<Tested> = run.told(told).collect();
     match options.number("axis") {
         Some(k) => all.iter().enumerate().find(|(i, _)| number_of(i + 1) == k).map(|(_, t)| *t),
-        None => all.into_iter().max_by(|s, t| s.gap.total_cmp(&t.gap)),
+        None => widest(context, &all),
     }
+}
+
+/// The axis of the largest measure; of several the one along the answer's normal, as its sentence has it.
+fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
+    let widest = all.iter().map(|t| t.gap).max_by(f64::total_cmp)?;
+    let is_tied = |t: &&Tested| widest - t.gap <= TIED * widest.abs();
+    let mut ties: Vec<Tested> = all.iter().filter(is_tied).copied().collect();
+    if ties.len() > 1
+        && let Some(run) = context.separation_at(context.time)
+        && let Some(n) = run.separation().map(|s| *s.normal)
+    {
+        ties.sort_by(|s, t| s.n.dot(n).total_cmp(&t.n.dot(n)));
+    }
+    ties.pop()
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -297,15 +314,11 @@ fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) 
         false => "gap $=",
     };
     // Subtracted so that what is left is positive.
-    let (a, b) = (t.a.hi, t.b.lo);
-    let (more, less) = if t.gap < 0.0 { (a, b) } else { (b, a) };
-    let mut lines = vec![match terms([more, less], t.gap.abs()) {
-        ([from, text], result) if values => {
-            let minus = if less < 0.0 { format!("- ({text})") } else { format!("- {text}") };
-            format!("{word} {from} {minus} = {result}$")
-        }
-        _ => format!("{word} {}$", number(t.gap.abs())),
-    }];
+    let (more, less) = if t.gap < 0.0 { (t.a.hi, t.b.lo) } else { (t.b.lo, t.a.hi) };
+    let ([from, text], result) = terms([more, less], t.gap.abs());
+    let minus = if less < 0.0 { format!("- ({text})") } else { format!("- {text}") };
+    let sum = if values { format!("{from} {minus} = {result}") } else { number(t.gap.abs()) };
+    let mut lines = vec![format!("{word} {sum}$")];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());

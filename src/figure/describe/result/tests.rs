@@ -227,3 +227,23 @@ fn the_result_is_in_the_language_of_the_scene_with_its_numbers() {
     );
     assert_eq!(said("pl", 0.0), "a and b are 2.5 apart along the normal (1, 0).");
 }
+
+#[test]
+fn bodies_that_pass_side_by_side_are_closest_for_a_while() {
+    let passing = |shape: &str| {
+        said(&format!(
+            "shapes.dart = {{ kind = 'capsule', points = [[-0.5, 0], [0.5, 0]], radius = 0,
+                position = [-4, 1.001], velocity = [9, 0] }}
+            shapes.wall = {{ {shape} }}
+            query = {{ kind = 'linear-sweep', of = ['dart', 'wall'] }}"
+        ))
+    };
+    assert_eq!(
+        passing("kind = 'box', half_extents = [1, 1]"),
+        "dart and wall do not touch; they are closest from t = 0.278 to t = 0.611, 0.001 apart."
+    );
+    let round = passing("kind = 'circle', radius = 0.5, position = [0.5, 0]");
+    assert!(round.contains("they are closest from t = 0.444 to t = 0.556, 0.501 apart"), "{round}");
+    let point = passing("kind = 'polygon', vertices = [[0, 1], [-1, 0], [1, 0]]");
+    assert!(point.contains("closest from t = 0.389 to t = 0.5, "), "{point}");
+}

@@ -9,6 +9,7 @@ mod motion;
 mod numbers;
 mod reading;
 mod steps;
+mod ties;
 mod words;
 
 use std::collections::BTreeMap;
