@@ -257,8 +257,9 @@ fn closest_in_words(told: &Account) -> String {
     }
 }
 
-/// From when to when bodies that do not turn are as near as at `time`, as far as proofs tell; `None` where that
-/// is one moment. Their distance is a convex function of time, so that it is level in one piece if at all.
+/// From when to when bodies that do not turn are as near as at `time`, as far as proofs tell; `None` where
+/// that is one moment. Their distance is a convex function of time, so that it is level in one piece if at
+/// all.
 fn as_near(scene: &Scene, time: f64, distance: f64) -> Option<[f64; 2]> {
     let query = scene.query_at(0.0);
     let b = query.b.filter(|b| b.spin.is_zero() && query.a.spin.is_zero())?;
