@@ -158,11 +158,10 @@ fn another_caption_and_title_are_quoted() {
 #[test]
 fn another_theme_is_a_line_a_colour() {
     let lines = what_moved(svg_format(), &svg(SCENE), &drawn(SCENE, "dark").1);
-    says(&lines, "page, label-d in panel-1, ");
-    says(&lines, "colour of background #ffffff → #12161c");
+    says(&lines, "page: colour of background #ffffff → #12161c");
     says(&lines, "colour of a #a3161f → #ff6b57");
     says(&lines, "fill opacity 0.14 → 0.2");
-    says(&lines, "label-A in panel-1: colour of a tint #f2dee0 → #412728");
+    says(&lines, "label-A in panel-1: colour of a tint #ead8da → #462d2f");
     says(&lines, "style sheet");
 }
 

@@ -110,8 +110,8 @@ fn every_figure_is_small() {
         let svg = path.with_extension("svg").metadata().unwrap().len();
         // A third of it are outlines of letters; headline and coloured caption place some 500 of them.
         // Another twentieth is the text that is searched.
-        // Six panels with a title each are the most that there are.
-        assert!(svg <= 80_000, "{stem}: {svg} bytes");
+        // Six panels with a title each are the most that there are; a caption each adds a tenth.
+        assert!(svg <= 88_000, "{stem}: {svg} bytes");
         // Demos have more edges than the article's figures.
         if !stem.starts_with('0') {
             continue;

@@ -10,7 +10,7 @@ use crate::geometry::sort_by;
 /// How far from a line a dashed one counts as lying on it, page pixels: as far as the strokes of a cased
 /// edge. At half, one on a cased edge is left; at twice, lines that meet at some degrees lose what is beside
 /// each other.
-const ON: f64 = 2.0;
+const ON: f64 = 1.8;
 /// How long they must go together to be cut, page pixels: more than lines share that cross at 20°.
 const TOGETHER: f64 = 15.0;
 /// The least piece that is left of a dashed line, page pixels: two dashes and the gap between.
