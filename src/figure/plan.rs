@@ -175,7 +175,6 @@ fn resolve<'s>(
         measures,
         columns: scene.canvas.columns,
         titles: panels.iter().flat_map(|panel| &panel.title).map(Lettering::len).max().unwrap_or(0),
-        captions: panels.iter().map(|panel| panel.caption.len()).max().unwrap_or(0),
         head: headline.lines(),
         lines: caption.lines(),
     };

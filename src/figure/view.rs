@@ -167,6 +167,7 @@ fn arrange(scene: &Scene, layout: &Layout, panels: &mut [PanelPlan], extents: &[
         width: hi.x - lo.x,
         height: hi.y - lo.y,
         room: panel.source.view.is_none(),
+        lines: panel.caption.len(),
     };
     let wants: Vec<Want> = panels.iter().zip(&shown).map(want).collect();
     let page = layout.page(&wants);

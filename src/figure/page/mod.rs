@@ -23,8 +23,6 @@ pub(crate) struct Layout {
     pub(crate) columns: Option<usize>,
     /// Lines of the longest title of a panel; 0 where none has one.
     pub(crate) titles: usize,
-    /// Lines of the longest caption of a panel; 0 where none has one.
-    pub(crate) captions: usize,
     /// Lines of the headline.
     pub(crate) head: usize,
     /// Lines of the caption.
@@ -71,30 +69,34 @@ impl Page {
 impl Layout {
     /// Cells for panels that show so much, above the caption.
     pub(crate) fn page(&self, wants: &[Want]) -> Page {
-        let Self { measures, titles, captions, head, .. } = *self;
+        let Self { measures, titles, head, .. } = *self;
         let (side, gap) = (measures.side(), measures.gap());
-        let (title, under) = (measures.title(titles), measures.under(captions));
+        let title = measures.title(titles);
+        let longest = |panels: &[Want]| panels.iter().map(|want| want.lines).max().unwrap_or(0);
         let foot = measures.foot(count(self.caption_room()));
         let top = measures.top() + measures.headline_height(head);
         let space = rows::Space {
             width: measures.width - 2.0 * side,
             height: measures.height.map(|height| height - foot - top),
             gap,
-            words: title + under,
+            words: title + measures.under(longest(wants)),
             larger: measures.larger(),
         };
         let rows::Grid { columns, width, heights } = space.grid(wants, self.columns);
         let mut cells = Vec::new();
         let mut y0 = top;
         for (row, height) in heights.iter().enumerate() {
-            let in_row = columns.min(wants.len().saturating_sub(row * columns));
+            let of_row = wants.chunks(columns).nth(row).unwrap_or_default();
+            let in_row = of_row.len();
             y0 += title;
             for column in 0..in_row {
                 // A last row that is not full stands in the middle.
                 let x0 = side + (count(column) + 0.5 * count(columns - in_row)) * (width + gap);
                 cells.push(Rect { x0, y0, x1: x0 + width, y1: y0 + height });
             }
-            y0 += height + under + gap;
+            // On a page of a given height all rows are as high.
+            let lines = longest(if measures.height.is_some() { wants } else { of_row });
+            y0 += height + measures.under(lines) + gap;
         }
         let bottom = match measures.height {
             Some(height) => (height - foot).max(top + 1.0),
@@ -192,9 +194,9 @@ mod tests {
     /// A page for panels that show so much each.
     fn page(canvas: &Canvas, wants: &[(f64, f64)], titles: usize, lines: usize) -> Page {
         let measures = Measures::of(canvas, TypeSizes::HOUSE);
-        let layout = Layout { measures, columns: canvas.columns, titles, captions: 0, head: 0, lines };
+        let layout = Layout { measures, columns: canvas.columns, titles, head: 0, lines };
         let wants: Vec<_> =
-            wants.iter().map(|&(width, height)| Want { width, height, room: false }).collect();
+            wants.iter().map(|&(width, height)| Want { width, height, room: false, lines: 0 }).collect();
         layout.page(&wants)
     }
 
@@ -229,16 +231,30 @@ mod tests {
                 measures: Measures::of(&canvas, TypeSizes::HOUSE),
                 columns: None,
                 titles: 0,
-                captions: 0,
                 head,
                 lines: 2,
             };
-            let page = |head| layout(head).page(&[Want { width: 2.0, height: 1.0, room: false }]);
+            let page = |head| layout(head).page(&[Want { width: 2.0, height: 1.0, room: false, lines: 0 }]);
             let top = |head| page(head).cells[0].y0;
             assert!(top(1) > top(0) + 19.0 && top(2) - top(1) == 24.0);
             let page = page(2);
             assert!(page.headline.y + page.headline_step < page.cells[0].y0);
         }
+    }
+
+    #[test]
+    fn a_row_keeps_room_for_its_own_captions_and_on_a_page_of_a_given_height_for_the_longest() {
+        let bottom = |canvas: &Canvas, lines: [usize; 2]| {
+            let measures = Measures::of(canvas, TypeSizes::HOUSE);
+            let layout = Layout { measures, columns: Some(1), titles: 0, head: 0, lines: 0 };
+            let page = layout.page(&lines.map(|lines| Want { width: 2.0, height: 1.0, room: false, lines }));
+            (page.height, page.cells[1].y1, page.cells[0].y1)
+        };
+        let free = Canvas::default();
+        assert!(bottom(&free, [2, 1]).0 < bottom(&free, [2, 2]).0);
+        assert_eq!(bottom(&free, [2, 1]).1, bottom(&free, [2, 2]).1);
+        let given = of_size(960.0, Some(1200.0));
+        assert_eq!(bottom(&given, [2, 1]), bottom(&given, [2, 2]));
     }
 
     #[test]

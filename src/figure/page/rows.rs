@@ -31,6 +31,8 @@ pub(crate) struct Want {
     pub(crate) height: f64,
     /// Whether labels need room around it.
     pub(crate) room: bool,
+    /// Lines of the caption below it.
+    pub(crate) lines: usize,
 }
 
 /// The room that a page has for panels, page pixels.
@@ -41,7 +43,7 @@ pub(super) struct Space {
     pub(super) height: Option<f64>,
     /// Between panels.
     pub(super) gap: f64,
-    /// Height of the titles above each row, and of the captions below.
+    /// Height of the titles above each row, and of the longest captions below.
     pub(super) words: f64,
     /// How much larger letters are than usual; at least 1.
     pub(super) larger: f64,
