@@ -21,22 +21,34 @@ pub(super) struct Step {
 
 /// What `pick` takes of the panel's step; `None` in a panel without one.
 pub(super) fn of_step(context: &Context, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
-    at(context, context.step?, pick)
+    at(context.run().told(told), context.step?, pick)
 }
 
-/// What `pick` takes of the panel's step, or in a panel without one of the first.
+/// What `pick` takes of the panel's step, or in a panel without one of the first, as an advancement takes it,
+/// whichever algorithm answered.
 pub(super) fn of_step_or_first(context: &Context, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
-    at(context, context.step.unwrap_or(1), pick)
+    let own = at(context.run().told(told), context.step.unwrap_or(1), pick);
+    if own.is_some() || context.step.is_some() {
+        return own;
+    }
+    at(context.first_step()?.told(told), 1, pick)
 }
 
-/// What `pick` takes of the step of that number, from 1.
-fn at(context: &Context, number: usize, pick: fn(&Step) -> Option<f64>) -> Option<Quantity> {
-    let run = context.run();
-    let mut steps = run.told(|event| match *event {
+/// What an event tells of a step.
+fn told(event: &Event) -> Option<Step> {
+    match *event {
         Event::Advanced { at, separation, closing_speed, bound, next, .. } => {
             Some(Step { time: at.time, separation, closing: closing_speed, bound, next })
         }
         _ => None,
-    });
+    }
+}
+
+/// What `pick` takes of the step of that number, from 1.
+fn at(
+    mut steps: impl Iterator<Item = Step>,
+    number: usize,
+    pick: fn(&Step) -> Option<f64>,
+) -> Option<Quantity> {
     pick(&steps.nth(number.checked_sub(1)?)?).map(Quantity::exactly)
 }
