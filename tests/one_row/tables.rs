@@ -140,6 +140,9 @@ fn layers() -> Vec<Table> {
         finds: is_name,
         other_meanings: &[
             ("frame", "cli/in_time.rs", "a picture of a figure that plays"),
+            ("separation", "figure/text/quantity.rs", "what an exercise asks for"),
+            ("difference", "figure/layer/difference_name.rs", "the name of B ⊖ A"),
+            ("difference", "figure/layer/unbuilt.rs", "the name of B ⊖ A"),
             ("shapes", "cli/list.rs", "a topic of `list`"),
             ("axes", "figure/theme/strokes.rs", "a kind of line"),
             ("grid", "figure/theme/strokes.rs", "a kind of line"),
@@ -225,6 +228,7 @@ fn algorithms() -> Vec<Table> {
             names: names(&mut QUERIES.iter().map(|q| q.word)),
             finds: is_name,
             other_meanings: &[
+                ("overlap", "drawing/paint.rs", "the colour of what two bodies share"),
                 ("overlap", "collision/answer", "a part of an answer"),
                 ("separation", "collision/answer", "a part of an answer"),
                 ("bounds", "figure", "a layer"),

@@ -172,7 +172,7 @@ phrases! {
         "; am nächsten sind sie sich bei t = *, mit Abstand *",
         " ; ils sont au plus près à t = *, à une distance de *",
         "; están más cerca en t = *, a una distancia de *";
-    /// As near for a while: from when to when, how far apart.
+    /// Closest for a while: from when to when, how far apart.
     CLOSEST_WHILE: "; they are closest from t = * to t = *, * apart",
         "; am nächsten sind sie sich von t = * bis t = *, mit Abstand *",
         " ; ils sont au plus près de t = * à t = *, à une distance de *",

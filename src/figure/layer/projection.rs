@@ -64,10 +64,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "zero", about: "0 of the axis, with values" },
         LabelKey { key: "n", about: "the axis" },
         LabelKey { key: "axis", about: "what the axis is along, with values" },
-        LabelKey {
-            key: "gap",
-            about: "gap from where A ends to where B begins; overlap or depth, where B begins before that",
-        },
+        LabelKey { key: "gap", about: "from where A ends to where B begins: gap, overlap or depth" },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
     fed: |context, options| {

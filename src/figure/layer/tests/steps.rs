@@ -160,7 +160,8 @@ fn bodies_that_are_there_at_each_step_are_all_named_alike() {
             shapes.B = {{ kind = 'polygon', vertices = [[2, -1], [5, -2], [6, 1], [3, 2]] }}
             query = {{ kind = 'time-of-impact', of = ['A', 'B'], tolerance = 0.5,
                 algorithm = 'conservative-advancement' }}
-            panels = [{{ layers = [{{ layer = 'ghosts', of = 'A', at = 'steps', numbered = true{solid} }}] }}]"
+            panels = [{{ layers = [
+                {{ layer = 'ghosts', of = 'A', at = 'steps', numbered = true{solid} }}] }}]"
         );
         let scene = open_text("alike", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
