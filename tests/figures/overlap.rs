@@ -126,7 +126,7 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
 #[test]
 fn circle_circle_shows_centres_radii_and_the_shortfall() {
     let f = figure("circle-circle");
-    let w = look(&f, 0, [-3.4, -6.2, 11.4, 4.4]);
+    let w = look(&f, 0, [-3.4, -6.3, 11.4, 4.5]);
     shows![
         w.circle(A, (0.0, 0.0), 3.0).is_some(),
         w.circle(B, (5.0, 0.0), 4.0).is_some(),
