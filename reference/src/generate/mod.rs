@@ -44,7 +44,6 @@ const AT_ONE_MOMENT: &[Category] = &[
     Category { name: "many-corners", draw: separation::many_vertices },
     Category { name: "collinear-duplicate", draw: separation::collinear },
     Category { name: "flat", draw: separation::flat },
-    Category { name: "flat-pairs", draw: flat_pairs::at_rest },
     Category { name: "circles", draw: separation::circles },
     Category { name: "moment", draw: separation::moment },
     Category { name: "overlap", draw: stillness::overlap },
@@ -63,7 +62,6 @@ const IN_MOTION: &[Category] = &[
     Category { name: "rod-past-peg", draw: impact::rod_past_peg },
     Category { name: "arm", draw: impact::arm },
     Category { name: "flat", draw: impact::flat },
-    Category { name: "flat-pairs", draw: flat_pairs::moving },
     Category { name: "stops-above", draw: impact::stops_above },
     Category { name: "no-relative-motion", draw: impact::no_relative_motion },
     Category { name: "starts-near", draw: impact::starts_near },
@@ -119,6 +117,16 @@ impl Family {
             Self::Logged => LOGGED,
             Self::LoggedImpact => LOGGED_IN_MOTION,
         }
+    }
+
+    /// Points and segments on one line, which are asked of every algorithm.
+    #[must_use]
+    pub fn flat_pairs(self) -> Category {
+        let draw = match self {
+            Self::Impact | Self::LoggedImpact => flat_pairs::moving,
+            _ => flat_pairs::at_rest,
+        };
+        Category { name: "flat-pairs", draw }
     }
 
     /// Case number `i` of a seed: its category's turn comes round.
