@@ -15,7 +15,9 @@ pub use event::{Culling, EVENTS, Event, Goal, Moment, SupportVertex};
 pub(crate) use foreign::of_language;
 pub(crate) use foreign::{bring_texts, text};
 pub use json::{HEADER, VALUES, json_lines};
-pub(crate) use story::{Hand, Voice, all_phrases, growth, script, sentence_in, step, told};
+pub(crate) use story::{
+    Hand, TOLD, USUAL, Voice, WHOLE, all_phrases, growth, script, sentence_in, step, told,
+};
 pub use story::{sentence, story};
 #[cfg(test)]
 pub(crate) use tongue::unlike;

@@ -8,6 +8,7 @@
 //! digits, would have two, as its ends lie on two sides of a half.
 
 use crate::geometry::read;
+use crate::trace::{TOLD, USUAL, WHOLE};
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
 const MOST: usize = 12;
@@ -18,20 +19,13 @@ const NOTHING: f64 = 1e-9;
 /// The part of a number that rounding of doubles may have taken from it: half a digit is meant where so much
 /// lacks. At 0 the double nearest to 1.005, which is just below it, has 1.00 for two digits.
 const LACKING: f64 = 1e-13;
-/// Digits in all by which a number is told to be whole: what searching for it may have added is below them.
-const TOLD: usize = 10;
-/// The most that a unit of the last of those digits is of a number.
+/// The most that a unit of the last digit is of a number that has [`TOLD`] of them.
 const UNIT_TOLD: f64 = 1e-9;
 /// Half of a digit's unit, which takes a number that was rounded to one side to the other.
 const HALF: f64 = 0.5;
-/// Digits in all of a number that has more than `WHOLE`.
-const USUAL: usize = 3;
 /// Fewest digits that say where a number lies better than its two ends: of one in [0.96, 1.04] the only one
 /// that is proved is 1, which reads as if it were that.
 const FEWEST: usize = 2;
-/// Most digits in all with which a number is written whole where nobody asks: with three, a width of 261 has
-/// a half of 130, and a place at 1234 stands at 1230. More than five are no longer read at a glance.
-const WHOLE: usize = 5;
 /// Decimal exponents within which a number is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 

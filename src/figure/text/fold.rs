@@ -121,6 +121,13 @@ mod tests {
     use super::*;
     use crate::typeset::typeset;
 
+    /// The lines of a text that is folded one way; none where that leaves it whole.
+    fn lines_of(way: fn(&Line, Style) -> Option<Fold>, markup: &str) -> Option<Vec<String>> {
+        let style = Style::regular(14.0);
+        let fold = way(&typeset(markup, style).unwrap(), style)?;
+        Some(fold.lines.iter().map(|line| line.markup.clone()).collect())
+    }
+
     /// The widths of the lines of each way, of those that break in words or of those that do not.
     fn widths(markup: &str, in_words: bool) -> Vec<Vec<f64>> {
         let style = Style::regular(17.0);
@@ -140,11 +147,7 @@ mod tests {
 
     #[test]
     fn a_sum_is_folded_before_its_result() {
-        let style = Style::regular(14.0);
-        let lines = |markup: &str| {
-            let fold = chain(&typeset(markup, style).unwrap(), style)?;
-            Some(fold.lines.iter().map(|line| line.markup.clone()).collect::<Vec<_>>())
-        };
+        let lines = |markup: &str| lines_of(chain, markup);
         let sum = lines("overlap $= 0.5 - (-3.2) = 3.7$").unwrap();
         assert_eq!(sum, ["overlap $= 0.5 - (-3.2)$", "$= 3.7$"]);
         assert_eq!(lines("$d = a + b = 12345$").unwrap(), ["$d = a + b$", "$= 12345$"]);
@@ -162,11 +165,7 @@ mod tests {
 
     #[test]
     fn a_difference_of_points_with_long_names_is_folded_before_its_sign() {
-        let style = Style::regular(14.0);
-        let lines = |markup: &str| {
-            let fold = difference(&typeset(markup, style).unwrap(), style)?;
-            Some(fold.lines.iter().map(|line| line.markup.clone()).collect::<Vec<_>>())
-        };
+        let lines = |markup: &str| lines_of(difference, markup);
         let long = r"$p_{\text{crate}} - p_{\text{player}}$";
         assert_eq!(lines(long).unwrap(), [r"$p_{\text{crate}}$", r"${} - p_{\text{player}}$"]);
         for whole in ["$b_2 - a_0$", r"the way - to the crate", r"$a - b$ from $c$ to the crate"] {

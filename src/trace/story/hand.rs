@@ -5,12 +5,13 @@ use crate::geometry::read;
 
 /// Significant digits of the numbers: a reader compares the first three, and a step of 1e-6 still shows.
 const DIGITS: usize = 6;
-/// Digits of a number in a title that has more than [`WHOLE`], as in pictures.
-const FEW: usize = 3;
-/// Most digits with which a number in a title is written whole, as in pictures.
-const WHOLE: usize = 5;
-/// Digits by which a number is told to be whole: what computing it may have added is below them.
-const TOLD: usize = 10;
+/// Digits in all of a number in a title or a picture that has more than [`WHOLE`].
+pub(crate) const USUAL: usize = 3;
+/// Most digits in all with which a number is written whole there: with three, a width of 261 has a half of
+/// 130, and a place at 1234 stands at 1230. More than five are no longer read at a glance.
+pub(crate) const WHOLE: usize = 5;
+/// Digits in all by which a number is told to be whole: what computing it may have added is below them.
+pub(crate) const TOLD: usize = 10;
 
 /// For whom a story is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,7 +47,7 @@ pub(super) fn number(x: f64) -> String {
 /// A number as pictures have it: with all digits where they are few, else to three.
 pub(super) fn short(x: f64) -> String {
     let [all, told] = [WHOLE, TOLD].map(|digits| to_digits(x, digits));
-    if all == told { all } else { to_digits(x, FEW) }
+    if all == told { all } else { to_digits(x, USUAL) }
 }
 
 /// A number to so many significant digits.

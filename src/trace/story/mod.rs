@@ -20,7 +20,7 @@ use super::tongue::Phrase;
 use super::{Event, Goal, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 
-pub(crate) use hand::Hand;
+pub(crate) use hand::{Hand, TOLD, USUAL, WHOLE};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
     AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE,
