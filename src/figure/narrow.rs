@@ -5,11 +5,12 @@
 
 use std::sync::Arc;
 
+use crate::drawing::Rect;
 use crate::scene::Scene;
 use crate::typeset::Line;
 
 use super::layer::is_key;
-use super::page::Layout;
+use super::page::{Layout, Page};
 use super::panel::PanelPlan;
 use super::placement::Cut;
 use super::runs::Runs;
@@ -19,32 +20,28 @@ use super::text::Wording;
 /// The share of a panel's width that a label may take: beside a line, it needs room on one side of it.
 const SHARE: f64 = 0.85;
 
-/// The columns in which the labels of panels fit that stand side by side without being asked to; `None` where
-/// they do as they stand.
+/// The columns in which the labels of panels fit that stand in more without being asked to; `None` where they
+/// do as they stand.
 pub(super) fn columns(
     (scene, runs): (&Scene, &Runs),
     layout: &Layout,
     panels: &[PanelPlan],
-    sketched: &[Sketched],
+    (sketched, page): &(Vec<Sketched>, Page),
 ) -> Option<usize> {
-    let [first, second, ..] = panels else { return None };
-    let (cell, beside) = (first.frame.panel, second.frame.panel);
-    if layout.columns.is_some() || layout.measures.height.is_some() || cell.y0 != beside.y0 {
+    if layout.columns.is_some() || layout.measures.height.is_some() || page.columns < 2 {
         return None;
     }
-    let all = panels.iter().zip(sketched).map(|(panel, own)| widest((scene, runs), layout, panel, own));
-    let widest = all.fold(0.0, f64::max);
-    if widest <= SHARE * cell.width() {
+    let widest = |(panel, own)| widest((scene, runs), layout, panel, own);
+    let widest: Vec<f64> = panels.iter().zip(sketched).map(widest).collect();
+    let fit = |widths: &[f64]| widest.iter().zip(widths).all(|(label, width)| *label <= SHARE * width);
+    let now: Vec<f64> = page.cells.iter().copied().map(Rect::width).collect();
+    if fit(&now) {
         return None;
     }
-    let now = panels.iter().filter(|panel| panel.frame.panel.y0 == cell.y0).count();
-    let (gap, last) = (beside.x0 - cell.x1, panels.get(now - 1)?.frame.panel.x1);
-    let width = |columns: u32| (last - cell.x0 + gap) / f64::from(columns) - gap;
+    let asked: Vec<usize> = panels.iter().map(|panel| panel.source.columns.unwrap_or(1)).collect();
     // A last row with one panel of many is none.
-    let even = |columns: &u32| panels.len().is_multiple_of(usize::try_from(*columns).unwrap_or(1));
-    let fewer = (1..u32::try_from(now).unwrap_or(1)).rev().filter(even);
-    let fits = fewer.into_iter().find(|columns| widest <= SHARE * width(*columns)).unwrap_or(1);
-    usize::try_from(fits).ok()
+    let fewer = layout.fewer(&asked, page.columns).find(|(_, widths)| fit(widths));
+    Some(fewer.map_or(1, |(columns, _)| columns))
 }
 
 /// The width of the widest label of a panel, page pixels, each broken as it may be.

@@ -220,7 +220,7 @@ fn fit(
     panels: &mut [PanelPlan],
 ) -> Result<(Vec<Sketched>, Page), scene::Problem> {
     let found = view::fit(scene, runs, theme, layout, panels)?;
-    let Some(columns) = narrow::columns((scene, runs), layout, panels, &found.0) else { return Ok(found) };
+    let Some(columns) = narrow::columns((scene, runs), layout, panels, &found) else { return Ok(found) };
     layout.columns = Some(columns);
     view::fit(scene, runs, theme, layout, panels)
 }
@@ -241,8 +241,10 @@ pub(super) fn panels_of<'s>(
         }
     }
     let count = sheets.len();
-    let mut resolver = Resolver::of(scene, runs, (measures, count), std::mem::take(problems));
-    let panels: Vec<PanelPlan> = sheets.into_iter().filter_map(|sheet| resolver.panel(sheet)).collect();
+    let columns = sheets.iter().map(|sheet| sheet.panel.columns.unwrap_or(1)).collect();
+    let mut resolver = Resolver::of(scene, runs, (measures, columns), std::mem::take(problems));
+    let panels: Vec<PanelPlan> =
+        sheets.into_iter().enumerate().filter_map(|(i, sheet)| resolver.panel(i, sheet)).collect();
     (*problems, *warnings) = (resolver.problems, resolver.notes);
     // The labels of a question are those of the figure, some of which it has no layer for.
     if scene.variant != Variant::Question {

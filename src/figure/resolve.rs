@@ -16,7 +16,7 @@ use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
-use super::page::{Layout, Measures};
+use super::page::{Layout, Measures, Words};
 use super::panel::{LayerPlan, PanelPlan};
 use super::question::is_of_a_moment;
 use super::runs::Runs;
@@ -34,10 +34,8 @@ pub(super) struct Resolver<'r, 's> {
     pub(super) runs: &'r Runs,
     /// The sizes on the page.
     pub(super) measures: &'r Measures,
-    /// How wide a line of a panel's title may be, page pixels; `None` where it stands on one line.
-    pub(super) title_width: Option<f64>,
-    /// How wide a line of a panel's caption is, page pixels, and how many lines there is room for.
-    pub(super) under: (f64, usize),
+    /// The room that each panel has for its words.
+    pub(super) words: Words,
     /// What keeps the figure from being drawn.
     pub(super) problems: Vec<Problem>,
     /// What the answer lacks, with its place in the scene.
@@ -53,21 +51,19 @@ enum Resolved {
 }
 
 impl<'r, 's> Resolver<'r, 's> {
-    /// A resolver of so many panels; `problems` are those of the scene so far.
+    /// A resolver of panels that ask for so many columns each; `problems` are those of the scene so far.
     pub(super) fn of(
         scene: &'s Scene,
         runs: &'r Runs,
-        (measures, panels): (&'r Measures, usize),
+        (measures, columns): (&'r Measures, Vec<usize>),
         problems: Vec<Problem>,
     ) -> Self {
-        let columns = scene.canvas.columns;
-        let title_width = Layout::title_width(measures, panels, columns);
-        let under = Layout::under(measures, panels, columns);
-        Self { scene, runs, measures, title_width, under, problems, notes: Vec::new() }
+        let words = Layout::words(measures, columns, scene.canvas.columns);
+        Self { scene, runs, measures, words, problems, notes: Vec::new() }
     }
 
-    /// A panel with its moment and its layers; `None`, with the reason told, where its moment can't exist.
-    pub(super) fn panel(&mut self, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
+    /// A panel, by its place among all, with its moment and its layers; `None`, with the reason told, where its moment can't exist.
+    pub(super) fn panel(&mut self, index: usize, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
         let Sheet { panel: mut source, ours } = sheet;
         if source.layers.as_ref().is_some_and(Vec::is_empty) {
             self.notes.push(Problem::new(Fault::NoLayers, source.span.clone()));
@@ -89,7 +85,7 @@ impl<'r, 's> Resolver<'r, 's> {
         }
         let title = source.title.as_ref().and_then(|t| {
             let style = Style::semibold(self.measures.title_size());
-            let width = self.title_width;
+            let width = self.words.title_width(index);
             set(t, &context, (&mut self.problems, &mut self.notes), |text| {
                 let whole = line(text, style)?;
                 let Some(width) = width.filter(|width| whole.width > *width) else { return Ok(vec![whole]) };
@@ -99,7 +95,7 @@ impl<'r, 's> Resolver<'r, 's> {
         });
         let captioned = source.caption.as_ref().map(|text| {
             let said = (&mut self.problems, &mut self.notes);
-            under(text, self.under, (&context, self.measures), said)
+            under(text, self.words.under(index), (&context, self.measures), said)
         });
         let (caption, caption_words) = captioned.unwrap_or_default();
         // What is said of the panel has the values that stand over it.

@@ -5,12 +5,12 @@
 
 use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
-use crate::scene::{Problem, Scene, Space};
+use crate::scene::{Problem, Scene, Space, Spanned};
 
 use super::frame::{Extent, Frame};
 use super::inset::Inset;
 use super::limits::{MAX_POINTS, areas_within, within};
-use super::page::{Layout, Page, Want, room};
+use super::page::{Layout, Page, Want, in_column, room};
 use super::panel::PanelPlan;
 use super::runs::Runs;
 use super::sketch::{Outline, Sketched};
@@ -61,7 +61,7 @@ pub(super) fn fit(
     }
     if make_room(panels, &sketched) {
         // Side by side they would have half of the size and of the room that was made, and lack it again.
-        let layout = &Layout { columns: Some(page.columns()), ..*layout };
+        let layout = &Layout { columns: Some(page.columns), ..*layout };
         page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
         sketched = sketch(scene, runs, theme, panels)?;
     }
@@ -151,35 +151,32 @@ fn extents(panels: &[PanelPlan], sketched: &[Sketched], guesses: &[Extent]) -> V
 /// Makes the page for what the panels show, and gives each its frame there: a `view` as large as its panel
 /// allows; the others in one size, each about its own middle.
 fn arrange(scene: &Scene, layout: &Layout, panels: &mut [PanelPlan], extents: &[Extent]) -> Page {
-    let width = extents.iter().flatten().map(|(lo, hi)| hi.x - lo.x).fold(0.0, f64::max);
-    let shown: Vec<(DVec2, DVec2)> = panels
-        .iter()
-        .zip(extents)
-        .map(|(panel, extent)| match (&panel.source.view, extent) {
-            (Some(view), _) => {
-                let [x0, y0, x1, y1] = view.value;
-                (DVec2::new(x0, y0), DVec2::new(x1, y1))
-            }
-            (None, extent) => as_wide(extent.unwrap_or_default(), width),
-        })
-        .collect();
+    let shown = panels.iter().zip(extents).map(|(panel, extent)| match &panel.source.view {
+        Some(Spanned { value: [x0, y0, x1, y1], .. }) => (DVec2::new(*x0, *y0), DVec2::new(*x1, *y1)),
+        None => extent.unwrap_or_default(),
+    });
+    let shown: Vec<(DVec2, DVec2)> = shown.collect();
     let want = |(panel, (lo, hi)): (&PanelPlan, &(DVec2, DVec2))| Want {
         width: hi.x - lo.x,
         height: hi.y - lo.y,
         room: panel.source.view.is_none(),
+        columns: panel.source.columns.unwrap_or(1),
         lines: panel.caption.len(),
     };
     let wants: Vec<Want> = panels.iter().zip(&shown).map(want).collect();
     let page = layout.page(&wants);
+    let column = in_column(&wants, page.columns);
     let letters = layout.measures.larger();
-    for ((panel, cell), (lo, hi)) in panels.iter_mut().zip(&page.cells).zip(&shown) {
+    for (i, (panel, cell)) in panels.iter_mut().zip(&page.cells).enumerate() {
+        let width = column * wants[i].taken(page.columns);
+        let (lo, hi) = if wants[i].room { as_wide(shown[i], width) } else { shown[i] };
         let (aside, above) = match panel.source.view {
             Some(_) => (0.0, 0.0),
             None => room((cell.width(), cell.height()), letters),
         };
         let inner =
             Rect { x0: cell.x0 + aside, y0: cell.y0 + above, x1: cell.x1 - aside, y1: cell.y1 - above };
-        panel.frame = Frame { panel: *cell, ..Frame::fit(pose(scene, panel), *lo, *hi, inner) };
+        panel.frame = Frame { panel: *cell, ..Frame::fit(pose(scene, panel), lo, hi, inner) };
     }
     let free = || panels.iter().filter(|panel| panel.source.view.is_none());
     let scale = free().map(|panel| panel.frame.scale).fold(f64::INFINITY, f64::min);
@@ -218,6 +215,32 @@ mod tests {
             let sketched = sketch(plan.scene, &plan.runs, plan.theme, &plan.panels).unwrap();
             let insets = plan.panels.iter().zip(&sketched).filter_map(|(panel, s)| panel.inset(s, None));
             assert_eq!(insets.count(), 2, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_panel_of_two_columns_has_the_scale_of_the_others_and_is_drawn_as_full() {
+        let text = |columns: &str| {
+            format!(
+                "shapes.A = {{ kind = 'circle', radius = 1 }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [9, 1] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [
+                    {{ space = 'configuration', layers = [{{ layer = 'difference', labels = false }}] }},
+                    {{ space = 'configuration', layers = [{{ layer = 'difference', labels = false }}] }},
+                    {{ layers = ['shapes', 'separation']{columns} }},
+                ]"
+            )
+        };
+        for (columns, wide) in [("", false), (", columns = 2", true)] {
+            let scene = crate::scene::open_text("s.toml", &text(columns)).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let scales: Vec<f64> = plan.panels.iter().map(|panel| panel.frame.scale).collect();
+            let panel = plan.panels[2].frame.panel;
+            assert!(scales[0] == scales[1] && scales[1] == scales[2], "{scales:?}");
+            // From A's left to B's right there are eleven units.
+            assert_eq!(11.0 * scales[2] > 500.0, wide, "{scales:?}");
+            assert!(11.0 * scales[2] > 0.6 * panel.width(), "{scales:?} {panel:?}");
         }
     }
 

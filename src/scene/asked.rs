@@ -99,6 +99,7 @@ impl Panel {
             view: None,
             inset: None,
             inset_at: None,
+            columns: None,
             span: 0..0,
         }
     }

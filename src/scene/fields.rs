@@ -199,6 +199,11 @@ pub(super) static PANEL: TableRows = TableRows {
             Holds::Word { what: "corner", known: corner_words },
             "the inset's corner; default: where it hides least",
         ),
+        may(
+            "columns",
+            Holds::Count { min: 1, max: MAX_PANELS },
+            "how many of the page's columns it is wide, of no more than there are; default 1",
+        ),
     ],
 };
 

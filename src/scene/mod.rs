@@ -251,6 +251,8 @@ pub struct Panel {
     pub inset: Option<Spanned<Detail>>,
     /// The corner of the enlargement, as "NE"; `None` takes the one where it hides least.
     pub inset_at: Option<Spanned<String>>,
+    /// The columns of the page that it is wide, from 1; `None` is one.
+    pub columns: Option<usize>,
     /// Where the panel's table is, in bytes of the source.
     pub span: Range<usize>,
 }

@@ -75,6 +75,7 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
         view,
         inset,
         inset_at,
+        columns: table.count("columns").map(|n| n.value),
         span: table.span.clone(),
     })
 }

@@ -47,6 +47,7 @@ fn shown(panel: &Panel) -> Node {
         Some(When::Step(step)) => entries.push(("step", number(count(*step)))),
         _ => {}
     }
+    entries.extend(panel.columns.map(|columns| ("columns", number(count(columns)))));
     let corners = |view: [f64; 4]| list(view.map(number).into());
     entries.extend(panel.view.as_ref().map(|view| ("view", corners(view.value))));
     if let Some(Detail::Rectangle(inset)) = panel.inset.as_ref().map(|inset| &inset.value) {
@@ -101,6 +102,7 @@ pub(super) mod tests {
         for (panel, told) in [
             (Panel { when: Some(When::Time(f64::NAN).into()), ..panel() }, "error[not-finite]: `time`"),
             (Panel { when: Some(When::Step(0).into()), ..panel() }, "error[out-of-range]: `step`"),
+            (Panel { columns: Some(0), ..panel() }, "error[out-of-range]: `columns`"),
             (
                 Panel { view: Some([0.0, 0.0, f64::INFINITY, 1.0].into()), ..panel() },
                 "error[not-finite]: `view`",

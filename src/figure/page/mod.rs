@@ -4,6 +4,7 @@
 //! panels show at their width, within limits. A page of a given height has rows of one height, in the
 //! arrangement that leaves the panels largest.
 
+mod flow;
 mod measures;
 mod rows;
 
@@ -12,7 +13,7 @@ use crate::drawing::{Point, Rect};
 use measures::count;
 
 pub(crate) use measures::Measures;
-pub(crate) use rows::{Want, room};
+pub(crate) use rows::{Want, in_column, room};
 
 /// What a page has to hold.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,6 +30,30 @@ pub(crate) struct Layout {
     pub(crate) lines: usize,
 }
 
+/// The room that each panel has for its words.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Words {
+    /// The least width of each panel, page pixels.
+    widths: Vec<f64>,
+    /// Lines of caption that there is room for below each.
+    lines: usize,
+    /// Whether the page grows with them.
+    grows: bool,
+}
+
+impl Words {
+    /// How wide a line of a panel's title may be, page pixels; `None` on a page of a given height, where more
+    /// lines would take room from the panels.
+    pub(crate) fn title_width(&self, panel: usize) -> Option<f64> {
+        self.widths.get(panel).copied().filter(|_| self.grows)
+    }
+
+    /// How wide a line of a panel's caption is, page pixels, and how many lines there is room for.
+    pub(crate) fn under(&self, panel: usize) -> (f64, usize) {
+        (self.widths.get(panel).copied().unwrap_or_default(), self.lines)
+    }
+}
+
 /// Where things lie on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Page {
@@ -36,6 +61,8 @@ pub(crate) struct Page {
     pub(crate) width: f64,
     /// Height of the page, page pixels.
     pub(crate) height: f64,
+    /// Panels of one column side by side.
+    pub(crate) columns: usize,
     /// The panels, row by row, page pixels.
     pub(crate) cells: Vec<Rect>,
     /// Lines between panels, page pixels.
@@ -58,14 +85,6 @@ pub(crate) struct Page {
     pub(crate) step: f64,
 }
 
-impl Page {
-    /// How many panels stand side by side in the first row.
-    pub(crate) fn columns(&self) -> usize {
-        let first = self.cells.first().map_or(0.0, |cell| cell.y0);
-        self.cells.iter().take_while(|cell| cell.y0 <= first).count()
-    }
-}
-
 impl Layout {
     /// Cells for panels that show so much, above the caption.
     pub(crate) fn page(&self, wants: &[Want]) -> Page {
@@ -82,17 +101,21 @@ impl Layout {
             words: title + measures.under(longest(wants)),
             larger: measures.larger(),
         };
-        let rows::Grid { columns, width, heights } = space.grid(wants, self.columns);
+        let rows::Grid { columns, rows } = space.grid(wants, self.columns);
+        let column = space.panel_width(1, columns) + gap;
         let mut cells = Vec::new();
         let mut y0 = top;
-        for (row, height) in heights.iter().enumerate() {
-            let of_row = wants.chunks(columns).nth(row).unwrap_or_default();
-            let in_row = of_row.len();
+        for (row, height) in rows {
+            let of_row = wants.get(row).unwrap_or_default();
+            // A row that is not full stands in the middle.
+            let taken: f64 = of_row.iter().map(|want| want.taken(columns)).sum();
+            let mut before = 0.5 * (count(columns) - taken);
             y0 += title;
-            for column in 0..in_row {
-                // A last row that is not full stands in the middle.
-                let x0 = side + (count(column) + 0.5 * count(columns - in_row)) * (width + gap);
-                cells.push(Rect { x0, y0, x1: x0 + width, y1: y0 + height });
+            for want in of_row {
+                let x0 = side + before * column;
+                let x1 = x0 + space.panel_width(want.columns, columns);
+                cells.push(Rect { x0, y0, x1, y1: y0 + height });
+                before += want.taken(columns);
             }
             // On a page of a given height all rows are as high.
             let lines = longest(if measures.height.is_some() { wants } else { of_row });
@@ -105,6 +128,7 @@ impl Layout {
         Page {
             width: measures.width,
             height: measures.height.unwrap_or((bottom + foot).ceil()),
+            columns,
             rules: rules(&cells, columns, gap, title),
             cells,
             headline: Point::new(side, measures.top() + measures.headline_rise()),
@@ -118,18 +142,22 @@ impl Layout {
         }
     }
 
-    /// How wide a line of a panel's title may be, page pixels; `None` on a page of a given height, where more
-    /// lines would take room from the panels.
-    pub(crate) fn title_width(measures: &Measures, panels: usize, columns: Option<usize>) -> Option<f64> {
-        measures.height.is_none().then(|| panel_width(measures, panels, columns))
+    /// What panels that ask for so many columns each may take for their words, whatever they show, on a page
+    /// whose scene says how many columns it has.
+    pub(crate) fn words(measures: &Measures, asked: Vec<usize>, columns: Option<usize>) -> Words {
+        let space = without_end(measures);
+        let columns = space.most(&asked, columns);
+        let lines = measures.caption_lines(count(flow::rows(&asked, columns).len()));
+        let widths = asked.into_iter().map(|asked| space.panel_width(asked, columns)).collect();
+        Words { widths, lines, grows: measures.height.is_none() }
     }
 
-    /// How wide a line of a panel's caption is, page pixels, and how many lines there is room for.
-    pub(crate) fn under(measures: &Measures, panels: usize, columns: Option<usize>) -> (f64, usize) {
-        let width = panel_width(measures, panels, columns);
-        let beside = (measures.measure() / width).floor();
-        let rows = (count(panels) / beside.max(1.0)).ceil().max(1.0);
-        (width, measures.caption_lines(rows))
+    /// Fewer columns than so many, the most first, in which panels fill all rows that ask for so many each; with
+    /// the width of each panel there, page pixels.
+    pub(crate) fn fewer(&self, asked: &[usize], columns: usize) -> impl Iterator<Item = (usize, Vec<f64>)> {
+        let space = without_end(&self.measures);
+        let full = (1..columns).rev().filter(|columns| flow::is_full(asked, *columns));
+        full.map(move |columns| (columns, asked.iter().map(|n| space.panel_width(*n, columns)).collect()))
     }
 
     /// Lines that the caption has room for: on a page of a given height no fewer than two, so that the panels
@@ -156,28 +184,28 @@ impl Page {
     }
 }
 
-/// The least width that a panel, one of so many, has whatever they show, page pixels.
-fn panel_width(measures: &Measures, panels: usize, columns: Option<usize>) -> f64 {
-    let space = rows::Space {
+/// The room for panels of a page that ends with the drawing.
+fn without_end(measures: &Measures) -> rows::Space {
+    rows::Space {
         width: measures.measure(),
         height: None,
         gap: measures.gap(),
         words: 0.0,
         larger: measures.larger(),
-    };
-    space.narrowest(panels, columns)
+    }
 }
 
 /// Lines in the middle of the gaps between panels; `title` is the height of a row of titles. Between rows of
 /// several panels titles part enough: lines both ways would be a cross, the first thing that is seen.
 fn rules(cells: &[Rect], columns: usize, gap: f64, title: f64) -> Vec<(Point, Point)> {
     let mut rules = Vec::new();
+    let top = cells.first().map_or(0.0, |cell| cell.y0);
     for (i, cell) in cells.iter().enumerate() {
-        if i % columns > 0 {
+        if i > 0 && cells[i - 1].y0 == cell.y0 {
             let x = cell.x0 - 0.5 * gap;
             rules.push((Point::new(x, cell.y0), Point::new(x, cell.y1)));
         }
-        if i >= columns && (columns == 1 || title == 0.0) {
+        if cell.y0 > top && (columns == 1 || title == 0.0) {
             let y = cell.y0 - title - 0.5 * gap;
             rules.push((Point::new(cell.x0, y), Point::new(cell.x1, y)));
         }
@@ -195,9 +223,16 @@ mod tests {
     fn page(canvas: &Canvas, wants: &[(f64, f64)], titles: usize, lines: usize) -> Page {
         let measures = Measures::of(canvas, TypeSizes::HOUSE);
         let layout = Layout { measures, columns: canvas.columns, titles, head: 0, lines };
-        let wants: Vec<_> =
-            wants.iter().map(|&(width, height)| Want { width, height, room: false, lines: 0 }).collect();
-        layout.page(&wants)
+        let want = |&(width, height)| Want { width, height, room: false, columns: 1, lines: 0 };
+        layout.page(&wants.iter().map(want).collect::<Vec<_>>())
+    }
+
+    /// A page for panels, twice as wide as high, that ask for so many columns each.
+    fn spread(canvas: &Canvas, asked: &[usize]) -> Page {
+        let measures = Measures::of(canvas, TypeSizes::HOUSE);
+        let layout = Layout { measures, columns: canvas.columns, titles: 1, head: 1, lines: 1 };
+        let want = |&columns| Want { width: 2.0, height: 1.0, room: false, columns, lines: 2 };
+        layout.page(&asked.iter().map(want).collect::<Vec<_>>())
     }
 
     fn of_size(width: f64, height: Option<f64>) -> Canvas {
@@ -234,7 +269,9 @@ mod tests {
                 head,
                 lines: 2,
             };
-            let page = |head| layout(head).page(&[Want { width: 2.0, height: 1.0, room: false, lines: 0 }]);
+            let page = |head| {
+                layout(head).page(&[Want { width: 2.0, height: 1.0, room: false, columns: 1, lines: 0 }])
+            };
             let top = |head| page(head).cells[0].y0;
             assert!(top(1) > top(0) + 19.0 && top(2) - top(1) == 24.0);
             let page = page(2);
@@ -247,7 +284,13 @@ mod tests {
         let bottom = |canvas: &Canvas, lines: [usize; 2]| {
             let measures = Measures::of(canvas, TypeSizes::HOUSE);
             let layout = Layout { measures, columns: Some(1), titles: 0, head: 0, lines: 0 };
-            let page = layout.page(&lines.map(|lines| Want { width: 2.0, height: 1.0, room: false, lines }));
+            let page = layout.page(&lines.map(|lines| Want {
+                width: 2.0,
+                height: 1.0,
+                room: false,
+                columns: 1,
+                lines,
+            }));
             (page.height, page.cells[1].y1, page.cells[0].y1)
         };
         let free = Canvas::default();
@@ -278,6 +321,37 @@ mod tests {
     }
 
     #[test]
+    fn a_panel_of_two_columns_is_as_wide_as_two_panels_with_the_gap_between() {
+        for (asked, above, below) in [(vec![1, 1, 2], 0..2, 2..3), (vec![2, 1, 1], 1..3, 0..1)] {
+            for canvas in [Canvas::default(), of_size(960.0, Some(700.0))] {
+                let Page { cells, columns, .. } = spread(&canvas, &asked);
+                let (two, one) = (&cells[above.clone()], &cells[below.clone()]);
+                assert_eq!((columns, one[0].x0, one[0].x1), (2, two[0].x0, two[1].x1), "{asked:?}");
+                assert!(two[0].y0 == two[1].y0 && two[0].width() < one[0].width() / 2.0);
+            }
+        }
+        // Three above two, the first of which is wider; and on a telephone each is alone.
+        let cells = spread(&Canvas { columns: Some(3), ..Canvas::default() }, &[1, 1, 1, 2, 1]).cells;
+        assert_eq!([cells[3].x1, cells[4].x0], [cells[1].x1, cells[2].x0]);
+        let narrow = spread(&of_size(360.0, None), &[1, 1, 2]);
+        assert!(
+            narrow.columns == 1 && narrow.cells.iter().all(|cell| cell.width() == narrow.cells[0].width())
+        );
+    }
+
+    #[test]
+    fn words_of_a_panel_are_as_wide_as_it_is() {
+        let sizes = [(960.0, None), (960.0, Some(540.0)), (1200.0, Some(300.0)), (360.0, None)];
+        for ((width, height), asked) in sizes.into_iter().zip([[1, 1, 2], [1, 1, 2], [3, 1, 2], [1, 2, 1]]) {
+            let canvas = of_size(width, height);
+            let words = Layout::words(&Measures::of(&canvas, TypeSizes::HOUSE), asked.to_vec(), None);
+            for (i, cell) in spread(&canvas, &asked).cells.iter().enumerate() {
+                assert!(words.under(i).0 <= cell.width(), "{width} {asked:?}");
+            }
+        }
+    }
+
+    #[test]
     fn rules_do_not_cross_where_titles_part_the_rows() {
         let level = |columns, titles| {
             let canvas = Canvas { columns: Some(columns), ..Canvas::default() };
@@ -294,17 +368,23 @@ mod tests {
         let grown = [100.0, 320.0, 960.0, 4096.0].map(|w| of_size(w, None));
         for canvas in given.iter().chain(&grown) {
             for (panels, columns) in (1..=6).flat_map(|n| [(n, None), (n, Some(1)), (n, Some(4))]) {
+                let canvas = &Canvas { columns, ..canvas.clone() };
+                let asked: Vec<usize> = (1..=panels).map(|i| 1 + 2 * i % 3).collect();
+                are_apart(canvas, &spread(canvas, &asked));
                 for wants in [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (0.0, 0.0), (1e300, 1e-300)] {
-                    let canvas = Canvas { columns, ..canvas.clone() };
-                    let page = page(&canvas, &vec![wants; panels], 1, 2);
+                    let page = page(canvas, &vec![wants; panels], 1, 2);
                     assert_eq!(page.cells.len(), panels);
-                    for (i, cell) in page.cells.iter().enumerate() {
-                        let on_page = cell.x0 >= 0.0 && cell.x1 <= page.width && cell.y1 <= page.height;
-                        assert!(on_page && cell.x0 < cell.x1 && cell.y0 < cell.y1, "{canvas:?} {cell:?}");
-                        assert!(page.cells[..i].iter().all(|c| c.intersection(*cell).is_none()));
-                    }
+                    are_apart(canvas, &page);
                 }
             }
+        }
+    }
+
+    fn are_apart(canvas: &Canvas, page: &Page) {
+        for (i, cell) in page.cells.iter().enumerate() {
+            let on_page = cell.x0 >= 0.0 && cell.x1 <= page.width + 1e-9 && cell.y1 <= page.height;
+            assert!(on_page && cell.x0 < cell.x1 && cell.y0 < cell.y1, "{canvas:?} {cell:?}");
+            assert!(page.cells[..i].iter().all(|c| c.intersection(*cell).is_none()));
         }
     }
 }

@@ -1,5 +1,8 @@
 //! How panels share the room that a page has for them: how many stand side by side, how high each row is.
 
+use std::ops::Range;
+
+use super::flow;
 use super::measures::count;
 
 /// How much wider than high a panel of a page of a given height looks best: what lies beyond it in width
@@ -29,10 +32,25 @@ pub(crate) struct Want {
     pub(crate) width: f64,
     /// Height of what it shows, in the same units.
     pub(crate) height: f64,
-    /// Whether labels need room around it.
+    /// Whether it is as large as all others are, with room for labels around it.
     pub(crate) room: bool,
+    /// The columns that it asks for.
+    pub(crate) columns: usize,
     /// Lines of the caption below it.
     pub(crate) lines: usize,
+}
+
+impl Want {
+    /// The columns that it takes, of so many.
+    pub(crate) fn taken(&self, columns: usize) -> f64 {
+        count(flow::taken(self.columns, columns))
+    }
+}
+
+/// How much of their space the panels that are as large as each other show in a column of so many.
+pub(crate) fn in_column(wants: &[Want], columns: usize) -> f64 {
+    let own = |want: &Want| want.width / want.taken(columns);
+    wants.iter().filter(|want| want.room).map(own).fold(0.0, f64::max)
 }
 
 /// The room that a page has for panels, page pixels.
@@ -51,12 +69,10 @@ pub(super) struct Space {
 
 /// Panels in rows.
 pub(super) struct Grid {
-    /// Panels side by side.
+    /// Panels of one column side by side.
     pub(super) columns: usize,
-    /// Width of each, page pixels.
-    pub(super) width: f64,
-    /// Height of each row, page pixels.
-    pub(super) heights: Vec<f64>,
+    /// Each row by the panels in it, and its height, page pixels.
+    pub(super) rows: Vec<(Range<usize>, f64)>,
 }
 
 /// Room for labels left and right of what a panel draws, and above and below, page pixels, in a panel of
@@ -66,88 +82,104 @@ pub(crate) fn room((width, height): (f64, f64), larger: f64) -> (f64, f64) {
     (room.min(ROOM_SHARE.0 * width), room.min(ROOM_SHARE.1 * height))
 }
 
-/// Whether panels fill rows of so many: a number of columns that leaves a row nearly empty is none.
-fn is_even(panels: usize, columns: usize) -> bool {
-    columns == panels.div_ceil(panels.div_ceil(columns))
-}
-
 impl Space {
     /// The panels in `asked` columns, or in as many as suit them; in these too where so few columns would
     /// have more rows than a page of a given height has room for.
     pub(super) fn grid(&self, wants: &[Want], asked: Option<usize>) -> Grid {
-        let fits = |columns: &usize| self.heights(wants, *columns).iter().all(|height| *height > 1.0);
-        let asked = asked.map(|columns| columns.min(wants.len().max(1))).filter(fits);
+        let fits = |columns: &usize| self.heights(wants, *columns).iter().all(|(_, height)| *height > 1.0);
+        let all: usize = asked_of(wants).iter().sum();
+        let asked = asked.map(|columns| columns.min(all.max(1))).filter(fits);
         let columns = asked.unwrap_or_else(|| self.columns(wants));
-        Grid { columns, width: self.panel_width(columns), heights: self.heights(wants, columns) }
+        Grid { columns, rows: self.heights(wants, columns) }
     }
 
     /// The number of columns where the scene does not say it. On a page of a given height the one that leaves
     /// the panels largest. Elsewhere the fewest whose rows are no higher together than one panel may be
     /// alone; where there are none, as many as leave the panels wide enough.
     fn columns(&self, wants: &[Want]) -> usize {
-        let panels = wants.len().max(1);
+        let asked = asked_of(wants);
         if self.height.is_some() {
             let size = |columns: usize| {
-                let height = self.heights(wants, columns).first().copied().unwrap_or(1.0);
-                self.panel_width(columns).min(WIDE * height)
+                let height = self.heights(wants, columns).first().map_or(1.0, |(_, height)| *height);
+                self.panel_width(1, columns).min(WIDE * height)
             };
-            return (2..=panels).fold(1, |best, c| if size(c) > size(best) { c } else { best });
+            // Captions are as wide as panels are on a page that ends with the drawing.
+            let has_captions = wants.iter().any(|want| want.lines > 0);
+            let most = if has_captions { self.most(&asked, None) } else { asked.iter().sum() };
+            return (2..=most).fold(1, |best, c| if size(c) > size(best) { c } else { best });
         }
-        let wide = |columns: &usize| *columns == 1 || self.panel_width(*columns) >= NARROWEST * self.larger;
-        let mut fit = (1..=panels).filter(|c| is_even(panels, *c)).filter(wide);
+        let mut fit = flow::suited(&asked).filter(|columns| self.is_wide(*columns));
         let all = |columns: &usize| self.all(&self.heights(wants, *columns)) <= TALLEST.0 * self.width;
-        fit.clone().find(all).or_else(|| fit.next_back()).unwrap_or(1)
+        fit.clone().find(all).or_else(|| fit.next_back()).unwrap_or_else(|| self.fewer(&asked))
     }
 
-    /// The least width that a panel, one of so many, has on a page that ends with the drawing, whatever they
-    /// show.
-    pub(super) fn narrowest(&self, panels: usize, asked: Option<usize>) -> f64 {
-        let panels = panels.max(1);
-        let wide = |columns: &usize| *columns == 1 || self.panel_width(*columns) >= NARROWEST * self.larger;
-        let asked = asked.map(|columns| columns.min(panels));
-        let columns = asked.or_else(|| (1..=panels).filter(|c| is_even(panels, *c)).rfind(wide));
-        self.panel_width(columns.unwrap_or(1))
+    /// As many columns as leave the panels wide enough, where they are fewer than the widest panel asks for.
+    fn fewer(&self, asked: &[usize]) -> usize {
+        let widest = asked.iter().copied().max().unwrap_or(1);
+        (2..widest).rfind(|columns| self.is_wide(*columns)).unwrap_or(1)
     }
 
-    /// Width of a panel, one of so many side by side.
-    fn panel_width(&self, columns: usize) -> f64 {
-        ((self.width - count(columns - 1) * self.gap) / count(columns)).max(1.0)
+    /// Whether a panel that stands beside others is wide enough.
+    fn is_wide(&self, columns: usize) -> bool {
+        columns == 1 || self.panel_width(1, columns) >= NARROWEST * self.larger
     }
 
-    /// The height of each row.
-    fn heights(&self, wants: &[Want], columns: usize) -> Vec<f64> {
-        let rows = wants.len().max(1).div_ceil(columns);
-        let between = (count(rows) - 1.0) * self.gap + count(rows) * self.words;
+    /// The most columns of a page that ends with the drawing, whatever panels show that ask for so many each.
+    pub(super) fn most(&self, asked: &[usize], said: Option<usize>) -> usize {
+        let all: usize = asked.iter().sum();
+        let suited = || flow::suited(asked).rfind(|columns| self.is_wide(*columns));
+        said.map(|columns| columns.min(all.max(1))).or_else(suited).unwrap_or_else(|| self.fewer(asked))
+    }
+
+    /// Width of a panel that asks for some of so many columns, page pixels.
+    pub(super) fn panel_width(&self, asked: usize, columns: usize) -> f64 {
+        let column = ((self.width - count(columns - 1) * self.gap) / count(columns)).max(1.0);
+        column + count(flow::taken(asked, columns) - 1) * (column + self.gap)
+    }
+
+    /// Each row with its height.
+    fn heights(&self, wants: &[Want], columns: usize) -> Vec<(Range<usize>, f64)> {
+        let rows = flow::rows(&asked_of(wants), columns);
+        let number = count(rows.len());
+        let between = (number - 1.0) * self.gap + number * self.words;
         if let Some(height) = self.height {
-            return vec![((height - between) / count(rows)).max(1.0); rows];
+            let height = ((height - between) / number).max(1.0);
+            return rows.into_iter().map(|row| (row, height)).collect();
         }
-        let width = self.panel_width(columns);
-        let share = if rows == 1 { TALLEST.0 } else { TALLEST.1 };
-        let most = (share * self.width).max(ANYWAY).min(TALL * width);
-        let most = most.min((MOST - between) / count(rows)).max(1.0);
-        let least = (LOWEST * self.larger).min(most);
-        let height = |want: &Want| self.height_of(want, width).clamp(least, most).ceil();
-        let row = |row: &[Want]| row.iter().map(height).fold(least, f64::max);
-        match wants {
-            [] => vec![least],
-            _ => wants.chunks(columns).map(row).collect(),
-        }
+        let share = if rows.len() == 1 { TALLEST.0 } else { TALLEST.1 };
+        let least = LOWEST * self.larger;
+        let column = in_column(wants, columns);
+        let height = |want: &Want| {
+            let width = self.panel_width(want.columns, columns);
+            let most = (share * self.width).max(ANYWAY).min(TALL * width);
+            let most = most.min((MOST - between) / number).max(1.0);
+            let slope = want.height / if want.room { column * want.taken(columns) } else { want.width };
+            self.height_of((slope, want.room), width).clamp(least.min(most), most).ceil()
+        };
+        let high = |row: &Range<usize>| wants.get(row.clone()).unwrap_or_default().iter().map(height);
+        rows.into_iter().map(|row| (row.clone(), high(&row).reduce(f64::max).unwrap_or(least))).collect()
     }
 
     /// All rows with their titles and the gaps between them.
-    fn all(&self, heights: &[f64]) -> f64 {
-        heights.iter().sum::<f64>() + count(heights.len()) * (self.words + self.gap) - self.gap
+    fn all(&self, rows: &[(Range<usize>, f64)]) -> f64 {
+        let heights: f64 = rows.iter().map(|(_, height)| height).sum();
+        heights + count(rows.len()) * (self.words + self.gap) - self.gap
     }
 
-    /// The height at which a panel of that width shows what it has to and no more.
-    fn height_of(&self, want: &Want, width: f64) -> f64 {
-        let slope = want.height / want.width;
+    /// The height at which a panel of that width shows what is so much higher than wide and no more, with
+    /// room around it if it has to have some.
+    fn height_of(&self, (slope, has_room): (f64, bool), width: f64) -> f64 {
         let slope = if slope.is_nan() { 1.0 } else { slope };
-        if !want.room {
+        if !has_room {
             return width * slope;
         }
         let (aside, above) = room((width, f64::INFINITY), self.larger);
         let inner = (width - 2.0 * aside) * slope;
         (inner + 2.0 * above).min(inner / (1.0 - 2.0 * ROOM_SHARE.1))
     }
+}
+
+/// The columns that each panel asks for.
+fn asked_of(wants: &[Want]) -> Vec<usize> {
+    wants.iter().map(|want| want.columns).collect()
 }
