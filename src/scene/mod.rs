@@ -17,6 +17,8 @@ mod labels;
 pub mod limits;
 mod live;
 mod meaning;
+#[cfg(not(tracefig_page))]
+mod meant;
 mod message;
 mod moment;
 mod node;

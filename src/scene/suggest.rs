@@ -1,5 +1,8 @@
 //! "Did you mean": the nearest known word, or all of them.
 
+#[cfg(not(tracefig_page))]
+use super::meant::meant;
+
 /// How many letters differ, where at most a third do: a word that differs by more is another word. At two
 /// thirds `arc` would be suggested for `ray`; at a sixth a slip in a word of five letters would find nothing.
 #[cfg(not(tracefig_page))]
@@ -14,40 +17,9 @@ fn is_near(_: &str, _: &str) -> Option<usize> {
     None
 }
 
-/// Words of other tools, and what they are called here.
-#[cfg(not(tracefig_page))]
-const MEANT: &[(&str, &str)] = &[
-    ("ball", "circle"),
-    ("disc", "circle"),
-    ("disk", "circle"),
-    ("distance", "separation"),
-    ("collision", "overlap"),
-    ("intersection", "overlap"),
-    ("line", "capsule"),
-    ("manifold", "contact"),
-    ("ngon", "regular-polygon"),
-    ("obb", "box"),
-    ("penetration", "separation"),
-    ("ray-cast", "linear-sweep"),
-    ("raycast", "linear-sweep"),
-    ("rect", "box"),
-    ("rectangle", "box"),
-    ("segment", "capsule"),
-    ("square", "box"),
-    ("sweep", "linear-sweep"),
-    ("toi", "time-of-impact"),
-    ("triangle", "polygon"),
-];
-
-/// What a word of another tool is called here.
-#[cfg(not(tracefig_page))]
-fn meant(got: &str) -> Option<&'static str> {
-    MEANT.iter().find(|(word, _)| word.eq_ignore_ascii_case(got)).map(|(_, ours)| *ours)
-}
-
 /// A page has no words of other tools.
 #[cfg(tracefig_page)]
-fn meant(_: &str) -> Option<&'static str> {
+fn meant<'k>(_: &str, _: &'k [String]) -> Option<&'k String> {
     None
 }
 
@@ -65,14 +37,13 @@ pub(super) fn nearest_or_all(got: &str, known: &[String]) -> Option<String> {
     if !begun.is_empty() {
         return Some(format!("did you mean {}?", begun.join(" or ")));
     }
-    let near = known
-        .iter()
-        .filter(|_| got.len() <= LONGEST_WORD)
-        .filter_map(|word| is_near(got, word).map(|d| (d, word)))
-        .min_by_key(|&(d, _)| d);
-    let near = near.or_else(|| Some((0, known.iter().find(|word| meant(got) == Some(word.as_str()))?)));
-    match near {
-        Some((_, word)) => Some(format!("did you mean `{word}`?")),
+    let is_short = got.len() <= LONGEST_WORD;
+    let near = || {
+        let all = known.iter().filter_map(|word| is_near(got, word).map(|d| (d, word)));
+        all.min_by_key(|&(d, _)| d).map(|(_, word)| word)
+    };
+    match is_short.then(|| meant(got, known).or_else(near)).flatten() {
+        Some(word) => Some(format!("did you mean `{word}`?")),
         None if known.is_empty() => None,
         None => Some(format!("known are: {}", quoted(known))),
     }
@@ -103,6 +74,9 @@ mod tests {
         let known = words(&["overlap", "separation"]);
         assert_eq!(nearest_or_all("distance", &known).as_deref(), Some("did you mean `separation`?"));
         assert_eq!(nearest_or_all("square", &known).as_deref(), Some("known are: `overlap`, `separation`"));
+        // What is known is meant before what is spelt alike: an arc is no ray.
+        let known = words(&["arc", "clip", "separating-axes"]);
+        assert_eq!(nearest_or_all("sat", &known).as_deref(), Some("did you mean `separating-axes`?"));
         let known = words(&["angle_deg", "angle_rad", "angles"]);
         assert_eq!(
             nearest_or_all("angle", &known).as_deref(),
