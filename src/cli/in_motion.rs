@@ -90,5 +90,9 @@ pub(crate) fn planned<'s>(
     in_time: Option<InTime>,
 ) -> Result<Plan<'s>, Vec<Problem<Fault>>> {
     let plan = theme.map_or_else(|| plan(scene), |theme| plan_in(scene, theme))?;
-    if in_time == Some(InTime::Motion) { plan.with_room_to_move() } else { Ok(plan) }
+    match in_time {
+        None => Ok(plan),
+        Some(InTime::Steps(_)) => plan.with_room_for_steps(),
+        Some(InTime::Motion) => plan.with_room_to_move(),
+    }
 }

@@ -176,6 +176,9 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         fill_opacity: side.fill_opacity,
     });
     let steps = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
+    if let Some(caption) = items.last_mut().filter(|_| plan.caption.is_answer) {
+        caption.for_each_shown(&|shown| shown.since = steps.len().max(1));
+    }
     tint(&mut items);
     let drawing = Drawing {
         width: plan.page.width,

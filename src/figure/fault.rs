@@ -58,6 +58,20 @@ pub enum Fault {
     },
     /// A warning: the list of a panel's layers is empty, and so is the panel.
     NoLayers,
+    /// A note: an option of a layer has nothing to draw here, though the layer has.
+    NothingForOption {
+        /// The name of the layer.
+        layer: &'static str,
+        /// The option.
+        option: &'static str,
+        /// What the case is, as "the bodies are apart".
+        why: &'static str,
+    },
+    /// A warning: what a panel draws lies all outside of its `view`, so that it stays empty.
+    EmptyView {
+        /// The smallest and the largest coordinates of what is drawn, in the panel's space.
+        reach: [[f64; 2]; 2],
+    },
     /// A layer that shows another space than its panel.
     UnsuitedLayer {
         /// The name of the layer.
@@ -150,10 +164,13 @@ impl Fault {
             Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
+            | Self::NothingForOption { .. }
             | Self::NothingPlays { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
-            Self::NoLayers | Self::TextDropped { .. } | Self::LabelClash(_) => Severity::Warning,
+            Self::NoLayers | Self::EmptyView { .. } | Self::TextDropped { .. } | Self::LabelClash(_) => {
+                Severity::Warning
+            }
             _ => Severity::Error,
         }
     }
@@ -167,9 +184,11 @@ impl Explain for Fault {
             Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
+            | Self::NothingForOption { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } => codes::NOTHING_PLAYS.code,
             Self::NoLayers => codes::NO_LAYERS.code,
+            Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
@@ -185,6 +204,7 @@ impl Explain for Fault {
         match self {
             Self::Scene(fault) => fault.help(),
             Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
+            Self::EmptyView { .. } => Some("without the key `view` it shows all of it".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
             Self::TextDropped { .. } => Some(
@@ -210,6 +230,7 @@ impl Explain for Fault {
             | Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
+            | Self::NothingForOption { .. }
             | Self::NoValue { .. }
             | Self::BadTheme { .. }
             | Self::BadMarkup { .. } => None,
@@ -235,6 +256,15 @@ impl fmt::Display for Fault {
             }
             Self::NoValue { value, why } => write!(f, "a dash stands for `{{={value}}}`: {why}"),
             Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
+            Self::NothingForOption { layer, option, why } => {
+                write!(f, "`{option}` of `{layer}` draws nothing: {why}")
+            }
+            Self::EmptyView { reach: [[x0, y0], [x1, y1]] } => {
+                write!(
+                    f,
+                    "the panel's `view` is empty: all that it draws is from ({x0}, {y0}) to ({x1}, {y1})"
+                )
+            }
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::UnsuitedLayer { layer, space } => {
@@ -279,122 +309,4 @@ pub fn off_page(scene: &Scene, outer: &str, group: &str) -> Problem {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::{ERRORS, Ink, Source, message};
-
-    /// What an answer lacks, with its message; no help is needed.
-    fn notes() -> Vec<(Fault, &'static str, &'static str)> {
-        vec![
-            (
-                Fault::OtherMoment {
-                    shown: "the closest approach",
-                    asked: "the hit",
-                    why: "the answer is a miss",
-                },
-                "the panel shows the closest approach in place of the hit: the answer is a miss",
-                "",
-            ),
-            (
-                Fault::OtherStep { asked: 9, last: 3 },
-                "the panel shows step 3 in place of step 9: the algorithm took 3",
-                "",
-            ),
-            (
-                Fault::NothingToDraw { layer: "one", why: "the answer is a miss" },
-                "`one` draws nothing: the answer is a miss",
-                "",
-            ),
-            (
-                Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
-                "a dash stands for `{=time}`: the answer is a miss",
-                "",
-            ),
-            (
-                Fault::BadName {
-                    name: "木".to_owned(),
-                    shown: "A".to_owned(),
-                    key: Some("A"),
-                    reason: "no glyph".to_owned(),
-                },
-                "the picture calls `木` A: no glyph",
-                "the fonts have Latin, Greek and Cyrillic letters; `A = \"…\"` in `[labels]` calls it \
-                 otherwise",
-            ),
-        ]
-    }
-
-    /// Everything else but what scenes and labels say of themselves, with its message and its help.
-    fn others() -> Vec<(Fault, &'static str, &'static str)> {
-        vec![
-            (
-                Fault::NoSuchStep { step: 9, took: 3 },
-                "expected a step of the algorithm, got 9: it took 3",
-                "",
-            ),
-            (
-                Fault::NoHit,
-                "the panel shows the moment of a hit or a miss, but the question is not for one",
-                "",
-            ),
-            (
-                Fault::NoLayers,
-                "the panel stays empty: its list of layers has none",
-                "without the key `layers` it shows what suits the answer",
-            ),
-            (
-                Fault::UnsuitedLayer { layer: "one", space: "world" },
-                "the layer `one` is of the space `world`, and the panel of another",
-                "such a panel has `space = \"world\"`",
-            ),
-            (
-                Fault::UnfedLayer { layer: "one", needs: "a hit" },
-                "this scene can't feed the layer `one`",
-                "it needs a hit",
-            ),
-            (
-                Fault::BadTheme { name: "own.toml".to_owned(), reason: "it is a folder".to_owned() },
-                "the theme `own.toml` can't be used: it is a folder",
-                "",
-            ),
-            (
-                Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },
-                "`$x` can't be typeset: no end",
-                "",
-            ),
-            (
-                Fault::TextDropped { what: "caption", lines: 9, room: 4 },
-                "the caption takes 9 lines and the page has room for 4: it is left out",
-                "it stays in the alternative text; a larger canvas or a shorter text shows it",
-            ),
-            (
-                Fault::OffPage { group: "body-A".to_owned() },
-                "`body-A` has a place that is not on any page",
-                "give the panel a wider `view`, or none, or leave out the layer that draws it",
-            ),
-            (
-                Fault::LabelClash(LabelFault::Dropped { key: "d", span: 0..1 }),
-                "the label `d` found no place and is left out",
-                "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
-            ),
-        ]
-    }
-
-    #[test]
-    fn what_an_answer_lacks_is_a_note() {
-        assert!(notes().iter().all(|(fault, ..)| fault.severity() == Severity::Note));
-        assert!(others().iter().all(|(fault, ..)| fault.severity() != Severity::Note));
-    }
-
-    #[test]
-    fn every_fault_says_what_is_wrong_and_what_would_help_under_a_listed_code() {
-        let source = Source::new("s.toml", "title = 1");
-        for (fault, text, help) in notes().into_iter().chain(others()) {
-            assert_eq!((fault.to_string().as_str(), fault.help().unwrap_or_default().as_str()), (text, help));
-            assert!(ERRORS.iter().any(|row| row.code == fault.code()), "{} is in no list", fault.code());
-            let shown = message(&source, &Problem::new(fault.clone(), 8..9), Severity::Warning, Ink::Plain);
-            let head = format!("warning[{}]: {text}\n --> s.toml:1:9\n", fault.code());
-            assert!(shown.starts_with(&head), "{shown}");
-        }
-    }
-}
+mod tests;

@@ -13,6 +13,14 @@ use crate::geometry::{DVec2, Pose};
 /// What a panel shows, its smallest and largest coordinates in its own space; `None` where it shows nothing.
 pub(crate) type Extent = Option<(DVec2, DVec2)>;
 
+/// What holds both.
+pub(crate) fn union(a: Extent, b: Extent) -> Extent {
+    match (a, b) {
+        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
+        (a, b) => a.or(b),
+    }
+}
+
 /// Where a panel's space lies on the page.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
@@ -59,6 +67,15 @@ impl Frame {
     pub fn page(&self, p: DVec2) -> Point {
         let q = self.pose.map_or(p, |pose| pose.inverse_point(p)) - self.center;
         Point::new(self.middle.x + self.scale * q.x, self.middle.y - self.scale * q.y)
+    }
+
+    /// The smallest and largest coordinates that the panel shows, in its space (a body's own, in its panel).
+    #[must_use]
+    pub(crate) fn visible(&self) -> (DVec2, DVec2) {
+        let half = DVec2::new(self.panel.width(), self.panel.height()) / (2.0 * self.scale);
+        let off = self.panel.center() - self.middle;
+        let center = self.center + DVec2::new(off.dx, -off.dy) / self.scale;
+        (center - half, center + half)
     }
 
     /// Angle of the shown body's frame in the world, radians, counter-clockwise; 0 in other panels.

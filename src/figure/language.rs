@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 6;
+const OF_GHOSTS: usize = 7;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -58,6 +58,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
+    ["turned $*$", "$*$", "um $*$ gedreht", "tourné de $*$", "girado $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
     ["distance $=*", "$d =*", "Abstand $=*", "distance $=*", "distancia $=*"],

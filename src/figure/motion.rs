@@ -11,7 +11,7 @@ use crate::drawing::{Drawing, MotionFrame};
 use super::clock::{self, Clock};
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
-use super::frame::Frame;
+use super::frame::{Frame, union};
 use super::label_keys::called;
 use super::limits::{MAX_POINTS, within};
 use super::plan::{Plan, panels_of, say};
@@ -190,7 +190,7 @@ impl Plan<'_> {
             let time = played.end() * (f64::from(k) / f64::from(parts));
             let (_, sketched) = at(&self, &played, time)?;
             for (all, sketched) in all.iter_mut().zip(sketched) {
-                *all = view::union(*all, sketched.extent);
+                *all = union(*all, sketched.extent);
             }
         }
         for &(i, _) in &played.0 {

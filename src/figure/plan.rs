@@ -12,6 +12,7 @@ use super::asked_theme::theme_of;
 use super::budget::Budget;
 use super::default_picture;
 use super::describe::Account;
+use super::empty_view::empty_views;
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::label_keys::{called, label_keys, replaced};
@@ -185,10 +186,10 @@ fn resolve<'s>(
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             page = Some(fitted);
+            warnings.extend(empty_views(&panels, &sketched));
             say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings))
         });
-        problems.extend(said.err().map(Problem::from));
-        problems.extend(runs.overflow(scene).map(Problem::from));
+        problems.extend(said.err().into_iter().chain(runs.overflow(scene)).map(Problem::from));
     }
     if let Some(page) = page.filter(|_| problems.is_empty()) {
         warnings.extend(replaced(scene, &runs.called));

@@ -196,6 +196,13 @@ impl<'r, 's> Resolver<'r, 's> {
                 return Some(Resolved::Unfed(layer));
             }
             Fed::Yes => return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() })),
+            Fed::Without { option, why } => {
+                if !ours && !is_question {
+                    let fault = Fault::NothingForOption { layer: layer.name, option, why };
+                    self.notes.push(Problem::new(fault, span.clone()));
+                }
+                return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() }));
+            }
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {

@@ -7,7 +7,7 @@ use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
 use crate::scene::{Problem, Scene, Space, Spanned};
 
-use super::frame::{Extent, Frame};
+use super::frame::{Extent, Frame, union};
 use super::inset::Inset;
 use super::limits::{MAX_POINTS, areas_within, within};
 use super::page::{Layout, Page, Want, in_column, room};
@@ -21,16 +21,11 @@ use super::theme::Theme;
 /// figures, their views taken away, one more pass moves the corner of a panel by up to 17 page pixels after
 /// two, where dimensions stand side by side (box-box), and by 5 elsewhere; a label has 40 of room.
 const PASSES: usize = 2;
+/// Half the width and height of what is shown about a lone point, world units: wide and low, as it and its
+/// labels are.
+const NOTHING: DVec2 = DVec2::new(1.0, 0.3);
 /// The room above a drawing that an inset takes which finds none beside it, page pixels.
 const ABOVE: f64 = 100.0;
-
-/// What holds both.
-pub(super) fn union(a: Extent, b: Extent) -> Extent {
-    match (a, b) {
-        (Some(a), Some(b)) => Some((a.0.min(b.0), a.1.max(b.1))),
-        (a, b) => a.or(b),
-    }
-}
 
 /// Gives every panel its frame on a page that suits what they show, and says what their layers draw there.
 ///
@@ -187,7 +182,7 @@ fn arrange(scene: &Scene, layout: &Layout, panels: &mut [PanelPlan], extents: &[
 /// The extent about its middle, as wide as the widest. A point, or nothing, still has something about it.
 fn as_wide((lo, hi): (DVec2, DVec2), width: f64) -> (DVec2, DVec2) {
     let (middle, half) = (0.5 * (lo + hi), 0.5 * DVec2::new(width, hi.y - lo.y));
-    let half = if half.max_element() > 0.0 { half } else { DVec2::ONE };
+    let half = if half.max_element() > 0.0 { half } else { NOTHING };
     (middle - half, middle + half)
 }
 

@@ -11,6 +11,13 @@ use crate::figure::context::Context;
 pub(crate) enum Fed {
     /// It does.
     Yes,
+    /// It does, but one of its options has nothing to draw.
+    Without {
+        /// The option.
+        option: &'static str,
+        /// Why not, as "the bodies are apart".
+        why: &'static str,
+    },
     /// The answer lacks it, and another answer to the same question may have it: the layer draws nothing.
     NotByThisAnswer,
     /// The answer lacks it for this reason, as "the closest points are vertices of both".

@@ -11,6 +11,7 @@ use crate::scene::When;
 
 use super::closest::longer_way;
 use super::difference::difference;
+use super::spin::seen;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, part};
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
@@ -25,6 +26,10 @@ const FAINT: f64 = 0.05;
 /// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would
 /// stand in, or beside, the body that is there.
 const UNSEEN: f64 = 2.25;
+
+/// How many degrees a body turns before it stands as it stood: from there on the picture of both says too
+/// little.
+const WHOLE_TURN: f64 = 360.0;
 
 /// How many ghosts of a series are drawn at most, the last included; more are a blur.
 const MOST: usize = 5;
@@ -172,7 +177,9 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
         }
         let hit = context.hit_time().filter(|hit| hit.lo == time);
         let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());
-        ghost(sketch, options, side, &outline, at_moment(context, side, &then));
+        let mut lines = at_moment(context, side, &then);
+        lines.extend(turned(context, side, time));
+        ghost(sketch, options, side, &outline, lines);
     }
 }
 
@@ -181,6 +188,14 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
 pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
     let (name, then) = (context.named(side), format!("at $t = {time}$"));
     if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
+}
+
+/// How far a body turns from the panel's moment to another, where that is a whole turn or more: five of them
+/// look like none.
+fn turned(context: &Context, side: Side, time: f64) -> Option<String> {
+    let (_, spin) = seen(context, side)?;
+    let degrees = (spin * (time - context.time)).abs();
+    (degrees >= WHOLE_TURN).then(|| format!("turned ${}°$", number(degrees)))
 }
 
 /// Fill and line of a ghost.

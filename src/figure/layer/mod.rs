@@ -19,6 +19,7 @@ mod closest;
 mod contact;
 mod coordinates;
 mod cores;
+mod depth_disc;
 mod difference;
 mod difference_name;
 mod edge_cues;

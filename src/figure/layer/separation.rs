@@ -4,16 +4,13 @@
 //! `p_B` − `p_A` = s n, so the line runs outside both bodies or inside both, and its length is |s|. B parts
 //! from A by −s n, which takes `p_B` to `p_A`.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::runs::Run;
-use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight, angle_of, left_of,
-};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch, Weight, left_of};
 use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::trace::Event;
@@ -21,6 +18,7 @@ use crate::trace::Event;
 use crate::scene::When;
 
 use super::closest::{WayOut, longer, longer_way};
+use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells};
 
@@ -30,12 +28,9 @@ const MOST: usize = 5;
 /// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
 const NAMED: f64 = 10.0;
 
-/// Opacity of the disc's line; its area has no tint, which would be a third one over the overlap's.
-const DISC: f64 = 0.7;
-
-/// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
-/// seen.
-const UNSEEN: f64 = 1e-3;
+/// How far the longer push is drawn beside the shortest one where both are on one line, page pixels: a head's
+/// width and as much between.
+const ASIDE: f64 = 14.0;
 
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
@@ -111,7 +106,7 @@ pub(super) const LAYER: Layer = Layer {
             Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
         }
         _ if is_of_steps(options) => Fed::by_the_scene(!context.steps().is_empty()),
-        _ => Fed::by_the_scene(found(context, options).is_some()),
+        _ => found(context, options).map_or(Fed::Never, |run| beside(context, options, &run)),
     },
     draw,
 };
@@ -123,6 +118,24 @@ fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
         None => context.time,
     };
     context.separation_at(time).filter(|run| run.separation().is_some())
+}
+
+/// Whether all that a scene wants beside the line can be drawn.
+fn beside(context: &Context, options: &Options, run: &Run) -> Fed {
+    let wants = |option: &'static str| options.flag(option, false).then_some(option);
+    let Some(answer) = run.separation() else { return Fed::Yes };
+    let apart = wants("disc").or(wants("rival")).filter(|_| answer.bounds.hi >= 0.0);
+    if let Some(option) = apart {
+        return Fed::Without { option, why: "the bodies do not overlap" };
+    }
+    if let Some(option) = wants("disc").filter(|_| disc_place(context, run.time, answer).is_none()) {
+        return Fed::Without { option, why: "the deepest point alone is out sooner another way" };
+    }
+    let way = || longer_way(&difference(context, run.time)?, DVec2::ZERO, -answer.separation);
+    match wants("rival").filter(|_| way().is_none()) {
+        Some(option) => Fed::Without { option, why: "there is no longer push that is a local minimum" },
+        None => Fed::Yes,
+    }
 }
 
 /// Whether the scene wants the separation at every step.
@@ -160,7 +173,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
     sketch.since(run.end());
     if options.flag("disc", false) && answer.bounds.hi < 0.0 {
-        disc(sketch, context, &run, &answer);
+        disc(sketch, context, run.time, &answer);
     }
     sketch.part("separation");
     match options.word("style", "arrow") {
@@ -175,7 +188,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.detail(&answer.points);
     right_angles(sketch, context, &run, &answer, left_of(p, q) * sketch.px(-offset));
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
-        rival(sketch.since(run.end()), context, &run, -answer.separation);
+        rival(sketch.since(run.end()), context, &run, &answer);
     }
     points(sketch.since(run.nearest()), options, &answer);
     let (key, text) = words(&run, &answer);
@@ -226,36 +239,6 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
     }
 }
 
-/// Draws the disc of the depth about the deepest point, where it lies within the other body: a shorter push,
-/// whichever way, leaves the point inside.
-fn disc(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
-    let (depth, [p, q]) = (-answer.separation, answer.points);
-    let lies_in = |&(center, side): &(DVec2, Side)| {
-        let Some(outline) = context.outline(side, run.time) else { return false };
-        let points = outline.sampled();
-        let next = points.iter().cycle().skip(1);
-        points.iter().zip(next).all(|(&from, &to)| off(center, [from, to]) >= depth * (1.0 - UNSEEN))
-    };
-    let Some((center, side)) = [(q, Side::A), (p, Side::B)].into_iter().find(lies_in) else { return };
-    let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC));
-    sketch.part("disc").weight(Weight::Background);
-    let area = Outline::circle(center, depth);
-    sketch.area(&area, None, Some(pen));
-    // In the half that the push, an arrow from B's deepest point to A's, does not lie in.
-    let away = if side == Side::A { -*answer.normal } else { *answer.normal };
-    let half = Outline::sector(center, depth, angle_of(-perp(away)), PI);
-    let label = Label::new("disc", "", Anchor::inside(&half), role);
-    // The body's own name in the disc would be the disc's.
-    sketch.label(label.rank(Rank::Word).size(Size::Note)).unnamed(Anchor::inside(&area));
-}
-
-/// How far a point is from a straight piece.
-fn off(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
-    let along = to - from;
-    let share = ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-    point.distance(if share.is_nan() { from } else { from + along * share })
-}
-
 /// Marks the right angle of the way between the closest points, moved `aside`, against the edges that carry
 /// one, where it still ends on them.
 fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation, aside: DVec2) {
@@ -273,9 +256,9 @@ fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Sepa
 
 /// Draws the next longer way that parts the bodies, from the vertex that is deepest to the edge that it
 /// leaves through, the way B goes, with its length.
-fn rival(sketch: &mut Sketch, context: &Context, run: &Run, least: f64) {
+fn rival(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
     let Some(found) = difference(context, run.time) else { return };
-    let Some(WayOut { edge, length }) = longer_way(&found, DVec2::ZERO, least) else { return };
+    let Some(WayOut { edge, length }) = longer_way(&found, DVec2::ZERO, -answer.separation) else { return };
     let side = edge.source.other();
     let (Some(body), Some(pose)) = (context.body(side), context.pose(side, run.time)) else { return };
     let Some(&vertex) = body.shape.vertices.get(edge.vertex) else { return };
@@ -288,6 +271,11 @@ fn rival(sketch: &mut Sketch, context: &Context, run: &Run, least: f64) {
         let deepest = pose.point(vertex) - radius;
         (deepest + way, deepest, deepest + way)
     };
+    // Two arrows on one line would hide each other.
+    let off_line = |p: DVec2| (p - answer.points[0]).perp_dot(*answer.normal).abs();
+    let is_on_line = off_line(start).max(off_line(end)) < sketch.px(ASIDE);
+    let aside = if is_on_line { perp(way).normalize_or_zero() * sketch.px(ASIDE) } else { DVec2::ZERO };
+    let (start, end, on_edge) = (start + aside, end + aside, on_edge + aside);
     let inward = if side == Side::B { way } else { -way };
     sketch.part("right-angle").right_angle(on_edge, edge.to - edge.from, inward);
     sketch.part("rival").arrow(start, end, Pen::vector(Role::Muted));
@@ -345,28 +333,6 @@ mod tests {
             }
             _ => None,
         })
-    }
-
-    #[test]
-    fn the_disc_of_the_depth_is_drawn_where_it_lies_within_the_other_body() {
-        // A's vertex (-0.5, 0) lies 0.5 deep in B, whose other edges are farther from it, or nearer.
-        for (high, drawn) in [(2.0, true), (0.25, false)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-0.5, 0], [1, -0.2], [1, 0.2]] }}
-                shapes.B = {{ kind = 'polygon', vertices = [[0, -2], [0, {high}], [-4, {high}], [-4, -2]] }}
-                query = {{ kind = 'separation', of = ['A', 'B'] }}
-                panels = [{{ layers = [{{ layer = 'separation', disc = true }}] }}]"
-            );
-            let scene = open_text("s.toml", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "s");
-            let disc = path(&figure.drawing.items, "disc");
-            assert_eq!(disc.is_some(), drawn, "{high}");
-            let Some(Contour::Circle { center, radius }) = disc.map(|disc| &disc.contour) else { continue };
-            let frame = &figure.panels[0].frame;
-            let [at, rim] = [-0.5, 0.0].map(|x| frame.page(DVec2::new(x, 0.0)));
-            assert!((*center - at).length() < 1e-6 && (radius - (rim - at).length()).abs() < 1e-6);
-        }
     }
 
     #[test]

@@ -58,7 +58,7 @@ fn turning(context: &Context) -> Vec<Side> {
 
 /// How a body moves and turns as the panel shows it: its velocity, and its spin in degrees per unit of time;
 /// `None` where it does not turn.
-fn seen(context: &Context, side: Side) -> Option<(DVec2, f64)> {
+pub(super) fn seen(context: &Context, side: Side) -> Option<(DVec2, f64)> {
     let body = context.body(side)?;
     let own = (body.velocity, body.spin.degrees());
     let (velocity, spin) = context.moving_frame().map_or(own, |f| (f.velocity(body), f.spin(body)));

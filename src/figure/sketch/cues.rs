@@ -2,6 +2,7 @@
 
 use crate::drawing::{Item, Shown};
 use crate::figure::cue::Cue;
+use crate::figure::frame::union;
 
 use super::Sketch;
 
@@ -47,10 +48,10 @@ impl Sketch<'_> {
 
     /// What `draw` draws comes with one event and goes with another: only steps between them show it. The
     /// finished figure has none of it, so labels do not keep off it, nothing of it has a label or a handle,
-    /// and a panel makes no room for it. It is the last that its layer draws.
+    /// and a panel makes room for it only where it is drawn in steps. It is the last that its layer draws.
     pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
         let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
-        let (extent, details) = (self.extent, self.details.len());
+        let (extent, details) = (self.extent.take(), self.details.len());
         self.since(from);
         self.cues.now.until = Some(self.cues.number(to));
         draw(self);
@@ -58,7 +59,7 @@ impl Sketch<'_> {
         self.requests.truncate(kept[1]);
         self.unnamed.truncate(kept[2]);
         self.holds.truncate(kept[3]);
-        self.extent = extent;
+        self.passed = union(self.passed, std::mem::replace(&mut self.extent, extent));
         self.details.truncate(details);
         self.since(None);
     }

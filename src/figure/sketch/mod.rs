@@ -23,7 +23,7 @@ mod words;
 
 use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
 use crate::figure::cue::Cue;
-use crate::figure::frame::Frame;
+use crate::figure::frame::{Extent, Frame};
 use crate::figure::handle::Hold;
 use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
 use crate::figure::theme::Theme;
@@ -91,7 +91,9 @@ pub(crate) struct Sketch<'f> {
     /// What a reader may take hold of so far, each once.
     holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
-    extent: Option<(DVec2, DVec2)>,
+    extent: Extent,
+    /// Smallest and largest coordinates of what steps take away again.
+    passed: Extent,
     /// What the panel is about and may be too small to see.
     details: Vec<Detail>,
     /// Points of all lines so far.
@@ -117,7 +119,9 @@ pub(crate) struct Sketched {
     /// What a reader may take hold of.
     pub(crate) holds: Vec<Hold>,
     /// Smallest and largest coordinates of what was drawn, in the panel's space.
-    pub(crate) extent: Option<(DVec2, DVec2)>,
+    pub(crate) extent: Extent,
+    /// Smallest and largest coordinates of what steps take away again, in the panel's space.
+    pub(crate) passed: Extent,
     /// What the panel is about and may be too small to see.
     pub(crate) details: Vec<Detail>,
     /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
@@ -150,6 +154,7 @@ impl<'f> Sketch<'f> {
             unnamed: Vec::new(),
             holds: Vec::new(),
             extent: None,
+            passed: None,
             details: Vec::new(),
             points: 0,
             painted: 0.0,
@@ -175,7 +180,7 @@ impl<'f> Sketch<'f> {
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
         let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, .. } = self;
-        let Self { details, points, painted, .. } = self;
+        let Self { passed, details, points, painted, .. } = self;
         construction::end_at_lines(&mut layers);
         let cues = self.cues.known;
         Sketched {
@@ -186,6 +191,7 @@ impl<'f> Sketch<'f> {
             unnamed,
             holds,
             extent,
+            passed,
             details,
             points,
             painted,
@@ -248,11 +254,7 @@ impl<'f> Sketch<'f> {
     /// The smallest and largest coordinates that the panel shows, in its space (a body's own, in its panel).
     #[must_use]
     pub(crate) fn visible(&self) -> (DVec2, DVec2) {
-        let panel = self.frame.panel;
-        let half = DVec2::new(panel.width(), panel.height()) / (2.0 * self.frame.scale);
-        let off = panel.center() - self.frame.middle;
-        let center = self.frame.center + DVec2::new(off.dx, -off.dy) / self.frame.scale;
-        (center - half, center + half)
+        self.frame.visible()
     }
 
     /// Page pixels of what is `px` on the usual page; fewer on a small one.

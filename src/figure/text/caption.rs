@@ -166,6 +166,8 @@ pub(crate) struct Across {
     pub(crate) columns: Vec<Lettering>,
     /// Its plain words; `None` where there is no text.
     pub(crate) words: Option<String>,
+    /// Whether it is the sentence of the answer, which comes with the last step.
+    pub(crate) is_answer: bool,
 }
 
 impl Across {
@@ -197,7 +199,7 @@ pub(crate) fn under(
     let of_page = Block::Caption.room(measures);
     let widths = [width.min(of_page.widths[0]), width];
     let room = Room { widths, column: None, most, is_balanced: true, ..of_page };
-    let Across { mut columns, words } = in_room((text, Block::Caption.name()), context, &room, said);
+    let Across { mut columns, words, .. } = in_room((text, Block::Caption.name()), context, &room, said);
     (columns.pop().unwrap_or_default(), words)
 }
 
@@ -212,7 +214,7 @@ fn in_room(
     let columns = set_as(text, context, (problems, warnings), in_columns).unwrap_or_default();
     let filled = fill(&text.value, context, &text.span).ok();
     let words = filled.map(|(filled, _)| plain(&filled));
-    let set = Across { columns, words };
+    let set = Across { columns, words, is_answer: false };
     if set.lines() <= room.most {
         return set;
     }
@@ -248,7 +250,7 @@ pub(crate) fn caption_of_words(measures: &Measures, words: String, markup: &str)
     let room = Block::Caption.room(measures);
     let markup = with_powers(markup);
     let columns = room.columns(&markup, |part, room| Lettering::new(part, |text| room.set(text)));
-    let set = Across { columns: columns.unwrap_or_default(), words: Some(words) };
+    let set = Across { columns: columns.unwrap_or_default(), words: Some(words), is_answer: true };
     if set.columns.is_empty() || set.lines() > room.most { Across::default() } else { set }
 }
 
@@ -278,7 +280,7 @@ pub(crate) fn paragraphs(
             _ => vec![set(&[head, &rest].concat())?],
         };
         let words = head.iter().chain(&rest).map(|text| plain(text)).collect::<Vec<_>>().join(" ");
-        let across = Across { columns, words: Some(words) };
+        let across = Across { columns, words: Some(words), is_answer: false };
         if across.lines() <= room.most || kept == 0 {
             return Ok(across);
         }
