@@ -9,6 +9,7 @@ mod random_pairs;
 mod degenerate_pairs;
 mod discrete_algorithms;
 mod hard;
+mod near_vertices;
 mod polytope;
 mod swapped;
 mod workloads;

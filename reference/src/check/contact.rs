@@ -110,7 +110,8 @@ pub(super) fn check_value(
     if Real::from(lo) > s + slack || Real::from(hi) < s - slack {
         report.fault("bounds", format!("[{lo:e}, {hi:e}] does not hold {s}"));
     }
-    let wrong_sign = f64::from(s.signum()) * value < 0.0;
+    // Of what is nearer 0 than the slack, the sign is rounding's.
+    let wrong_sign = f64::from(s.signum()) * value < 0.0 && s.abs() > slack;
     if wrong_sign && (lo > 0.0 || hi < 0.0) {
         report.fault("sign", format!("{value:e} for {s}"));
     }

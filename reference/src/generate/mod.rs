@@ -9,6 +9,7 @@ mod flat_pairs;
 mod impact;
 mod lattice;
 mod logged;
+mod near_vertices;
 mod pair;
 mod passing;
 mod separation;
@@ -127,6 +128,12 @@ impl Family {
             _ => flat_pairs::at_rest,
         };
         Category { name: "flat-pairs", draw }
+    }
+
+    /// Points and vertices within a hair of a vertex, at rest.
+    #[must_use]
+    pub fn near_vertices() -> Category {
+        Category { name: "near-vertices", draw: near_vertices::at_rest }
     }
 
     /// Case number `i` of a seed: its category's turn comes round.

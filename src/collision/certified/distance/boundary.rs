@@ -10,7 +10,7 @@
 use crate::collision::certified::distance::balls::{BallPair, Vec2, cross, dot, reversed, rounded};
 use crate::collision::certified::distance::pair::Pair;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature};
-use crate::geometry::{Ball, Side};
+use crate::geometry::{Ball, Side, UnitVector};
 
 /// Where B ⊖ A comes closest to the origin.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +63,25 @@ pub(crate) fn closest(pair: &Pair, balls: &BallPair, start: DifferenceEdge) -> O
         }
     }
     Some(doubtful.unwrap_or(Closest::vertex(vertex)))
+}
+
+/// The normal at a vertex of B ⊖ A that is nearest the origin, from A to B in A's frame: along its place `p`
+/// where that is certainly between the normals of the vertex's two edges, else the normal of an edge.
+///
+/// None where B ⊖ A is a point whose place 106 bits don't tell from the origin.
+#[cold]
+pub(crate) fn normal_at(pair: &Pair, balls: &BallPair, vertex: [usize; 2], p: &Vec2) -> Option<UnitVector> {
+    for winding in [Winding::CounterClockwise, Winding::Clockwise] {
+        let Some(step) = step(pair, balls, vertex, winding) else {
+            let is_off = p.iter().any(|x| x.sign().is_some_and(|sign| sign != 0));
+            return if is_off { UnitVector::along(rounded(p)) } else { None };
+        };
+        if !dot(p, &step.along).is_positive() {
+            let normal = balls.normal(step.facing.source, step.facing.edge);
+            return Some(UnitVector::normalized(rounded(&normal)));
+        }
+    }
+    UnitVector::along(rounded(p))
 }
 
 /// Walks on as long as the distance falls; `step` is an edge along which it falls at first.

@@ -68,11 +68,11 @@ pub(crate) fn proved(pair: &Pair, hint: Option<DifferenceFeature>) -> Proved {
         hint.and_then(|hint| confirm(pair, &balls, hint)).unwrap_or_else(|| search(pair, &balls, hint));
     let separation = found.core - Ball::exact(pair.radius);
     let zero = separation.sign().is_none() && is_zero(pair, &balls, &found);
-    rounded_off(pair, &found, if zero { Ball::ZERO } else { separation })
+    rounded_off(pair, &balls, &found, if zero { Ball::ZERO } else { separation })
 }
 
 /// What was found, rounded to doubles; `separation` is the scaled ball of s.
-fn rounded_off(pair: &Pair, found: &Found, separation: Ball) -> Proved {
+fn rounded_off(pair: &Pair, balls: &BallPair, found: &Found, separation: Ball) -> Proved {
     let unscale = 1.0 / pair.scale;
     let bounds = separation.enclosure_scaled(unscale);
     let value = (separation.value.to_f64() * unscale).max(bounds.lo).min(bounds.hi);
@@ -83,7 +83,7 @@ fn rounded_off(pair: &Pair, found: &Found, separation: Ball) -> Proved {
         }
         Contact::Edge(MeasuredEdge { facing, partner: None, .. }) => Carrier::Edge(facing),
     };
-    let normal = normal_of(&found.contact);
+    let normal = normal_of(pair, balls, &found.contact);
     Proved { carrier, normal, core: found.core.value.hi, separation: value, bounds, ties: found.ties }
 }
 
@@ -297,14 +297,16 @@ fn holds_foot(pair: &Pair, balls: &BallPair, measured: &MeasuredEdge) -> bool {
 }
 
 /// The doubles nearest to the normal of a contact, from A to B in A's frame; None where points coincide.
-fn normal_of(contact: &Contact) -> Option<UnitVector> {
+fn normal_of(pair: &Pair, balls: &BallPair, contact: &Contact) -> Option<UnitVector> {
     match contact {
         Contact::Edge(measured) => Some(UnitVector::normalized(rounded(&measured.normal))),
-        Contact::Vertex(_, p) => {
+        Contact::Vertex(vertices, p) => {
             let length = dot(p, p).sqrt();
-            length
-                .is_positive()
-                .then(|| UnitVector::normalized(rounded(&[p[0].over(length), p[1].over(length)])))
+            if length.radius < LOOSE * length.value.hi {
+                return Some(UnitVector::normalized(rounded(&[p[0].over(length), p[1].over(length)])));
+            }
+            // So near that rounding may turn p out of the directions between the vertex's edges.
+            boundary::normal_at(pair, balls, *vertices, p)
         }
     }
 }
