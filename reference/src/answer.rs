@@ -165,7 +165,7 @@ fn span(body: &Placed, direction: Point, along: Point) -> (Real, Real) {
 }
 
 /// The feature that faces a direction, at a place along it, with its world ends: an edge of the file where
-/// one is there.
+/// one is there, else the vertex that is nearest to the place, which rounding may have put beyond the edge.
 fn support(body: &Placed, direction: Point, along: Point, place: Real) -> (Feature, [Point; 2]) {
     let on_face: Vec<usize> = farthest(body, direction).collect();
     for i in 0..body.vertices.len() {
@@ -177,6 +177,7 @@ fn support(body: &Placed, direction: Point, along: Point, place: Real) -> (Featu
             return (Feature::Edge(i), ends);
         }
     }
-    let i = on_face.first().copied().unwrap_or(0);
+    let off = |i: &usize| (body.vertices[*i].dot(along) - place).abs();
+    let i = on_face.into_iter().min_by_key(off).unwrap_or(0);
     (Feature::Vertex(i), [body.vertices[i]; 2])
 }

@@ -6,6 +6,7 @@ use tracefig_reference::check::{Setting, check};
 use tracefig_reference::float::Real;
 use tracefig_reference::generate::Family;
 use tracefig_reference::json::Json;
+use tracefig_reference::random::Random;
 use tracefig_reference::scene::{Kind, Scene};
 use tracefig_reference::separation::{Exact, separation};
 
@@ -109,6 +110,28 @@ fn exact_answers_to_generated_cases_pass_the_check() {
 }
 
 /// A right answer with one claim changed.
+#[test]
+fn a_segment_whose_end_alone_faces_a_body_is_named_by_that_end() {
+    let triangle = r#"{"kind": "polygon", "vertices": [[-3,-3],[-1,-3],[-1,0]], "position": [-1.5,-3]}"#;
+    let segment = r#"{"kind": "capsule", "points": [[-1.5,-1],[0.5,1]], "radius": 0, "position": [0.5,-1.5], "angle_deg": 90}"#;
+    // The triangle's corner is over the segment's end, square to it.
+    let scene = story(triangle, segment);
+    let report = check(&scene, &separation_line(&scene));
+    assert!(report.faults.is_empty(), "{:?}", report.faults);
+    for (category, seeds) in [(Family::Separation.flat_pairs(), 400), (Family::near_vertices(), 200)] {
+        for seed in 0..seeds {
+            let case = (category.draw)(&mut Random::of_case(11, seed));
+            let mut query = case.get("query").cloned().expect("a query");
+            query.set("kind", Json::Text("separation".to_owned()));
+            let mut case = case.clone();
+            case.set("query", query);
+            let scene = Scene::parse(&case.to_string()).expect("valid");
+            let report = check(&scene, &separation_line(&scene));
+            assert!(report.faults.is_empty(), "{case}\n{:?}", report.faults);
+        }
+    }
+}
+
 fn planted(scene: &Scene, change: impl Fn(&mut Json)) -> Vec<&'static str> {
     let mut line = separation_line(scene);
     assert_eq!(check(scene, &line).faults, []);
