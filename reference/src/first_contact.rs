@@ -188,6 +188,14 @@ impl Motion {
         least.unwrap_or(base)
     }
 
+    /// A's velocity less B's, of bodies that move relative to each other and of which neither turns.
+    #[must_use]
+    pub fn closing_velocity(&self) -> Option<Point> {
+        let v = self.velocities[0].minus(self.velocities[1]);
+        let turns = self.spins.iter().any(|spin| !spin.is_zero());
+        (!turns && !v.dot(v).is_zero()).then_some(v)
+    }
+
     /// −ds/dt just before t (just after it, at t = 0): the speed at which the pair closes.
     #[must_use]
     pub fn closing(&self, t: Real) -> Real {

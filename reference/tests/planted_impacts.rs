@@ -106,6 +106,20 @@ fn a_shrug_at_what_can_be_decided_is_caught() {
 }
 
 #[test]
+fn points_that_meet_between_two_doubles_are_a_hit_and_those_that_just_miss_are_none() {
+    let moving = r#"{"kind": "circle", "radius": 0, "center": [-4.5, -1.5], "position": [-12, -4], "velocity": [12, 4]}"#;
+    let coming = |y: f64| {
+        format!(r#"{{"kind": "circle", "radius": 0, "center": [6, {y}], "velocity": [-16.5, -5.5]}}"#)
+    };
+    // At 15/19.
+    let met = scene(moving, &coming(2.0), "linear-sweep");
+    let line = impact_line(&met);
+    assert_eq!(check(&met, &line).faults, [], "{line}");
+    let passed = scene(moving, &coming(2.0_f64.next_up()), "linear-sweep");
+    assert!(check(&passed, &line).has("contact"), "{line}");
+}
+
+#[test]
 fn overlap_that_is_a_hair_apart_is_caught() {
     let b = r#"{"kind": "circle", "radius": 1, "position": [2.0000000000000004, 0]}"#;
     let scene = scene(r#"{"kind": "circle", "radius": 1}"#, b, "linear-sweep");

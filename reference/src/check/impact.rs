@@ -157,9 +157,22 @@ impl Case<'_> {
                 // A vertex that touches a vertex and leaves at once: s is no more than the speed times 2⁻¹¹⁰.
                 let touch = finest().scaled(8) * Real::from(self.setting.scale);
                 let touched = self.motion.separation((after + until).scaled(-1)).separation <= touch;
-                crossed || (touched && self.motion.separation(from).solid)
+                crossed || (touched && self.motion.separation(from).solid) || self.meets_a_vertex(from, to)
             }
         }
+    }
+
+    /// Whether a vertex of a body that does not turn meets one of the other within [from, to]: at a moment
+    /// that is a quotient, where no halving arrives.
+    fn meets_a_vertex(&self, from: Real, to: Real) -> bool {
+        let v = self.motion.closing_velocity();
+        let (Some(v), [a, b]) = (v, self.motion.pair(Real::ZERO)) else { return false };
+        let between = a.core_points().flat_map(|p| b.core_points().map(move |q| q.minus(p)));
+        between.map(|d| d.dot(v).over(v.dot(v))).any(|t| {
+            // The end of a time bound may be that moment itself, and rounded it is beyond.
+            let t = t.max(from).min(to);
+            self.motion.separation(t).separation <= self.slack
+        })
     }
 
     /// Whether a flat B ⊖ A passes over the origin within [from, to]: the origin changes its side of the
