@@ -30,8 +30,8 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     // What looks right and is wrong, beside both storeys: nothing but a layer of figures enters it.
     ("collision/naive", &["geometry", "collision/query", "collision/certified/distance"]),
-    // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls}
-    // ← impact ← sweep, no way back.
+    // The lower storey: what proves the numbers. No query, no event, no tracer. distance ← sweep/{ray, balls,
+    // exact} ← impact ← sweep, no way back.
     ("collision/certified", &[]),
     ("collision/certified/rounding", &["geometry"]),
     (
@@ -46,6 +46,7 @@ pub(crate) const ROOMS: &[Row] = &[
         "collision/certified/sweep/balls",
         &["geometry", "collision/feature", "collision/certified/distance", "collision/certified/sweep/ray"],
     ),
+    ("collision/certified/sweep/exact", &["geometry", "collision/answer", "collision/certified/distance"]),
     (
         "collision/certified/impact",
         &[
@@ -57,6 +58,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision/certified/distance",
             "collision/certified/sweep/ray",
             "collision/certified/sweep/balls",
+            "collision/certified/sweep/exact",
         ],
     ),
     (

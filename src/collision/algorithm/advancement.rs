@@ -21,6 +21,7 @@ use crate::collision::algorithm::minkowski;
 use crate::collision::algorithm::motion::{self, moment};
 use crate::collision::algorithm::view::PairView;
 use crate::collision::certified::impact::MovingPair;
+use crate::collision::certified::sweep::Sweep;
 use crate::collision::size::scale_of;
 use crate::collision::{Impact, Outcome, Query, Reason, Separation};
 use crate::geometry::{Body, DVec2, Enclosure, perp};
@@ -160,15 +161,23 @@ impl Advancement<'_> {
     }
 
     /// The outcome where the bodies came within the tolerance: a hit only if contact is proved a little
-    /// later.
+    /// later, or, where bodies that don't turn only graze each other, at the moment that is proved for it.
     fn arrived(&self, t: f64, near: &Separation) -> Outcome {
         let speed = closing_speed(self.a, self.b, t, near);
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
+        let hit = |hi| Outcome::Hit { time: Enclosure { lo: t, hi }, contact: *near };
         if MovingPair::new(self.a, self.b).touches_between(t, later) {
-            Outcome::Hit { time: Enclosure { lo: t, hi: later }, contact: *near }
-        } else {
-            Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t }
+            return hit(later);
         }
+        match self.is_unturned().then(|| Sweep::new(self.a, self.b).first_contact()) {
+            Some(Outcome::Hit { time, .. }) if time.hi > t => hit(time.hi),
+            _ => Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t },
+        }
+    }
+
+    /// Whether neither body turns.
+    fn is_unturned(&self) -> bool {
+        self.a.spin.is_zero() && self.b.spin.is_zero()
     }
 }
 
@@ -215,6 +224,20 @@ mod tests {
         // Of the step: 16 |v|₁ / 6 and 16 by the bound, 8 S / 3.75 with S = 4 by the separation. Ten times
         // one of the two constants would make it more than 120.
         assert!(short > 0.0 && short < 60.0, "{short} ε");
+    }
+
+    #[test]
+    fn discs_that_graze_are_a_hit_though_no_moment_is_inside() {
+        let disc = |x, y| placed(polygon(&[[0.0, 0.0]], 1.0), x, y, 0.0);
+        for v in [[2.0, 0.0], [8.0, 0.0]] {
+            let (a, b) = (moving(disc(-1.0, -1.0), v, 0.0), disc(0.0, 1.0));
+            for name in ["ray-clipping", "conservative-advancement"] {
+                let (found, _) = impact(name, &a, &b, 1e-12);
+                let Outcome::Hit { time, .. } = found.outcome else { panic!("{name}: {found:?}") };
+                let touch = 1.0 / v[0];
+                assert!(time.lo < touch && touch <= time.hi && time.hi - touch < 1e-15, "{name}: {time:?}");
+            }
+        }
     }
 
     #[test]

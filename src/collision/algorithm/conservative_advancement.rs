@@ -15,8 +15,8 @@
 //!
 //! # Tolerance
 //! World units; the one in force is at least 16 ε·S. At s ≤ tolerance only "free until t" is proved. Contact
-//! is then looked for at t + 2 tolerance / closing speed: proved there, it is a hit, else `unresolved`,
-//! `within-tolerance`.
+//! is then looked for at t + 2 tolerance / closing speed: proved there, or of bodies that don't turn where
+//! they graze each other, it is a hit, else `unresolved`, `within-tolerance`.
 //!
 //! Source: Erwin Coumans, *Continuous Collision Detection and Physics*, 2005; Brian Mirtich, *Impulse-based
 //! Dynamic Simulation of Rigid Body Systems*, 1996; Paul Firth, "Collision detection for dummies" (2011),

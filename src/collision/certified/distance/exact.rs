@@ -25,7 +25,7 @@ use crate::collision::feature::DifferenceEdge;
 use crate::geometry::{Body, Enclosure, Exact, Side};
 
 /// A vector of exact numbers.
-type Vec2 = [Exact; 2];
+pub(crate) type Vec2 = [Exact; 2];
 
 /// Edges that may be the nearest at most: more of them tie only where bodies are all but points.
 const EDGES: usize = 64;
@@ -66,15 +66,17 @@ pub(crate) fn bounds(pair: &Pair, carrier: &Carrier) -> Option<Enclosure> {
 }
 
 /// A pair of which all coordinates are sums of products of doubles, in A's frame.
-struct ExactPair<'p, 's> {
+pub(crate) struct ExactPair<'p, 's> {
     /// The pair.
     pair: &'p Pair<'s>,
     /// B's origin.
     center: Vec2,
+    /// Quarter turns of A in the world.
+    frame: u8,
     /// Quarter turns of B.
     quarters: u8,
     /// Both radii together, ρ.
-    radius: Exact,
+    pub(crate) radius: Exact,
 }
 
 /// An edge of B ⊖ A, exactly.
@@ -86,7 +88,8 @@ struct MeasuredEdge {
 }
 
 impl<'p, 's> ExactPair<'p, 's> {
-    fn of(pair: &'p Pair<'s>) -> Option<Self> {
+    /// The pair; None where its coordinates are no such sums.
+    pub(crate) fn of(pair: &'p Pair<'s>) -> Option<Self> {
         let (frame, quarters) = (pair.frame.quarters()?, pair.turn.quarters()?);
         let coordinate = |of: fn(&Body) -> [f64; 2]| {
             let ([from, v], [to, w]) = (of(pair.a), of(pair.b));
@@ -100,7 +103,16 @@ impl<'p, 's> ExactPair<'p, 's> {
         ];
         let scaled = |x: f64| Exact::scaled(x, pair.scale);
         let radius = &scaled(pair.a.shape.radius) + &scaled(pair.b.shape.radius);
-        Some(Self { pair, center: turned(&apart, 4 - frame), quarters, radius })
+        Some(Self { pair, center: turned(&apart, 4 - frame), frame, quarters, radius })
+    }
+
+    /// `v_B` − `v_A`.
+    pub(crate) fn relative_velocity(&self) -> Vec2 {
+        let (a, b) = (self.pair.a.velocity, self.pair.b.velocity);
+        let speed = |of_a: f64, of_b: f64| {
+            &Exact::scaled(of_b, self.pair.scale) - &Exact::scaled(of_a, self.pair.scale)
+        };
+        turned(&[speed(a.x, b.x), speed(a.y, b.y)], 4 - self.frame)
     }
 
     /// A vertex of a core.
@@ -121,12 +133,12 @@ impl<'p, 's> ExactPair<'p, 's> {
     }
 
     /// Edge k of a core, from its vertex to the next.
-    fn edge(&self, side: Side, k: usize) -> Vec2 {
+    pub(crate) fn edge(&self, side: Side, k: usize) -> Vec2 {
         minus(&self.vertex(side, self.pair.hull(side).next(k)), &self.vertex(side, k))
     }
 
     /// Vertex j of B less vertex i of A.
-    fn between(&self, [i, j]: [usize; 2]) -> Vec2 {
+    pub(crate) fn between(&self, [i, j]: [usize; 2]) -> Vec2 {
         minus(&self.vertex(Side::B, j), &self.vertex(Side::A, i))
     }
 
@@ -242,21 +254,21 @@ fn turned([x, y]: &Vec2, quarters: u8) -> Vec2 {
 }
 
 /// The sum x + y.
-fn plus(x: &Vec2, y: &Vec2) -> Vec2 {
+pub(crate) fn plus(x: &Vec2, y: &Vec2) -> Vec2 {
     [&x[0] + &y[0], &x[1] + &y[1]]
 }
 
 /// The difference x − y.
-fn minus(x: &Vec2, y: &Vec2) -> Vec2 {
+pub(crate) fn minus(x: &Vec2, y: &Vec2) -> Vec2 {
     [&x[0] - &y[0], &x[1] - &y[1]]
 }
 
 /// The dot product x · y.
-fn dot(x: &Vec2, y: &Vec2) -> Exact {
+pub(crate) fn dot(x: &Vec2, y: &Vec2) -> Exact {
     &(&x[0] * &y[0]) + &(&x[1] * &y[1])
 }
 
 /// The cross product x₁ y₂ − x₂ y₁.
-fn cross(x: &Vec2, y: &Vec2) -> Exact {
+pub(crate) fn cross(x: &Vec2, y: &Vec2) -> Exact {
     &(&x[0] * &y[1]) - &(&x[1] * &y[0])
 }

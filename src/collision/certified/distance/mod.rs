@@ -20,7 +20,7 @@
 pub(super) mod balls;
 mod boundary;
 pub(super) mod conditions;
-mod exact;
+pub(super) mod exact;
 pub(super) mod filter;
 pub(super) mod gaps;
 pub(super) mod pair;

@@ -45,7 +45,7 @@ pub use moving_pair::MovingPair;
 
 use crate::collision::answer::{Impact, Outcome, Reason};
 use crate::collision::certified::distance::Pair;
-use crate::collision::certified::sweep::balls;
+use crate::collision::certified::sweep::{balls, exact};
 use crate::collision::feature::DifferenceFeature;
 use crate::collision::size::of_one_scale;
 use crate::geometry::{Body, Enclosure};
@@ -106,9 +106,22 @@ impl MovingPair<'_> {
             report(span);
         });
         if matches!(found.outcome, Outcome::Unresolved { reason: Reason::WithinRounding, .. }) {
-            return self.the_other_way_round(limits, until, report).unwrap_or(found);
+            return self
+                .the_other_way_round(limits, until, report)
+                .or_else(|| self.without_rounding(limits.tolerance, found.iterations))
+                .unwrap_or(found);
         }
         found
+    }
+
+    /// The first contact of bodies of which neither turns, where only exact arithmetic tells it. Axes in
+    /// doubles part the bodies no farther than they did.
+    #[cold]
+    fn without_rounding(&self, tolerance: f64, iterations: usize) -> Option<Impact> {
+        let [a, b] = self.bodies;
+        let outcome =
+            if self.is_linear() { exact::outcome(&Pair::refined_at(a, b, 0.0))? } else { return None };
+        Some(Impact { outcome, tolerance, iterations })
     }
 
     /// The first contact with A called A.

@@ -2,14 +2,16 @@
 //!
 //! What stands ready in a [`Sweep`] is what a relative pose and a relative velocity are made of: where B is
 //! and how it is turned in A's frame, and the ray's direction there. Everything that is a search happens when
-//! the question is asked, of three in this order:
+//! the question is asked, of four in this order:
 //!
 //! 1. [`filter`]: doubles find where the ray enters B ⊖ A and mostly prove it;
 //! 2. [`balls`]: else signs that are certain;
 //! 3. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no
-//!    digits ([`crate::collision::certified::impact::by_axes`]).
+//!    digits ([`crate::collision::certified::impact::by_axes`]);
+//! 4. [`exact`]: axes without any rounding, for a graze.
 
 pub(super) mod balls;
+pub(super) mod exact;
 pub(super) mod filter;
 pub(super) mod heading;
 pub(super) mod ray;
@@ -79,11 +81,12 @@ impl<'s> Sweep<'s> {
         if matches!(outcome, Outcome::Unresolved { .. }) { self.by_other_means(outcome) } else { outcome }
     }
 
-    /// What the ray leaves open: axes may decide it, or the bodies called the other way round.
+    /// What the ray leaves open: axes may decide it, or the bodies called the other way round, or axes
+    /// without rounding.
     #[cold]
     fn by_other_means(&self, open: Outcome) -> Outcome {
         let decided = impact::by_axes(self.pair.a, self.pair.b);
-        decided.or_else(|| self.the_other_way_round()).unwrap_or(open)
+        decided.or_else(|| self.the_other_way_round()).or_else(|| exact::outcome(&self.pair)).unwrap_or(open)
     }
 
     /// What can be decided with B called A: whatever can be with A called A is decided there as well, so that
