@@ -97,3 +97,32 @@ fn of_bodies_that_turn_beyond_all_products_nothing_is_told() {
         }
     }
 }
+
+/// A corner passes a corner by 1e-16 or less, long before the bodies meet for good: axes alone proved no
+/// contact but the later one.
+#[test]
+fn a_graze_is_as_narrow_by_axes_as_by_the_ray() {
+    let at = |vertices: &[[f64; 2]], x: f64, y: f64, velocity: [f64; 2]| {
+        let mut body = polygon(vertices, 0.0);
+        (body.position, body.velocity) = (DVec2::new(x, y), DVec2::from_array(velocity));
+        body
+    };
+    let pairs = [
+        (
+            at(&[[1.0, 0.7], [-1.0, -0.1], [-1.0, 1.1]], 3.0, 1.5, [0.0, 0.0]),
+            at(&[[0.0, 0.0], [-0.24, -0.72], [-0.24, 0.72]], 2.0, 1.4, [0.0, 2.9]),
+        ),
+        (
+            at(&[[-2.0, -2.0], [3.0, -1.0], [2.4, -1.0]], -3.0, -5.0, [0.0, 0.0]),
+            at(&[[2.7, -1.3], [-2.3, -2.3], [1.2, -6.8]], -7.7, -5.7, [10.0, 2.0]),
+        ),
+    ];
+    for (a, b) in &pairs {
+        for (a, b) in [(a, b), (b, a)] {
+            let [(lo, hi), (from, to)] =
+                ["ray-cast", "swept-axis"].map(|name| span(&ask(name, a, b, 1e-12).0));
+            assert!(hi.is_finite() && to - from < 1e-15, "[{lo}, {hi}] [{from}, {to}]");
+            assert!(from <= hi && lo <= to, "[{lo}, {hi}] [{from}, {to}]");
+        }
+    }
+}

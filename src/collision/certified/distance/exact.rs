@@ -106,7 +106,7 @@ impl<'p, 's> ExactPair<'p, 's> {
         Some(Self { pair, center: turned(&apart, 4 - frame), frame, quarters, radius })
     }
 
-    /// `v_B` − `v_A`.
+    /// B's velocity less A's.
     pub(crate) fn relative_velocity(&self) -> Vec2 {
         let (a, b) = (self.pair.a.velocity, self.pair.b.velocity);
         let speed = |of_a: f64, of_b: f64| {

@@ -48,7 +48,7 @@ use crate::collision::certified::distance::Pair;
 use crate::collision::certified::sweep::{balls, exact};
 use crate::collision::feature::DifferenceFeature;
 use crate::collision::size::of_one_scale;
-use crate::geometry::{Body, Enclosure};
+use crate::geometry::{Body, Enclosure, length};
 use axis::Axis;
 use closest::{closest_features, separation_at};
 use contact::Before;
@@ -111,7 +111,37 @@ impl MovingPair<'_> {
                 .or_else(|| self.without_rounding(limits.tolerance, found.iterations))
                 .unwrap_or(found);
         }
-        found
+        self.tightened(found, limits)
+    }
+
+    /// A first contact that axes left wide, as where flat bodies meet end on, or a corner is grazed before the
+    /// bodies meet: where neither body turns, the ray knows it better.
+    #[inline]
+    fn tightened(&self, found: Impact, limits: Limits) -> Impact {
+        let Outcome::Hit { time, .. } = found.outcome else { return found };
+        let [a, b] = self.bodies;
+        let way = (time.hi - time.lo) * length(a.velocity - b.velocity);
+        let is_wide = way > limits.allowed() + self.rounding / self.unit;
+        if is_wide && self.is_linear() { self.met_by_ray(found) } else { found }
+    }
+
+    /// A first contact with the time of the ray's, where that is within its own.
+    #[cold]
+    fn met_by_ray(&self, found: Impact) -> Impact {
+        let [a, b] = self.bodies;
+        let pair = Pair::refined_at(a, b, 0.0);
+        let by_ray = match balls::entry(&pair).outcome(&pair) {
+            Outcome::Unresolved { .. } => exact::outcome(&pair),
+            decided => Some(decided),
+        };
+        match (by_ray, &found.outcome) {
+            (Some(outcome @ Outcome::Hit { time, .. }), Outcome::Hit { time: wide, .. })
+                if wide.lo <= time.lo && time.hi <= wide.hi =>
+            {
+                Impact { outcome, ..found }
+            }
+            _ => found,
+        }
     }
 
     /// The first contact of bodies of which neither turns, where only exact arithmetic tells it. Axes in

@@ -52,7 +52,7 @@ struct ExactRay<'p, 's> {
     pair: &'p Pair<'s>,
     /// The pair without rounding.
     exact: ExactPair<'p, 's>,
-    /// `v_B` − `v_A`.
+    /// B's velocity less A's: u.
     u: Vec2,
 }
 
@@ -181,8 +181,8 @@ impl ExactRay<'_, '_> {
         None
     }
 
-    /// When the origin crosses the chord from the vertex p of B ⊖ A to q, which are farthest to either side of
-    /// its way, rounded up; None where that is not in [0, 1].
+    /// When the origin crosses the chord of B ⊖ A between the vertices that are farthest to either side of its
+    /// way, rounded up; None where that is not in [0, 1].
     fn crosses_between(&self, [p, q]: [[usize; 2]; 2]) -> Option<Option<f64>> {
         let (p, q) = (self.exact.between(p), self.exact.between(q));
         let [low, high] = [&p, &q].map(|x| cross(&self.u, x));
