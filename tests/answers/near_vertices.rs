@@ -5,7 +5,7 @@
 //! the bodies' own size. `TRACEFIG_CASES_NEAR_VERTICES` raises the number of pairs, `TRACEFIG_SEED` changes
 //! them.
 
-#![expect(clippy::expect_used, clippy::print_stdout, reason = "tests fail by panics and print their tables")]
+#![expect(clippy::expect_used, reason = "tests fail by panics")]
 
 use tracefig::collision::ALGORITHMS;
 use tracefig_reference::check::check;

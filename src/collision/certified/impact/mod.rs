@@ -114,8 +114,8 @@ impl MovingPair<'_> {
         self.tightened(found, limits)
     }
 
-    /// A first contact that axes left wide, as where flat bodies meet end on, or a corner is grazed before the
-    /// bodies meet: where neither body turns, the ray knows it better.
+    /// A first contact that axes left wide, as where flat bodies meet end on, or a vertex is grazed before
+    /// the bodies meet: where neither body turns, the ray knows it better.
     #[inline]
     fn tightened(&self, found: Impact, limits: Limits) -> Impact {
         let Outcome::Hit { time, .. } = found.outcome else { return found };

@@ -72,20 +72,18 @@ fn times(v: &Vec2, t: f64) -> Vec2 {
     [&v[0] * &t, &v[1] * &t]
 }
 
-/// The first double at or after the quotient x / y of numbers of which y is above 0; None inside where that
-/// is not in [0, 1].
-fn first_double(x: &Exact, y: &Exact) -> Option<Option<f64>> {
+/// The first double at or after the quotient x / y of numbers of which y is above 0; None where that is
+/// not in [0, 1].
+fn first_double(x: &Exact, y: &Exact) -> Option<f64> {
     if x.sign()?.is_lt() || (x - y).sign()?.is_gt() {
-        return Some(None);
+        return None;
     }
-    let near = x.rounded() / y.rounded();
-    let below = near.next_down().next_down().next_down();
-    let mut t = below.max(0.0);
     // Each is within 2 ε of itself, their quotient within 5.
+    let mut t = x.rounded() / y.rounded() * (1.0 - 8.0 * f64::EPSILON);
     while (&(&Exact::new(t) * y) - x).sign()?.is_lt() {
         t = t.next_up();
     }
-    Some(Some(t))
+    Some(t)
 }
 
 impl ExactRay<'_, '_> {
@@ -165,14 +163,14 @@ impl ExactRay<'_, '_> {
         }
         let [a, b] = [Side::A, Side::B].map(|side| self.pair.hull(side));
         let ends = [self.supports(&left(&self.u), [0, 0])?, self.supports(&right(&self.u), [0, 0])?];
-        if let Some(t) = self.crosses_between(ends)? {
+        if let Some(t) = self.crosses_between(ends) {
             return Some(t);
         }
         for [i, j] in ends {
             // Of an edge along the motion either end may come first.
             for i in [i, a.next(i), a.previous(i)] {
                 for j in [j, b.next(j), b.previous(j)] {
-                    if let Some(t) = self.passes_within([i, j])? {
+                    if let Some(t) = self.passes_within([i, j]) {
                         return Some(t);
                     }
                 }
@@ -181,14 +179,14 @@ impl ExactRay<'_, '_> {
         None
     }
 
-    /// When the origin crosses the chord of B ⊖ A between the vertices that are farthest to either side of its
-    /// way, rounded up; None where that is not in [0, 1].
-    fn crosses_between(&self, [p, q]: [[usize; 2]; 2]) -> Option<Option<f64>> {
+    /// When the origin crosses the chord of B ⊖ A between the vertices that are farthest to either side of
+    /// its way, rounded up; None where that is not in [0, 1].
+    fn crosses_between(&self, [p, q]: [[usize; 2]; 2]) -> Option<f64> {
         let (p, q) = (self.exact.between(p), self.exact.between(q));
         let [low, high] = [&p, &q].map(|x| cross(&self.u, x));
         let width = &high - &low;
         if low.sign()?.is_gt() || high.sign()?.is_lt() || width.sign()?.is_eq() {
-            return Some(None);
+            return None;
         }
         let along = &(&low * &dot(&self.u, &q)) - &(&high * &dot(&self.u, &p));
         first_double(&along, &(&width * &dot(&self.u, &self.u)))
@@ -196,12 +194,12 @@ impl ExactRay<'_, '_> {
 
     /// When a vertex of B ⊖ A is nearest the origin, rounded up; None where that is not in [0, 1], or not
     /// within ρ.
-    fn passes_within(&self, vertices: [usize; 2]) -> Option<Option<f64>> {
+    fn passes_within(&self, vertices: [usize; 2]) -> Option<f64> {
         let p = self.exact.between(vertices);
         let (across, along, square) = (cross(&self.u, &p), -&dot(&self.u, &p), dot(&self.u, &self.u));
         let reach = &(&self.exact.radius * &self.exact.radius) * &square;
         if square.sign()?.is_eq() || (&(&across * &across) - &reach).sign()?.is_gt() {
-            return Some(None);
+            return None;
         }
         first_double(&along, &square)
     }
