@@ -1,7 +1,7 @@
-//! What the numbers along an axis are counted in: the unit vector n on it, from its 0, which lies below the
-//! origin of the world.
+//! What the numbers along an axis are counted in: the unit vector n on it, from its 0, where the shadow of
+//! the world's origin is; and the light that casts shadows on it.
 
-use crate::drawing::Role;
+use crate::drawing::{Point, Role};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
@@ -19,6 +19,14 @@ const UNIT: f64 = 3.0;
 /// The least that a unit is long for each to be marked, page pixels: marks that are nearer are a hatch.
 const LEAST: f64 = 12.0;
 
+/// The least distance of numbers along the axis, and theirs below it, page pixels: past the lower interval.
+const NUMBERED: f64 = 60.0;
+const BELOW: f64 = 28.0;
+
+/// From where above the bodies to where the arrows of light reach, page pixels.
+const LIGHT: f64 = 38.0;
+const CLEAR: f64 = 10.0;
+
 /// The axis with its components, in LaTeX.
 pub(super) fn written(n: DVec2) -> String {
     format!("n = ({}, {})", number(n.x), number(n.y))
@@ -30,7 +38,6 @@ pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DV
     let to_scale = if length == 1.0 { "" } else { " (not to scale)" };
     let (from, tip) = (at(0.0, 0.0), at(length, 0.0));
     sketch.part("normal").arrow(from, tip, Pen::vector(Role::Ink));
-    sketch.right_angle(from, at(0.0, -1.0) - from, -n);
     let label = Label::new("axis", format!("${}${to_scale}", written(n)), beside(from, tip, n), Role::Ink);
     sketch.label(label.rank(Rank::Measure));
 }
@@ -50,6 +57,42 @@ pub(super) fn units(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(
     let each = std::iter::successors(Some(first.ceil()), |k| Some(k + 1.0)).take_while(|k| *k < last);
     let marks: Vec<_> = each.map(|k| (sketch.page(at(k, -half)), sketch.page(at(k, half)))).collect();
     sketch.part("units").quiet_lines(&marks, Pen::dimension(Role::Muted));
+    numbered(sketch, (first, last), at);
+}
+
+/// Writes the numbers of round units along the axis but 0, which has a mark of its own, where they can be read.
+fn numbered(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(f64, f64) -> DVec2) {
+    let room = NUMBERED / sketch.on_page(1.0);
+    let steps = std::iter::successors(Some(1.0), |s| Some(10.0 * s)).flat_map(|s| [s, 2.0 * s, 5.0 * s]);
+    let Some(step) = steps.take_while(|s| *s < FARTHEST).find(|s| *s >= room) else { return };
+    let below = sketch.px(BELOW);
+    let each = std::iter::successors(Some((first / step).ceil()), |k| Some(k + 1.0));
+    for value in each.map(|k| k * step).take_while(|value| *value <= last).filter(|value| *value != 0.0) {
+        let Some(words) = sketch.set(&format!("${}$", number(value))) else { continue };
+        let middle = sketch.page(at(value, below));
+        let base = middle.y + 0.5 * (words.ascent - words.descent);
+        let origin = Point::new(middle.x - 0.5 * words.width, base);
+        sketch.part("numbers").write(&words, origin, Role::Muted);
+    }
+}
+
+/// Draws from where light falls: arrows over the bodies towards the axis, from the `high`est of them at
+/// `track`.
+pub(super) fn light(
+    sketch: &mut Sketch,
+    (first, last): (f64, f64),
+    high: f64,
+    at: impl Fn(f64, f64) -> DVec2,
+) {
+    let [from, to] = [LIGHT, CLEAR].map(|px| high - sketch.px(px));
+    let places = [1.0, 3.0, 5.0].map(|sixths| first + (last - first) * sixths / 6.0);
+    for along in places {
+        sketch.part("light").weight(Weight::Light);
+        sketch.arrow(at(along, from), at(along, to), Pen::vector(Role::Muted));
+    }
+    let anchor = beside(at(places[1], from), at(places[1], to), at(1.0, 0.0) - at(0.0, 0.0));
+    let label = Label::new("light", "light", anchor, Role::Muted);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 
 /// Whether a place of the world is in the panel's view.
@@ -59,24 +102,51 @@ pub(super) fn sees(sketch: &Sketch, context: &Context, place: DVec2) -> bool {
     lo.cmple(place).all() && hi.cmpge(place).all()
 }
 
-/// Marks on the axis from where its numbers are counted, below the origin, if that is in reach.
+/// Marks on the axis from where its numbers are counted, if that is in reach.
 pub(super) fn zero(
     sketch: &mut Sketch,
-    context: &Context,
     (first, last): (f64, f64),
-    (down, far): (DVec2, f64),
+    down: DVec2,
     at: impl Fn(f64, f64) -> DVec2,
 ) {
     if !(first..=last).contains(&0.0) {
         return;
     }
     let tick = sketch.px(ZERO);
-    if far > 0.0 && sees(sketch, context, DVec2::ZERO) {
-        // Dashed, as it is no body's.
-        sketch.part("shadow-of-origin").weight(Weight::Light);
-        sketch.line(DVec2::ZERO, at(0.0, -tick), Pen::construction());
-    }
     sketch.part("zero").line(at(0.0, -tick), at(0.0, tick), Pen::dimension(Role::Ink).width(1.5));
     let label = Label::new("zero", "$0$", Anchor::point_toward(at(0.0, tick), down), Role::Ink);
     sketch.label(label.rank(Rank::Measure).size(Size::Note));
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths, points};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn light_falls_from_over_the_bodies_towards_their_shadows() {
+        for light in [true, false] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [2, -1] }}
+                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [8, 0] }}
+                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }}
+                 panels = [{{ view = [-1, -5, 12, 5],
+                    layers = [{{ layer = 'projection', values = true, light = {light} }}] }}]"
+            );
+            let scene = open_text("light", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "light");
+            assert_eq!(labels(&figure).contains_key("light"), light);
+            let frame = &figure.panels[0].frame;
+            // A shaft and its head for each of three.
+            let arrows = paths(&figure.drawing.items, "light");
+            assert_eq!(arrows.len(), if light { 6 } else { 0 });
+            for shaft in arrows.iter().step_by(2) {
+                let [from, to] = [points(shaft)[0], points(shaft)[1]];
+                let top = frame.page(crate::geometry::DVec2::new(8.0, 1.0)).y;
+                assert!(from.x == to.x && from.y < to.y && to.y < top, "{from:?} to {to:?}, over {top}");
+            }
+        }
+    }
 }

@@ -1,13 +1,12 @@
 //! Points of contact by clipping: the reference edge with its normal n, the planes through its ends, what
 //! they leave of the incident edge, and at each end of that the depth below the reference edge.
 //!
-//! What a plane cuts off is grey, and struck out with a cross. An end that lies above the reference edge is
-//! no contact: it has a marker that is not filled.
+//! What a plane cuts off is grey and crossed out. An end above the reference edge, no contact, is hollow.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
@@ -24,8 +23,9 @@ const EDGE: f64 = 4.5;
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the world is less or more.
 const READABLE: [f64; 2] = [24.0, 48.0];
 
-/// Length of the arrow from a plane to the inside of the strip, which is kept, page pixels.
+/// Length of the arrow from a plane to the inside of the strip, page pixels, and the strip's opacity.
 const KEPT: f64 = 18.0;
+const STRIP: f64 = 0.1;
 
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
@@ -148,7 +148,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(known(|event| matches!(event, Event::EdgesFaced { .. })));
     let [edges, planes, cut, depths] = PARTS.map(|part| options.shows("show", part, true));
     if planes {
-        side_planes(sketch, &found);
+        side_planes(sketch, &found, options.role(Role::Now));
     }
     if edges {
         let left = if cut || depths { left(&found) } else { found.incident };
@@ -188,14 +188,16 @@ fn left(found: &Clipping) -> [DVec2; 2] {
     found.incident.map(|end| found.cuts.iter().find(|[cut, _]| *cut == end).map_or(end, |[_, at]| *at))
 }
 
-/// Draws the lines through the ends of the reference edge, square to it, each with an arrow to its inside.
-fn side_planes(sketch: &mut Sketch, found: &Clipping) {
+/// Draws the lines through the reference edge’s ends, square to it, each with an arrow into the tinted strip.
+fn side_planes(sketch: &mut Sketch, found: &Clipping, role: Role) {
     let from = found.reference[0];
     let heights = found.incident.map(|end| found.normal.dot(end - from));
     let past = sketch.px(PAST);
     let low = heights[0].min(heights[1]).min(0.0) - past;
     let high = heights[0].max(heights[1]).max(0.0) + past;
     let ends = found.reference.map(|end| [end + found.normal * low, end + found.normal * high]);
+    let strip = Outline::polygon(&[ends[0][0], ends[0][1], ends[1][1], ends[1][0]]);
+    sketch.part("strip").weight(Weight::Light).area(&strip, Some(Wash::faint(role, STRIP)), None);
     let [p, q] = found.reference;
     let inward = (q - p).normalize_or_zero() * sketch.px(KEPT).min(0.3 * (q - p).length());
     for ([foot, top], inward) in ends.into_iter().zip([inward, -inward]) {

@@ -53,6 +53,7 @@ mod ray;
 mod ruler;
 mod separating_cone;
 mod separation;
+mod shadow;
 mod shapes;
 mod simplex;
 mod spin;

@@ -16,9 +16,10 @@ use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::axis_unit::{on_axis, sees, units, written, zero};
+use super::axis_unit::{light, on_axis, sees, units, written, zero};
 use super::half_extents::{GUIDE, beside};
 use super::normal::{unit_length, unit_vector};
+use super::shadow::{casting, hidden_by, seen};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// The part of a measure by which others are as large, as far as rounding tells.
@@ -57,6 +58,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the axis, its 0, and where A ends and B begins along it",
         },
+        OptionSpec {
+            name: "light",
+            takes: Takes::Flag,
+            default: "false",
+            about: "arrows over the bodies, the way light falls that casts the intervals as shadows",
+        },
     ],
     labels: &[
         LabelKey { key: "end.A", about: "where A ends along the axis, with values" },
@@ -64,6 +71,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "zero", about: "0 of the axis, with values" },
         LabelKey { key: "n", about: "the axis" },
         LabelKey { key: "axis", about: "what the axis is along, with values" },
+        LabelKey { key: "light", about: "the arrows of light" },
         LabelKey { key: "gap", about: "from where A ends to where B begins: gap, overlap or depth" },
     ],
     needs: "the algorithm \"separating-axes\", and no more axes than it tested",
@@ -159,19 +167,16 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let high = points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max);
-    // What lies in both shadows is marked at them alone: light that would fall there is stopped.
-    let top = if t.gap > 0.0 { -far - high } else { -sketch.px(TRACK) };
-    let low = sketch.px(MEASURE);
-    let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, top), (t.a.hi, top)];
-    let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
-    let wash =
-        if t.gap > 0.0 { Wash::faint(Role::Translation, LIT) } else { Wash::faint(Role::Overlap, 1.0) };
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(wash), None);
+    let top = -far - high;
+    lit(sketch, t, top, at);
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
+    if options.flag("light", false) {
+        light(sketch, (first + past, last - past), top, at);
+    }
     // Numbers are counted from 0: the axis reaches it where it is in view.
-    if values && sees(sketch, context, DVec2::ZERO) && sees(sketch, context, at(0.0, 0.0)) {
+    if values && sees(sketch, context, at(0.0, 0.0)) {
         (first, last) = (first.min(-past), last.max(past));
     }
     sketch.part("axis").arrow(at(first, 0.0), at(last, 0.0), Pen::vector(Role::Muted).width(1.0));
@@ -206,11 +211,26 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         let pen = Pen::highlighted(options.role(body.into()));
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
-    measure(sketch, t, values, at);
+    // Where bodies are apart, an overlap on one axis is no way to move.
+    let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
+    measure(sketch, t, (values, if is_asked { Role::Ink } else { Role::Translation }), at);
     if values {
         numbers(sketch, t, down, at);
-        zero(sketch, context, (first, last), (down, far), at);
+        zero(sketch, (first, last), down, at);
     }
+}
+
+/// Draws the strip between A's upper end and B's lower one: of light, from `top` over the bodies on, or of
+/// what lies in both shadows.
+fn lit(sketch: &mut Sketch, t: &Tested, top: f64, at: impl Fn(f64, f64) -> DVec2) {
+    // What lies in both shadows is marked at them alone: light that would fall there is stopped.
+    let top = if t.gap > 0.0 { top } else { -sketch.px(TRACK) };
+    let low = sketch.px(MEASURE);
+    let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, top), (t.a.hi, top)];
+    let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
+    let wash =
+        if t.gap > 0.0 { Wash::faint(Role::Translation, LIT) } else { Wash::faint(Role::Overlap, 1.0) };
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(wash), None);
 }
 
 /// Writes where A ends and where B begins, each beyond the end of its own interval, on its side of the axis.
@@ -224,33 +244,6 @@ fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -
         let anchor = Anchor::point_toward(at(along, out), beyond);
         sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }
-}
-
-/// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to
-/// the axis.
-fn casting(points: &[DVec2], n: DVec2, end: f64, down: DVec2) -> Option<DVec2> {
-    let off = |p: DVec2| (p.dot(n) - end).abs();
-    points
-        .iter()
-        .copied()
-        .min_by(|p, q| off(*p).total_cmp(&off(*q)).then(q.dot(down).total_cmp(&p.dot(down))))
-}
-
-/// From where to where along `down` a body hides the line of all points whose shadow is at `end`; `None`
-/// where that line misses it.
-fn hidden_by(context: &Context, side: Side, n: DVec2, end: f64, down: DVec2) -> Option<[f64; 2]> {
-    let points = context.outline(side, context.time)?.sampled();
-    let off = |p: DVec2| p.dot(n) - end;
-    let next = points.iter().skip(1).chain(points.first());
-    let crossings = points.iter().zip(next).filter(|(p, q)| (off(**p) < 0.0) != (off(**q) < 0.0));
-    let depths = crossings.map(|(&p, &q)| (p + (q - p) * (off(p) / (off(p) - off(q)))).dot(down));
-    depths.map(|depth| [depth; 2]).reduce(|[lo, hi], [least, most]| [lo.min(least), hi.max(most)])
-}
-
-/// The parts of a line, from the less to the more along it, that nothing hides.
-fn seen([from, to]: [f64; 2], hidden: Option<[f64; 2]>) -> impl Iterator<Item = [f64; 2]> {
-    let [lo, hi] = hidden.unwrap_or([to; 2]);
-    [[from, lo.min(to)], [hi.max(from), to]].into_iter().filter(|[p, q]| p < q)
 }
 
 /// Draws the edge whose normal the axis is, thick, and n square to it outside of its middle, where it is
@@ -300,10 +293,10 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
 
 /// Draws what the test measures: from A's upper end to B's lower one, with both where their `values` are
 /// written.
-fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) -> DVec2) {
+fn measure(sketch: &mut Sketch, t: &Tested, (values, role): (bool, Role), at: impl Fn(f64, f64) -> DVec2) {
     let track = sketch.px(MEASURE);
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
-    sketch.part("gap").bar(p, q, 0.0, Pen::dimension(Role::Translation).width(1.5));
+    sketch.part("gap").bar(p, q, 0.0, Pen::dimension(role).width(1.5));
     let out = at(0.0, 1.0) - at(0.0, 0.0);
     let word = match t.gap < 0.0 {
         true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap $=",
@@ -320,13 +313,13 @@ fn measure(sketch: &mut Sketch, t: &Tested, values: bool, at: impl Fn(f64, f64) 
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
     }
-    let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), Role::Translation) };
+    let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), role) };
     sketch.label(label.rank(Rank::Measure));
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::layer::tests::{labels, lines};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
     use crate::trace::Event;
@@ -358,8 +351,6 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "axes");
             assert_eq!(labels(&figure).contains_key("zero"), reaches, "from {from}");
-            let ray = paths(&figure.drawing.items, "shadow-of-origin");
-            assert_eq!(!ray.is_empty(), reaches, "from {from}");
             // From A's shadow, at 4, to B's, at 9: at least, and 4 more to the origin's.
             let axis = lines(&figure, "axis")[0] / figure.panels[0].frame.scale;
             assert_eq!(axis > 9.0, reaches, "from {from}: {axis}");
