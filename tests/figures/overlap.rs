@@ -180,7 +180,7 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-3.75, -3.4, 4.25, 6.7];
+    let view = [-4.4, -3.75, 4.6, 7.0];
     let vertices = [(-2.4, -2.2), (2.4, -2.2), (2.4, 2.2), (-2.4, 2.2)];
     let tilted = vertices.map(turned);
     // (-1.5, 5) in the world.
@@ -194,7 +194,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         world.any_line((0.0, 0.0), (4.3, 0.0)),
         f.says("$-36.9°$"),
     ];
-    let body = look(&f, 1, [-4.0, -3.4, 4.0, 6.7]);
+    let body = look(&f, 1, [-5.2, -3.95, 3.8, 6.8]);
     shows![
         body.polygon(A, &vertices).is_some(),
         body.circle(B, (1.8, 4.9), 1.5).is_some(),
@@ -208,16 +208,15 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let back = look(&f, 2, view);
     // Of D = (0, 2.7) the circle takes 1.5.
     let (closest, rim) = (turned((1.8, 2.2)), turned((1.8, 3.4)));
-    let out = 1.5 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
         back.line(Translation, closest, rim).is_some_and(thick),
         back.arrow_toward(Translation, closest, center),
-        back.line(B, center, (center.0 - out, center.1 + out)).is_some(),
+        back.line(B, center, (center.0 - 1.5, center.1)).is_some(),
         f.says("$V$") && f.says("$V_x = 1.8$") && f.says("$V_y = 4.9$"),
         f.says("cut to $2.2$") && f.says("$B_c$"),
-        f.says("$r = 1.5$"),
+        f.says("$r$"),
         f.says(r"$\|D\| = 2.7$") && f.says("$1.2$"),
     ];
 }
@@ -266,22 +265,23 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
         assert!(bars.iter().any(|&b| (b - wanted * unit).abs() < 0.25), "{wanted} units: {bars:?}");
     };
     // In the frame of A, whose x axis is (24, −7)/25, where light falls along A's edge.
-    let one = look(&f, 0, [-1.3, -3.6, 13.2, 10.1]);
+    let one = look(&f, 0, [-1.0, -3.7, 13.0, 11.2]);
     shows![
         one.polygon(A, &[(5.4, -0.3), (5.4, 4.7), (2.1, 4.1), (1.5, 1.2)]).is_some(),
         one.polygon(B, &[(3.5, 8.0), (11.5, 2.0), (11.74, 4.32), (7.26, 8.68)]).is_some(),
         one.line(Now, (5.4, -0.3), (5.4, 4.7)).is_some(),
         f.says("overlap $= 5.4 - 3.5 = 1.9$") && f.says("gap $= 8.5 - 7 = 1.5$"),
         f.texts.iter().filter(|(t, _)| t == "$n$").count() == 2,
+        f.texts.iter().filter(|(t, _)| t == "light").count() == 2,
         f.says("$0$") && f.says("$5.4$") && f.says("$3.5$") && f.says("$7$") && f.says("$8.5$"),
     ];
     // A spans 1.5 to 5.4, where its edge lies, and B 3.5 to 11.74.
     has(&one, A, 3.9);
     has(&one, B, 8.24);
-    has(&one, Translation, 1.9);
+    has(&one, Ink, 1.9);
     // In that of B, whose x axis is (4, 3)/5, A spans 1.86 to 7, at its vertex (7, −1.5), and B 8.5, where its edge
     // lies, to 11.3.
-    let two = look(&f, 1, [-1.3, -11.3, 13.2, 2.4]);
+    let two = look(&f, 1, [-1.0, -11.4, 13.0, 3.5]);
     shows![
         two.polygon(A, &[(3.0, -4.5), (7.0, -1.5), (4.54, 0.78), (1.86, -0.48)]).is_some(),
         two.polygon(B, &[(8.5, 2.0), (8.5, -8.0), (10.5, -6.8), (11.3, -0.6)]).is_some(),

@@ -60,7 +60,7 @@ pub(super) fn units(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(
     numbered(sketch, (first, last), at);
 }
 
-/// Writes the numbers of round units along the axis but 0, which has a mark of its own, where they can be read.
+/// Writes the numbers of round units along the axis, where they can be read; 0 has a mark of its own.
 fn numbered(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(f64, f64) -> DVec2) {
     let room = NUMBERED / sketch.on_page(1.0);
     let steps = std::iter::successors(Some(1.0), |s| Some(10.0 * s)).flat_map(|s| [s, 2.0 * s, 5.0 * s]);
