@@ -92,7 +92,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-5.75, -3.3, 5.75, 6.8]);
+    let world = look(&f, 0, [-3.77, -3.5, 3.66, 6.5]);
     // Vertices of A and B, whose x axes are (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let outline = [(-3.0, -1.5), (3.0, -1.5), (3.0, 1.5), (-3.0, 1.5)].map(|(x, y)| turned(x, y));
@@ -115,7 +115,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         // Both ends of what they share once B is pushed out.
         world.marker(Ink, pushed[0]) && world.marker(Ink, pushed[1]),
     ];
-    let conf = look(&f, 1, [-5.75, -4.05, 5.75, 6.05]);
+    let conf = look(&f, 1, [-5.65, -4.0, 5.75, 6.0]);
     let edges = [
         ((-4.0, -2.0), B),
         ((-1.0, -2.0), A),
