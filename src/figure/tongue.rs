@@ -6,7 +6,7 @@ use crate::scene::Scene;
 use crate::trace::{Hand, Tongue, Voice};
 
 use super::language::Language;
-use super::text::Decimal;
+use super::text::{Decimal, Places};
 
 /// The language of the sentences of ours about a scene: its own one where we have that, else English with
 /// English numbers.
@@ -22,5 +22,5 @@ pub(super) fn voice<'n>(scene: &Scene, names: &'n Names, hand: Hand) -> Voice<'n
     let query = scene.query_of_bodies();
     // Of one body nothing is told that could be next to nothing.
     let size = query.b.map_or(0.0, |b| scale_of(query.a, b));
-    Voice { names, tongue: tongue(scene), hand, size }
+    Voice { names, tongue: tongue(scene), hand, size, unit: Places::of(scene).unit }
 }

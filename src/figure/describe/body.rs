@@ -42,10 +42,10 @@ pub(super) fn body_in_words(name: &str, body: &Body, speech: Speech) -> String {
     }
     if !body.shape.is_as_written() {
         let Rotation { cos, sin } = body.shape.matrix;
-        text += &say(&ROTATION, speech.point(DVec2::new(cos, sin)));
+        text += &say(&ROTATION, speech.vector(DVec2::new(cos, sin)));
     }
     if body.velocity != DVec2::ZERO {
-        text += &say(&MOVING, speech.point(body.velocity));
+        text += &say(&MOVING, speech.vector(body.velocity));
     }
     if !body.spin.is_zero() {
         text += &say(&TURNING, speech.value(body.spin.degrees()) + "°");
@@ -103,7 +103,7 @@ mod tests {
     fn told(keys: &str) -> String {
         let text = format!("shapes.it = {{ {keys} }}\nquery = {{ kind = 'bounds', of = ['it'] }}");
         let scene = open_text("body.toml", &text).unwrap().scene;
-        body_in_words("it", &scene.shapes[0].1, Speech(crate::trace::Tongue::ENGLISH))
+        body_in_words("it", &scene.shapes[0].1, Speech::of(&scene))
     }
 
     #[test]

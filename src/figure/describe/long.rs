@@ -3,7 +3,6 @@
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
-use crate::figure::tongue::tongue;
 use crate::geometry::Body;
 use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::Event;
@@ -19,7 +18,7 @@ use super::result::Account;
 
 /// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
 pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[&Panel]) -> String {
-    let speech = Speech(tongue(scene));
+    let speech = Speech::of(scene);
     let mut text = String::new();
     for &index in &scene.query.of {
         if let Some((name, body)) = scene.shapes.get(index) {
@@ -66,7 +65,7 @@ fn steps((scene, run): (&Scene, &Run), speech: Speech) -> String {
 
 /// What each panel shows: its space, its moment, its layers by name.
 pub(crate) fn shown(scene: &Scene, panels: &[&Panel]) -> String {
-    let speech = Speech(tongue(scene));
+    let speech = Speech::of(scene);
     let mut text = String::new();
     let many = panels.len() > 1;
     for (i, panel) in panels.iter().enumerate() {

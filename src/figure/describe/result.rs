@@ -6,7 +6,6 @@ use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
-use crate::figure::tongue::tongue;
 use crate::figure::touching::{Touching, touching};
 use crate::geometry::{Body, DVec2, Names, Side, perp};
 use crate::scene::Scene;
@@ -71,7 +70,7 @@ impl<'r> Account<'r> {
             run,
             near: other.and_then(Run::separation).copied(),
             ways: 0,
-            speech: Speech(tongue(scene)),
+            speech: Speech::of(scene),
         }
     }
 
@@ -142,7 +141,7 @@ fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> Str
 fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize), speech: Speech) -> String {
     let (lo, hi) = (s.bounds.lo, s.bounds.hi);
     if lo > 0.0 {
-        speech.say(&APART, &[a, b, &speech.number(lo, hi), &speech.point(*s.normal)])
+        speech.say(&APART, &[a, b, &speech.number(lo, hi), &speech.vector(*s.normal)])
     } else if hi < 0.0 {
         speech.say(&OVERLAP_AND, &[a, b, &push([a, b], s, pushed, speech)])
     } else {
@@ -155,7 +154,7 @@ fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize),
 fn push([a, b]: [&str; 2], s: &Separation, (pushed, ways): (Side, usize), speech: Speech) -> String {
     let depth = speech.number(-s.bounds.hi, -s.bounds.lo);
     let (name, way) = if pushed == Side::B { (b, *s.normal) } else { (a, -*s.normal) };
-    let way = speech.point(way);
+    let way = speech.vector(way);
     let ties = usize::try_from(s.ties).unwrap_or(usize::MAX);
     match ties {
         0 => speech.say(&PUSH_ANY, &[name, &depth, &way]),

@@ -5,7 +5,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch};
-use crate::figure::text::number;
+use crate::figure::text::Places;
 use crate::geometry::{DVec2, Side};
 use crate::trace::step::bounds;
 use crate::trace::{Event, SupportVertex};
@@ -90,14 +90,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = part.of.map_or(Role::Ink, Role::from);
         sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
     }
-    let role = options.role(Role::Ink);
+    let (role, places) = (options.role(Role::Ink), Places::of(context.scene));
     // Lighter than the body's own outline, round which it is.
     sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(BOX)));
     if options.flag("touching", true) {
-        touching(sketch, last, cue);
+        touching(sketch, last, places, cue);
     }
     if options.flag("corners", true) {
-        corners(sketch.since(at(bounds::BOX)), last, role, at(bounds::CENTER));
+        corners(sketch.since(at(bounds::BOX)), (last, places), role, at(bounds::CENTER));
     }
 }
 
@@ -108,7 +108,7 @@ fn rectangle(found: &Found) -> Outline {
 }
 
 /// Marks the vertices that touch each side; the first of each is named.
-fn touching(sketch: &mut Sketch, found: &Found, cue: Option<Cue>) {
+fn touching(sketch: &mut Sketch, found: &Found, places: Places, cue: Option<Cue>) {
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
     for (i, (vertices, (key, symbol, outward))) in found.touching.iter().zip(SIDES).enumerate() {
@@ -128,18 +128,18 @@ fn touching(sketch: &mut Sketch, found: &Found, cue: Option<Cue>) {
         if let Some(first) = vertices.first() {
             let anchor = Anchor::point_toward(touch(first), outward);
             let value = touch(first).dot(outward.abs());
-            let text = format!("${symbol} = {}$", number(value));
+            let text = format!("${symbol} = {}$", places.latex(value));
             sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
         }
     }
 }
 
 /// Marks and names the corners min and max and the centre.
-fn corners(sketch: &mut Sketch, found: &Found, role: Role, middle: Option<Cue>) {
+fn corners(sketch: &mut Sketch, (found, places): (&Found, Places), role: Role, middle: Option<Cue>) {
     let center = 0.5 * (found.min + found.max);
     for (key, point) in [("min", found.min), ("max", found.max)] {
         sketch.part(key).marker(point, Marker::Disc, role, MARKER);
-        let text = format!("{key} $= ({}, {})$", number(point.x), number(point.y));
+        let text = format!("{key} $= ({}, {})$", places.latex(point.x), places.latex(point.y));
         let anchor = Anchor::point_toward(point, point - center);
         sketch.label(Label::new(key, text, anchor, role));
     }

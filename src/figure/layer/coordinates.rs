@@ -16,6 +16,10 @@ const FINE: f64 = 1.0;
 const WHOLE: usize = 2;
 /// Decimal exponents within which a coordinate is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
+/// The largest where a page pixel is less than [`COARSE`]: 1000002.5 is sooner read than it with a power.
+const FAR: i32 = 11;
+/// The exponent of a page pixel from which on what is shown has a power of ten itself.
+const COARSE: i32 = 3;
 
 /// The coordinates of a point of the world (or of configuration space) in the panel's space, as markup.
 pub(super) fn coordinates(sketch: &Sketch, context: &Context, p: DVec2) -> String {
@@ -30,7 +34,8 @@ fn coordinate(x: f64, fine: f64) -> String {
     if x == 0.0 || size < last {
         return "0".to_owned();
     }
-    if !PLAIN.contains(&size) {
+    let plain = *PLAIN.start()..=if last < COARSE { FAR } else { *PLAIN.end() };
+    if !plain.contains(&size) {
         let digits = whole(f64::from(size - last).clamp(0.0, 12.0));
         let text = format!("{x:.digits$e}");
         let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
@@ -66,8 +71,9 @@ mod tests {
             (1e-17, 0.01, "0"),
             (-1e-17, 0.01, "0"),
             (-0.004_321, 0.01, "0"),
-            (1e9, 0.01, "10^{9}"),
-            (1_000_000_001.25, 0.01, r"1.00000000125 \times 10^{9}"),
+            (1e9, 0.01, "1000000000"),
+            (1_000_000_001.25, 0.01, "1000000001.25"),
+            (1.25e9, 1e4, r"1.25 \times 10^{9}"),
             (2.5e-6, 1e-8, r"2.5 \times 10^{-6}"),
             (1e300, 1e-300, "10^{300}"),
         ];

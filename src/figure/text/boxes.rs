@@ -4,6 +4,7 @@ use crate::figure::context::Context;
 use crate::geometry::DVec2;
 use crate::trace::Event;
 
+use super::places::Places;
 use super::quantity::Quantity;
 
 /// Half-extents of the box or of the bounds.
@@ -35,7 +36,8 @@ pub(super) fn half(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Option<Qua
 
 /// What `pick` takes of the corners of the bounds.
 pub(super) fn bounds(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Option<Quantity> {
-    corners(context).map(pick).map(Quantity::exactly)
+    let place = |x| Quantity::place(x, Places::of(context.scene));
+    corners(context).map(pick).map(place)
 }
 
 /// The smallest and the largest corner of the bounds that answer: those found last, as the boxes of single

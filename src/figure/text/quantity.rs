@@ -7,6 +7,7 @@ use crate::scene::Variant;
 
 use super::digits::Digits;
 use super::number::{USUAL, in_math};
+use super::places::Places;
 
 /// A number with its bounds; both are the same where the trace tells only a double.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,12 +18,14 @@ pub(crate) struct Quantity {
     pub(crate) hi: f64,
     /// Whether it bounds something from above, so that it is never rounded down.
     is_at_most: bool,
+    /// The unit of the last digit of a coordinate, where nobody asks for digits.
+    places: Option<Places>,
 }
 
 impl Quantity {
     /// A value that the trace tells as a double.
     pub(crate) fn exactly(value: f64) -> Self {
-        Self { lo: value, hi: value, is_at_most: false }
+        Self { lo: value, hi: value, is_at_most: false, places: None }
     }
 
     /// A double that something is proved not to be more than.
@@ -30,21 +33,30 @@ impl Quantity {
         Self { is_at_most: true, ..Self::exactly(value) }
     }
 
+    /// A coordinate, as fine as the bodies are large.
+    pub(crate) fn place(x: f64, places: Places) -> Self {
+        Self { places: Some(places), ..Self::exactly(x) }
+    }
+
     /// A value that is told with its bounds.
     pub(crate) fn within(Enclosure { lo, hi }: Enclosure) -> Self {
-        Self { lo, hi, is_at_most: false }
+        Self { lo, hi, is_at_most: false, places: None }
     }
 
     /// Minus this number.
     #[must_use]
     pub(crate) fn negated(self) -> Self {
-        Self { lo: -self.hi, hi: -self.lo, is_at_most: false }
+        Self { lo: -self.hi, hi: -self.lo, is_at_most: false, ..self }
     }
 
     /// The number in so many digits, and no more than its bounds share.
     #[must_use]
     pub(crate) fn written(self, digits: Digits) -> String {
-        if self.is_at_most { digits.at_least(self.hi) } else { digits.of(self.lo, self.hi) }
+        match self.places.filter(|_| digits == USUAL) {
+            Some(places) => places.written(self.lo),
+            None if self.is_at_most => digits.at_least(self.hi),
+            None => digits.of(self.lo, self.hi),
+        }
     }
 
     /// The signed separation: negative inside.

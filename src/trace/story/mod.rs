@@ -1,6 +1,6 @@
 //! A trace as a story: one sentence for each event, for people.
 //!
-//! Numbers are cut to six significant digits, points are `(x, y)`, bodies have the names that the scene gives
+//! Numbers are cut to six significant digits, places to thousandths where those are more, points are `(x, y)`, bodies have the names that the scene gives
 //! them. A step of an advancement opens a paragraph.
 
 mod clip;
@@ -10,6 +10,7 @@ pub(crate) mod growth;
 mod hand;
 mod motion;
 mod phrases;
+mod place;
 pub(crate) mod step;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,7 @@ use phrases::events::{
     SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE,
     WAY_OUT,
 };
+pub(crate) use place::place;
 pub(crate) use words::{Voice, script};
 
 /// Every phrase of a story, in an order that stays.

@@ -4,6 +4,7 @@ use super::hand::{Hand, number, short};
 use super::phrases::{
     AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
 };
+use super::place::place;
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 use crate::trace::tongue::{Phrase, Tongue};
 use crate::trace::{Moment, SupportVertex};
@@ -13,6 +14,11 @@ use crate::trace::{Moment, SupportVertex};
 /// distance that small is told as less than a power of ten, as it may be proved not to be 0. The JSON lines
 /// have every bit.
 const NOTHING: f64 = 1e-12;
+/// How finely a place is told where nobody says how large the bodies are, world units: below that six digits
+/// in all take it near the origin.
+const THOUSANDTHS: f64 = 1e-3;
+/// Coordinates up to this are told as other numbers: those of directions are.
+const DIRECTION: f64 = 1.0;
 
 /// Whose story it is and in which language: every number, point and name in it goes through here.
 #[derive(Clone, Copy, Debug)]
@@ -26,12 +32,14 @@ pub(crate) struct Voice<'n> {
     /// The size of the pair in world units, by which a length is told to be next to nothing; 0 where all are
     /// told.
     pub(crate) size: f64,
+    /// How finely places are told at least, world units.
+    pub(crate) unit: f64,
 }
 
 impl<'n> Voice<'n> {
     /// A story in English.
     pub(super) const fn english(names: &'n Names) -> Self {
-        Self { names, tongue: Tongue::ENGLISH, hand: Hand::Terminal, size: 0.0 }
+        Self { names, tongue: Tongue::ENGLISH, hand: Hand::Terminal, size: 0.0, unit: THOUSANDTHS }
     }
 
     /// With the digits that pictures have, for titles.
@@ -107,7 +115,8 @@ impl<'n> Voice<'n> {
 
     /// An interval: "0 to 2".
     pub(super) fn interval(self, x: Enclosure) -> String {
-        self.say(&SPAN, &[&self.number(x.lo), &self.number(x.hi)])
+        let [lo, hi] = [x.lo, x.hi].map(|end| self.tongue.decimal(self.place(end)));
+        self.say(&SPAN, &[&lo, &hi])
     }
 
     /// A vertex or an edge by its index.
@@ -121,7 +130,7 @@ impl<'n> Voice<'n> {
     /// A point; a coordinate that is rounding beside the other one, or the size of the pair, is told as 0.
     pub(super) fn point(self, p: DVec2) -> String {
         let least = NOTHING * p.abs().max_element().max(self.size);
-        self.tongue.point([p.x, p.y].map(|x| self.digits(if x.abs() < least { 0.0 } else { x })))
+        self.tongue.point([p.x, p.y].map(|x| self.place(if x.abs() < least { 0.0 } else { x })))
     }
 
     /// A number.
@@ -158,11 +167,23 @@ impl<'n> Voice<'n> {
 
     /// A number with a decimal point.
     fn digits(self, x: f64) -> String {
-        match self.hand {
-            Hand::Terminal => number(x),
-            Hand::Words | Hand::Type => Hand::written(&number(x)),
-            Hand::Title => Hand::written(&short(x)),
-        }
+        self.written(&self.cut(x))
+    }
+
+    /// A coordinate with a decimal point.
+    fn place(self, x: f64) -> String {
+        let text = self.cut(x);
+        self.written(&if x.abs() > DIRECTION { place(x, text, self.unit) } else { text })
+    }
+
+    /// A number in as many digits as this hand writes, with the signs of a terminal.
+    fn cut(self, x: f64) -> String {
+        if matches!(self.hand, Hand::Title) { short(x) } else { number(x) }
+    }
+
+    /// A number with the signs of this hand.
+    fn written(self, number: &str) -> String {
+        if matches!(self.hand, Hand::Terminal) { number.to_owned() } else { Hand::written(number) }
     }
 }
 
@@ -185,6 +206,14 @@ mod tests {
         let told = |x, y| Voice::english(&names).point(DVec2::new(x, y));
         assert_eq!(told(4.4e-16, 5.0), "(0, 5)");
         assert_eq!(told(4e-16, 5e-16), "(4e-16, 5e-16)");
+    }
+
+    #[test]
+    fn far_from_the_origin_places_keep_their_thousandths() {
+        let names = Names::default();
+        let told = |x, y| Voice::english(&names).point(DVec2::new(x, y));
+        assert_eq!(told(1_000_002.5, 48_007.234_56), "(1000002.5, 48007.235)");
+        assert_eq!(told(1.0 / 3.0, 4.0 / 3.0), "(0.333333, 1.33333)");
     }
 
     #[test]

@@ -60,9 +60,7 @@ fn a_contact_pushes_the_body_that_the_reference_edge_faces_along_the_normal_that
         let runs = Runs::default();
         let run = runs.own(&scene, 0.0);
         let drawn = run.events().find_map(|event| match event {
-            Event::EdgesFaced { body, normal, .. } => {
-                Some((*body, Speech(crate::trace::Tongue::ENGLISH).point(*normal)))
-            }
+            Event::EdgesFaced { body, normal, .. } => Some((*body, Speech::ENGLISH.vector(*normal))),
             _ => None,
         });
         let (reference, normal) = drawn.unwrap();
