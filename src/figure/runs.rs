@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use crate::collision::{
     ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation, scale_of,
 };
-use crate::geometry::{Body, Enclosure};
+use crate::geometry::{Body, Enclosure, Feature, Side};
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
@@ -126,6 +126,15 @@ impl Run {
     /// The cue of the answer: the end of the run.
     pub(crate) fn end(&self) -> Cue {
         self.cue(self.trace.events.len().saturating_sub(1))
+    }
+
+    /// The body and the edge or vertex of the best candidate; `None` without one.
+    pub(crate) fn candidate(&self) -> Option<(Side, Feature)> {
+        let source = |event: &Event| match event {
+            Event::CandidateImproved { source, .. } => Some(*source),
+            _ => None,
+        };
+        self.trace.events.iter().rev().find_map(source)
     }
 
     /// The cue with which the nearest point is known: of the best candidate, else of the answer.

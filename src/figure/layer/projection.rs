@@ -84,7 +84,7 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
-/// The most axes that come and go, as many as the eye could follow.
+/// The most axes that come and go, which the eye could follow.
 const MOST_PASSING: usize = 40;
 
 /// An axis that the algorithm tested.
@@ -122,18 +122,20 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
     }
 }
 
-/// The axis of the largest measure; of several the one along the answer's normal, as its sentence has it.
+/// The axis of the largest measure; of several the one along the answer's normal, as its sentence has it, and
+/// of two edges with that the one that the trace names.
 fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
     let widest = all.iter().map(|t| t.gap).max_by(f64::total_cmp)?;
     let is_tied = |t: &&Tested| widest - t.gap <= TIED * widest.abs();
     let mut ties: Vec<Tested> = all.iter().filter(is_tied).copied().collect();
-    if ties.len() > 1
-        && let Some(run) = context.separation_at(context.time)
-        && let Some(n) = run.separation().map(|s| *s.normal)
-    {
-        ties.sort_by(|s, t| s.n.dot(n).total_cmp(&t.n.dot(n)));
+    let found = context.separation_at(context.time).filter(|_| ties.len() > 1);
+    if let Some((run, s)) = found.as_ref().and_then(|run| Some((run, run.separation()?))) {
+        let along = |t: &Tested| t.n.dot(*s.normal);
+        let most = ties.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
+        ties.retain(|t| most - along(t) <= TIED);
+        ties.sort_by_key(|t| run.candidate() != Some(t.source));
     }
-    ties.pop()
+    ties.into_iter().next()
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -256,10 +258,11 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, with_normal: bool) -
     let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
     let (p, q) = (p + out, q + out);
     let middle = 0.5 * (p + q);
-    // n points from A to B: away from an edge of A, and up to one of B.
+    // n points from A to B: away from an edge of A, and up to one of B, but never out of A through its gap.
+    let unit = unit_length(sketch);
     let (from, outward) = match side {
-        Side::A => (middle, t.n),
-        Side::B => (middle - t.n * unit_length(sketch), -t.n),
+        Side::B if unit <= t.gap => (middle - t.n * unit, -t.n),
+        _ => (middle, t.n),
     };
     sketch.part("edge").line(p, q, Pen::highlighted(side.into()));
     if !with_normal {
