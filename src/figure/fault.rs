@@ -6,7 +6,7 @@
 
 use std::fmt;
 
-use crate::scene::{self, Explain, Scene, Severity, codes};
+use crate::scene::{self, Explain, Severity, codes};
 
 use super::placement::LabelFault;
 
@@ -50,6 +50,11 @@ pub enum Fault {
         layer: &'static str,
         /// How the answer turned out, or what the case is.
         why: &'static str,
+    },
+    /// A note: a body that the query is not about lies outside of every panel.
+    OutOfView {
+        /// Its name.
+        name: String,
     },
     /// A note: the figure was to play, and none of its panels does.
     NothingPlays {
@@ -166,6 +171,7 @@ impl Fault {
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
             | Self::NothingPlays { .. }
+            | Self::OutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
             Self::NoLayers | Self::EmptyView { .. } | Self::TextDropped { .. } | Self::LabelClash(_) => {
@@ -187,6 +193,7 @@ impl Explain for Fault {
             | Self::NothingForOption { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } => codes::NOTHING_PLAYS.code,
+            Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
@@ -206,6 +213,9 @@ impl Explain for Fault {
             Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
             Self::EmptyView { .. } => Some("without the key `view` it shows all of it".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
+            Self::OutOfView { .. } => {
+                Some("a panel's `view = [x0, y0, x1, y1]` reaches as far as it says".to_owned())
+            }
             Self::UnfedLayer { needs, .. } => Some(format!("it needs {needs}")),
             Self::TextDropped { .. } => Some(
                 "it stays in the alternative text; a larger canvas or a shorter text shows it".to_owned(),
@@ -266,6 +276,9 @@ impl fmt::Display for Fault {
                 )
             }
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
+            Self::OutOfView { name } => {
+                write!(f, "`{name}` is not on the picture: it is far from the bodies of the query")
+            }
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::UnsuitedLayer { layer, space } => {
                 write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
@@ -283,29 +296,6 @@ impl fmt::Display for Fault {
             Self::LabelClash(fault) => fault.fmt(f),
         }
     }
-}
-
-/// The problem of a scene whose drawing has a place that is on no page: in which panel, given the names of
-/// the outermost and of the innermost group that it is in.
-///
-/// ```
-/// use tracefig::{figure::off_page, scene::open_text};
-/// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']\n\
-///             [[panels]]\nlayers = ['shapes']";
-/// let file = open_text("s.toml", text)?;
-/// let problem = off_page(&file.scene, "panel-1", "body-A");
-/// assert_eq!(problem.fault.to_string(), "`body-A` has a place that is not on any page");
-/// assert_eq!(problem.span, file.scene.panels[0].span);
-/// # Ok::<(), Box<tracefig::Refused>>(())
-/// ```
-#[must_use]
-pub fn off_page(scene: &Scene, outer: &str, group: &str) -> Problem {
-    let number = outer.rsplit('-').next().and_then(|number| number.parse::<usize>().ok());
-    let panel = number.and_then(|number| scene.panels.get(number.checked_sub(1)?));
-    // The picture of a scene without panels is of its bodies.
-    let body = || scene.shapes.first().map_or(0..0, |(name, _)| name.span.clone());
-    let span = panel.map_or_else(body, |panel| panel.span.clone());
-    Problem::new(Fault::OffPage { group: group.to_owned() }, span)
 }
 
 #[cfg(test)]

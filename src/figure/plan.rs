@@ -20,7 +20,7 @@ use super::language::Language;
 use super::layer::{EXPECTED, is_key};
 use super::lettering::Lettering;
 use super::limits::{MAX_POINTS, areas_within, within};
-use super::narrow;
+use super::out_of_view::out_of_view;
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
@@ -28,7 +28,7 @@ use super::runs::{Run, Runs};
 use super::sketch::Sketched;
 use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
-use super::view;
+use super::{narrow, view};
 
 /// How many problems are told at most: a scene with more is none.
 const MAX_PROBLEMS: usize = 50;
@@ -192,7 +192,7 @@ fn resolve<'s>(
         problems.extend(said.err().into_iter().chain(runs.overflow(scene)).map(Problem::from));
     }
     if let Some(page) = page.filter(|_| problems.is_empty()) {
-        warnings.extend(replaced(scene, &runs.called));
+        warnings.extend(replaced(scene, &runs.called).into_iter().chain(out_of_view(scene, &runs, &panels)));
         return Ok(Plan {
             scene,
             theme,

@@ -90,6 +90,15 @@ impl Pose {
 }
 
 impl Body {
+    /// Where the body is marked, in its own frame: the centre of a circle, which may lie beside the body's
+    /// origin; of any other body its origin.
+    pub(crate) fn center(&self) -> DVec2 {
+        match self.shape.vertices[..] {
+            [center] => center,
+            _ => DVec2::ZERO,
+        }
+    }
+
     /// A body that does not move, unturned: its position is in world units. The other fields may be set.
     ///
     /// ```

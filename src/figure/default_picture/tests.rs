@@ -9,7 +9,7 @@ use crate::figure::layer::EXPECTED;
 use crate::figure::runs::Runs;
 use crate::figure::{draw, plan};
 use crate::geometry::Side;
-use crate::scene::{Scene, open_text, panels_of_text};
+use crate::scene::{Scene, Severity, open_text, panels_of_text};
 
 /// Places of B that a motion of A by (3, 0) hits soon and late, misses and begins in; and the first again
 /// with a radius, by which bodies overlap whose cores are apart.
@@ -87,7 +87,8 @@ fn every_answer_has_a_picture_and_every_row_and_layer_an_answer() {
             fed.entry(row.name).or_default().extend(panel.layers.iter().map(|l| l.layer.name.to_owned()));
         }
         let figure = draw(&plan, plan.theme, "s");
-        assert_eq!(figure.warnings.len(), figure.faults().len(), "{}: {:?}", row.name, figure.warnings);
+        let told = figure.warnings.iter().filter(|told| told.fault.severity() == Severity::Warning);
+        assert_eq!(told.count(), figure.faults().len(), "{}: {:?}", row.name, figure.warnings);
         faults.extend(figure.faults().iter().map(|fault| format!("{}: {fault}", row.name)));
         figures += 1.0;
     }

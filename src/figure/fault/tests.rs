@@ -31,6 +31,11 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
             "",
         ),
         (
+            Fault::OutOfView { name: "house".to_owned() },
+            "`house` is not on the picture: it is far from the bodies of the query",
+            "a panel's `view = [x0, y0, x1, y1]` reaches as far as it says",
+        ),
+        (
             Fault::NoValue { value: "time".to_owned(), why: "the answer is a miss" },
             "a dash stands for `{=time}`: the answer is a miss",
             "",

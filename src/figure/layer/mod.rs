@@ -74,6 +74,7 @@ use crate::geometry::Side;
 
 pub(crate) use fed::Fed;
 pub(crate) use options::{OptionSpec, Options, Takes};
+pub(crate) use shapes::shows_context;
 
 /// Which panels a layer can stand in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! The bodies at the panel's moment, filled and named; with `centers`, their origins marked.
+//! The bodies at the panel's moment, filled and named; with `centers`, these marked.
 //!
 //! Bodies that the query is not about are context: muted, under the others, and named where they are in view.
 //! Those that would make the pair small do not count for the fit of the view.
@@ -6,7 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
-use crate::geometry::{DVec2, Pose, Side};
+use crate::geometry::{DVec2, Side};
 
 use super::held;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
@@ -16,7 +16,7 @@ const FAINT: f64 = 0.08;
 
 /// How much larger than the pair on its whole way a view may become for a body of the context. At 1 a body
 /// beside the pair is cut off; at 4 the pair is a quarter of the panel for the sake of something else.
-const GROWTH: f64 = 2.0;
+const GROWTH: f64 = 3.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "shapes",
@@ -29,7 +29,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "centers",
             takes: Takes::Flag,
             default: "false",
-            about: "marks the bodies' origins",
+            about: "marks the bodies' origins, and of a circle its centre",
         },
         OptionSpec {
             name: "context",
@@ -53,8 +53,8 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
         LabelKey { key: "B", about: "name of the second body" },
-        LabelKey { key: "a", about: "origin of the first body, with centers" },
-        LabelKey { key: "b", about: "origin of the second body, with centers" },
+        LabelKey { key: "a", about: "centre of the first body, with centers" },
+        LabelKey { key: "b", about: "centre of the second body, with centers" },
         LabelKey { key: "context", about: "name of a body that the query is not about" },
     ],
     needs: "nothing",
@@ -65,7 +65,7 @@ pub(super) const LAYER: Layer = Layer {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let sides = options.of(&context.sides());
     let centers = options.flag("centers", false);
-    if options.flag("context", !options.gives("of")) {
+    if shows_context(&LAYER, options) {
         bystanders(sketch, context, options.flag("dotted", false));
     }
     for &side in &sides {
@@ -76,6 +76,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// Whether a layer is this one and shows the bodies that the query is not about.
+pub(crate) fn shows_context(layer: &Layer, options: &Options) -> bool {
+    layer.name == LAYER.name && options.flag("context", !options.gives("of"))
+}
+
 /// Draws a body.
 fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(outline) = context.outline(side, context.time) else { return };
@@ -84,7 +89,7 @@ fn body(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     held::body(sketch, context, side);
 }
 
-/// Names a body inside it; with `center`, marks its origin.
+/// Names a body inside it; with `center`, marks its own.
 fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, center: bool) {
     let Some(outline) = context.outline(side, context.time) else { return };
     let role = options.role(side.into());
@@ -95,7 +100,8 @@ fn name(sketch: &mut Sketch, context: &Context, options: &Options, side: Side, c
         Some(lines) => label.given(lines).size(Size::Note),
         None => label.size(Size::Name),
     });
-    if let Some(Pose { position, .. }) = pose {
+    if let Some((pose, body)) = pose.zip(context.body(side)) {
+        let position = pose.point(body.center());
         let marker = if side == Side::A { Marker::Disc } else { Marker::Square };
         let key = if side == Side::A { "a" } else { "b" };
         sketch.part(part("center", side)).marker(position, marker, role, MARKER);

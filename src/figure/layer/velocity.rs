@@ -9,7 +9,7 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::{Quantity, number};
-use crate::geometry::{DVec2, Enclosure, Side};
+use crate::geometry::{Body, DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
 
 use super::held;
@@ -31,7 +31,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "from",
             takes: Takes::Word(&["center", "contact"]),
             default: "\"center\"",
-            about: "starts at the body's origin, or at the point that touches at the hit",
+            about: "starts at the body's origin, or a circle's centre that goes straight; or at the point that touches \
+                at the hit",
         },
         OptionSpec {
             name: "accent",
@@ -148,14 +149,17 @@ pub(super) fn text(symbol: &str, v: DVec2, options: &Options, scale: f64) -> Str
     }
 }
 
-/// Where the arrow of a body starts, in the body's frame: at its origin, or at the point that is to touch.
+/// Where the arrow of a body starts, in the body's frame: at the point that is to touch; or at its origin, the
+/// only point of a body that turns which goes straight. A circle that does not turn has it at its centre.
 fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
     let touching = || {
         let (time, contact) = context.hit()?;
         Some(context.pose(side, time)?.inverse_point(contact.points[usize::from(side == Side::B)]))
     };
     let contact = options.word("from", "center") == "contact";
-    contact.then(touching).flatten().unwrap_or(DVec2::ZERO)
+    let going = context.body(side).filter(|body| body.spin.is_zero());
+    let own = || going.map_or(DVec2::ZERO, Body::center);
+    contact.then(touching).flatten().unwrap_or_else(own)
 }
 
 /// An arrow to draw, in the panel's space.
