@@ -4,8 +4,7 @@
 //! An interval is the shadow of a body: from the least to the largest n·x of its points. The axis n points
 //! out of an edge of A, or into one of B, so that the measure is that of the other body's support from the
 //! edge's line. Where B begins beyond A's end it is the gap of the intervals. Else it is the depth: how far B
-//! must go along n until the edge parts them. That is the overlap where it is what the intervals share, and
-//! is more than that where one reaches past the other's far end.
+//! must go along n until the edge parts them: the overlap, or more, where one reaches past the other's end.
 
 use crate::collision::Answer;
 use crate::drawing::Role;
@@ -126,8 +125,8 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
 /// of two edges with that the one that the trace names.
 fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
     let widest = all.iter().map(|t| t.gap).max_by(f64::total_cmp)?;
-    let is_tied = |t: &&Tested| widest - t.gap <= TIED * widest.abs();
-    let mut ties: Vec<Tested> = all.iter().filter(is_tied).copied().collect();
+    let mut ties: Vec<Tested> = all.to_vec();
+    ties.retain(|t| widest - t.gap <= TIED * widest.abs());
     let found = context.separation_at(context.time).filter(|_| ties.len() > 1);
     if let Some((run, s)) = found.as_ref().and_then(|run| Some((run, run.separation()?))) {
         let along = |t: &Tested| t.n.dot(*s.normal);
@@ -135,7 +134,7 @@ fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
         ties.retain(|t| most - along(t) <= TIED);
         ties.sort_by_key(|t| run.candidate() != Some(t.source));
     }
-    ties.into_iter().next()
+    ties.first().copied()
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {

@@ -31,8 +31,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "from",
             takes: Takes::Word(&["center", "contact"]),
             default: "\"center\"",
-            about: "starts at the body's origin, or a circle's centre that goes straight; or at the point that touches \
-                at the hit",
+            about: "starts at the body's origin, or a circle's centre that goes straight; or at the point \
+                that touches at the hit",
         },
         OptionSpec {
             name: "accent",
@@ -149,8 +149,8 @@ pub(super) fn text(symbol: &str, v: DVec2, options: &Options, scale: f64) -> Str
     }
 }
 
-/// Where the arrow of a body starts, in the body's frame: at the point that is to touch; or at its origin, the
-/// only point of a body that turns which goes straight. A circle that does not turn has it at its centre.
+/// Where the arrow of a body starts, in the body's frame: at the point that is to touch; or at its origin,
+/// the only point of a body that turns which goes straight. A circle that does not turn has it at its centre.
 fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
     let touching = || {
         let (time, contact) = context.hit()?;

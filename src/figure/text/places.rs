@@ -24,7 +24,7 @@ impl Places {
     #[cfg(test)]
     pub(crate) const ANY: Self = Self { unit: f64::INFINITY };
 
-    /// Those of the bodies that a scene asks about.
+    /// How finely places are written beside the bodies that a scene asks about.
     pub(crate) fn of(scene: &Scene) -> Self {
         let query = scene.query_of_bodies();
         let sizes = [Some(query.a), query.b].into_iter().flatten().map(extent).filter(|&size| size > 0.0);

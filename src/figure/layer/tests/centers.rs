@@ -9,7 +9,8 @@ use crate::scene::open_text;
 /// A circle about (0.5, 0) in the frame of a body at (1, 2) turned by 90°, with more of its keys.
 fn drawn(keys: &str) -> Figure {
     let text = format!(
-        "shapes.A = {{ kind = 'circle', radius = 1, center = [0.5, 0], position = [1, 2], angle_deg = 90 {keys} }}
+        "shapes.A = {{ kind = 'circle', radius = 1, center = [0.5, 0], position = [1, 2], angle_deg = 90
+             {keys} }}
          shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [6, 2.5] }}
          query = {{ kind = 'time-of-impact', of = ['A', 'B'] }}
          panels = [{{ layers = [{{ layer = 'shapes', centers = true }}, 'velocity'] }}]"
