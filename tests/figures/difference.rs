@@ -29,7 +29,7 @@ fn dotted(path: &Path) -> bool {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-4.6, -5.0, 5.9, 4.9];
+    let view = [-4.9, -5.5, 6.0, 4.6];
     let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.9, y - 0.6), (x + 0.2, y + 1.2)];
     let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
@@ -61,9 +61,10 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         grown.line(Translation, (2.0, 3.0), (0.8, 1.4)).is_some(),
         grown.marker(A, (3.0, -2.0)),
         // Moved by p - q, b lies on a vertex.
+        [(-3.4, 0.6), (-0.7, -3.2), (1.8, -3.7)].into_iter().all(around),
         around((4.0, -1.0)) && grown.arrow_toward(Difference, (2.0, 3.0), (4.0, -1.0)),
     ];
-    let conf = look(&f, 2, [-4.1, -2.2, 6.4, 7.7]);
+    let conf = look(&f, 2, [-4.25, -1.75, 6.65, 8.35]);
     edges_wear_their_source(
         &conf,
         &[
@@ -82,8 +83,9 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 3,
         f.says(r"$B \ominus A$"),
         f.says("$O$"),
-        // Where the grown A was nearest to b, before the half turn.
-        conf.line(Muted, (0.0, 0.0), (-1.2, -1.6)).is_some() && f.says("before the turn"),
+        // A as it lies in the grown A, turned half round about b: (2, 3) less its vertices.
+        conf.polygon(A, &[(3.0, 2.0), (4.0, 4.0), (1.0, 6.0), (-1.0, 5.0)]).is_some_and(dotted),
+        f.says("$A$ turned"),
         conf.text_near("from $A$", (0.2, 6.7), 60.0),
         conf.text_near("from $B$", (5.05, 4.3), 60.0),
     ];

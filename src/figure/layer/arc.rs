@@ -17,6 +17,8 @@ use crate::trace::Event;
 use crate::trace::step::turned;
 
 use super::half_extents::ON_LINE;
+use super::turn::{BELOW, FAN, ON_THE_WAY, SECTOR, Turn, rungs};
+use super::unrolled::unrolled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Radius of the angle mark, as a part of r: inside the body, clear of its centre.
@@ -27,16 +29,6 @@ const NEARER_MARK: f64 = 0.45;
 
 /// How much farther than usual the length stands off the arc, page pixels: half the arc's wide line.
 const CLEAR: f64 = 3.0;
-
-/// How far below the lower radius a part of it is measured, and the whole of it, page pixels: a label of 16
-/// fits between.
-const BELOW: [f64; 2] = [20.0, 66.0];
-
-/// How far beside the way to p a point counts as lying on it, as a part of p's distance: unseen on a page.
-const ON_THE_WAY: f64 = 1e-3;
-
-/// Opacity of the sector's fill.
-const SECTOR: f64 = 0.06;
 
 pub(super) const LAYER: Layer = Layer {
     name: "arc",
@@ -63,6 +55,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "instead of the turn the sector's arcs straightened, each upright where its point is, \
                     by distance from the origin",
+        },
+        OptionSpec {
+            name: "fan",
+            takes: Takes::Flag,
+            default: "false",
+            about: "faint arcs of points on the outer half of the way to p",
         },
         OptionSpec {
             name: "around",
@@ -93,6 +91,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "q'", about: "the nearer vertex after the turn" },
         LabelKey { key: "r_q", about: "distance of the nearer vertex, with sector or unrolled" },
         LabelKey { key: "L_q", about: "length of its arc, with sector or unrolled" },
+        LabelKey { key: "slope", about: "the line that every straightened arc ends on, unrolled" },
         LabelKey { key: "others", about: "another point that is as far" },
     ],
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
@@ -101,36 +100,6 @@ pub(super) const LAYER: Layer = Layer {
     },
     draw,
 };
-
-/// The turn of an extreme point about its body's origin.
-struct Turn {
-    /// The body that turns.
-    side: Side,
-    /// Its origin at the panel's moment, in the world, about which it turns.
-    center: DVec2,
-    /// Distance of the extreme point from there, world units.
-    radius: f64,
-    /// The extreme point's direction before, radians counter-clockwise from +x.
-    start: f64,
-    /// How far it turns, radians, counter-clockwise where positive.
-    sweep: f64,
-    /// Length of its arc, world units.
-    arc: f64,
-    /// The other points that are as far, before the turn, in the world.
-    others: Vec<DVec2>,
-}
-
-impl Turn {
-    /// The extreme point before the turn, in the world: out by the radius from its vertex.
-    fn before(&self) -> DVec2 {
-        on_circle(self.center, self.radius, self.start)
-    }
-
-    /// The extreme point after the turn, in the world.
-    fn after(&self) -> DVec2 {
-        on_circle(self.center, self.radius, self.start + self.sweep)
-    }
-}
 
 /// The turn that the algorithm told, of the body and vertex that the scene wants.
 fn turn(context: &Context, options: &Options) -> Option<Turn> {
@@ -195,11 +164,22 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
     sketch.part("extreme-point").marker(after, marker, role, MARKER);
     sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
+    if options.flag("fan", false) {
+        fan(sketch, &t, nearer(context, options, &t));
+    }
     points(sketch, &t, after);
     let arm = nearer(context, options, &t);
     measures(sketch, options, &t, (sector, arm.is_some()));
     if let Some(arm) = arm {
         shorter(sketch, &t, arm, sector);
+    }
+}
+
+/// Draws arcs of points on the way to p, faint, but that which is drawn anyway.
+fn fan(sketch: &mut Sketch, t: &Turn, drawn: Option<DVec2>) {
+    sketch.part("fan").weight(Weight::Light);
+    for radius in rungs(t, drawn.map(DVec2::length)) {
+        sketch.arc(t.center, radius, t.start, t.sweep, Pen::dimension(t.side.into()).opacity(FAN));
     }
 }
 
@@ -247,46 +227,6 @@ fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
         let length = format!(r"$\theta\,r_q = {}$", number(radius * t.sweep.abs()));
         sketch.label(Label::new("L_q", length, path, role));
     }
-}
-
-/// Draws every arc of the sector straight and upright, where its point is on the way out from the origin: as
-/// long as that is far, times the angle, up to the longest. That one is named, and that of a nearer point.
-fn unrolled(sketch: &mut Sketch, options: &Options, t: &Turn, nearer: Option<f64>) {
-    let out = |radius: f64| t.center + DVec2::X * radius;
-    let up = |radius: f64| out(radius) + DVec2::Y * (radius * t.sweep.abs());
-    let slice = Outline::polygon(&[t.center, out(t.radius), up(t.radius)]);
-    sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
-    for end in [out(t.radius), up(t.radius)] {
-        sketch.part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
-    }
-    let accent = options.role(Role::Now);
-    let longest = (t.radius, ["p", "p'", "r", "L"], BELOW[1], Pen::highlighted(accent));
-    let shorter =
-        nearer.map(|radius| (radius, ["q", "q'", "r_q", "L_q"], BELOW[0], Pen::vector(t.side.into())));
-    let marker = if t.side == Side::A { Marker::Disc } else { Marker::Square };
-    for (radius, [before, after, r, l], below, pen) in std::iter::once(longest).chain(shorter) {
-        let (from, to) = (out(radius), up(radius));
-        sketch.part("arc").arrow_to(from, to, MARKER + 1.0, pen);
-        for (key, point, toward) in [(before, from, DVec2::X), (after, to, DVec2::Y)] {
-            sketch.part("extreme-point").marker(point, marker, t.side.into(), MARKER);
-            let anchor = Anchor::point_toward(point, toward);
-            sketch.label(Label::new(key, format!("${key}$"), anchor, Role::Ink).rank(Rank::Point));
-        }
-        let offset = sketch.fitted(below);
-        sketch.part("radius").dimension(t.center, from, -offset, Pen::dimension(Role::Ink));
-        let text = format!("${r} = {}$", number(radius));
-        let beside = Anchor::Beside { from, to: t.center, offset };
-        sketch.label(Label::new(r, text, beside, Role::Ink));
-        let length = number(radius * t.sweep.abs());
-        let text = if l == "L" {
-            format!(r"$L = \theta\,r = {length}$")
-        } else {
-            format!(r"$\theta\,r_q = {length}$")
-        };
-        let beside = Anchor::Beside { from: to, to: from, offset: ON_LINE };
-        sketch.label(Label::new(l, text, beside, pen.role));
-    }
-    sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
 }
 
 /// Marks the other points that are as far from the origin as the extreme point; the first is named.
@@ -389,6 +329,29 @@ mod tests {
                 let frame = &figure.panels[0].frame;
                 let px = (frame.page(DVec2::X) - frame.page(DVec2::ZERO)).length();
                 assert!((bounds.width() / px - 10.0).abs() < 0.7, "{}", bounds.width() / px);
+            }
+        }
+    }
+
+    #[test]
+    fn every_straightened_arc_of_a_fan_ends_on_one_line_whose_slope_is_the_angle() {
+        for (inner, rungs) in [("", 4), (", inner = [1.5, 2]", 3), (", inner = [0.6, 0.8]", 4)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-1, -1], [3, -1], [3, 4], [-1, 2]],
+                    angular_velocity_rad = 0.75 }}
+                query = {{ kind = 'motion-bound', of = ['A'] }}
+                panels = [{{ view = [-1, -2, 6, 5],
+                    layers = [{{ layer = 'arc', unrolled = true, fan = true{inner} }}] }}]"
+            );
+            let scene = open_text("fan", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "fan");
+            let frame = &figure.panels[0].frame;
+            let fan = paths(&figure.drawing.items, "fan");
+            assert_eq!(fan.len(), rungs, "{inner}: that of q is drawn anyway");
+            for bounds in fan.iter().map(|path| path.contour.bounds().unwrap()) {
+                let radius = (bounds.x0 - frame.page(DVec2::ZERO).x) / frame.scale;
+                assert!((bounds.height() / frame.scale - 0.75 * radius).abs() < 1e-6, "{radius}");
             }
         }
     }

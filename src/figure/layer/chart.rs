@@ -106,8 +106,10 @@ impl<'c> Chart<'c> {
         ];
         for (key, name, end, toward) in ends {
             sketch.part("axis").weight(Weight::Background).arrow(corner, end, Pen::axis());
-            let anchor = Anchor::point_toward(end, toward);
-            let size = if name.starts_with('$') { Size::Point } else { Size::Note };
+            // Words stand inside, where the curve that begins below is far.
+            let (size, toward) =
+                if name.starts_with('$') { (Size::Point, toward) } else { (Size::Note, DVec2::X) };
+            let anchor = Anchor::point_toward(end, self.vector(toward));
             sketch.label(Label::new(key, name, anchor, Role::Muted).size(size));
         }
     }

@@ -2,14 +2,12 @@
 //! apart; where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is
 //! at the origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
-use std::f64::consts::PI;
-
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, angle_of};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::{asked_distance, distance_or_depth, number};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
 use super::difference::difference;
@@ -38,15 +36,14 @@ pub(super) const LAYER: Layer = Layer {
             name: "turned",
             takes: Takes::Flag,
             default: "false",
-            about: "what \"grown\" has at its point, dotted, and the half turn that takes it here",
+            about: "A turned half round, dotted: where \"grown\", turned half round about its point, has it",
         },
     ],
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
         LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed out" },
-        LabelKey { key: "turn", about: "the half turn, with turned" },
-        LabelKey { key: "unturned", about: "the distance before the half turn, with turned" },
+        LabelKey { key: "turned", about: "the first body turned half round, with turned" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -56,10 +53,6 @@ pub(super) const LAYER: Layer = Layer {
 /// How far a point of the outline may be from the edge that it lies on, in parts of its distance from the
 /// origin: both are rounded a few times.
 const SAME: f64 = 1e-9;
-
-/// Radius of the arc of the half turn, page pixels, and the most of the way that it takes.
-const TURN: f64 = 46.0;
-const SHARE: f64 = 0.6;
 
 /// The nearest point of B ⊖ A.
 pub(super) struct Nearest {
@@ -97,7 +90,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let to = from + foot;
     right_angle(sketch, context, from, foot);
     if options.flag("turned", false) {
-        half_turn(sketch, from, foot);
+        half_turned(sketch, context);
     }
     sketch.part("closest");
     if overlap {
@@ -116,17 +109,17 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
 }
 
-/// Draws the way from the origin to B ⊖ A before the half turn, and an arc arrow from there.
-fn half_turn(sketch: &mut Sketch, from: DVec2, foot: DVec2) {
-    let (start, radius) = (angle_of(-foot), sketch.px(TURN).min(SHARE * foot.length()));
-    let before = from - foot;
-    sketch.part("unturned").weight(Weight::Light).dimension(from, before, 0.0, Pen::dimension(Role::Muted));
-    let label = Label::new("unturned", "before the turn", Anchor::tip(from, before), Role::Muted);
-    sketch.label(label.rank(Rank::Word).size(Size::Note));
-    sketch.part("turn").weight(Weight::Light);
-    sketch.arc_arrow(from, radius, start, PI, Pen::dimension(Role::Ink));
-    let anchor = Anchor::Arc { center: from, radius, start, sweep: PI };
-    let label = Label::new("turn", "half a turn", anchor, Role::Ink);
+/// Draws A as it lies in B ⊖ A where that is the grown A turned half round about B's origin: x is at b − x.
+fn half_turned(sketch: &mut Sketch, context: &Context) {
+    let (Some(b), Some(outline)) =
+        (context.pose(Side::B, context.time), context.outline(Side::A, context.time))
+    else {
+        return;
+    };
+    let turned = outline.turned_about(DVec2::ZERO).moved(b.position);
+    sketch.part("turned").weight(Weight::Light).area(&turned, None, Some(Pen::ghost(Role::A)));
+    let text = format!("{} turned", context.name(Side::A));
+    let label = Label::new("turned", text, Anchor::inside(&turned), Role::A);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 

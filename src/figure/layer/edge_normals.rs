@@ -2,10 +2,12 @@
 //! against it, v · nᵢ < 0: those that it was not tested against for that have their normals muted. The letter
 //! n without a number is the normal from A to B, which is against that of the edge that faces.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::geometry::{DVec2, Side};
 
 use super::difference::{culled, difference};
@@ -14,6 +16,12 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Width, page pixels, and opacity of the normals of edges that face away: one of either kind has words.
 const AWAY: (f64, f64) = (1.0, 0.6);
+/// How near to where the ray enters no normal stands, page pixels: a mark of that, and a head.
+const CLEAR: f64 = 30.0;
+/// The angle between the ray and a normal against it that is seen best, radians.
+const AGAINST: f64 = 0.75 * PI;
+/// Radius of the arc between a normal and the ray's direction, in parts of the normal.
+const ANGLE: f64 = 0.5;
 /// The length of a normal on the page at least, page pixels, where 1 is shorter.
 const LEAST: f64 = 22.0;
 
@@ -33,14 +41,18 @@ pub(super) const LAYER: Layer = Layer {
             name: "signs",
             takes: Takes::Flag,
             default: "false",
-            about: "says of one normal of either kind whether n · v is less or more than 0",
+            about: "says of one normal of either kind whether n · v is less or more than 0, and \
+                draws v's direction beside the first",
         },
     ],
     labels: &[
         LabelKey {
-            key: "n", about: "the normal nᵢ that looks most against the ray; without one, the first"
+            key: "n",
+            about: "the normal nᵢ that looks most against the ray, with signs one that does; without a ray, \
+                the first",
         },
         LabelKey { key: "away", about: "the normal that looks most along the ray, with signs" },
+        LabelKey { key: "along", about: "the ray's direction beside the normal against it, with signs" },
     ],
     needs: "two convex bodies, one of them with edges",
     fed: |context, _| Fed::by_the_scene(found(context).is_some()),
@@ -58,38 +70,79 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Ink);
     let (skipped, v) = (culled(context), context.closing_velocity());
     let cues = EdgeCues::at(context, context.difference_time());
+    let hit = hit(context);
     let arrow = |edge: &Edge| {
         let (p, q) = found.drawn(edge);
-        let middle = 0.5 * (p + q);
-        (middle, middle + edge.normal * length)
+        let foot = foot((p, q), hit.map(|hit| (hit, sketch.px(CLEAR))));
+        (foot, foot + edge.normal * length)
     };
-    for edge in &found.edges {
+    let arrows: Vec<(DVec2, DVec2)> = found.edges.iter().map(arrow).collect();
+    for (edge, &(from, tip)) in found.edges.iter().zip(&arrows) {
         let away = skipped.contains(&(edge.source == Side::B, edge.index));
         let pen = Pen::vector(if away { Role::Muted } else { role });
-        let (from, tip) = arrow(edge);
         sketch.since(cues.of(edge)).part(if away { "away" } else { "facing" }).weight(Weight::Light);
         sketch.arrow(from, tip, if away { pen.width(AWAY.0).opacity(AWAY.1) } else { pen });
     }
-    let against = |edge: &&Edge| edge.normal.dot(v);
+    let angle = |(edge, _): &(&Edge, &(DVec2, DVec2))| edge.normal.angle_to(v).abs();
     let signs = options.flag("signs", false) && v != DVec2::ZERO;
-    if let Some(edge) = found.edges.iter().min_by(|e, f| against(e).total_cmp(&against(f))) {
-        let (from, tip) = arrow(edge);
+    let all = || found.edges.iter().zip(&arrows);
+    // An angle is told from a right one best where it is half of one off.
+    let off = |wanted: f64| move |one: &(&Edge, &(DVec2, DVec2))| (angle(one) - wanted).abs();
+    let nearest = |wanted: f64, kind: fn(f64) -> bool| {
+        all().filter(|one| kind(angle(one))).min_by(|e, f| off(wanted)(e).total_cmp(&off(wanted)(f)))
+    };
+    // Against the ray one is shown to be so; along it, the one that is most.
+    let against = if signs { nearest(AGAINST, |angle| angle > FRAC_PI_2) } else { nearest(PI, |_| true) };
+    if let Some((edge, &(from, tip))) = against.or(found.edges.first().zip(arrows.first())) {
         sketch.since(cues.of(edge));
         let text = if signs { r"$n_i \cdot v < 0$" } else { "$n_i$" };
         let label = Label::new("n", text, Anchor::tip(from, tip), role);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
+        if signs {
+            along(sketch, (from, tip), v);
+        }
     }
-    let along = found.edges.iter().max_by(|e, f| against(e).total_cmp(&against(f)));
-    if let Some(edge) = along.filter(|edge| signs && against(edge) > 0.0) {
-        let (from, tip) = arrow(edge);
+    if let Some((edge, &(from, tip))) = nearest(0.0, |angle| angle < FRAC_PI_2).filter(|_| signs) {
         sketch.since(cues.of(edge));
         let label = Label::new("away", r"$n_i \cdot v > 0$", Anchor::tip(from, tip), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Point));
     }
 }
 
+/// Where the ray from O at the panel's moment enters later.
+fn hit(context: &Context) -> Option<DVec2> {
+    let ahead = context.hit_time()?.lo - context.difference_time();
+    (ahead > 0.0).then(|| context.closing_velocity() * ahead)
+}
+
+/// Where a normal stands on its edge: in its middle, or where something else is nearer than `clear` to that,
+/// in the middle of the longer part that it leaves.
+fn foot((p, q): (DVec2, DVec2), taken: Option<(DVec2, f64)>) -> DVec2 {
+    let middle = 0.5 * (p + q);
+    match taken {
+        Some((at, clear)) if at.distance(middle) < clear => {
+            0.5 * (at + if at.distance(p) > at.distance(q) { p } else { q })
+        }
+        _ => middle,
+    }
+}
+
+/// Draws the direction of the ray beside a normal, as long as that, and the angle between the two: more than
+/// a right one where the normal is against the ray.
+fn along(sketch: &mut Sketch, (foot, tip): (DVec2, DVec2), v: DVec2) {
+    let normal = tip - foot;
+    let end = foot + v.normalize_or_zero() * normal.length();
+    sketch.part("along").weight(Weight::Light).arrow(foot, end, Pen::vector(Role::Muted).width(AWAY.0));
+    let (start, sweep) = (angle_of(normal), normal.angle_to(v));
+    let radius = ANGLE * normal.length();
+    sketch.part("angle").weight(Weight::Light).arc(foot, radius, start, sweep, Pen::dimension(Role::Muted));
+    let label = Label::new("along", "along $v$", Anchor::tip(foot, end), Role::Muted);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
@@ -125,7 +178,18 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let said = labels(&draw(&plan, plan.theme, "normals"));
             let [n, away] = ["n", "away"].map(|key| said.get(key).map(|label| label.0.as_str()));
+            assert_eq!(said.contains_key("along"), signs, "the ray's direction is seen beside one");
             assert_eq!((n == Some(r"$n_i \cdot v < 0$"), away == Some(r"$n_i \cdot v > 0$")), (signs, signs));
         }
+    }
+
+    #[test]
+    fn a_normal_stands_clear_of_where_the_ray_enters() {
+        let (p, q) = (DVec2::ZERO, DVec2::new(4.0, 0.0));
+        assert_eq!(foot((p, q), None), DVec2::new(2.0, 0.0));
+        assert_eq!(foot((p, q), Some((DVec2::new(1.5, 0.0), 0.4))), DVec2::new(2.0, 0.0));
+        // In the middle of the longer part beside it.
+        assert_eq!(foot((p, q), Some((DVec2::new(1.5, 0.0), 0.6))), DVec2::new(2.75, 0.0));
+        assert_eq!(foot((p, q), Some((DVec2::new(2.5, 0.0), 0.6))), DVec2::new(1.25, 0.0));
     }
 }

@@ -5,7 +5,7 @@
 //! t (v·n + r_A |ω_A| + r_B |ω_B|)             the most by the time t
 //! ```
 //!
-//! The three lie on each other, each growing with time; at t = 1 they are read off. Where their sum reaches d
+//! At t = 1 the three lie on each other and are read off. Where their sum reaches d
 //! lies the bound. How near the bodies come in fact is drawn under it, up to the hit. Source: Brian Mirtich,
 //! *Impulse-based Dynamic Simulation of Rigid Body Systems*, 1996, 2.3.2.
 //!
@@ -22,6 +22,7 @@ use crate::scene::When;
 use crate::trace::Event;
 
 use super::chart::{Chart, separations};
+use super::kinks;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Room around the chart, page pixels: left, right, below, above.
@@ -30,11 +31,8 @@ const ROOM: [f64; 4] = [62.0, 112.0, 36.0, 34.0];
 /// The least distance of the bound and the hit along the axis of time for both to be written, page pixels.
 const GAP: f64 = 48.0;
 
-/// Opacity of what v·n adds, which has no body's colour.
-const FAINT: f64 = 0.05;
-
-/// Opacity of what turning adds.
-const TURNING: f64 = 0.12;
+/// Opacity of what lies below the line of the fastest approach.
+const FAINT: f64 = 0.07;
 
 /// What one body's turning adds is not drawn where it is less than this part of the sum: no line is thinner.
 const SEEN: f64 = 1e-3;
@@ -44,12 +42,20 @@ pub(super) const LAYER: Layer = Layer {
     about: "the most that bodies can come nearer over time, by v·n and by turning, against their distance",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "real",
-        takes: Takes::Flag,
-        default: "true",
-        about: "how much nearer they come in fact, up to the hit",
-    }],
+    options: &[
+        OptionSpec {
+            name: "real",
+            takes: Takes::Flag,
+            default: "true",
+            about: "how much nearer they come in fact, up to the hit",
+        },
+        OptionSpec {
+            name: "kink",
+            takes: Takes::Flag,
+            default: "false",
+            about: "marks the kinks of that curve, where another vertex becomes the nearest",
+        },
+    ],
     labels: &[
         LabelKey { key: "t", about: "the axis of time" },
         LabelKey { key: "nearer", about: "the axis of the distance closed" },
@@ -65,6 +71,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "sum", about: "the most in a unit of time" },
         LabelKey { key: "touch", about: "the end of that curve" },
         LabelKey { key: "real", about: "the curve of how near they come in fact" },
+        LabelKey { key: "kink", about: "the sharpest kink of that curve, with kink" },
     ],
     needs: "a first step of an advancement: a question for the first contact of bodies that are apart",
     fed: |context, _| Fed::by_the_answer(first(context).is_some(), context.asks_for_a_hit()),
@@ -133,12 +140,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(first) = first(context) else { return };
     let hit = context.hit_time();
     let real = options.flag("real", true);
-    let nearer: Vec<DVec2> = if real {
-        let until = hit.map_or(1.0, |hit| hit.lo);
-        separations(context, until, &[]).iter().map(|p| DVec2::new(p.x, first.distance - p.y)).collect()
-    } else {
-        Vec::new()
-    };
+    let apart = if real { separations(context, hit.map_or(1.0, |hit| hit.lo), &[]) } else { Vec::new() };
+    let closed = |separation: f64| first.distance - separation;
+    let nearer: Vec<DVec2> = apart.iter().map(|p| DVec2::new(p.x, closed(p.y))).collect();
     let parts = parts(context, &first);
     let values = [first.closing, first.bound, first.distance, 0.0].into_iter();
     let values = values.chain(nearer.iter().map(|p| p.y));
@@ -150,6 +154,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     level(sketch, context, &chart, &first);
     if real {
         fact(sketch.since(context.answered()), &chart, &nearer, hit);
+        if options.flag("kink", false) {
+            kinks::mark(sketch, context, (&chart, closed), &apart);
+        }
     }
     bound(sketch.since(context.known(&When::Bound)), &chart, &first, options.role(Role::Now));
     if real {
@@ -160,19 +167,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Draws what is added, each on the one before, with its value where a unit of time is over.
+/// Draws the line of the fastest approach, and where a unit of time is over what is added, each part on the
+/// one before, with its value.
 fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     let corner = chart.place(0.0, 0.0);
+    let top = chart.place(1.0, first.bound);
+    // One area: the seam between two would be taken for a curve.
+    let most = Outline::polygon(&[corner, chart.place(1.0, 0.0), top]);
+    sketch.part("wedge").weight(Weight::Background);
+    sketch.area(&most, Some(Wash::faint(Role::Muted, FAINT)), None);
     let mut below = 0.0;
     let values: Vec<f64> = parts.iter().map(|part| part.value).collect();
     let (texts, sum) = written(&values, first.bound);
     for (part, text) in parts.iter().zip(texts) {
         let above = below + part.value;
         let [p, q] = [below, above].map(|y| chart.place(1.0, y));
-        let faint = if part.role == Role::Ink { FAINT } else { TURNING };
-        let wedge = Outline::polygon(&[corner, p, q]);
-        sketch.part("wedge").weight(Weight::Background);
-        sketch.area(&wedge, Some(Wash::faint(part.role, faint)), None);
         sketch.part("part").weight(Weight::Background).bar(p, q, 0.0, Pen::highlighted(part.role));
         let text = format!("${} = {text}$", part.symbol);
         let anchor = Anchor::point_toward(0.5 * (p + q), chart.vector(DVec2::X));
@@ -184,7 +193,6 @@ fn wedges(sketch: &mut Sketch, chart: &Chart, parts: &[Part], first: &First) {
     chart.tick(sketch, 1.0, Role::Ink);
     let anchor = Anchor::point_toward(end, chart.vector(DVec2::NEG_Y));
     sketch.label(Label::new("unit", "$1$", anchor, Role::Ink));
-    let top = chart.place(1.0, first.bound);
     let anchor = Anchor::point_toward(top, chart.vector(DVec2::Y));
     sketch.part("sum").label(Label::new("sum", format!("${sum}$"), anchor, Role::Ink));
     sketch.part("most").weight(Weight::Background).line(corner, top, Pen::vector(Role::Ink));

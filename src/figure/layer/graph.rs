@@ -37,8 +37,9 @@ const VALUE_GAP: f64 = 30.0;
 /// The share of a line of fastest approach beside which its words stand: at its foot are the times.
 const ABOVE_AXIS: f64 = 0.6;
 
-/// Room below for the times, page pixels.
+/// Room below for the times, and to the right for the last separation, page pixels.
 const VALUE_ROOM: f64 = 16.0;
+const VALUE_ASIDE: f64 = 46.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "graph",
@@ -68,7 +69,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "kink",
             takes: Takes::Flag,
             default: "false",
-            about: "marks the sharpest kink of the curve, where another vertex becomes the nearest",
+            about: "marks the kinks of the curve, where another vertex becomes the nearest",
         },
         OptionSpec {
             name: "level",
@@ -128,7 +129,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;
-    let room = [left, right, if values { below + VALUE_ROOM } else { below }, above];
+    let [right, below] = if values { [right + VALUE_ASIDE, below + VALUE_ROOM] } else { [right, below] };
+    let room = [left, right, below, above];
     let most = DVec2::new(until, highest);
     let chart = match floor(context).filter(|_| options.flag("level", false)) {
         Some(height) => Chart::level(sketch, context, [left, right, above], (height, most)),
@@ -149,7 +151,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         .weight(Weight::Background)
         .stroke(&Outline::polyline(&curve), Pen::outline(role));
     if options.flag("kink", false) {
-        kinks::mark(sketch, context, &chart, &points);
+        kinks::mark(sketch, context, (&chart, |s| s), &points);
     }
     marks(sketch, (context, &chart), &all, (role, values));
 }
@@ -173,7 +175,9 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             sketch.since(look(k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
-            left(sketch, (k + 2, then), [to, up], chart.along(sketch, then.time - step.time), values);
+            let ends = k + 2 == all.len();
+            let gap = chart.along(sketch, then.time - step.time);
+            left(sketch, (k + 2, then), [to, up], gap, (values, ends));
         }
     }
 }
@@ -193,14 +197,22 @@ fn tolerance(sketch: &mut Sketch, (context, chart): (&Context, &Chart)) {
 }
 
 /// Names the separation left at a step, beside its line from the axis to the curve; with its value, or
-/// where that line is too short, at the curve, if the step is not too near to the one before.
-fn left(sketch: &mut Sketch, (k, step): (usize, &Step), [foot, top]: [DVec2; 2], gap: f64, values: bool) {
+/// where that line is too short, at the curve, if the step is not too near to the one before. The step that
+/// `ends` has it to the right.
+fn left(
+    sketch: &mut Sketch,
+    (k, step): (usize, &Step),
+    [foot, top]: [DVec2; 2],
+    gap: f64,
+    (values, ends): (bool, bool),
+) {
     let high = !values && sketch.on_page(top.distance(foot)) >= sketch.fitted(NAMED);
     if !high && gap < sketch.fitted(GAP) {
         return;
     }
     let value = if values { format!(" = {}", number(step.separation)) } else { String::new() };
-    let out = DVec2::new(1.0, 1.0);
+    // Beyond the last one is no curve.
+    let out = if ends { DVec2::X } else { DVec2::new(1.0, 1.0) };
     let anchor = if high { Anchor::middle(foot, top) } else { Anchor::point_toward(top, out) };
     sketch
         .label(Label::new("s_k", format!("$s_{{{k}}}{value}$"), anchor, Role::Translation).rank(Rank::Word));

@@ -10,12 +10,16 @@ use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, sort_by};
 
 use super::closest::{Nearest, leg, nearest};
 use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+/// Opacity of the copies of B around A, and how many there are at most: A is under them.
+const COPY: f64 = 0.7;
+const COPIES: usize = 3;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -33,7 +37,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "around",
             takes: Takes::Flag,
             default: "false",
-            about: "a dotted copy of B moved around A, where it touches it",
+            about: "faint copies of B moved around A, where they touch it, with the point in each",
         },
         OptionSpec {
             name: "distance",
@@ -135,7 +139,7 @@ fn edges(sketch: &mut Sketch, found: &Difference, cues: &EdgeCues, turned: impl 
     }
 }
 
-/// Draws B where it touches A with a vertex on the middle of an edge, and gives the places of its point then,
+/// Draws B where it touches A with a vertex on the middle of each edge, faintly, and gives the places of its point then,
 /// which are on the grown outline: where it crosses neither the outline's edges that are B's nor the way to
 /// the nearest point, if there are such places.
 fn around(
@@ -159,14 +163,15 @@ fn around(
         !pieces().any(|(&p, &q)| taken.iter().any(|&line| cross((p, q), line)))
     };
     let free: Vec<DVec2> = middles.iter().copied().filter(clear).collect();
-    let places = if free.is_empty() { middles } else { free };
-    // More than one hide A.
-    let places: Vec<DVec2> = places.get(places.len() / 2).copied().into_iter().collect();
+    let mut places = if free.is_empty() { middles } else { free };
+    // Those that are far from B itself, and no more than leave A to be seen.
+    sort_by(&mut places, |p, q| q.distance(b).total_cmp(&p.distance(b)));
+    places.truncate(COPIES);
     sketch.part("copies").weight(Weight::Light);
     for &place in &places {
-        sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B)));
+        sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B).opacity(COPY)));
     }
-    if let Some(&last) = places.last() {
+    if let Some(&last) = places.first() {
         let text = format!("{} moved around {}", context.name(Side::B), context.name(Side::A));
         let label = Label::new("copy", text, Anchor::inside(&outline_b.moved(last - b)), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));

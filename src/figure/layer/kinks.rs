@@ -15,14 +15,36 @@ const HALVINGS: usize = 40;
 /// Half of what is looked at around such a time to tell how sharp the kink is, in parts of a sample's time.
 const AROUND: f64 = 0.25;
 
-/// Marks and names the sharpest kink of the curve, where another vertex becomes the nearest.
-pub(super) fn mark(sketch: &mut Sketch, context: &Context, chart: &Chart, points: &[DVec2]) {
-    let kinks = turns(context, points).into_iter();
-    let Some((at, _)) = kinks.max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else { return };
+/// How much less steep than the sharpest a kink may be to be marked: less is no kink to the eye.
+const FAINTEST: f64 = 0.1;
+
+/// Marks the kinks of a curve of separations over time, sampled at `points`, and names the sharpest: where
+/// another vertex becomes the nearest. The chart has a value for each separation.
+pub(super) fn mark(
+    sketch: &mut Sketch,
+    context: &Context,
+    (chart, value): (&Chart, impl Fn(f64) -> f64),
+    points: &[DVec2],
+) {
+    let all = turns(context, points);
+    let Some(&(sharpest, most)) = all.iter().max_by(|(_, bend), (_, other)| bend.total_cmp(other)) else {
+        return;
+    };
+    let place = |at: DVec2| chart.place(at.x, value(at.y));
+    let marked: Vec<DVec2> =
+        all.into_iter().filter(|(_, bend)| *bend >= FAINTEST * most).map(|(at, _)| place(at)).collect();
     sketch.part("kink").weight(Weight::Background);
-    sketch.marker(chart.place(at.x, at.y), Marker::Disc, Role::Ink, SMALL_MARKER);
-    let anchor = Anchor::point_toward(chart.place(at.x, at.y), chart.vector(DVec2::new(1.0, 1.0)));
-    let lines = ["here another vertex", "becomes the nearest"].map(str::to_owned).to_vec();
+    for &at in &marked {
+        sketch.marker(at, Marker::Disc, Role::Ink, SMALL_MARKER);
+    }
+    // Away from where the curve goes on: separations fall, what is closed of them rises.
+    let out = DVec2::new(1.0, if value(1.0) > value(0.0) { 1.0 } else { -1.0 });
+    let anchor = Anchor::point_toward(place(sharpest), chart.vector(out));
+    let lines = match marked.len() {
+        1 => ["here another vertex", "becomes the nearest"],
+        _ => ["at each dot another", "vertex becomes the nearest"],
+    };
+    let lines = lines.map(str::to_owned).to_vec();
     let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
@@ -92,6 +114,8 @@ mod tests {
     #[test]
     fn a_box_that_turns_over_the_level_has_a_kink_there_and_one_that_does_not_turn_has_none() {
         assert_eq!(kinks(60.0), (1, true));
+        // And again as it stands upright.
+        assert_eq!(kinks(180.0), (2, true));
         assert_eq!(kinks(0.0), (0, false));
     }
 }

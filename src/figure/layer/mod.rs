@@ -64,7 +64,9 @@ mod sweep;
 mod tests;
 mod tracks;
 mod translation;
+mod turn;
 mod unbuilt;
+mod unrolled;
 mod velocity;
 mod vertices;
 

@@ -10,15 +10,15 @@ use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
 use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
 use super::axis_unit::{light, on_axis, sees, units, written, zero};
-use super::half_extents::{GUIDE, beside};
+use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
-use super::shadow::{casting, hidden_by, seen};
+use super::shadow::{guide, highest, lit};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// The part of a measure by which others are as large, as far as rounding tells.
@@ -33,8 +33,8 @@ const TRACK: f64 = 6.0;
 /// Distance of the measure from the axis, page pixels: below the intervals.
 const MEASURE: f64 = 48.0;
 
-/// Opacity of the strip of light between the bodies.
-const LIT: f64 = 0.11;
+/// How far off the end of a shadow a point may be that casts it, page pixels: unseen.
+const SAME: f64 = 0.5;
 
 /// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
@@ -62,6 +62,12 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Flag,
             default: "false",
             about: "arrows over the bodies, the way light falls that casts the intervals as shadows",
+        },
+        OptionSpec {
+            name: "joined",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of intervals that are apart, one bar on the axis: A's, the gap, B's",
         },
     ],
     labels: &[
@@ -167,9 +173,13 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         .collect();
     let (down, far) = beside_bodies(sketch, context, t, &points);
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
-    let high = points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max);
-    let top = -far - high;
-    lit(sketch, t, top, at);
+    let joined = t.gap > 0.0 && options.flag("joined", false);
+    let [track, low] = if joined { [0.0; 2] } else { [TRACK, MEASURE].map(|px| sketch.px(px)) };
+    // Joined, the strip reaches as far as what it lies between; else the light falls from beyond both.
+    let within = if joined { sketch.px(SAME) } else { f64::INFINITY };
+    let top = -far - highest(&points, t.n, [t.a.hi, t.b.lo], (within, down));
+    // What lies in both shadows is marked at them alone: light that would fall there is stopped.
+    lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { top } else { -track }], at);
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -195,43 +205,24 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     if edge(sketch, context, t, !from_zero).is_none() && !values {
         sketch.part("axis").label(Label::new("n", "$n$", beyond, Role::Muted));
     }
-    for (body, interval, track) in [(Side::A, t.a, -TRACK), (Side::B, t.b, TRACK)] {
-        let track = sketch.px(track);
+    for (body, interval, track) in [(Side::A, t.a, -track), (Side::B, t.b, track)] {
         for end in [interval.lo, interval.hi] {
             let measured = end == if body == Side::A { t.a.hi } else { t.b.lo };
-            let track = if measured { sketch.px(MEASURE) } else { track };
-            if let Some(from) = casting(&points, t.n, end, down) {
-                let across = hidden_by(context, body.other(), t.n, end, down);
-                sketch.part("shadows").weight(Weight::Light);
-                for [p, q] in seen([from.dot(down), far + track], across) {
-                    let place = |depth: f64| t.n * end + down * depth;
-                    sketch.line(place(p), place(q), Pen::extension().opacity(GUIDE));
-                }
-            }
+            let track = if measured { low } else { track };
+            guide(sketch, (context, body.other()), &points, (t.n, end), (down, far + track));
         }
         let pen = Pen::highlighted(options.role(body.into()));
         sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
     }
     // Where bodies are apart, an overlap on one axis is no way to move.
     let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
-    measure(sketch, t, (values, if is_asked { Role::Ink } else { Role::Translation }), at);
+    let role = if is_asked { Role::Ink } else { Role::Translation };
+    let pen = if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) };
+    measure(sketch, t, (values, pen, low), at);
     if values {
         numbers(sketch, t, down, at);
         zero(sketch, (first, last), down, at);
     }
-}
-
-/// Draws the strip between A's upper end and B's lower one: of light, from `top` over the bodies on, or of
-/// what lies in both shadows.
-fn lit(sketch: &mut Sketch, t: &Tested, top: f64, at: impl Fn(f64, f64) -> DVec2) {
-    // What lies in both shadows is marked at them alone: light that would fall there is stopped.
-    let top = if t.gap > 0.0 { top } else { -sketch.px(TRACK) };
-    let low = sketch.px(MEASURE);
-    let ends = [(t.a.hi, low), (t.b.lo, low), (t.b.lo, top), (t.a.hi, top)];
-    let strip = Outline::polygon(&ends.map(|(along, track)| at(along, track)));
-    let wash =
-        if t.gap > 0.0 { Wash::faint(Role::Translation, LIT) } else { Wash::faint(Role::Overlap, 1.0) };
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(wash), None);
 }
 
 /// Writes where A ends and where B begins, each beyond the end of its own interval, on its side of the axis.
@@ -295,10 +286,14 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
 
 /// Draws what the test measures: from A's upper end to B's lower one, with both where their `values` are
 /// written.
-fn measure(sketch: &mut Sketch, t: &Tested, (values, role): (bool, Role), at: impl Fn(f64, f64) -> DVec2) {
-    let track = sketch.px(MEASURE);
+fn measure(
+    sketch: &mut Sketch,
+    t: &Tested,
+    (values, pen, track): (bool, Pen, f64),
+    at: impl Fn(f64, f64) -> DVec2,
+) {
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
-    sketch.part("gap").bar(p, q, 0.0, Pen::dimension(role).width(1.5));
+    sketch.part("gap").bar(p, q, 0.0, pen);
     let out = at(0.0, 1.0) - at(0.0, 0.0);
     let word = match t.gap < 0.0 {
         true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap $=",
@@ -315,13 +310,13 @@ fn measure(sketch: &mut Sketch, t: &Tested, (values, role): (bool, Role), at: im
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
     }
-    let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), role) };
+    let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), pen.role) };
     sketch.label(label.rank(Rank::Measure));
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::{labels, lines};
+    use crate::figure::layer::tests::{labels, lines, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
     use crate::trace::Event;
@@ -387,5 +382,20 @@ mod tests {
             let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;
             assert!((drawn - number).abs() < 0.005 && (drawn - gap.abs()).abs() < 1e-9, "{label}: {drawn}");
         }
+    }
+
+    #[test]
+    fn joined_the_two_intervals_and_the_gap_lie_end_to_end_on_the_axis() {
+        let text = "shapes.A = { kind = 'box', half_extents = [1, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [5, 0] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }
+            panels = [{ view = [-2, -4, 7, 2], layers = [{ layer = 'projection', axis = 2, joined = true }] }]";
+        let scene = open_text("axes", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "axes");
+        let ends = |part| paths(&figure.drawing.items, part)[0].contour.bounds().unwrap();
+        let [a, gap, b] = ["interval-A", "gap", "interval-B"].map(ends);
+        let off = [a.x1 - gap.x0, gap.x1 - b.x0, a.y0 - gap.y0, gap.y0 - b.y0];
+        assert!(off.iter().all(|off| off.abs() < 1e-9), "{off:?}");
     }
 }

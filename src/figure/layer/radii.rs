@@ -99,6 +99,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// How far a body reaches beside the line of its reach at least, page pixels, for that to be named in it: as
+/// far as its letters and number.
+const SLIM: f64 = 56.0;
+
 /// Draws how far each body reaches from its origin, about which it turns: to its farthest point.
 fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
     for side in options.of(&context.sides()) {
@@ -113,7 +117,14 @@ fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part(part("reach", side)).dimension(center, tip, 0.0, Pen::dimension(role).width(1.5));
         let key = if side == Side::A { "r1" } else { "r2" };
         let text = format!("${} = {}$", context.named(side).below("r"), number(center.distance(tip)));
-        sketch.label(Label::new(key, text, Anchor::middle(center, tip), role));
+        let (along, points) = (tip - center, context.outline(side, context.time));
+        let across = |p: DVec2| along.normalize_or_zero().perp_dot(p - center).abs();
+        let wide =
+            points.map_or(0.0, |outline| outline.sampled().into_iter().map(across).fold(0.0, f64::max));
+        // In a slim body there is no room beside the line.
+        let slim = sketch.on_page(wide) < sketch.fitted(SLIM);
+        let anchor = if slim { Anchor::tip(center, tip) } else { Anchor::middle(center, tip) };
+        sketch.label(Label::new(key, text, anchor, role));
     }
 }
 

@@ -28,7 +28,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Radius of the cone, page pixels; less where B ⊖ A is near.
 const RADIUS: f64 = 120.0;
 
-/// Radius of the arc of the cone's angle, in parts of the cone's: its number stands between it and the rim.
+/// How far from O the cone's angle is written, in parts of the cone's radius: its rim is the arc of that angle.
 const ANGLE: f64 = 0.5;
 
 /// The share of the way to B ⊖ A that the cone's radius takes at most, and its least radius, page pixels.
@@ -55,11 +55,15 @@ const SQUARE: f64 = 20.0;
 /// How much nearer one of two points must be to count as nearer, page pixels: level ones don't change sides.
 const LEVEL: f64 = 1.0;
 
+/// How much farther from O, as a part of that, both ends of an edge may be along its normal: a few roundings.
+const LEVEL_PART: f64 = 1e-9;
+
 /// How far a line reaches past the gap's measure, page pixels.
 const TICK: f64 = 10.0;
 
-/// How far the line square to n reaches from O the other way, page pixels.
-const BEHIND: f64 = 96.0;
+/// How far the line square to n reaches beyond O and beyond what is nearest to it, the other way, page pixels:
+/// past the mark of its right angle.
+const BEHIND: f64 = 34.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
 const READABLE: [f64; 2] = [24.0, 96.0];
@@ -67,10 +71,10 @@ const READABLE: [f64; 2] = [24.0, 96.0];
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
-/// The colour of both tangents and of the ends of the cone square to them.
+/// The colour of the ends of the cone; the tangents that they are square to are construction.
 const TURNED: Role = Role::Now;
 
-/// Width of a tangent, page pixels: less than that of the end of the cone square to it.
+/// Width of a tangent and of the line square to n, page pixels: less than that of an end of the cone.
 const TANGENT: f64 = 1.25;
 
 /// The words of the option `show`.
@@ -125,6 +129,8 @@ struct Cone {
     normal: DVec2,
     /// The greatest gap: from the line through O square to `normal` to B ⊖ A.
     gap: f64,
+    /// The vertices of its core that are nearest to that line: one, or the ends of an edge.
+    nearest: Vec<DVec2>,
 }
 
 /// The cone; `None` for bodies that are not proved to be apart.
@@ -150,7 +156,11 @@ fn cone(context: &Context) -> Option<Cone> {
     let base = angle_of(normal);
     let tangents = [base + first.0, base + last.0];
     let touching = [on_circle(origin, first.1, tangents[0]), on_circle(origin, last.1, tangents[1])];
-    Some(Cone { tangents, touching, normal, gap: answer.separation })
+    let core: Vec<DVec2> = found.edges.iter().map(|edge| edge.from).chain(found.center).collect();
+    let ahead = |p: DVec2| normal.dot(p - origin);
+    let least = core.iter().map(|p| ahead(*p)).fold(f64::INFINITY, f64::min);
+    let nearest = core.into_iter().filter(|p| ahead(*p) <= least * (1.0 + LEVEL_PART)).collect();
+    Some(Cone { tangents, touching, normal, gap: answer.separation, nearest })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -191,20 +201,23 @@ fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bo
     for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
         let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
         let of_cone = on_circle(origin, radius, edge);
-        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+        sketch.part("tangent").weight(Weight::Light).line(
+            back,
+            beyond,
+            Pen::vector(Role::Muted).width(TANGENT),
+        );
         sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(TURNED));
         right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
         if names {
-            for (key, tip) in keys.into_iter().zip([beyond, of_cone]) {
-                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), TURNED));
+            let roles = [Role::Muted, TURNED];
+            for ((key, tip), role) in keys.into_iter().zip([beyond, of_cone]).zip(roles) {
+                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), role));
             }
         }
     }
     let degrees = number((end - start) * (180.0 / PI));
     let (radius, sweep) = (ANGLE * radius, end - start);
-    let arc = Outline::arc(origin, radius, start, sweep);
-    sketch.part("angle").weight(Weight::Light).stroke(&arc, Pen::dimension(role));
     let anchor = Anchor::Arc { center: origin, radius, start, sweep };
     let label = Label::new("cone", format!("${degrees}°$"), anchor, role);
     sketch.label(label.size(Size::Note));
@@ -222,9 +235,11 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (
     let [past, tick] = [ASIDE, TICK].map(|px| sketch.px(px));
     let end = along.dot(near) + out * past;
     let at = |aside: f64, ahead: f64| origin + along * aside + cone.normal * ahead;
-    let other = -out * sketch.px(BEHIND);
+    let beyond = cone.nearest.iter().map(|p| -out * along.dot(*p - origin)).fold(0.0, f64::max);
+    let other = -out * (beyond + sketch.px(BEHIND));
     if lit {
-        let strip = [at(other, 0.0), at(end, 0.0), at(end, cone.gap), at(other, cone.gap)];
+        let far = -out * beyond;
+        let strip = [at(far, 0.0), at(end, 0.0), at(end, cone.gap), at(far, cone.gap)];
         let wash = Wash::faint(role, LIT);
         sketch.part("lit").weight(Weight::Light).area(&Outline::polygon(&strip), Some(wash), None);
     }
@@ -332,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn the_line_and_the_cone_can_be_shown_apart_and_each_pair_has_a_colour() {
+    fn the_line_and_the_cone_can_be_shown_apart_and_its_ends_alone_have_a_colour() {
         let cases = [("", [1, 1]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 1])];
         for (show, [line, cone]) in cases {
             let text = format!(
@@ -354,9 +369,8 @@ mod tests {
             };
             assert_eq!(roles("square-line").len(), line, "{show}");
             assert_eq!(paths(&figure.drawing.items, "lit").len(), usize::from(line > cone), "{show}");
-            let pairs = vec![Some(TURNED); 2 * cone];
-            assert_eq!(roles("tangent"), pairs, "{show}");
-            assert_eq!(roles("cone-edge"), pairs, "{show}");
+            assert_eq!(roles("tangent"), vec![Some(Role::Muted); 2 * cone], "{show}");
+            assert_eq!(roles("cone-edge"), vec![Some(TURNED); 2 * cone], "{show}");
         }
     }
 

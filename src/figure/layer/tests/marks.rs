@@ -320,10 +320,10 @@ fn the_grown_body_is_as_far_from_the_point_as_the_bodies_from_each_other() {
 }
 
 #[test]
-fn b_minus_a_is_as_far_the_other_way_before_the_half_turn() {
+fn a_body_lies_in_b_minus_a_turned_half_round_about_the_point_of_b() {
     let text = |options: &str| {
         format!(
-            "shapes.A = {{ kind = 'box', half_extents = [2, 1] }}
+            "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [2, -1], [0, 1]] }}
              shapes.B = {{ kind = 'polygon', vertices = [[-1, -1], [1, -1], [0, 2]], position = [0.5, 4] }}
              query = {{ kind = 'separation', of = ['A', 'B'] }}
              panels = [{{ space = 'configuration', layers = [{{ layer = 'closest'{options} }}] }}]"
@@ -334,22 +334,23 @@ fn b_minus_a_is_as_far_the_other_way_before_the_half_turn() {
         let plan = plan(&scene).unwrap();
         draw(&plan, plan.theme, "turned")
     };
-    assert!(paths(&shown("").drawing.items, "turn").is_empty());
+    assert!(paths(&shown("").drawing.items, "turned").is_empty());
     let figure = shown(", turned = true");
-    // B ⊖ A is 2 above O, so the way before is 2 below.
-    let page = |y: f64| figure.panels[0].frame.page(DVec2::new(0.0, y));
-    let Contour::Segments(line) = &paths(&figure.drawing.items, "unturned")[0].contour else { panic!() };
-    assert_eq!(line[..], [Segment::Move(page(0.0)), Segment::Line(page(-2.0))]);
-    assert_eq!(labels(&figure)["turn"].0, "half a turn");
+    let bounds = paths(&figure.drawing.items, "turned")[0].contour.bounds().unwrap();
+    // (0.5, 4) less the vertices of A.
+    let page = |x: f64, y: f64| figure.panels[0].frame.page(DVec2::new(x, y));
+    let (low, high) = (page(-1.5, 3.0), page(2.5, 5.0));
+    assert!((bounds.x0 - low.x).abs() < 1e-9 && (bounds.y0 - high.y).abs() < 1e-9, "{bounds:?}");
+    assert_eq!(labels(&figure)["turned"].0, "$A$ turned");
 }
 
 #[test]
 fn copies_around_a_body_are_moved_and_not_turned() {
     let copies = |options: &str| paths(&grown(options).drawing.items, "copies").len();
-    // B at one of the four edges, and its point there; or B on each of the four vertices.
+    // B at three of the four edges, and its point there; or B on each of the four vertices.
     let around = ", copies = false, around = true";
-    assert_eq!([copies(around), copies(", copies = false"), copies("")], [1, 0, 4]);
-    assert_eq!(paths(&grown(around).drawing.items, "around").len(), 1);
+    assert_eq!([copies(around), copies(", copies = false"), copies("")], [3, 0, 4]);
+    assert_eq!(paths(&grown(around).drawing.items, "around").len(), 3);
     assert!(labels(&grown(around))["copy"].0.starts_with("$B$ moved around $A$"));
 }
 
