@@ -109,8 +109,8 @@ fn a_graze_is_as_narrow_by_axes_as_by_the_ray() {
     };
     let pairs = [
         (
-            at(&[[1.0, 0.7], [-1.0, -0.1], [-1.0, 1.1]], 3.0, 1.5, [0.0, 0.0]),
-            at(&[[0.0, 0.0], [-0.24, -0.72], [-0.24, 0.72]], 2.0, 1.4, [0.0, 2.9]),
+            at(&[[1.0, 0.7], [-1.0, 1.1], [-1.0, -0.1]], 3.0, 1.5, [0.0, 0.0]),
+            at(&[[0.0, 0.0], [-0.24, 0.72], [-0.24, -0.72]], 2.0, 1.4, [0.0, 2.9]),
         ),
         (
             at(&[[-2.0, -2.0], [3.0, -1.0], [2.4, -1.0]], -3.0, -5.0, [0.0, 0.0]),
@@ -123,6 +123,29 @@ fn a_graze_is_as_narrow_by_axes_as_by_the_ray() {
                 ["ray-cast", "swept-axis"].map(|name| span(&ask(name, a, b, 1e-12).0));
             assert!(hi.is_finite() && to - from < 1e-15, "[{lo}, {hi}] [{from}, {to}]");
             assert!(from <= hi && lo <= to, "[{lo}, {hi}] [{from}, {to}]");
+        }
+    }
+}
+
+/// Vertices 1e-16 and less apart at t = 0, of which bodies that turn make an end at once, by parting or by
+/// meeting.
+#[test]
+fn a_turning_pair_that_starts_a_rounding_apart_is_decided() {
+    let corner = [[0.0, 0.0], [0.96, 7.0], [-7.04, -0.6]];
+    let mut meeting = [polygon(&corner, 0.0), polygon(&[[1.4, -2.0], [2.0, 1.5], [-2.0, -2.3]], 0.0)];
+    (meeting[0].position, meeting[0].spin) = (DVec2::new(0.4, 0.2), Angle::Degrees(-30.0));
+    (meeting[1].position, meeting[1].spin) = (DVec2::new(-1.6, -1.3), Angle::Degrees(45.0));
+    meeting[1].velocity = DVec2::new(0.0, -0.7);
+    let mut parting = [boxed("box", 0.3, 2.3), boxed("box", 2.2, 2.8)];
+    (parting[0].position, parting[0].spin) = (DVec2::new(3.0, -3.8), Angle::Degrees(90.0));
+    (parting[1].position, parting[1].velocity) = (DVec2::new(0.5, 1.3), DVec2::new(-2.0, 1.0));
+    parting[1].angle = Angle::Degrees(180.0);
+    for ([a, b], word) in [(&meeting, "hit"), (&parting, "miss")] {
+        for (a, b) in [(a, b), (b, a)] {
+            let found = ask("swept-axis", a, b, 1e-12).0;
+            assert_eq!(found.outcome.word(), word, "{found:?}");
+            let (lo, hi) = span(&found);
+            assert!(word == "miss" || (lo < 1e-15 && hi < 1e-13), "{found:?}");
         }
     }
 }

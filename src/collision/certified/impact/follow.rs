@@ -56,7 +56,8 @@ impl Axis {
             let gap = self.gap(pair, t, precision, &mut lowest);
             let work = followed.work + gap.work;
             followed = Followed { axis: *self, until: t, at: t, gap: gap.least, slope: gap.slope, work };
-            if t >= 1.0 || gap.least <= exhausted * pair.rounding {
+            // A gap that opens goes on to, however small it is.
+            if t >= 1.0 || (gap.least <= exhausted * pair.rounding && gap.slope <= 0.0) {
                 break;
             }
             // t + h rounds to nearest: the double before it is surely covered.

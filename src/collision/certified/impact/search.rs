@@ -23,7 +23,7 @@ use crate::collision::certified::impact::gap::Precision;
 use crate::collision::certified::impact::limits::Limits;
 use crate::collision::certified::impact::moving_pair::MovingPair;
 use crate::collision::feature::DifferenceFeature;
-use crate::geometry::Enclosure;
+use crate::geometry::{Enclosure, Side};
 
 /// A separation in doubles below this many roundings is looked at in balls. Half changes nothing; twice asks
 /// for balls 9 % more often.
@@ -254,6 +254,8 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
         let before = Before::new(self.pair, lo, near);
         let ulp = lo.next_up() - lo;
         let enough = gap.max(0.0) + ENOUGH * self.pair.rounding;
+        // Where no axis says how fast, at t = 0 an ulp is a time in which nothing moves.
+        let speed = if speed > 0.0 { speed } else { self.pair.speed(Side::A) };
         let mut width = if speed > 0.0 { (enough / speed).max(2.0 * ulp) } else { ulp };
         for trial in 0..trials {
             let hi = (lo + width).min(1.0);
