@@ -43,10 +43,10 @@ impl Runs for Moodle {
 
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let mut quiz = Quiz::new();
-        let status = self.exercises.fill(&mut quiz, console);
-        if status == Status::Done {
+        let filled = self.exercises.fill(&mut quiz, console);
+        if filled.is_whole {
             console.out.write_all(quiz.finish().as_bytes())?;
         }
-        Ok(status)
+        Ok(filled.status)
     }
 }

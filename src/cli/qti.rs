@@ -10,7 +10,7 @@ use super::console::Console;
 use super::inputs::shown;
 use super::manual::Manual;
 use super::outputs::{Kept, write_report};
-use super::questions::{Bank, Exercises};
+use super::questions::{Bank, Exercises, Filled};
 use super::written::cant_write;
 use super::{Runs, Status};
 
@@ -53,8 +53,8 @@ impl Runs for Qti {
             return Ok(Status::Wrong);
         }
         let mut package = ItemPackage::default();
-        let status = self.exercises.fill(&mut package, console);
-        if status != Status::Done {
+        let Filled { is_whole, status } = self.exercises.fill(&mut package, console);
+        if !is_whole {
             return Ok(status);
         }
         let bytes = match package.finish() {
@@ -66,13 +66,13 @@ impl Runs for Qti {
         };
         if self.output == Path::new("-") {
             console.out.write_all(&bytes)?;
-            return Ok(Status::Done);
+            return Ok(status);
         }
         if let Err(error) = write_report(&self.output, &bytes) {
             Console::message(&cant_write(&self.output, &error));
             return Ok(Status::Io);
         }
         writeln!(console.out, "{}", shown(&self.output))?;
-        Ok(Status::Done)
+        Ok(status)
     }
 }

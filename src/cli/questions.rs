@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use tracefig::figure::exercise::{answer_in_words, asked, task, to_enter, way};
+use tracefig::figure::exercise::{answer_in_words, asked, task_of, to_enter, way};
 use tracefig::figure::{Fault, Plan, draw, plain, plan, plan_in};
 use tracefig::output::{Numerical, OutputError};
 use tracefig::scene::{Ink, Problem, Refused, Scene, SceneFile, Variant, visible};
@@ -45,20 +45,47 @@ impl Exercises {
     }
 
     /// Fills a bank with the questions of all scenes, and tells what is wrong with any of them. A bank that
-    /// lacks a scene would be taken for the whole, so it is not to be written unless all is done.
-    pub(crate) fn fill(&self, bank: &mut dyn Bank, console: &Console) -> Status {
-        let (mut status, mut messages) = (Status::Done, String::new());
+    /// lacks a scene would be taken for the whole, so it is not to be written unless all is done; but for a
+    /// scene that has no variants, which nobody can mend and all others need not wait for.
+    pub(crate) fn fill(&self, bank: &mut dyn Bank, console: &Console) -> Filled {
+        let mut filled = Filled { is_whole: true, status: Status::Done };
+        let mut messages = String::new();
+        let mut unvaried = 0;
         for path in &self.scenes {
             let mut sheet = Sheet { bank: &mut *bank, ink: console.ink(), messages: &mut messages };
-            if let Err(failure) = sheet.scene(path, &self.seed) {
-                messages.push_str(&failure.message);
-                status = status.max(failure.status);
-            }
+            let Err(failure) = sheet.scene(path, &self.seed) else { continue };
+            filled.status = filled.status.max(failure.failure.status);
+            messages.push_str(&failure.failure.message);
+            unvaried += usize::from(failure.is_unvaried);
+            filled.is_whole &= failure.is_unvaried;
         }
+        filled.is_whole &= unvaried < self.scenes.len();
         if !messages.is_empty() {
             Console::message(&messages);
         }
-        status
+        filled
+    }
+}
+
+/// What came of filling a bank.
+pub(crate) struct Filled {
+    /// Whether it is to be written: it has the questions of every scene that can have some.
+    pub(crate) is_whole: bool,
+    /// How the command ends.
+    pub(crate) status: Status,
+}
+
+/// Why a scene has no questions.
+struct Unasked {
+    /// What is to be told.
+    failure: Failure,
+    /// Whether it only has too few variants.
+    is_unvaried: bool,
+}
+
+impl From<Failure> for Unasked {
+    fn from(failure: Failure) -> Self {
+        Self { failure, is_unvaried: false }
     }
 }
 
@@ -74,15 +101,18 @@ struct Sheet<'s> {
 
 impl Sheet<'_> {
     /// Adds the questions of a scene, or says what is wrong.
-    fn scene(&mut self, path: &Path, seeds: &[Seeds]) -> Result<(), Failure> {
+    fn scene(&mut self, path: &Path, seeds: &[Seeds]) -> Result<(), Unasked> {
         let (input, ink) = (single(path), self.ink);
         let file = input.open().map_err(|refused| Failure::of(&refused, ink))?;
         let refuse = |problems| Refused { source: file.source.clone(), problems }.render(ink);
-        let told = |unvaried: Unvaried| match unvaried {
-            Unvaried::Wrong(problems) => refuse(problems),
-            unvaried => unvaried.message(&visible(&file.source.name)),
+        let told = |unvaried: Unvaried| Unasked {
+            is_unvaried: matches!(unvaried, Unvaried::TooFew { .. }),
+            failure: Failure::from(match unvaried {
+                Unvaried::Wrong(problems) => refuse(problems),
+                unvaried => unvaried.message(&visible(&file.source.name)),
+            }),
         };
-        let own = OwnThemes::default().of(&file, &input, ink).map_err(|none| none.message)?;
+        let own = OwnThemes::default().of(&file, &input, ink).map_err(|none| Failure::from(none.message))?;
         let seeds = Seeds::all(seeds);
         let found = varied(&file, seeds.iter().flatten().copied().max()).map_err(told)?;
         for (i, seed) in seeds.into_iter().enumerate() {
@@ -118,7 +148,7 @@ impl Sheet<'_> {
         for number in &asked(&key) {
             let numerical = Numerical {
                 name: format!("{name}: {}", number.name),
-                asks: vec![task(&key), to_enter(&key, number)],
+                asks: vec![task_of(&key, number), to_enter(&key, number)],
                 figure: &figure.drawing,
                 answer: number.value(),
                 tolerance: number.tolerance(),

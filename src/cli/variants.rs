@@ -60,6 +60,8 @@ pub(crate) enum Unvaried {
         found: usize,
         /// How many were asked for.
         asked: usize,
+        /// Whether a body of the question turns.
+        turns: bool,
     },
 }
 
@@ -69,10 +71,18 @@ impl Unvaried {
         match self {
             Self::NoExercise => format!("error: {name} is no exercise: it lacks `[exercise]`\n"),
             Self::Wrong(_) => format!("error: {name} has no key\n"),
-            Self::TooFew { found, asked } => format!(
-                "error: {name}: {found} of {asked} variants have an answer of three digits at most; a \
-                 `rotation` whose numbers are short, as [0.6, 0.8], and places in halves have more\n"
-            ),
+            Self::TooFew { found, asked, turns } => {
+                let why = if *turns {
+                    "what depends on how far a body turns hardly ever has one; without `--seed` the scene \
+                     itself is asked"
+                } else {
+                    "a `rotation` whose numbers are short, as [0.6, 0.8], and places in halves have more"
+                };
+                format!(
+                    "error: {name}: {found} of {asked} variants have an answer of three digits at most; \
+                     {why}\n"
+                )
+            }
         }
     }
 }
@@ -85,7 +95,8 @@ pub(crate) fn varied(file: &SceneFile, most: Option<usize>) -> Result<Vec<Found>
     }
     // What is wrong with the exercise itself is told as it is without other bodies.
     scene_of(file, Variant::Question)?;
-    search(&file.template(), asked).map_err(|TooFew { found }| Unvaried::TooFew { found, asked })
+    let turns = file.scene.query().of.iter().any(|&i| !file.scene.shapes()[i].1.spin.is_zero());
+    search(&file.template(), asked).map_err(|TooFew { found }| Unvaried::TooFew { found, asked, turns })
 }
 
 /// What is drawn of a scene as a variant.

@@ -8,6 +8,7 @@ use crate::typeset::{Line, Style, typeset};
 
 use super::lettering::lettered;
 use super::placement::Labelled;
+use super::text::Decimal;
 use super::theme::Theme;
 
 /// How far the clock stands from the edges of its panel, page pixels.
@@ -22,11 +23,12 @@ const CORNERS: [(bool, bool); 4] = [(true, true), (true, false), (false, true), 
 pub(super) struct Clock(Arc<Line>);
 
 impl Clock {
-    /// A time in letters of a size; `None` where it can't be set.
-    pub(super) fn of(time: f64, size: f64) -> Option<Self> {
+    /// A time in letters of a size, with the sign that is decimal in a scene; `None` where it can't be set.
+    pub(super) fn of(time: f64, size: f64, decimal: Decimal) -> Option<Self> {
         // Two digits, so that it does not jump.
         let hundredths = (100.0 * time).round() / 100.0;
-        let line = typeset(&format!("$t = {hundredths:.2}$"), Style::regular(size)).ok()?;
+        let markup = decimal.in_number(format!("$t = {hundredths:.2}$"));
+        let line = typeset(&markup, Style::regular(size)).ok()?;
         Some(Self(Arc::new(line)))
     }
 
@@ -36,11 +38,13 @@ impl Clock {
         Point::new(x, if is_bottom { panel.y1 - ASIDE } else { panel.y0 + ASIDE + self.0.ascent })
     }
 
-    /// Whether nothing of a panel lies under it in a corner.
-    fn is_free(&self, panel: &Labelled, corner: (bool, bool)) -> bool {
+    /// Whether nothing of a panel lies under it in a corner, and no inset.
+    fn is_free(&self, panel: &Labelled, insets: &[Labelled], corner: (bool, bool)) -> bool {
         let (p, line) = (self.origin(&panel.frame.panel, corner), &self.0);
         let bounds = Rect { x0: p.x, y0: p.y - line.ascent, x1: p.x + line.width, y1: p.y + line.descent };
-        panel.is_free(&bounds.grown(HALO))
+        let bounds = bounds.grown(HALO);
+        let has_inset = insets.iter().any(|inset| inset.frame.panel.intersection(bounds).is_some());
+        !has_inset && panel.is_free(&bounds)
     }
 
     /// What is drawn of it in a corner of a panel.
@@ -50,9 +54,12 @@ impl Clock {
     }
 }
 
-/// The corner of a panel in which the clock hides something in the fewest pictures.
-pub(super) fn corner(pictures: &[(&Labelled, &Clock)]) -> (bool, bool) {
-    let hides = |corner| pictures.iter().filter(|(panel, clock)| !clock.is_free(panel, corner)).count();
+/// The corner of a panel in which the clock hides something in the fewest pictures: each the panel, the
+/// insets of all panels, and the clock.
+pub(super) fn corner(pictures: &[(&Labelled, &[Labelled], &Clock)]) -> (bool, bool) {
+    let hides = |corner| {
+        pictures.iter().filter(|(panel, insets, clock)| !clock.is_free(panel, insets, corner)).count()
+    };
     CORNERS.into_iter().min_by_key(|&corner| hides(corner)).unwrap_or(CORNERS[0])
 }
 
@@ -74,8 +81,8 @@ mod tests {
             let scene = open_text("s", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "f");
-            let clock = Clock::of(0.25, 14.0).unwrap();
-            corner(&[(&figure.panels[0], &clock)])
+            let clock = Clock::of(0.25, 14.0, Decimal::Point).unwrap();
+            corner(&[(&figure.panels[0], &figure.insets, &clock)])
         };
         assert_eq!(corner_of("'origin'"), (true, true), "lower right");
         let ticks = "{ layer = 'axes', ticks = true, lines = false, step = 1 }";
@@ -84,5 +91,7 @@ mod tests {
         assert_eq!(corner_of(note), (true, false), "over a note");
         let both = format!("{ticks}, {{ layer = 'note', at = 'top-right', lines = ['a note'] }}");
         assert_eq!(corner_of(&both), (false, false), "the one that is left");
+        let inset = "'origin'], inset = [-1.1, -0.1, -0.9, 0.1], inset_at = 'SE' }, { layers = ['grid'";
+        assert_eq!(corner_of(inset), (true, false), "over an inset");
     }
 }

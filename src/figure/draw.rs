@@ -145,9 +145,10 @@ pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 #[must_use]
 pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let mut figure = draw_unjudged(plan, theme, id, before);
+    let has_view = !plan.scene.panels.is_empty();
     let faults = figure.faults().into_iter().map(|fault| {
         let span = fault.label().1.clone();
-        Problem::new(Fault::LabelClash(fault), span)
+        Problem::new(Fault::LabelClash { fault, has_view }, span)
     });
     figure.warnings.extend(faults);
     figure

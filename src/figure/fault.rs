@@ -139,7 +139,12 @@ pub enum Fault {
         group: String,
     },
     /// A warning: a label stands where a reader trips over it, or nowhere.
-    LabelClash(LabelFault),
+    LabelClash {
+        /// What is wrong with it.
+        fault: LabelFault,
+        /// Whether the scene has a panel of its own, which may have a `view`.
+        has_view: bool,
+    },
 }
 
 impl From<scene::Fault> for Fault {
@@ -174,7 +179,7 @@ impl Fault {
             | Self::OutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
-            Self::NoLayers | Self::EmptyView { .. } | Self::TextDropped { .. } | Self::LabelClash(_) => {
+            Self::NoLayers | Self::EmptyView { .. } | Self::TextDropped { .. } | Self::LabelClash { .. } => {
                 Severity::Warning
             }
             _ => Severity::Error,
@@ -203,7 +208,7 @@ impl Explain for Fault {
             Self::TextDropped { .. } => codes::CAPTION_DROPPED.code,
             Self::BadTheme { .. } => codes::BAD_THEME.code,
             Self::OffPage { .. } => codes::OFF_PAGE.code,
-            Self::LabelClash(_) => codes::LABEL_CLASH.code,
+            Self::LabelClash { .. } => codes::LABEL_CLASH.code,
         }
     }
 
@@ -229,14 +234,21 @@ impl Explain for Fault {
             Self::OffPage { .. } => Some(
                 "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
-            Self::LabelClash(fault) => {
+            Self::LabelClash { fault, has_view } => {
                 let key = fault.label().0;
-                Some(format!(
-                    "pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or give the panel a wider `view`"
-                ))
+                let room = if *has_view {
+                    "give the panel a wider `view`"
+                } else {
+                    "give the figure a larger `width` in `[canvas]`"
+                };
+                Some(format!("pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or {room}"))
             }
+            Self::NoHit => Some(
+                "`kind = \"linear-sweep\"` and `kind = \"time-of-impact\"` ask for one; a `time` is a number \
+                 too"
+                    .to_owned(),
+            ),
             Self::NoSuchStep { .. }
-            | Self::NoHit
             | Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
@@ -293,7 +305,7 @@ impl fmt::Display for Fault {
                 write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
             }
             Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
-            Self::LabelClash(fault) => fault.fmt(f),
+            Self::LabelClash { fault, .. } => fault.fmt(f),
         }
     }
 }

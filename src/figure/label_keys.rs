@@ -1,20 +1,28 @@
 //! What `[labels]` means for a figure: which keys it has, those of the labels that its layers write and of
 //! its bodies' names; and what it calls the bodies.
 
-use crate::scene::{self, Scene};
+use crate::scene::{self, LayerSpec, Scene, Space};
 
 use super::called::{Called, KEYS, Replaced};
+use super::context::Context;
+use super::default_picture::layers_of_all;
 use super::fault::{Fault, Problem};
-use super::layer::{LAYERS, is_key};
+use super::layer::{Fed, Layer, Options, find, is_key};
 use super::panel::PanelPlan;
+use super::runs::Runs;
 use super::text::{label_key, overridden};
 
 /// Tells of keys of `[labels]` that no layer of the scene writes.
-pub(super) fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
+pub(super) fn label_keys(scene: &Scene, runs: &Runs, panels: &[PanelPlan], problems: &mut Vec<Problem>) {
     let written = panels.iter().flat_map(PanelPlan::labels);
+    if scene.labels.is_empty() {
+        return;
+    }
     // A picture of ours is another one for another answer.
     let ours = scene.panels.is_empty() || scene.panels.iter().any(|panel| panel.layers.is_none());
-    let possible = LAYERS.iter().filter(|_| ours).flat_map(|layer| layer.labels);
+    let of_ours = if ours { layers_of_all(scene) } else { Vec::new() };
+    let possible = of_ours.iter().filter_map(|(space, spec)| fed(scene, runs, space, spec));
+    let possible = possible.flat_map(|layer| layer.labels);
     let mut known: Vec<String> = Vec::new();
     for key in written.chain(possible) {
         if !known.iter().any(|k| k == key.key) {
@@ -46,6 +54,14 @@ pub(super) fn label_keys(scene: &Scene, panels: &[PanelPlan], problems: &mut Vec
             problems.push(Problem::new(fault.into(), key.span.clone()));
         }
     }
+}
+
+/// The layer of a default picture, where some answer to the scene's question has something for it.
+fn fed(scene: &Scene, runs: &Runs, space: &Space, spec: &LayerSpec) -> Option<&'static Layer> {
+    let layer = find(&spec.name.value)?;
+    let options = Options::read(layer.options, spec, scene).ok()?;
+    let context = Context { scene, space, time: scene.query.time, step: None, now: None, runs };
+    ((layer.fed)(&context, &options) != Fed::Never).then_some(layer)
 }
 
 /// What the picture of a scene calls its bodies.

@@ -18,6 +18,7 @@ use super::plan::{Plan, panels_of, say};
 use super::played::Played;
 use super::runs::Runs;
 use super::sketch::Sketched;
+use super::text::Decimal;
 use super::theme::Theme;
 use super::view;
 
@@ -104,6 +105,7 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
     let time = |k: u32| end * (f64::from(k) / f64::from(parts));
     // Labels are taken from the moment that the figure shows, so the way is drawn from there.
     let on_the_way: Vec<u32> = if is_shown { (0..parts).rev().collect() } else { (0..=parts).collect() };
+    let decimal = Decimal::of(plan.scene);
     let (mut way, mut points) = (Vec::<OnTheWay>::new(), 0_usize);
     for k in on_the_way {
         let (plan, sketched) = at(plan, &played, time(k))?;
@@ -113,7 +115,8 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
         let before = way.last().map_or(&finished, |before| &before.figure);
         let figure = draw_after(&plan, theme, id, Some(before));
         let size = plan.layout.measures.caption_size();
-        let clocks = played.0.iter().map(|&(i, _)| Clock::of(plan.panels[i].moment.time, size)).collect();
+        let clock = |&(i, _): &(usize, _)| Clock::of(plan.panels[i].moment.time, size, decimal);
+        let clocks = played.0.iter().map(clock).collect();
         way.push(OnTheWay { figure, clocks, rests: k == parts });
     }
     if is_shown {
@@ -140,7 +143,9 @@ fn with_clocks(way: Vec<OnTheWay>, finished: &Drawing, played: &Played, theme: &
         .map(|(k, &(i, _))| {
             clock::corner(
                 &way.iter()
-                    .filter_map(|on| Some((&on.figure.panels[i], on.clocks[k].as_ref()?)))
+                    .filter_map(|on| {
+                        Some((&on.figure.panels[i], &on.figure.insets[..], on.clocks[k].as_ref()?))
+                    })
                     .collect::<Vec<_>>(),
             )
         })

@@ -249,7 +249,7 @@ pub(super) fn panels_of<'s>(
     (*problems, *warnings) = (resolver.problems, resolver.notes);
     // The labels of a question are those of the figure, some of which it has no layer for.
     if scene.variant != Variant::Question {
-        label_keys(scene, &panels, problems);
+        label_keys(scene, runs, &panels, problems);
     }
     (panels.len() == count, panels)
 }

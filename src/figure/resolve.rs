@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
 use crate::geometry::DVec2;
-use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, When};
+use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When};
 use crate::typeset::{Style, line, paragraph};
 
 use super::context::{Context, Moment};
@@ -206,7 +206,7 @@ impl<'r, 's> Resolver<'r, 's> {
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {
-                let fault = Fault::UnfedLayer { layer: layer.name, needs: layer.needs };
+                let fault = Fault::UnfedLayer { layer: layer.name, needs: needs(layer, spec) };
                 self.problems.push(Problem::new(fault, span.clone()));
                 return None;
             }
@@ -214,6 +214,18 @@ impl<'r, 's> Resolver<'r, 's> {
         self.notes.push(Problem::new(Fault::NothingToDraw { layer: layer.name, why }, span.clone()));
         Some(Resolved::Unfed(layer))
     }
+}
+
+/// What a layer needs of a scene; where it needs different things for the words of an option, that of the
+/// word which the scene says.
+fn needs(layer: &Layer, spec: &LayerSpec) -> &'static str {
+    let mut said = spec.options.iter().filter_map(|(_, value)| match &value.value {
+        Value::Text(word) => Some(format!(" for \"{word}\"")),
+        _ => None,
+    });
+    let parts = || layer.needs.split([':', ',']).map(str::trim);
+    let of_word = |word: String| parts().find_map(|part| part.strip_suffix(word.as_str()));
+    said.find_map(of_word).unwrap_or(layer.needs)
 }
 
 /// A panel without some of its layers, so that the description speaks of what is there.
@@ -250,5 +262,25 @@ mod tests {
         let told: Vec<_> =
             warnings.iter().map(|p| (p.fault.code(), p.fault.severity(), p.span.start)).collect();
         assert_eq!(told, [("no-layers", Severity::Warning, text.rfind("[[panels]]").unwrap())]);
+    }
+
+    #[test]
+    fn a_layer_that_draws_nothing_says_what_it_lacks() {
+        let told = |layer: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+                shapes.B = {{ kind = 'circle', radius = 0.5, position = [3, 0] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
+                panels = [{{ {layer} }}]"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            plan(&scene).map_or_else(
+                |problems| problems[0].fault.help().unwrap_or_default(),
+                |plan| plan.warnings.iter().map(|note| note.fault.to_string()).collect(),
+            )
+        };
+        let simplex = "space = 'configuration', layers = ['difference', { layer = 'simplex', step = 9 }]";
+        assert_eq!(told(simplex), "`simplex` draws nothing: the algorithm took fewer steps");
+        assert_eq!(told("layers = ['shapes', { layer = 'ghosts', at = 'hit' }]"), "it needs a hit");
     }
 }

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::collision::answer::{Part, Parts};
 use crate::collision::{Answer, QueryKind};
-use crate::geometry::{Enclosure, Feature, Names, Side};
+use crate::geometry::{Enclosure, Feature, Names, Side, read};
 
 use super::node::number;
 
@@ -100,10 +100,27 @@ pub(super) fn lines(result: &Value, names: &Names) -> String {
                 let one = key.strip_suffix('s').unwrap_or(key);
                 (1..).zip(things).for_each(|(k, thing)| line(&format!("{one} {k}"), thing));
             }
+            _ if key == "off" => line(key, &to_few_digits(value)),
             _ => line(key, value),
         }
     }
     lines
+}
+
+/// A value whose numbers have three digits: of how far another answer is off only the size matters.
+fn to_few_digits(value: &Value) -> Value {
+    match value {
+        Value::Object(entries) => {
+            entries.iter().map(|(key, value)| (key.clone(), to_few_digits(value))).collect()
+        }
+        Value::Number(x) => {
+            let x = x.as_f64().unwrap_or(f64::NAN);
+            let few = format!("{x:.2e}");
+            let plain = read(&few).filter(|x| *x == 0.0 || (1e-4..1e7).contains(&x.abs()));
+            Value::String(plain.map_or(few, number))
+        }
+        other => other.clone(),
+    }
 }
 
 /// Bounds as an interval, all else by its type.
@@ -168,5 +185,11 @@ mod tests {
         assert!(told.contains(r#"bullet (1, 0), "the wall" (3, 0)"#), "{told}");
         assert!(told.contains(r#"bullet vertex 0, "the wall" edge 3"#), "{told}");
         assert!(answer_json(scene.query.kind, &answer)["points"]["A"].is_array());
+        let off =
+            json!({"off": {"separation": -0.599_999_999, "separation_in_eps": -2_702_159_776_422_297_i64}});
+        assert_eq!(
+            lines(&off, &Names::default()).trim(),
+            "off                separation -0.6, separation in eps -2.70e15"
+        );
     }
 }

@@ -77,7 +77,12 @@ fn syntax(error: &serde_json::Error, text: &str) -> Problem {
     }
     // The words end in " at line 1 column 5", which is said otherwise.
     let words = error.to_string();
-    let message = words.split(" at line ").next().unwrap_or_default().to_owned();
+    let mut message = words.split(" at line ").next().unwrap_or_default().to_owned();
+    // As Python and JavaScript write what is no number.
+    let written = text[at..].trim_start_matches('-');
+    if ["NaN", "nan", "Infinity", "inf"].iter().any(|word| written.starts_with(word)) {
+        message += ": JSON has no NaN and no infinity";
+    }
     Problem::new(Fault::Syntax { message: format!("not JSON: {message}") }, at..at)
 }
 

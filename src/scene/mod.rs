@@ -8,6 +8,7 @@ mod body;
 mod canvas;
 mod checked;
 pub(crate) mod codes;
+mod elsewhere;
 mod exercise;
 mod expected;
 mod fields;
@@ -40,6 +41,8 @@ mod stream;
 mod suggest;
 #[cfg(not(tracefig_page))]
 mod toml;
+#[cfg(not(tracefig_page))]
+mod toml_slips;
 mod varied;
 mod visible;
 

@@ -11,6 +11,7 @@ use crate::geometry::shape::{KINDS, Kind, ShapeError};
 use crate::geometry::sort_by;
 
 use super::codes;
+use super::elsewhere::elsewhere;
 use super::suggest::{nearest_or_all, quoted};
 
 /// What is wrong.
@@ -25,6 +26,8 @@ pub enum Fault {
     NotUtf8,
     /// The text holds nothing but blanks and comments.
     Empty,
+    /// A line of a stream holds nothing but blanks.
+    BlankLine,
     /// The text is not TOML, or not JSON.
     Syntax {
         /// The parser's words.
@@ -125,6 +128,8 @@ pub enum Fault {
         expected: &'static str,
         /// How many names stand there.
         got: usize,
+        /// Names of the shapes that there are.
+        known: Vec<String>,
     },
     /// A sweep of a turning body.
     TurningBody {
@@ -229,7 +234,7 @@ impl Fault {
         match self {
             Self::Unreadable { .. } => codes::UNREADABLE.code,
             Self::NotUtf8 => codes::NOT_UTF8.code,
-            Self::Empty => codes::EMPTY.code,
+            Self::Empty | Self::BlankLine => codes::EMPTY.code,
             Self::Syntax { .. } => codes::SYNTAX.code,
             Self::DuplicateKey { .. } => codes::DUPLICATE_KEY.code,
             Self::OverLimit { .. } | Self::Endless { .. } => codes::OVER_LIMIT.code,
@@ -259,7 +264,9 @@ impl Fault {
     #[must_use]
     pub fn help(&self) -> Option<String> {
         match self {
-            Self::UnknownKey { key, known, .. } => nearest_or_all(key, known),
+            Self::UnknownKey { key, known, .. } => {
+                elsewhere(key, known).or_else(|| nearest_or_all(key, known))
+            }
             Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
                 nearest_or_all(got, known)
             }
@@ -267,8 +274,28 @@ impl Fault {
                 Some(format!("these do: {}", quoted(suited)))
             }
             Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
+            Self::BlankLine => Some("each line of a stream is a scene as JSON".to_owned()),
             Self::NotUtf8 => Some("save it as UTF-8, not as UTF-16 or Latin-1".to_owned()),
             Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
+            Self::MissingKey { key, .. } if key == "query" => {
+                Some("as: query = { kind = \"separation\", of = [\"A\", \"B\"] }".to_owned())
+            }
+            Self::MissingKey { key, .. } if key == "shapes" => {
+                Some("as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
+            }
+            Self::WrongType { key, expected, got }
+                if got == "a table" && expected.starts_with("a list of") =>
+            {
+                Some(format!("each is a table of its own: [[{key}]]"))
+            }
+            Self::WrongType { key, expected, got }
+                if expected == "a table" && got.starts_with("a list of") =>
+            {
+                Some(format!("there is one alone: [{key}]"))
+            }
+            Self::WrongCount { known, .. } if !known.is_empty() => {
+                Some(format!("the scene has {}", quoted(known)))
+            }
             Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
             _ => None,
         }
@@ -288,6 +315,7 @@ impl fmt::Display for Fault {
             Self::Unreadable { reason } => write!(f, "can't read the scene: {reason}"),
             Self::NotUtf8 => f.write_str("expected UTF-8 text, got other bytes"),
             Self::Empty => f.write_str("expected a scene, got an empty file"),
+            Self::BlankLine => f.write_str("expected a scene, got a blank line"),
             Self::Syntax { message } | Self::Conflict { message } => f.write_str(message),
             Self::DuplicateKey { key } => write!(f, "the key `{key}` stands twice"),
             Self::OverLimit { what, limit, unit, got } => {
@@ -304,7 +332,7 @@ impl fmt::Display for Fault {
             }
             Self::NotFinite { key, got } => write!(f, "`{key}`: expected a finite number, got {got}"),
             Self::UnknownBody { got, .. } => write!(f, "the scene has no shape `{got}`"),
-            Self::WrongCount { kind, expected, got } => {
+            Self::WrongCount { kind, expected, got, .. } => {
                 write!(f, "`of`: a `{kind}` query is of {expected}, got {got}")
             }
             Self::TurningBody { body } => {

@@ -22,7 +22,7 @@ pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Opti
     let question = table.text("kind").and_then(|word| QUERIES.iter().find(|q| q.word == word.value));
     let of = names(&table, shapes, p);
     if let Some(question) = question {
-        count(question, &table, p);
+        count(question, &table, shapes, p);
         moment(question, &table, p);
     }
     let (question, of) = (question?, of?);
@@ -86,8 +86,11 @@ fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option
             }
             Some(i) => found.push(i),
             None => {
-                let known = shapes.iter().map(|s| s.name.value.clone()).collect();
-                p.add(Fault::UnknownBody { got: name.to_owned(), known }, &item.span);
+                let known: Vec<String> = shapes.iter().map(|s| s.name.value.clone()).collect();
+                // Where there are none, that is what is wrong, and it has been told.
+                if !known.is_empty() {
+                    p.add(Fault::UnknownBody { got: name.to_owned(), known }, &item.span);
+                }
                 all_known = false;
             }
         }
@@ -96,7 +99,7 @@ fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option
 }
 
 /// Complains where `of` names too few or too many shapes.
-fn count(question: &Question, table: &Checked<'_>, p: &mut Problems) {
+fn count(question: &Question, table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) {
     let Some(node) = table.get("of") else { return };
     let got = as_list(node).unwrap_or_default().len();
     if !numbers(question.bodies).contains(&got) {
@@ -104,7 +107,8 @@ fn count(question: &Question, table: &Checked<'_>, p: &mut Problems) {
             Bodies::OneOrTwo => "one or two shapes",
             Bodies::Two => "two shapes",
         };
-        p.add(Fault::WrongCount { kind: question.word, expected, got }, &node.span);
+        let known = shapes.iter().map(|shape| shape.name.value.clone()).collect();
+        p.add(Fault::WrongCount { kind: question.word, expected, got, known }, &node.span);
     }
 }
 
@@ -138,7 +142,11 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
         if question.shapes == Shapes::Convex && body.shape.core.is_empty() {
             let words = QUERIES.iter().filter(|q| q.shapes == Shapes::Any).map(|q| format!("`{}`", q.word));
             let words = words.collect::<Vec<_>>().join(", ");
-            let reason = format!("an `{}` is for {words} only", body.shape.kind);
+            let reason = format!(
+                "an `{}` is for {words} only; a `polygon` with `hull = true` is its convex hull, and it may \
+                 be cut into convex pieces",
+                body.shape.kind
+            );
             p.add(Fault::UnsuitedShape { body: (*name).to_owned(), reason }, &span_of(table, "of"));
             fits = false;
         }

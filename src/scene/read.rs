@@ -78,13 +78,15 @@ fn bodies(top: &Checked<'_>, p: &mut Problems) -> Vec<body::Read> {
 /// The language of the texts; what is no tag of one is told.
 fn language(top: &Checked<'_>, p: &mut Problems) -> Option<Spanned<String>> {
     let lang = top.text("lang")?;
-    let mut parts = lang.value.split('-');
-    let first = parts.next().unwrap_or("");
-    let is_tag = (2..=8).contains(&first.len())
-        && first.bytes().all(|b| b.is_ascii_alphabetic())
-        && parts.all(|part| (1..=8).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_alphanumeric()));
-    if is_tag {
+    if is_tag(&lang.value) {
         return Some(lang);
+    }
+    // As systems name what they speak.
+    let tag = lang.value.split('.').next().unwrap_or_default().replace('_', "-");
+    if is_tag(&tag) {
+        let fault = Fault::UnknownWord { what: "language", got: lang.value, known: vec![tag] };
+        p.add(fault, &lang.span);
+        return None;
     }
     let expected = "the tag of a language, as \"de\" or \"pt-BR\"".to_owned();
     let got = format!("\"{}\"", lang.value);
@@ -92,7 +94,55 @@ fn language(top: &Checked<'_>, p: &mut Problems) -> Option<Spanned<String>> {
     None
 }
 
+/// Whether a text is the tag of a language, as "de" or "pt-BR".
+fn is_tag(text: &str) -> bool {
+    let mut parts = text.split('-');
+    let first = parts.next().unwrap_or("");
+    (2..=8).contains(&first.len())
+        && first.bytes().all(|b| b.is_ascii_alphabetic())
+        && parts.all(|part| (1..=8).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_alphanumeric()))
+}
+
 /// Where the `id` of a scene stands, which is copied to the answer whatever JSON it is; `None` without one.
 pub(crate) fn id_span(root: &Node) -> Option<Range<usize>> {
     root.get("id").filter(|id| id.value != NodeValue::Other("null")).map(|id| id.span.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{open_text, solve_jsonl_line};
+
+    #[test]
+    fn a_language_as_systems_name_it_is_understood() {
+        let told = |lang: &str| {
+            let refused = open_text("s.toml", &format!("lang = '{lang}'")).unwrap_err();
+            refused.problems.iter().find(|p| p.fault.code() == "unknown-word")?.fault.help()
+        };
+        for lang in ["de_DE", "de_DE.UTF-8"] {
+            assert!(told(lang).unwrap().contains("`de-DE`"), "{lang}");
+        }
+        assert_eq!(told("german!"), None);
+    }
+
+    #[test]
+    fn a_line_of_a_stream_that_is_no_scene_says_so_in_the_words_of_its_language() {
+        let blank = solve_jsonl_line("  ", 2).line;
+        assert!(blank.contains("a blank line; each line of a stream is a scene as JSON"), "{blank}");
+        let nan = solve_jsonl_line(r#"{"shapes": {"A": {"kind": "circle", "radius": NaN}}}"#, 3).line;
+        assert!(nan.contains("JSON has no NaN"), "{nan}");
+    }
+
+    #[test]
+    fn a_table_with_the_brackets_of_another_says_which_it_has() {
+        let help = |text: &str| {
+            let refused = open_text("s.toml", text).unwrap_err();
+            refused.problems.iter().filter_map(|p| p.fault.help()).collect::<Vec<_>>().join(" | ")
+        };
+        assert!(help("[steps]\ntitle = 'x'").contains("[[steps]]"));
+        assert!(help("[[query]]\nkind = 'x'").contains("there is one alone: [query]"));
+        assert!(help("title = 'x'").contains("shapes.A = {"));
+        // Nothing is said of shapes that no table has.
+        let told = help("[shape.A]\nkind = 'circle'\n[query]\nkind = 'bounds'\nof = ['A']");
+        assert!(told.contains("did you mean `shapes`?") && !told.contains("known are"), "{told}");
+    }
 }

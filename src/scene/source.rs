@@ -105,7 +105,8 @@ impl Source {
     /// The tree of values, or what keeps it from being one.
     pub(crate) fn tree(&self) -> Result<Node, Vec<Problem>> {
         if self.is_blank() {
-            return Err(vec![Problem::new(Fault::Empty, 0..0)]);
+            let fault = if self.syntax == Syntax::Json { Fault::BlankLine } else { Fault::Empty };
+            return Err(vec![Problem::new(fault, 0..0)]);
         }
         match self.syntax {
             #[cfg(not(tracefig_page))]

@@ -8,6 +8,7 @@ use super::Spanned;
 use super::limits::MAX_NESTING;
 use super::node::{Node, NodeValue};
 use super::problem::{Fault, MAX_PROBLEMS, Problem};
+use super::toml_slips::meant;
 
 /// Reads a TOML text.
 pub(super) fn parse(text: &str) -> Result<Node, Vec<Problem>> {
@@ -45,16 +46,21 @@ fn one_a_line(errors: &[toml::de::Error], text: &str) -> Vec<Problem> {
             Fault::DuplicateKey { key: text.get(span.clone()).unwrap_or_default().to_owned() }
         } else {
             let written = text.get(span.clone()).unwrap_or_default();
-            let quoted = if message.contains("unquoted key") && !written.is_empty() {
-                format!("; in quotes a name may have any: \"{written}\"")
-            } else {
-                String::new()
-            };
-            Fault::Syntax { message: format!("not TOML: {}{quoted}", message.replace('\n', ", ")) }
+            let help = meant(message, line_at(text, span.start), written);
+            let help = help.map_or_else(String::new, |help| format!("; {help}"));
+            Fault::Syntax { message: format!("not TOML: {}{help}", message.replace('\n', ", ")) }
         };
         problems.push(Problem::new(fault, span));
     }
     problems
+}
+
+/// The line of a text that holds a byte.
+fn line_at(text: &str, at: usize) -> &str {
+    let (before, after) = text.split_at_checked(at).unwrap_or((text, ""));
+    let start = before.rfind('\n').map_or(0, |i| i + 1);
+    let end = after.find('\n').map_or(text.len(), |i| before.len() + i);
+    text.get(start..end).unwrap_or_default()
 }
 
 /// Brackets or parts of a dotted key a million deep would become as many nested values, and dropping these as

@@ -114,6 +114,32 @@ fn variants_and_scenes_stand_in_one_file() {
 }
 
 #[test]
+fn a_scene_without_variants_does_not_stop_the_others() {
+    let folder = folder_with(
+        "turning.toml",
+        "exercise.ask = \"bound\"\n[shapes.A]\nkind = \"box\"\n\
+        half_extents = [1, 0.5]\nangular_velocity_deg = 120\n[query]\nkind = \"motion-bound\"\nof = [\"A\"]\n",
+    );
+    std::fs::write(folder.path().join("s.toml"), exercise()).unwrap();
+    let moodle =
+        |scenes: &[&str]| run(tracefig(folder.path()).arg("moodle").args(scenes).args(["--seed", "1"]));
+    let both = moodle(&["turning.toml", "s.toml"]);
+    assert_eq!(both.code, Some(1));
+    assert!(
+        both.err.contains("turning.toml: 0 of 1 variants") && both.err.contains("a body turns"),
+        "{}",
+        both.err
+    );
+    let document = Document::parse(&both.out).unwrap();
+    let [one, two] = questions(&document, 1)[..] else { panic!("{}", both.out) };
+    // Each asks for its own number alone.
+    let asked = [one, two].map(|question| text(question, &["questiontext", "text"]));
+    assert!(asked[0].contains("how far") && !asked[1].contains("how far"), "{asked:?}");
+    let none = moodle(&["turning.toml"]);
+    assert_eq!((none.code, none.out.as_str()), (Some(1), ""));
+}
+
+#[test]
 fn a_figure_of_a_file_is_a_whole_png_that_says_nothing_of_itself() {
     let folder = folder_with("s.toml", &exercise());
     let file = run(tracefig(folder.path()).args(["moodle", "s.toml"]));

@@ -229,6 +229,15 @@ fn panels(picture: &Picture, scene: &Scene, at: &Range<usize>) -> Vec<Panel> {
     panels
 }
 
+/// The layers of all pictures, each with the space of its panel.
+pub(crate) fn layers_of_all(scene: &Scene) -> Vec<(Space, LayerSpec)> {
+    let of_panel = |panel: Panel| {
+        let space = panel.space;
+        panel.layers.unwrap_or_default().into_iter().map(move |layer| (space.clone(), layer))
+    };
+    PICTURES.iter().flat_map(|row| panels(row, scene, &scene.query.span)).flat_map(of_panel).collect()
+}
+
 /// Puts the name of a body of the query in the place of `A` or `B` in a layer's option `of`.
 fn name_bodies(layer: &mut LayerSpec, scene: &Scene) {
     for (_, value) in layer.options.iter_mut().filter(|(key, _)| key.value == "of") {

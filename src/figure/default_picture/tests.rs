@@ -9,7 +9,7 @@ use crate::figure::layer::EXPECTED;
 use crate::figure::runs::Runs;
 use crate::figure::{draw, plan};
 use crate::geometry::Side;
-use crate::scene::{Scene, Severity, open_text, panels_of_text};
+use crate::scene::{Explain, Scene, Severity, Source, as_json, open_text, panels_of_text};
 
 /// Places of B that a motion of A by (3, 0) hits soon and late, misses and begins in; and the first again
 /// with a radius, by which bodies overlap whose cores are apart.
@@ -133,6 +133,29 @@ fn a_label_that_only_another_answer_has_may_be_worded() {
     let words = |key: &str| format!("{text}of = ['crate', 'B']\n[labels]\n{key} = 'here'");
     assert!(plan(&open_text("s.toml", &words("contact")).unwrap().scene).is_ok());
     assert!(plan(&open_text("s.toml", &words("contct")).unwrap().scene).is_err());
+}
+
+#[test]
+fn a_label_that_no_answer_of_the_algorithm_has_is_told() {
+    let text =
+        pair("closest-features", "[9, 0.25]", "") + "[query]\nkind = 'separation'\nof = ['crate', 'B']\n";
+    let refused = |key: &str| {
+        let text = format!("{text}[labels]\n{key} = {{ hide = true }}");
+        plan(&open_text("s.toml", &text).unwrap().scene).err().map(|p| p[0].fault.help().unwrap_or_default())
+    };
+    // Those of clipping; and that of a push, which the bodies would have if they overlapped.
+    let known = refused("incident").unwrap();
+    assert!(known.contains("`pushed`") && !known.contains("`reference`"), "{known}");
+    assert_eq!(refused("pushed"), None);
+}
+
+#[test]
+fn the_panels_of_all_pictures_say_the_same_in_json_which_pages_read() {
+    for picture in PICTURES {
+        let read = |text: &str| Source::new("", text).json();
+        assert_eq!(read(&as_json(picture.panels)), read(picture.panels), "{}", picture.name);
+        assert!(read(picture.panels).is_some_and(|json| json.len() > 20));
+    }
 }
 
 #[test]

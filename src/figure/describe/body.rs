@@ -3,8 +3,8 @@
 //! Every place is one that the scene has: a body with vertices of its own is told by them, as seen from its
 //! origin, about which it turns.
 
-use crate::geometry::shape::KINDS;
-use crate::geometry::{Body, DVec2, Rotation};
+use crate::geometry::shape::{Edges, KINDS};
+use crate::geometry::{Body, DVec2, Rotation, Shape};
 
 use crate::trace::Phrase;
 
@@ -57,7 +57,7 @@ pub(super) fn body_in_words(name: &str, body: &Body, speech: Speech) -> String {
 /// How large the core of a body is, in its own frame.
 fn size(body: &Body, speech: Speech) -> String {
     let shape = &body.shape;
-    let count = shape.vertices.len().to_string();
+    let count = corners(shape).to_string();
     if let Some(h) = shape.half_extents {
         return speech.say(&OF_SIZE, &[&speech.value(2.0 * h.x), &speech.value(2.0 * h.y)]);
     }
@@ -74,6 +74,11 @@ fn size(body: &Body, speech: Speech) -> String {
             speech.say(&SPANNING, &[&count, &width, &height, &speech.point(least), &speech.point(most)])
         }
     }
+}
+
+/// How many vertices a shape has: those of the file, or of their hull where the shape is that.
+pub(in crate::figure) fn corners(shape: &Shape) -> usize {
+    if shape.edges == Edges::OfHull { shape.core.len() } else { shape.vertices.len() }
 }
 
 /// Whether the scene says of a body where its middle is, and that is its origin.
@@ -122,6 +127,10 @@ mod tests {
             (
                 "kind = 'polygon', vertices = [[-1, 0], [3, -1], [2, 2]], angle_deg = 30",
                 "a convex polygon of 3 vertices, spanning 4 by 3 from (-1, -1) to (3, 2), turned by 30°",
+            ),
+            (
+                "kind = 'polygon', hull = true, vertices = [[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]]",
+                "a convex polygon of 4 vertices, spanning 2 by 2 from (0, 0) to (2, 2)",
             ),
             (
                 "kind = 'box', half_extents = [2, 1], rotation = [0.8, 0.6]",

@@ -5,7 +5,7 @@
 //! the result with its number, how many steps it took, and what each panel shows. Words only: formulas are
 //! read out as they would be written in running text.
 
-mod body;
+pub(in crate::figure) mod body;
 pub(crate) mod body_phrases;
 mod long;
 mod number;

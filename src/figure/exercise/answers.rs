@@ -13,7 +13,7 @@ use super::askable::{askable, in_words};
 use super::givens::givens;
 use super::measure::Measure;
 use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, WITHIN, Words};
-use super::quantities::Askable;
+use super::quantities::{ASKABLE, Askable};
 
 /// Where the class writes a number.
 const BLANK: &str = "____________";
@@ -197,6 +197,13 @@ pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<As
         })
     };
     rows(scene, exercise).into_iter().filter_map(answer).collect()
+}
+
+/// The names of all values that may be asked for and that this answer has, for a message.
+pub(super) fn there(scene: &Scene, runs: &Runs) -> String {
+    let context = of_the_query(scene, runs);
+    let has = |row: &&Askable| (row.of)(scene.query.kind) && value_of(row.name, &context).is_some();
+    ASKABLE.iter().filter(has).map(|row| format!("`{}`", row.name)).collect::<Vec<_>>().join(", ")
 }
 
 /// What is to be done, as markup: the exercise's own words, or ours.

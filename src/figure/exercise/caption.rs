@@ -8,7 +8,7 @@ use crate::figure::standing::standing;
 use crate::figure::text::{Across, paragraphs, plain};
 use crate::scene::{self, Exercise, Scene, Variant};
 
-use super::answers::{answers, question, solved, steps, task};
+use super::answers::{answers, question, solved, steps, task, there};
 use super::askable::askable;
 use super::phrases::{MORE, Words};
 use super::quantities::ASKABLE;
@@ -72,8 +72,11 @@ fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Pro
     };
     for name in exercise.ask.iter().filter(is_lacking) {
         let why = standing(&runs.own(scene, scene.query.time).answer);
-        let message =
-            format!("the exercise asks for `{}`, which this scene does not have: {why}", name.value);
+        let message = format!(
+            "the exercise asks for `{}`, which this scene does not have: {why}; it has {}",
+            name.value,
+            there(scene, runs)
+        );
         problems.push(Problem::new(scene::Fault::Conflict { message }.into(), name.span.clone()));
     }
 }

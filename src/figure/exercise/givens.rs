@@ -2,6 +2,7 @@
 //!
 //! Nobody can work out three digits from numbers that were rounded to three, so none is.
 
+use crate::figure::describe::body::corners;
 use crate::figure::describe::body_phrases::{
     AT, FROM_TO, IS, MOVED, MOVING, OF_RADIUS, OF_SIZE, POINT, SEGMENT, TURNED, TURNING,
 };
@@ -9,7 +10,7 @@ use crate::geometry::shape::KINDS;
 use crate::geometry::{Angle, Body, DVec2, Names, Side};
 use crate::scene::{Scene, Spanned};
 
-use super::phrases::{MOMENT, MOTION, OF_VERTICES, REGULAR, TURNED_BY_SINE, WITH_VERTICES, Words};
+use super::phrases::{HULL_OF, MOMENT, MOTION, OF_VERTICES, REGULAR, TURNED_BY_SINE, WITH_VERTICES, Words};
 
 /// Vertices that are listed; more are on the picture only.
 const MOST_VERTICES: usize = 12;
@@ -78,9 +79,10 @@ fn core(body: &Body, words: Words) -> String {
         [from, to] => words.say(&FROM_TO, &[&words.point(from), &words.point(to)]),
         _ if shape.vertices.len() <= MOST_VERTICES => {
             let vertices: Vec<String> = shape.vertices.iter().map(|&v| words.point(v)).collect();
-            words.say(&WITH_VERTICES, &[&vertices.join(words.tongue.between())])
+            let phrase = if shape.is_in_order() { &WITH_VERTICES } else { &HULL_OF };
+            words.say(phrase, &[&vertices.join(words.tongue.between())])
         }
-        _ => words.say(&OF_VERTICES, &[&shape.vertices.len().to_string()]),
+        _ => words.say(&OF_VERTICES, &[&corners(shape).to_string()]),
     }
 }
 
@@ -184,5 +186,16 @@ mod tests {
         ] {
             assert_eq!(given(&format!("lang = '{lang}'\n{moving}")), said);
         }
+    }
+
+    #[test]
+    fn a_hull_is_given_by_all_its_points_and_called_a_hull() {
+        let vertices = "[[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]]";
+        let hull = given(&format!("shapes.A = {{ kind = 'polygon', hull = true, vertices = {vertices} }}"));
+        let points = "(0, 0), (2, 0), (1, 1), (2, 2), (0, 2)";
+        assert_eq!(hull, format!("A is a convex polygon, the convex hull of {points}."));
+        let square = "[[0, 0], [2, 0], [2, 2], [0, 2]]";
+        let told = given(&format!("shapes.A = {{ kind = 'polygon', hull = true, vertices = {square} }}"));
+        assert_eq!(told, "A is a convex polygon with the vertices (0, 0), (2, 0), (2, 2), (0, 2).");
     }
 }

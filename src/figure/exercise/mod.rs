@@ -25,7 +25,7 @@ mod variant;
 pub use answers::Asked;
 pub use askable::askables;
 pub(crate) use caption::{caption, spoken};
-pub use plan::{answer_in_words, asked, solution, task, to_enter, way};
+pub use plan::{answer_in_words, asked, solution, task, task_of, to_enter, way};
 pub use search::{Found, TooFew, search};
 pub use variant::variant;
 

@@ -12,6 +12,11 @@ use crate::trace::{Tongue, phrases};
 phrases! {
     /// The vertices of a polygon, listed.
     WITH_VERTICES: " with the vertices *", " mit den Ecken *", " de sommets *", " con los vértices *";
+    /// The points that a polygon is the hull of.
+    HULL_OF: ", the convex hull of *",
+        ", die konvexe Hülle von *",
+        ", enveloppe convexe de *",
+        ", la envolvente convexa de *";
     /// The vertices of a polygon, counted.
     OF_VERTICES: " of * vertices", " mit * Ecken", " de * sommets", " de * vértices";
     /// A regular polygon: its edges, its circumradius, and how it stands.
@@ -107,7 +112,11 @@ impl Words {
     /// Two things and more, of which the last two are named together.
     pub(super) fn listed(self, all: &[String]) -> String {
         match all {
-            [before @ .., last] if !before.is_empty() => self.say(&AND, &[&before.join(", "), last]),
+            [before @ .., last] if !before.is_empty() => {
+                // An aside is closed by the comma that it was opened by.
+                let closed = if before.last().is_some_and(|one| one.contains(", ")) { "," } else { "" };
+                self.say(&AND, &[&(before.join(", ") + closed), last])
+            }
             _ => all.concat(),
         }
     }

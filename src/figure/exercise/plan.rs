@@ -40,6 +40,26 @@ pub fn task(plan: &Plan<'_>) -> String {
     paragraphs(plan.scene, &plan.runs, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
 }
 
+/// What is given and that one of its numbers is to be found, in plain words: for a question of its own. An
+/// exercise that says itself what to do says all of it.
+///
+/// ```
+/// use tracefig::{figure::{exercise::{asked, task_of}, plan}, scene::open_text};
+/// let text = "exercise.ask = ['h.x', 'h.y']\nshapes.A = { kind = 'circle', radius = 1 }\n\
+///     query = { kind = 'bounds', of = ['A'] }";
+/// let scene = open_text("s.toml", text)?.scene;
+/// let plan = plan(&scene).unwrap();
+/// assert!(task_of(&plan, &asked(&plan)[1]).ends_with("Find half the height of the bounding box of A."));
+/// # Ok::<(), Box<tracefig::Refused>>(())
+/// ```
+#[must_use]
+pub fn task_of(plan: &Plan<'_>, number: &Asked) -> String {
+    let Some(exercise) = &plan.scene.exercise else { return String::new() };
+    let mut one = exercise.clone();
+    one.ask.retain(|name| name.value == number.name);
+    paragraphs(plan.scene, &plan.runs, &one).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" ")
+}
+
 /// Which number is to be typed, and in which unit, in plain words.
 ///
 /// ```

@@ -58,7 +58,11 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
 fn others() -> Vec<(Fault, &'static str, &'static str)> {
     vec![
         (Fault::NoSuchStep { step: 9, took: 3 }, "expected a step of the algorithm, got 9: it took 3", ""),
-        (Fault::NoHit, "the panel shows the moment of a hit or a miss, but the question is not for one", ""),
+        (
+            Fault::NoHit,
+            "the panel shows the moment of a hit or a miss, but the question is not for one",
+            "`kind = \"linear-sweep\"` and `kind = \"time-of-impact\"` ask for one; a `time` is a number too",
+        ),
         (
             Fault::NoLayers,
             "the panel stays empty: its list of layers has none",
@@ -100,9 +104,15 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
             "give the panel a wider `view`, or none, or leave out the layer that draws it",
         ),
         (
-            Fault::LabelClash(LabelFault::Dropped { key: "d", span: 0..1 }),
+            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: true },
             "the label `d` found no place and is left out",
             "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
+        ),
+        (
+            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: false },
+            "the label `d` found no place and is left out",
+            "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the figure a larger `width` in \
+             `[canvas]`",
         ),
     ]
 }

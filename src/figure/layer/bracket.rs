@@ -66,7 +66,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "scale", about: "what the line is of" },
     ],
     needs: "the algorithm \"gjk\", bodies apart, and no more steps than it took",
-    fed: |context, options| Fed::by_the_answer(bracket(context, options).is_some(), has_simplexes(context)),
+    fed: |context, options| {
+        let [found, any] = [options, &Options::default()].map(|options| bracket(context, options).is_some());
+        Fed::by_the_steps(found, any, has_simplexes(context))
+    },
     draw,
 };
 

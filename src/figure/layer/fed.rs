@@ -41,6 +41,16 @@ impl Fed {
         }
     }
 
+    /// A layer of a step of the algorithm, which finds the one that is asked for or does not: whether any was
+    /// told, and whether another answer could have some.
+    pub(super) fn by_the_steps(found: bool, any: bool, ever: bool) -> Self {
+        match (found, any) {
+            (true, _) => Self::Yes,
+            (false, true) => Self::NotHere("the algorithm took fewer steps"),
+            (false, false) => Self::by_the_answer(false, ever),
+        }
+    }
+
     /// A layer of the first contact.
     pub(super) fn by_a_hit(context: &Context) -> Self {
         Self::by_the_answer(context.hit().is_some(), context.asks_for_a_hit())

@@ -42,7 +42,9 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "more", about: "how far the other one turns" },
     ],
     needs: "the algorithm \"merge\" and bodies with edges, and no more edges than they have",
-    fed: |context, options| Fed::by_the_scene(shown(context, options).is_some()),
+    fed: |context, options| {
+        Fed::by_the_steps(shown(context, options).is_some(), !merged(context).is_empty(), false)
+    },
     draw,
 };
 

@@ -73,7 +73,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "cores", about: "the difference of the cores, of rounded bodies" },
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
-    fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
+    fed: |context, options| {
+        let [found, any] = [options, &Options::default()].map(|options| shown(context, options).is_some());
+        Fed::by_the_steps(found, any, has_simplexes(context))
+    },
     draw,
 };
 

@@ -73,7 +73,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "r", about: "how far B ⊖ A reaches beyond that, where the search ends" },
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
-    fed: |context, options| Fed::by_the_answer(shown(context, options).is_some(), has_simplexes(context)),
+    fed: |context, options| {
+        let [found, any] = [options, &Options::default()].map(|options| shown(context, options).is_some());
+        Fed::by_the_steps(found, any, has_simplexes(context))
+    },
     draw,
 };
 

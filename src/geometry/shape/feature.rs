@@ -72,6 +72,15 @@ impl Shape {
         (i < edges).then(|| [i, (i + 1) % count])
     }
 
+    /// Whether the shape is the polygon through the vertices of the file in their order, and not only the
+    /// hull of them.
+    pub(crate) fn is_in_order(&self) -> bool {
+        let falls = |(i, &k): (usize, &usize)| self.core[(i + 1) % self.core.len()] < k;
+        let count = self.core.iter().enumerate().filter(|&at| falls(at)).count();
+        let around = count == 1 || count + 1 == self.core.len();
+        self.edges == Edges::OfFile || self.core.len() == self.vertices.len() && around
+    }
+
     /// Whether the file has the hull's vertices in clockwise order, from any one of them on.
     fn hull_runs_clockwise(&self) -> bool {
         let count = self.core.len();

@@ -9,6 +9,8 @@
 //!
 //! Angles between edges stay as they are, so that a convex core stays convex.
 
+use std::fmt::Write;
+
 use super::{Shape, ShapeError};
 use crate::geometry::{DVec2, Hull, Rotation};
 
@@ -35,10 +37,16 @@ impl Shape {
         let Rotation { cos, sin } = matrix;
         let off = (cos * cos + sin * sin) - 1.0;
         if off.is_nan() || off.abs() > MOST_OFF {
-            let message = format!(
+            let mut message = format!(
                 "expected a cosine and a sine whose squares add up to 1, got {cos} and {sin}, which are off \
                  by {off:.3e}, more than {MOST_OFF:e}"
             );
+            let length = libm::hypot(cos, sin);
+            if length.is_normal() {
+                let unit = [cos, sin].map(|x| (1e6 * x / length).round() / 1e6 + 0.0);
+                // Writing to a text can't fail.
+                let _ = write!(message, "; of length 1 they are {unit:?}");
+            }
             return Err(ShapeError::new("not-a-rotation", "rotation", message));
         }
         if !self.hull.vertices.is_empty() {
@@ -140,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_rotation_says_how_far_it_is_off() {
+    fn what_is_no_rotation_says_how_far_it_is_off_and_what_would_be_one() {
         let triangle = Shape::polygon(vec![DVec2::ZERO, DVec2::X, DVec2::Y]).unwrap();
         let of = |cos, sin| triangle.clone().multiplied(Rotation { cos, sin });
         assert!(of(1.0, 0.031).is_ok() && of(0.0, -0.9996).is_ok());

@@ -78,15 +78,15 @@ pub(super) fn compared(
     points: Option<[f64; 2]>,
 ) -> String {
     let unit = size * f64::EPSILON;
-    let length = |x: f64| match voice.number(x) {
-        told if unit > 0.0 => format!("{told} ({} S eps)", voice.number(x / unit)),
+    let length = |x: f64| match voice.few(x) {
+        told if unit > 0.0 => format!("{told} ({} S eps)", voice.few(x / unit)),
         told => told,
     };
     let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&voice.of(side), &length(x)]);
     let parts = [
         separation.map(|x| voice.say(&SEPARATION_BY, &[&length(x)])),
-        time.map(|x| voice.say(&TIME_BY, &[&voice.number(x)])),
-        normal.map(|x| voice.say(&NORMAL_BY, &[&voice.number(x)])),
+        time.map(|x| voice.say(&TIME_BY, &[&voice.few(x)])),
+        normal.map(|x| voice.say(&NORMAL_BY, &[&voice.few(x)])),
         points.map(|[a, _]| point(Side::A, a)),
         points.map(|[_, b]| point(Side::B, b)),
     ];
@@ -94,7 +94,7 @@ pub(super) fn compared(
     if parts.is_empty() {
         return voice.word(&INCOMPARABLE);
     }
-    voice.say(&OFF, &[&voice.number(size), &parts.join(voice.tongue.between())])
+    voice.say(&OFF, &[&voice.few(size), &parts.join(voice.tongue.between())])
 }
 
 pub(super) fn motion(

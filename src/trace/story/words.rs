@@ -138,6 +138,13 @@ impl<'n> Voice<'n> {
         self.tongue.decimal(self.digits(x))
     }
 
+    /// A number of which only the size matters, to few digits.
+    pub(super) fn few(self, x: f64) -> String {
+        let digits = short(x);
+        let terminal = matches!(self.hand, Hand::Terminal);
+        self.tongue.decimal(if terminal { digits } else { Hand::written(&digits) })
+    }
+
     /// A length; one that is next to nothing beside the pair is less than a power of ten.
     pub(super) fn length(self, x: f64) -> String {
         if x == 0.0 || x.abs() >= NOTHING * self.size {

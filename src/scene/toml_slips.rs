@@ -1,0 +1,61 @@
+//! What was meant by a line that is no TOML: slips of those who come from other languages, or from a word
+//! processor.
+
+/// What would help with a line that the parser complains about, at the text that it quotes; `None` where
+/// nothing is known.
+pub(super) fn meant(message: &str, line: &str, quoted: &str) -> Option<String> {
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
+    if ["//", "--", "/*"].iter().any(|sign| line.trim_start().starts_with(sign)) {
+        return Some("a comment begins with `#`".to_owned());
+    }
+    if line.contains(['“', '”', '„', '«', '’', '‘']) {
+        return Some("texts stand between straight quotes, as \"A\"".to_owned());
+    }
+    if message.contains("unquoted key") && !quoted.is_empty() {
+        return Some(format!("in quotes a name may have any: \"{quoted}\""));
+    }
+    if message.contains("must be quoted") {
+        let words: Vec<&str> = quoted.split_whitespace().collect();
+        return match words[..] {
+            [_, _, ..] if words.iter().all(|word| is_number(word)) => {
+                Some(format!("commas stand between values, as {}", words.join(", ")))
+            }
+            [word] if word.starts_with(|c: char| c.is_ascii_digit()) => {
+                Some("a number is written out, as 0.5".to_owned())
+            }
+            [word] if word.chars().all(|c| c.is_alphanumeric() || matches!(c, '-' | '_' | '.')) => {
+                Some(format!("a text stands between quotes: \"{word}\""))
+            }
+            _ => None,
+        };
+    }
+    let value = line.split_once('=').map_or("", |(_, value)| value.trim());
+    if value.starts_with('.') || value.starts_with("-.") {
+        return Some("a digit stands before the point, as 0.5".to_owned());
+    }
+    let is_list = value.contains(',') && value.split(',').all(|word| is_number(word.trim()));
+    is_list.then(|| format!("a list stands between brackets: [{value}]"))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_slip_comes_with_what_was_meant() {
+        for (line, meant) in [
+            ("// the question", "a comment begins with `#`"),
+            ("kind = “circle”", "texts stand between straight quotes, as \"A\""),
+            ("position = [3 0]", "commas stand between values, as 3, 0"),
+            ("position = 3, 0", "a list stands between brackets: [3, 0]"),
+            ("radius = .5", "a digit stands before the point, as 0.5"),
+            ("radius = 1/2", "a number is written out, as 0.5"),
+            ("kind = circle", "a text stands between quotes: \"circle\""),
+            ("[shapes.方块]", "in quotes a name may have any: \"方块\""),
+        ] {
+            let refused = open_text("s.toml", &format!("title = 'x'\n{line}\n")).unwrap_err();
+            let said = refused.problems[0].fault.to_string();
+            assert!(said.starts_with("not TOML: ") && said.ends_with(&format!("; {meant}")), "{said}");
+        }
+    }
+}
