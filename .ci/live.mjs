@@ -1,4 +1,5 @@
-// Every live figure in Chromium, dragged; `.ci/browser` installs what this imports, and runs it.
+// Every live figure, and pages of other scenes, in Chromium, dragged; `.ci/browser` installs what this imports, and
+// runs it.
 //
 // The pages are drawn into a folder and opened as files. Each shows the committed SVG byte for byte and draws the same;
 // asks for nothing and breaks no policy; says while dragged, by a pointer and by keys, what `tracefig solve` says of the
@@ -8,13 +9,15 @@
 // `TRACEFIG=path` is the binary; names of figures may follow.
 
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { basename, dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launched, require, root, wordsNotFound } from "./chromium.mjs";
 
 const figures = join(root, "figures");
+// Scenes that leave their panels to us, and say what no figure does.
+const others = join(root, ".ci/pages");
 const work = join(root, "target/browser");
 const site = join(work, "site");
 const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
@@ -29,12 +32,14 @@ const run = (args, input) => execFileSync(tracefig, args, { input, stdio: ["pipe
 
 rmSync(site, { recursive: true, force: true });
 mkdirSync(site, { recursive: true });
-run(["render", figures, "--format", "html", "--live=shared", "-o", site]);
+run(["render", figures, others, "--format", "html", "--live=shared", "-o", site]);
+run(["render", others, "--format", "svg", "-o", work]);
 const alone = join(work, "alone.html");
 const asked = process.argv.slice(2);
 const pages = readdirSync(site).filter((file) => file.endsWith(".html") && file !== "index.html");
 const stems = pages.map((file) => basename(file, ".html")).filter((stem) => asked.length === 0 || asked.includes(stem));
-run(["render", join(figures, `${stems[0]}.toml`), "--live", "-o", alone]);
+const folderOf = (stem) => (existsSync(join(figures, `${stem}.toml`)) ? figures : others);
+run(["render", join(folderOf(stems[0]), `${stems[0]}.toml`), "--live", "-o", alone]);
 
 const browser = await launched();
 
@@ -133,7 +138,7 @@ const quantile = (values, share) => {
 async function figure(stem) {
     const file = join(site, `${stem}.html`);
     const html = readFileSync(file, "utf8");
-    const committed = readFileSync(join(figures, `${stem}.svg`), "utf8").trimEnd();
+    const committed = readFileSync(join(folderOf(stem) === figures ? figures : work, `${stem}.svg`), "utf8").trimEnd();
     if (!html.includes(`<figure>${committed}</figure>`)) fail(stem, "does not hold the committed picture");
     const { page, ready, drawn } = await opened(file, stem);
     if ((await page.locator(".knobs").count()) === 0) {

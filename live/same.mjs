@@ -8,9 +8,11 @@ import { bytes, instance, prefix } from './module.mjs';
 import { requests } from './scenes.mjs';
 
 const [scenes, folder, module] = process.argv.slice(2);
-const tracefig = await instance(bytes(module));
+const code = bytes(module);
 let [same, all] = [0, 0];
 for (const [stem, { scene, faces, texts, info }] of requests(scenes)) {
+    // A page has one for each figure, as the faces that one brings are those of all that follow.
+    const tracefig = await instance(code);
     const is_ours = (name) => name.startsWith(`${stem}.`) && name.endsWith('.svg');
     const says = JSON.stringify(info);
     const pictures = readdirSync(folder).filter(is_ours);

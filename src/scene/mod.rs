@@ -13,6 +13,7 @@ mod exercise;
 mod expected;
 mod fields;
 mod holds;
+mod house_panels;
 mod json;
 mod labels;
 pub mod limits;
@@ -55,6 +56,8 @@ pub use codes::{ERRORS, ErrorCode};
 pub use exercise::{Exercise, Variant};
 pub use fields::{Field, TABLES, TableRows, shape_rows};
 pub use holds::Holds;
+#[cfg(test)]
+pub(crate) use house_panels::as_json;
 pub(crate) use labels::COMPASS;
 pub use live::{Drag, Grip, Live};
 pub use message::{Ink, Severity, message};

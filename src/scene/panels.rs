@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::checked::{Checked, as_list, as_number, as_text, check, short_enough, too_many};
 use super::fields::{PANEL, ROOT};
+use super::house_panels::as_json;
 use super::limits::{MAX_ALL_LAYERS, MAX_LAYERS, MAX_OPTION_VALUES, MAX_PANELS};
 use super::node::{Node, NodeValue, number};
 use super::problem::{Fault, Problems};
@@ -31,7 +32,7 @@ pub(super) fn read(top: &Checked<'_>, names: &[Spanned<String>], p: &mut Problem
 /// Reads panels from a text of the house, as a scene would write them; their place is `at`. None where the
 /// text is not one.
 pub(crate) fn of_text(text: &str, at: &Range<usize>) -> Vec<Panel> {
-    let source = Source::new("", text);
+    let source = Source::new("", &as_json(text));
     let mut problems = Problems::default();
     let read =
         |root: Node| Some(read(&check(&root, "", "", ROOT.fields, &mut problems)?, &[], &mut problems));
@@ -117,7 +118,8 @@ fn space(table: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Op
         }
         (true, None) => {
             let place = "a panel with `space = \"body\"`".to_owned();
-            let expected = "the name of a shape".to_owned();
+            let all: Vec<String> = names.iter().map(|name| format!("\"{}\"", name.value)).collect();
+            let expected = format!("the name of a shape: {}", all.join(" or "));
             let span = word.map_or(table.span.clone(), |w| w.span);
             p.add(Fault::MissingKey { key: "frame".to_owned(), place, expected }, &span);
             None
