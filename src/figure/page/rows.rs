@@ -99,14 +99,14 @@ impl Space {
     fn columns(&self, wants: &[Want]) -> usize {
         let asked = asked_of(wants);
         if self.height.is_some() {
-            let size = |columns: usize| {
-                let height = self.heights(wants, columns).first().map_or(1.0, |(_, height)| *height);
-                self.panel_width(1, columns).min(WIDE * height)
-            };
+            let height = |columns| self.heights(wants, columns).first().map_or(1.0, |(_, height)| *height);
+            let size = |columns| self.panel_width(1, columns).min(WIDE * height(columns));
+            let largest = |most| (2..=most).fold(1, |best, c| if size(c) > size(best) { c } else { best });
             // Captions are as wide as panels are on a page that ends with the drawing.
             let has_captions = wants.iter().any(|want| want.lines > 0);
-            let most = if has_captions { self.most(&asked, None) } else { asked.iter().sum() };
-            return (2..=most).fold(1, |best, c| if size(c) > size(best) { c } else { best });
+            let read = has_captions.then(|| largest(self.most(&asked, None)));
+            let read = read.filter(|columns| height(*columns) > 1.0);
+            return read.unwrap_or_else(|| largest(asked.iter().sum()));
         }
         let mut fit = flow::suited(&asked).filter(|columns| self.is_wide(*columns));
         let all = |columns: &usize| self.all(&self.heights(wants, *columns)) <= TALLEST.0 * self.width;
