@@ -64,9 +64,9 @@ fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
         w.marker(A, (7.0, -1.0)),
         w.marker(A, (3.0, 5.0)),
         w.marker(Now, (1.0, 1.0)),
-        // From the centre to the edges.
-        w.line(Translation, (1.0, 1.0), (7.0, 1.0)).is_some(),
-        w.line(Translation, (1.0, 1.0), (1.0, 5.0)).is_some(),
+        // From the centre to the edges, beside the box.
+        w.horizontal(Translation, 1.0, 7.0),
+        w.vertical(Translation, 1.0, 5.0),
         // The others, grey.
         [1, 3, 5, 7].iter().all(|&k: &usize| w.marker(Muted, a[k])),
         // One of them moved, inside the box.
@@ -108,7 +108,7 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
         w.any_line((0.0, 5.2), (6.5, 5.2)),
         w.text_near("$B_c = A + (3.5, 1.2)$", closest, 100.0),
         f.says("$V = (6.5, 5.2)$") && f.says("$V_x = 6.5$") && f.says("$V_y = 5.2$"),
-        f.says("$V_x$ clamped to $h_x$") && f.says("$V_y$ clamped to $h_y$"),
+        f.says("cut to $h_x$") && f.says("cut to $h_y$"),
         f.says("$h_x = 3.5$") && f.says("$h_y = 1.2$"),
         f.says("$D = (3, 4)$"),
         f.says("$r = 1.5$"),
@@ -135,14 +135,15 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         w.marker(B, (5.0, 0.0)),
         w.line(Translation, (1.0, 0.0), (3.0, 0.0)).is_some(),
         w.arrow(Now, (5.0, 0.0), (7.0, 0.0)),
-        w.arrow(Ink, (0.0, 0.0), (-1.0, 0.0)),
+        // A unit vector, from B to A.
+        w.arrow(Ink, (5.0, 0.0), (4.0, 0.0)),
         w.horizontal(Ink, 0.0, 5.0),
         w.horizontal(A, 0.0, 3.0),
         w.horizontal(B, 1.0, 5.0),
         f.says(r"$\|A - B\| = 5$"),
         f.says("$r_1 = 3$"),
         f.says("$r_2 = 4$"),
-        f.says("$p = 5 - 7$") && f.says("$= -2$"),
+        f.says("$p = -2$"),
         f.says("$P = N p = (2, 0)$"),
         f.says("$N = (-1, 0)$"),
         f.says("$2$ shared"),

@@ -55,6 +55,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "B", about: "name of the second body" },
         LabelKey { key: "a", about: "centre of the first body, with centers" },
         LabelKey { key: "b", about: "centre of the second body, with centers" },
+        LabelKey { key: "overlap", about: "where two bodies overlap; only where a scene gives it a text" },
         LabelKey { key: "context", about: "name of a body that the query is not about" },
     ],
     needs: "nothing",
@@ -68,11 +69,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows_context(&LAYER, options) {
         bystanders(sketch, context, options.flag("dotted", false));
     }
+    let before = sketch.regions().len();
     for &side in &sides {
         body(sketch, context, options, side);
     }
     for &side in &sides {
         name(sketch, context, options, side, centers);
+    }
+    // Elsewhere it is no thing that a label could seem to name.
+    let names = context.scene.labels.iter().any(|(key, own)| key.value == "overlap" && own.text.is_some());
+    let regions = sketch.regions().get(before..).filter(|_| names).unwrap_or_default().to_vec();
+    for region in &regions {
+        let label = Label::new("overlap", "", Anchor::inside(region), Role::Ink);
+        sketch.part("overlap").label(label.rank(Rank::Word).size(Size::Note));
     }
 }
 

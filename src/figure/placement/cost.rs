@@ -9,6 +9,10 @@ use super::things::{ALIKE, Thing, Things};
 use super::weights::Costs;
 use super::{Candidate, Placed, Sought};
 
+/// The cosine of an angle between lines that are one: less than that of a right angle's square or of an
+/// arrow's head.
+const ALONG: f64 = 0.99;
+
 /// Obstacles that can cost a label something, each with the box outside which it costs nothing.
 pub(super) type NearBy<'p> = Vec<(Rect, &'p Obstacle)>;
 
@@ -101,14 +105,23 @@ fn doubt(margin: f64, w: &Costs) -> f64 {
 
 /// Whether an earlier panel has this label of a thing at the same place, and elsewhere than here.
 fn moved(sought: &Sought, home: Point, candidate: &Candidate, scene: &Surroundings) -> bool {
+    let shift = |(rect, _): (Rect, _)| candidate.rect.center() - rect.center();
+    in_series(sought, home, scene).is_some_and(|before| shift(before).length() > scene.costs.same_place)
+}
+
+/// The label as the last earlier panel has it in which its thing lies at the same place, and where it would
+/// stand so in this one.
+pub(super) fn in_series<'p>(
+    sought: &Sought,
+    home: Point,
+    scene: &Surroundings<'p>,
+) -> Option<(Rect, &'p Placed)> {
     let corner = |rect: &Rect| Point::new(rect.x0, rect.y0);
-    let Some((panel, before)) = scene.earlier.iter().rev().find(|(_, p)| p.key == sought.key) else {
-        return false;
-    };
-    let (now, then) = (corner(&scene.frame.panel), corner(panel));
-    let shift = (candidate.rect.center() - now) - (before.bounds.center() - then);
-    let w = scene.costs;
-    (home - now - before.home).length() < w.same_place && shift.length() > w.same_place
+    let now = corner(&scene.frame.panel);
+    let is_same = |p: &Placed| p.key == sought.key && (home - now - p.home).length() < scene.costs.same_place;
+    let (panel, before) = scene.earlier.iter().rev().find(|(_, p)| is_same(p))?;
+    let (by, Rect { x0, y0, x1, y1 }) = (now - corner(panel), before.bounds);
+    Some((Rect::new(Point::new(x0, y0) + by, Point::new(x1, y1) + by), before))
 }
 
 /// What a panel offers and what stands already.
@@ -159,6 +172,26 @@ fn obstacle_cost(obstacle: &Obstacle, own: bool, candidate: &Candidate, scene: &
             }
         }
     }
+}
+
+/// How far what a label belongs to reaches beyond its point or line, page pixels: half of the width of that
+/// line, or what a marker larger than usual has beyond that. The room beside it begins there.
+pub(super) fn own_reach(sought: &Sought, scene: &Surroundings) -> f64 {
+    let page = |p| scene.frame.page(p);
+    let reach = |obstacle: &Obstacle| match (&sought.anchor, obstacle.cover) {
+        (
+            Anchor::Along { from, to, .. } | Anchor::Beside { from, to, .. },
+            Cover::Stroke { from: p, to: q, half },
+        ) if obstacle.part == sought.part => {
+            let (u, v) = ((page(*to) - page(*from)).unit()?, (q - p).unit()?);
+            (u.dot(v).abs() > ALONG).then_some(half)
+        }
+        (Anchor::Point { at, clear, .. }, Cover::Marker { at: p, radius }) => {
+            ((page(*at) - p).length() < scene.costs.same_place).then_some(radius - clear)
+        }
+        _ => None,
+    };
+    scene.obstacles.iter().filter_map(reach).fold(0.0, f64::max)
 }
 
 /// What reaching over the panel's edge costs.

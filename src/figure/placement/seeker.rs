@@ -7,7 +7,7 @@ use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Corner};
 
 use super::candidates::home;
-use super::cost::{Surroundings, near_by, own_cost};
+use super::cost::{Surroundings, in_series, near_by, own_cost};
 use super::things::{Thing, Things};
 use super::weights::Weights;
 use super::{Candidate, LEADING, Placed, Sought, Standing};
@@ -15,6 +15,9 @@ use super::{Candidate, LEADING, Placed, Sought, Standing};
 /// Costs count in parts of this: places that are as good as each other, as above and below a level edge, stay
 /// so whatever the last bits of an answer are, and the first of them is taken.
 const PARTS: f64 = 1e6;
+
+/// Lengths that differ by less are one, page pixels: what adding a place on the page leaves of a size.
+const ROUNDED: f64 = 1e-6;
 
 /// A label that seeks its place.
 pub(super) struct Seeker<'s> {
@@ -31,6 +34,17 @@ impl<'s> Seeker<'s> {
     pub(super) fn new(sought: &'s Sought, all: &'s [Thing], frame: &Frame, weights: &Weights) -> Self {
         let things = Things::of(&sought.anchor, all, frame);
         Self { sought, home: home(&sought.anchor, frame, &weights.places), things }
+    }
+
+    /// The place at which an earlier panel of a series has the label, if it is as large there.
+    pub(super) fn as_in_series(&self, scene: &Surroundings) -> Option<Candidate> {
+        let (rect, before) = in_series(self.sought, self.home, scene)?;
+        let Standing { folds, reluctance, .. } = before.standing;
+        let is_plain = self.sought.pin.is_none() && before.leader.is_none();
+        let fits = folds <= self.sought.folds.len() && is_plain;
+        let (width, height) = if fits { self.sought.size(folds) } else { return None };
+        let is_as_large = (rect.width() - width).abs() < ROUNDED && (rect.height() - height).abs() < ROUNDED;
+        is_as_large.then(|| Candidate { folds, ..Candidate::new(rect, reluctance) })
     }
 
     /// Places, each with what it costs whatever the other labels do.

@@ -11,7 +11,7 @@ use crate::geometry::{sort_by, sorted};
 use super::anywhere::anywhere;
 use super::candidates::{candidates, nudged};
 use super::choices::Choices;
-use super::cost::Surroundings;
+use super::cost::{Surroundings, own_reach};
 use super::faults::{faults, hides};
 use super::rest::stays;
 use super::seeker::Seeker;
@@ -124,7 +124,9 @@ impl Choices<'_> {
         let stay = self.stays[label].as_ref();
         let old = stay.map(|stay| (stay.place.clone(), stay.cost - self.weights.search.inertia));
         self.urged[label] = old.is_some();
-        let places = candidates(seeker.sought, &seeker.things, scene.frame, &self.weights.places);
+        let near = self.weights.places.beside(own_reach(seeker.sought, scene));
+        let mut places = candidates(seeker.sought, &seeker.things, scene.frame, &near);
+        places.extend(seeker.as_in_series(scene));
         self.places[label] = old.into_iter().chain(seeker.priced(places, scene)).collect();
         self.chosen[label] = 0;
     }

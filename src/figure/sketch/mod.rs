@@ -86,6 +86,8 @@ pub(crate) struct Sketch<'f> {
     requests: Vec<Request>,
     /// The bodies that were filled so far.
     bodies: Vec<overlap::Filled>,
+    /// What bodies share that were filled.
+    regions: Vec<Outline>,
     /// What has no label so far, though one of its kind could name it.
     unnamed: Vec<Anchor>,
     /// What a reader may take hold of so far, each once.
@@ -151,6 +153,7 @@ impl<'f> Sketch<'f> {
             obstacles: Vec::new(),
             requests: Vec::new(),
             bodies: Vec::new(),
+            regions: Vec::new(),
             unnamed: Vec::new(),
             holds: Vec::new(),
             extent: None,

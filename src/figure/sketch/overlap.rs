@@ -41,6 +41,11 @@ impl Sketch<'_> {
         self
     }
 
+    /// What bodies of different sides share that were drawn so far, in the panel's space, in drawing order.
+    pub(crate) fn regions(&self) -> &[Outline] {
+        &self.regions
+    }
+
     /// Whether a region is wide enough to be seen between the lines of a pen around it.
     fn is_wide(&self, region: &Outline, pen: Pen) -> bool {
         let points = region.sampled();
@@ -53,6 +58,7 @@ impl Sketch<'_> {
     /// Draws a region that two bodies share, and over it those pieces of their lines that it hides by half.
     fn overlap(&mut self, common: &Common, pens: [Pen; 2]) {
         self.area(&common.whole, Some(Wash::faint(Role::Overlap, 1.0)), None);
+        self.regions.push(common.whole.clone());
         for (lines, pen) in common.lines.iter().zip(pens) {
             for line in lines {
                 let stroke = self.stroke_of(pen);

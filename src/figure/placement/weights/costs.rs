@@ -21,7 +21,7 @@ super::numbers! {
         light_px: f64 = 0.3;
         /// A foreign stroke nearer than this crowds a label, page pixels.
         /// Twice: 57 + 335 labels; half: 28 + 223 labels.
-        crowd_reach: f64 = 7.0;
+        crowd_reach: f64 = 8.0;
         /// A foreign stroke right beside a label, falling to nothing at `crowd_reach`.
         /// Twice: 41 + 127 labels; half: 20 + 122 labels.
         crowd: f64 = 1.2;

@@ -5,10 +5,10 @@ super::numbers! {
     Places {
         /// Room between a label and what it belongs to, page pixels: the first ring of places.
         /// Twice: 291 + 479 labels; half: 281 + 479 labels, three faults more.
-        gap: f64 = 5.0;
+        gap: f64 = 6.0;
         /// Room on the second ring of places, page pixels.
         /// Twice: 70 + 231 labels, one fault more; half: 49 + 194 labels.
-        second_gap: f64 = 10.0;
+        second_gap: f64 = 11.0;
         /// Room on the third ring, page pixels.
         /// Twice: 6 + 41 labels, two faults more; half: 3 + 17 labels.
         third_gap: f64 = 16.0;
@@ -132,7 +132,7 @@ super::numbers! {
         least_spread: f64 = 10.0;
         /// Room between a name and its area's line, page pixels.
         /// Twice: 27 + 294 labels, four faults more; half: 26 + 235 labels, three faults more.
-        area_room: f64 = 5.0;
+        area_room: f64 = 6.0;
         /// A name nearer than this to another area, page pixels, touches it.
         /// Twice: 6 + 7 labels; half: 1 + 1 labels.
         shared_room: f64 = 2.0;
@@ -157,5 +157,12 @@ super::numbers! {
         /// Reluctance to stand beside one of those points, in steps of `outside_next`.
         /// Twice: 4 + 37 labels, two faults more; half: 1 + 53 labels.
         off_eight: f64 = 9.0;
+    }
+}
+
+impl Places {
+    /// The places beside what reaches so far, page pixels.
+    pub(in crate::figure::placement) fn beside(&self, reach: f64) -> Self {
+        Self { gap: self.gap + reach, second_gap: self.second_gap + reach, ..self.clone() }
     }
 }
