@@ -5,7 +5,6 @@
 
 use std::sync::Arc;
 
-use crate::drawing::Rect;
 use crate::scene::Scene;
 use crate::typeset::Line;
 
@@ -34,7 +33,7 @@ pub(super) fn columns(
     let widest = |(panel, own)| widest((scene, runs), layout, panel, own);
     let widest: Vec<f64> = panels.iter().zip(sketched).map(widest).collect();
     let fit = |widths: &[f64]| widest.iter().zip(widths).all(|(label, width)| *label <= SHARE * width);
-    let now: Vec<f64> = page.cells.iter().copied().map(Rect::width).collect();
+    let now: Vec<f64> = page.cells.iter().map(|cell| cell.width()).collect();
     if fit(&now) {
         return None;
     }

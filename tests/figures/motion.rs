@@ -94,7 +94,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
             && two.text_near("$t = 0.625$", (4.6875, 0.0), 60.0),
         two.text_near("$t = 0.792$", (5.936_490, 0.0), 60.0),
         f.says("closest point") && f.says("tangent"),
-        f.says("$n$") && f.says("$I_2$"),
+        f.says("$n$"),
         f.says("$d = 3.75$") && f.says("$d = 0.604$"),
         f.texts.iter().any(|(text, _)| text.contains("3.75 / 6 = 0.625$")),
         f.texts.iter().any(|(text, _)| text.contains("$t = 0.625 + 0.604 / 3.62 = 0.792$")),

@@ -1,5 +1,5 @@
-//! Which panels stand in which row: they follow each other from left to right, each as many columns wide as it
-//! asks for, and one that has no room beside those before it begins a row.
+//! Which panels stand in which row: they follow each other from left to right, each as many columns wide as
+//! it asks for, and one that has no room beside those before it begins a row.
 
 use std::ops::Range;
 
@@ -24,8 +24,8 @@ pub(super) fn rows(asked: &[usize], columns: usize) -> Vec<Range<usize>> {
     rows
 }
 
-/// The numbers of columns that suit panels, the fewest first. One that leaves a row nearly empty does not, nor
-/// one that would make panels as wide as each other that ask for different widths.
+/// The numbers of columns that suit panels, the fewest first. One that leaves a row nearly empty does not,
+/// nor one that would make panels as wide as each other that ask for different widths.
 pub(super) fn suited(asked: &[usize]) -> impl DoubleEndedIterator<Item = usize> + Clone {
     let widest = asked.iter().copied().max().unwrap_or(1).max(1);
     let all: usize = asked.iter().map(|asked| (*asked).max(1)).sum();

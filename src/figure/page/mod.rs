@@ -152,8 +152,8 @@ impl Layout {
         Words { widths, lines, grows: measures.height.is_none() }
     }
 
-    /// Fewer columns than so many, the most first, in which panels fill all rows that ask for so many each; with
-    /// the width of each panel there, page pixels.
+    /// Fewer columns than so many, the most first, in which panels fill all rows that ask for so many each;
+    /// with the width of each panel there, page pixels.
     pub(crate) fn fewer(&self, asked: &[usize], columns: usize) -> impl Iterator<Item = (usize, Vec<f64>)> {
         let space = without_end(&self.measures);
         let full = (1..columns).rev().filter(|columns| flow::is_full(asked, *columns));
