@@ -62,8 +62,8 @@ impl<'r, 's> Resolver<'r, 's> {
         Self { scene, runs, measures, words, problems, notes: Vec::new() }
     }
 
-    /// A panel, by its place among all, with its moment and its layers; `None`, with the reason told, where its
-    /// moment cannot exist.
+    /// A panel, by its place among all, with its moment and its layers; `None`, with the reason told, where
+    /// its moment can't exist.
     pub(super) fn panel(&mut self, index: usize, sheet: Sheet<'s>) -> Option<PanelPlan<'s>> {
         let Sheet { panel: mut source, ours } = sheet;
         if source.layers.as_ref().is_some_and(Vec::is_empty) {

@@ -271,7 +271,7 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
         f.says(r"$n_i \cdot v < 0$") && f.says(r"$n_i \cdot v > 0$"),
         f.says("$t = 0$") && f.says("$t = 1$"),
-        conf.text_near("$t = 0.8$", (-6.0, -5.0), 40.0),
+        conf.text_near("$t = 0.8$", (-6.0, -5.0), 60.0),
         f.says("$v$ $= (-7.5, -6.25)$"),
         f.says(r"$B \ominus A$"),
     ];

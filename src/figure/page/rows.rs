@@ -113,7 +113,8 @@ impl Space {
         fit.clone().find(all).or_else(|| fit.next_back()).unwrap_or_else(|| self.fewer(&asked))
     }
 
-    /// The most columns that leave the panels wide enough, where they are fewer than the widest panel asks for.
+    /// The most columns that leave the panels wide enough, where they are fewer than the widest panel asks
+    /// for.
     fn fewer(&self, asked: &[usize]) -> usize {
         let widest = asked.iter().copied().max().unwrap_or(1);
         (2..widest).rfind(|columns| self.is_wide(*columns)).unwrap_or(1)
