@@ -223,7 +223,8 @@ fn panels_and_labels_are_checked() {
         ("space = \"wolrd\"\nlayers = []", "error[unknown-word]: unknown space `wolrd`\n  --> s.toml:13:9\n"),
         (
             "space = \"body\"\nlayers = []",
-            "error[missing-key]: a panel with `space = \"body\"` lacks `frame`: expected the name of a shape\n",
+            "error[missing-key]: a panel with `space = \"body\"` lacks `frame`: expected the name of a shape: \
+             \"A\" or \"B\"\n",
         ),
         ("time = \"strat\"\nlayers = []", "error[unknown-word]: unknown moment `strat`\n  --> s.toml:13:8\n"),
         (

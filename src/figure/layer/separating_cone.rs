@@ -28,7 +28,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Radius of the cone, page pixels; less where B ⊖ A is near.
 const RADIUS: f64 = 120.0;
 
-/// How far from O the cone's angle is written, in parts of the cone's radius: its rim is the arc of that angle.
+/// How far from O the cone's angle is written, in parts of the cone's radius: its rim is the arc of it.
 const ANGLE: f64 = 0.5;
 
 /// The share of the way to B ⊖ A that the cone's radius takes at most, and its least radius, page pixels.
@@ -61,8 +61,8 @@ const LEVEL_PART: f64 = 1e-9;
 /// How far a line reaches past the gap's measure, page pixels.
 const TICK: f64 = 10.0;
 
-/// How far the line square to n reaches beyond O and beyond what is nearest to it, the other way, page pixels:
-/// past the mark of its right angle.
+/// How far the line square to n reaches beyond O and beyond what is nearest to it, the other way, page
+/// pixels: past the mark of its right angle.
 const BEHIND: f64 = 34.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.

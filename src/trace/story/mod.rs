@@ -1,7 +1,7 @@
 //! A trace as a story: one sentence for each event, for people.
 //!
-//! Numbers are cut to six significant digits, places to thousandths where those are more, points are `(x, y)`,
-//! bodies have the names that the scene gives them. A step of an advancement opens a paragraph.
+//! Numbers are cut to six significant digits, places to thousandths where those are more, points are
+//! `(x, y)`, bodies have the names that the scene gives them. A step of an advancement opens a paragraph.
 
 mod clip;
 #[cfg(test)]
