@@ -120,6 +120,20 @@ fn points_that_meet_between_two_doubles_are_a_hit_and_those_that_just_miss_are_n
 }
 
 #[test]
+fn a_shrug_is_taken_at_discs_that_touch_at_the_start_and_at_no_others() {
+    let a = r#"{"kind": "circle", "radius": 1, "center": [-3, 0], "angle_deg": 38.29404581263847, "velocity": [5.5, 0]}"#;
+    for (x, may_shrug) in [("1", true), ("1.5", false)] {
+        let b = format!(
+            r#"{{"kind": "circle", "radius": 0, "center": [-3, 0], "position": [{x}, 0], "angle_deg": 38.29404581263847}}"#
+        );
+        let shrug = r#"{"id": null, "result": {"kind": "linear-sweep", "outcome": "unresolved",
+            "reason": "within-rounding", "time_bounds": [0, 1], "tolerance": 0, "iterations": 1}}"#;
+        let faults = check(&scene(a, &b, "linear-sweep"), &Json::parse(shrug).expect("valid")).faults;
+        assert_eq!(faults.is_empty(), may_shrug, "{x}: {faults:?}");
+    }
+}
+
+#[test]
 fn overlap_that_is_a_hair_apart_is_caught() {
     let b = r#"{"kind": "circle", "radius": 1, "position": [2.0000000000000004, 0]}"#;
     let scene = scene(r#"{"kind": "circle", "radius": 1}"#, b, "linear-sweep");

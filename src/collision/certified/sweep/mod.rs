@@ -6,9 +6,9 @@
 //!
 //! 1. [`filter`]: doubles find where the ray enters B ⊖ A and mostly prove it;
 //! 2. [`balls`]: else signs that are certain;
-//! 3. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no
-//!    digits ([`crate::collision::certified::impact::by_axes`]);
-//! 4. [`exact`]: axes without any rounding, for a graze.
+//! 3. [`exact`]: axes and touches without any rounding, where coordinates are sums of products of doubles;
+//! 4. separating axes and proofs of contact, for bodies of which a vertex and the ray are told apart by no
+//!    digits ([`crate::collision::certified::impact::by_axes`]).
 
 pub(super) mod balls;
 pub(super) mod exact;
@@ -81,12 +81,14 @@ impl<'s> Sweep<'s> {
         if matches!(outcome, Outcome::Unresolved { .. }) { self.by_other_means(outcome) } else { outcome }
     }
 
-    /// What the ray leaves open: axes may decide it, or the bodies called the other way round, or axes
-    /// without rounding.
+    /// What the ray leaves open: exact arithmetic may decide it, or axes, or the bodies called the other way
+    /// round.
     #[cold]
     fn by_other_means(&self, open: Outcome) -> Outcome {
-        let decided = impact::by_axes(self.pair.a, self.pair.b);
-        decided.or_else(|| self.the_other_way_round()).or_else(|| exact::outcome(&self.pair)).unwrap_or(open)
+        exact::outcome(&self.pair)
+            .or_else(|| impact::by_axes(self.pair.a, self.pair.b))
+            .or_else(|| self.the_other_way_round())
+            .unwrap_or(open)
     }
 
     /// What can be decided with B called A: whatever can be with A called A is decided there as well, so that
@@ -138,6 +140,17 @@ mod tests {
             assert!(apart < 1e-9 || contact.features != at.features, "{k}: {contact:?} {at:?}");
         }
     }
+    #[test]
+    fn round_and_flat_segments_on_one_line_meet_in_as_narrow_a_time_as_others() {
+        let segment = |radius| polygon(&[[2.5, -1.5], [-2.5, 1.5]], radius);
+        let a = moving(segment(0.0), [-7.5, 4.5], 0.0);
+        let b = moving(placed(segment(1.0), -7.5, 4.5, 0.0), [27.5, -16.5], 0.0);
+        for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+            let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("they meet") };
+            assert!(time.hi - time.lo < 1e-15, "{time:?}");
+        }
+    }
+
     #[test]
     fn of_two_segments_along_the_motion_the_ends_that_face_each_other_meet_first() {
         let segment = |from: f64, to: f64, x: f64| placed(polygon(&[[from, from], [to, to]], 0.0), x, x, 0.0);
