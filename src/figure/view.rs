@@ -5,7 +5,7 @@
 
 use crate::drawing::Rect;
 use crate::geometry::{DVec2, Pose};
-use crate::scene::{Problem, Scene, Space, Spanned};
+use crate::scene::{Panel, Problem, Scene, Space, Spanned};
 
 use super::frame::{Extent, Frame, union};
 use super::inset::Inset;
@@ -128,12 +128,14 @@ fn first_guess(scene: &Scene, panel: &PanelPlan) -> Extent {
         .or(Some((DVec2::NEG_ONE, DVec2::ONE)))
 }
 
-/// What each panel shows after it was drawn: what all panels of its space drew together, or a guess where
-/// they drew nothing.
+/// What each panel shows after it was drawn: what all panels of its space and width drew together, or a guess
+/// where they drew nothing. A chart fills its panel: a wide one would make bodies beside it small.
 fn extents(panels: &[PanelPlan], sketched: &[Sketched], guesses: &[Extent]) -> Vec<Extent> {
     let drawn = |panel: &PanelPlan| {
         let free = panels.iter().zip(sketched).filter(|(other, _)| other.source.view.is_none());
-        let same = free.filter(|(other, _)| other.source.space == panel.source.space);
+        let is_same =
+            |other: &Panel| (&other.space, other.columns) == (&panel.source.space, panel.source.columns);
+        let same = free.filter(|(other, _)| is_same(&other.source));
         same.map(|(other, s)| union(s.extent, other.reach)).fold(None, union)
     };
     panels
@@ -244,6 +246,8 @@ mod tests {
         let mut scene = open(path).unwrap().scene;
         for panel in &mut scene.panels {
             panel.view = None;
+            // A chart fills what a wide panel has, and its view changes with every pass.
+            panel.columns = None;
             // What is enlarged is another panel's view.
             if let Some(layers) = &mut panel.layers {
                 layers.retain(|layer| layer.name.value != "enlarged");
