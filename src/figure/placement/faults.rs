@@ -5,7 +5,6 @@ use std::ops::Range;
 use crate::drawing::Rect;
 use crate::figure::sketch::{Cover, Obstacle};
 
-use super::leader::LONGEST;
 use super::rect::{distance_to, length_inside};
 use super::things::{ALIKE, Thing};
 use super::weights::Costs;
@@ -115,6 +114,17 @@ impl Labelled {
 }
 
 impl LabelFault {
+    /// Whether a label of a key that comes from a place of the scene is at fault, alone or with another one.
+    pub(super) fn is_of(&self, label: &str, from: &Range<usize>) -> bool {
+        let other = match self {
+            Self::Overlap { other, .. } | Self::Swapped { other, .. } | Self::UnderLabel { other, .. } => {
+                other
+            }
+            _ => "",
+        };
+        self.label() == (label, from) || other == label
+    }
+
     /// The key of the label, as in `[labels]`, and where it comes from in the scene: bytes of its text.
     ///
     /// ```
@@ -208,7 +218,7 @@ pub(crate) fn faults(panel: &Labelled) -> Vec<LabelFault> {
         if edge.union(label.bounds) != edge {
             found.push(LabelFault::OverEdge { key, span: span.clone() });
         }
-        if label.leader.is_some_and(|line| line.length() > LONGEST) {
+        if label.leader.is_some_and(|line| line.is_long()) {
             found.push(LabelFault::LongLeader { key, span: span.clone() });
         }
         if misleads(label, &panel.things) {

@@ -13,6 +13,8 @@ use super::weights::Places;
 
 /// Length of a leader line beyond which it is a fault, page pixels.
 pub(super) const LONGEST: f64 = 40.0;
+/// What moving a leader line adds to its length at most, page pixels: its ends are rounded.
+const ROUNDING: f64 = 1e-6;
 /// Length of a leader line below which it is not seen to be one, page pixels.
 const SHORTEST: f64 = 5.0;
 
@@ -37,6 +39,11 @@ impl Leader {
     pub(super) fn shifted(self, by: Offset) -> Self {
         let Self { from, to, dot, border } = self;
         Self { from: from + by, to: to + by, dot, border: border + by }
+    }
+
+    /// Whether it is longer than one may be.
+    pub(super) fn is_long(&self) -> bool {
+        self.length() > LONGEST + ROUNDING
     }
 
     /// How long it is, page pixels.
@@ -148,6 +155,14 @@ mod tests {
         let far: Vec<_> = places.iter().filter_map(|c| c.leader).collect();
         assert_eq!((places.len(), far.len()), (3, 2), "what no leader reaches is no place");
         assert!(far.iter().all(|line| line.length() <= 40.0 && (line.from - at).length() > 4.5));
+    }
+
+    #[test]
+    fn a_leader_that_is_moved_is_as_long_as_before() {
+        let (from, step) = (Point::new(0.1, 0.2), Offset::new(0.3, 0.7));
+        let line = Leader { from, to: from + Offset::new(LONGEST, 0.0), dot: true, border: from };
+        let far = (0..100).fold(line, |line, _| line.shifted(step));
+        assert!(!line.is_long() && !far.is_long(), "{}", far.length() - LONGEST);
     }
 
     #[test]

@@ -115,8 +115,8 @@ fn slides(
     seeker.priced(ways.filter_map(slid).collect(), scene)
 }
 
-/// Lets the weaker of two that rest and cost each other much slide out of the way, or else wakes it: of the
-/// same rank, the later one.
+/// Lets one of two that rest and cost each other much slide out of the way: the weaker one, of the same rank
+/// the later one, or else the other. Where neither can the weaker one wakes.
 fn settle(all: &mut [Option<Stay>], seekers: &[Seeker], (scene, weights): (&Surroundings, &Weights)) {
     let clash = |a: &Candidate, b: &Candidate| pair_cost(a, b, &weights.costs) >= weights.search.unrest;
     for (i, j) in (0..all.len()).flat_map(|i| (0..i).map(move |j| (i, j))) {
@@ -125,16 +125,18 @@ fn settle(all: &mut [Option<Stay>], seekers: &[Seeker], (scene, weights): (&Surr
             continue;
         }
         let weaker = if seekers[j].sought.rank < seekers[i].sought.rank { j } else { i };
-        let others = (0..all.len()).filter(|&k| k != weaker).filter_map(|k| all[k].as_ref());
-        let is_free = |place: &Candidate| !others.clone().any(|other| clash(place, &other.place));
-        let slid = all[weaker].as_ref().and_then(|stay| {
-            let near = slides(&seekers[weaker], &stay.place, (scene, weights)).into_iter();
+        let aside = |label: usize| {
+            let stay = all[label].as_ref()?;
+            let others = (0..all.len()).filter(|&k| k != label).filter_map(|k| all[k].as_ref());
+            let is_free = |place: &Candidate| !others.clone().any(|other| clash(place, &other.place));
+            let near = slides(&seekers[label], &stay.place, (scene, weights)).into_iter();
             let fit = near.filter(|(c, cost)| rests(c, *cost, &stay.standing, weights) && is_free(c));
-            fit.min_by(|(_, p), (_, q)| p.total_cmp(q))
-        });
-        let Some(stay) = &mut all[weaker] else { continue };
+            Some((label, fit.min_by(|(_, p), (_, q)| p.total_cmp(q))?))
+        };
+        let slid = aside(weaker).or_else(|| aside(i + j - weaker));
+        let Some(stay) = &mut all[slid.as_ref().map_or(weaker, |(label, _)| *label)] else { continue };
         stay.rests = slid.is_some();
-        if let Some((place, cost)) = slid {
+        if let Some((_, (place, cost))) = slid {
             stay.standing = stay.standing.slid(&place);
             (stay.place, stay.cost) = (place, cost);
         }

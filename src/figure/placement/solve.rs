@@ -12,7 +12,7 @@ use super::anywhere::anywhere;
 use super::candidates::{candidates, nudged};
 use super::choices::Choices;
 use super::cost::{Surroundings, own_reach};
-use super::faults::{faults, hides};
+use super::faults::{LabelFault, faults, hides};
 use super::rest::stays;
 use super::seeker::Seeker;
 use super::things::Thing;
@@ -50,36 +50,54 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 
 /// Places the labels of a panel by other numbers than the tuned ones.
 ///
-/// Where labels that rest leave another one no good place, none of them rests, and each only likes its old
-/// place better: what is pleasant to look at in a figure that moves is no reason for a false picture.
+/// Where labels that rest leave one no good place, those that stand badly rest no longer; where that does not
+/// help, none of them rests, and each only likes its old place better: what is pleasant to look at in a
+/// figure that moves is no reason for a false picture.
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
-    let placed = searched(weights, sought, ground, Rest::Allowed);
-    let bad = if ground.before.is_some() { faults(&placed).len() } else { 0 };
-    if bad == 0 {
-        return placed;
+    let mut best = searched(weights, sought, ground, &|_| true);
+    if ground.before.is_none() {
+        return best;
     }
-    let awake = searched(weights, sought, ground, Rest::None);
-    if faults(&awake).len() < bad { awake } else { placed }
+    // What the scene pins stays, whoever looks for another place.
+    let mendable = |placed: &Labelled| -> Vec<LabelFault> {
+        let of_free =
+            |fault: &LabelFault| sought.iter().any(|s| s.pin.is_none() && fault.is_of(s.key, &s.span));
+        faults(placed).into_iter().filter(of_free).collect()
+    };
+    let mut wrong = mendable(&best);
+    for all in [false, true] {
+        if wrong.is_empty() {
+            break;
+        }
+        let stands_well = |label: &Sought| !wrong.iter().any(|fault| fault.is_of(label.key, &label.span));
+        let other = searched(weights, sought, ground, &|label| !all && stands_well(label));
+        let still = mendable(&other);
+        if still.len() < wrong.len() {
+            (best, wrong) = (other, still);
+        }
+    }
+    best
 }
 
-/// Whether labels may rest where they stood in the frame before.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Rest {
-    /// They rest where they stand well.
-    Allowed,
-    /// All are placed anew.
-    None,
-}
-
-/// Searches for the places of a panel's labels.
-fn searched(weights: &Weights, sought: &[Sought], ground: &Ground, rest: Rest) -> Labelled {
+/// Searches for the places of a panel's labels, of which those that `may_rest` stay where they stood well in
+/// the frame before.
+fn searched(
+    weights: &Weights,
+    sought: &[Sought],
+    ground: &Ground,
+    may_rest: &dyn Fn(&Sought) -> bool,
+) -> Labelled {
     let Ground { frame, obstacles, things, earlier, before, panels } = *ground;
     let sought = &worth_naming(sought, frame, weights);
     let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
     let seekers: Vec<Seeker> = sought.iter().map(|s| Seeker::new(s, things, frame, weights)).collect();
     let none = || seekers.iter().map(|_| None).collect();
     let mut stays = before.map_or_else(none, |before| stays(&seekers, before, &surroundings, weights));
-    stays.iter_mut().flatten().for_each(|stay| stay.rests &= rest == Rest::Allowed);
+    for (stay, seeker) in stays.iter_mut().zip(&seekers) {
+        if let Some(stay) = stay {
+            stay.rests &= may_rest(seeker.sought);
+        }
+    }
     let mut choices = Choices {
         places: vec![Vec::new(); seekers.len()],
         chosen: vec![0; seekers.len()],

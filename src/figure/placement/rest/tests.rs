@@ -78,6 +78,8 @@ struct Count {
     jumps: usize,
     /// Labels that jumped and went back soon.
     flickers: usize,
+    /// Of the jumps those of labels whose thing jumped: the answer went to another edge or vertex.
+    followed: usize,
     /// Faults of labels in all frames.
     faults: usize,
 }
@@ -89,6 +91,7 @@ impl Count {
         self.jumps += other.jumps;
         self.flickers += other.flickers;
         self.faults += other.faults;
+        self.followed += other.followed;
     }
 
     #[expect(clippy::cast_precision_loss, reason = "counts of frames")]
@@ -125,6 +128,7 @@ fn drag(scene: &Scene, body: usize, way: (f64, f64), (frames, warm): (usize, boo
             for (i, (a, b)) in there.into_iter().flatten().zip(&here).enumerate() {
                 if leap(a, b) > JUMP {
                     count.jumps += 1;
+                    count.followed += usize::from((b.1 - a.1).length() > JUMP);
                     let seen = left.entry((panel, key, i)).or_default();
                     let back = |(when, at): &(usize, _)| k - when <= SOON && leap(at, b) < JUMP;
                     count.flickers += usize::from(seen.iter().any(back));

@@ -42,9 +42,10 @@ super::numbers! {
         /// A label that costs more than this where it stands may displace others to stand better.
         /// Twice: 2 + 4 labels; half: 0 + 7 labels.
         uneasy: f64 = 3.0;
-        /// In a figure that moves, a label rests where it costs less than this beside its reluctance.
+        /// In a figure that moves, a label rests where it costs less than this beside its reluctance: less
+        /// than what it costs to touch a line.
         /// Twice and half: nothing.
-        comfort: f64 = 6.0;
+        comfort: f64 = 9.0;
         /// It rests too where its place costs no more than this more than when it was chosen.
         /// Twice and half: nothing.
         worse: f64 = 4.0;
@@ -53,7 +54,7 @@ super::numbers! {
         unrest: f64 = 8.0;
         /// How much cheaper its old place is to a label that seeks another one.
         /// Twice and half: nothing.
-        inertia: f64 = 6.0;
+        inertia: f64 = 12.0;
         /// Labels that still overlap by this many page pixels in both directions: the weaker one is left out.
         /// Twice and half: nothing.
         clash: f64 = 1.0;
