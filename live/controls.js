@@ -63,7 +63,7 @@ class Knob {
     grab(event) {
         const [x, y] = this.figure.pointer(event);
         this.off = [this.handle.at[0] - x, this.handle.at[1] - y];
-        this.before = this.handle.value;
+        this.taken = this.handle;
         this.element.setPointerCapture(event.pointerId);
         this.element.focus({ preventScroll: true });
         this.figure.root.toggleAttribute("data-dragging", true);
@@ -73,9 +73,11 @@ class Knob {
     drag(event) {
         if (!this.off) return;
         const [x, y] = this.figure.pointer(event);
-        const value = followed(this.handle, [x + this.off[0], y + this.off[1]]);
-        const step = event.altKey ? 0 : this.figure.snap(this.handle);
-        const clean = step ? snapped(value, step) : tidy(value, this.handle);
+        // A view that fits what is drawn widens as that moves: by its new scale a way out would grow with itself.
+        const from = this.taken.pull.plane ? this.taken : this.handle;
+        const value = followed(from, [x + this.off[0], y + this.off[1]]);
+        const step = event.altKey ? 0 : this.figure.snap(from);
+        const clean = step ? snapped(value, step) : tidy(value, from);
         this.figure.want(this.handle, within(clean, this.handle.range));
     }
 
@@ -91,7 +93,7 @@ class Knob {
         const way = WAYS[event.key];
         const { figure, handle } = this;
         if (event.key === "Home") figure.want(handle, figure.first.get(keyOf(handle)));
-        else if (event.key === "Escape" && this.off) figure.want(handle, this.before);
+        else if (event.key === "Escape" && this.off) figure.want(handle, this.taken.value);
         else if (way) figure.want(handle, within(this.stepped(way, event.shiftKey ? 0.2 : 1), handle.range));
         else return;
         event.preventDefault();
