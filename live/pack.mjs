@@ -4,14 +4,15 @@
 //
 // - A panic ends the module, and no page reads its message: the functions that write one trap at once, and
 //   what is only theirs goes.
-// - Faces are ours, and nothing reads a variable one, or a decimal number in one.
+// - Faces are ours, and nothing reads a decimal number in one.
 // - The root of a number is one instruction.
-// - What does alike is called alike, and stands side by side, where it packs better.
+// - What is alike stands side by side, where it packs better.
 // - The names of source files, and the lines in them where a panic may be, are zeros, and what only lists
 //   say.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { ofLists } from './lists.mjs';
+import { alike } from './order.mjs';
 
 /** Functions that only end in a trap, by parts of their mangled names. */
 const PANICS = [
@@ -23,19 +24,27 @@ const PANICS = [
     /panic_on_ord_violation/,
     /raw_vec12handle_error|capacity_overflow|handle_alloc_error/,
 ];
-/** Functions that our faces do not come to: outlines that vary, and letters made of two. */
+/** What our faces do not come to: letters made of two, letters that hang on others, bytes in pairs. */
 const OTHER_FACES = [
-    /10ttf_parser6tables(4gvar|4avar|4hvar|4vvar|4mvar|3cff4cff2)/,
-    /10ttf_parser9var_store/,
-    /10ttf_parser4Face(20glyph_phantom_points|23apply_metrics_variation)/,
     /10ttf_parser6tables3cff4cff121seac_code_to_glyph_id/,
+    /10ttf_parser3ggg(15chained_context|7context)/,
+    /10ttf_parser6tables4cmap7format2/,
 ];
 /** What reads a decimal number, with tables of 10 kB that do not pack. */
 const READER = /3num7dec2flt.*FromStr8from_str/;
 /** The root of a double: here an instruction, which rounds as it does. A library has no name for that. */
 const ROOT = /^_ZN4libm4math4sqrt4sqrt17h/;
-/** How that table begins, 5⁻³⁴² as two words, and its length: to 5³⁰⁸, each of two words. */
-const POWERS = { first: Buffer.from('5ad63b92d653f4ee3f3ba10629aa3f11', 'hex'), length: 651 * 16 };
+/**
+ * How tables begin that nothing comes to, and their bytes: of that reader, from 5⁻³⁴² to 5³⁰⁸, each of two
+ * words; and of the one of JSON 5²⁰⁴⁸, 5⁴⁰⁹⁶ and 5⁸¹⁹², where a double asks for 5¹⁰⁹³ at most, of the 769
+ * digits that decide and 324 zeros.
+ */
+const POWERS = [
+    { first: '5ad63b92d653f4ee3f3ba10629aa3f11', length: 651 * 16 },
+    { first: '01e03313656809e33f4d7db2cf8de249', length: 149 * 4 },
+    { first: '01c0672a8d4e72d4e77afe8e901e9af8', length: 298 * 4 },
+    { first: '0180cf642652349fe563496453508d7b', length: 595 * 4 },
+];
 /** Who may seem to: the tables of a face may have such numbers, and those of ours have none. */
 const FACES = /10ttf_parser6tables3cff4dict/;
 /** What a source file is called. */
@@ -97,11 +106,15 @@ function without_sources(bytes) {
     return bytes;
 }
 
-/** Zeros in the place of the table of what reads decimal numbers. */
+/** Zeros in the place of the tables of what reads decimal numbers. */
 function without_powers(bytes) {
-    const at = bytes.indexOf(POWERS.first);
-    if (at < 0 || bytes.indexOf(POWERS.first, at + 1) >= 0) throw new Error('not one table of powers');
-    return bytes.fill(0, at, at + POWERS.length);
+    for (const { first, length } of POWERS) {
+        const begin = Buffer.from(first, 'hex');
+        const at = bytes.indexOf(begin);
+        if (at < 0 || bytes.indexOf(begin, at + 1) >= 0) throw new Error(`not one table of ${first}`);
+        bytes.fill(0, at, at + length);
+    }
+    return bytes;
 }
 
 /** Zeros in the place of what only lists say, where a piece of memory has it once. */
@@ -123,6 +136,39 @@ function without_lists(bytes) {
     return bytes;
 }
 
+/** The functions of a module, as their bytes. */
+function bodies(bytes) {
+    for (let at = 8; at < bytes.length; ) {
+        const kind = bytes[at];
+        let [length, from] = number(bytes, at + 1);
+        at = from + length;
+        if (kind !== 10) continue;
+        const found = [];
+        let count;
+        [count, from] = number(bytes, from);
+        for (; count > 0; count -= 1) {
+            [length, from] = number(bytes, from);
+            found.push(bytes.subarray(from, from + length));
+            from += length;
+        }
+        return found;
+    }
+    throw new Error('no functions');
+}
+
+/** A number of seven bits a byte, and a text behind its length. */
+const small = (value) => (value < 128 ? [value] : [(value & 127) | 128, ...small(Math.floor(value / 128))]);
+const told = (bytes) => [...small(bytes.length), ...bytes];
+
+/** A module without imports with names for its functions that are in the order in which they should stand. */
+function named(bytes) {
+    const place = [];
+    for (const [index, body] of alike(bodies(bytes)).entries()) place[body] = String(index).padStart(6, '0');
+    const names = place.flatMap((name, index) => [...small(index), ...told(Buffer.from(name))]);
+    const section = [...told(Buffer.from('name')), 1, ...told([...small(place.length), ...names])];
+    return Buffer.concat([bytes, Buffer.from([0, ...told(section)])]);
+}
+
 /** Throws where a function that only these may call, which never come to it, has another caller. */
 function held(module, part, callers) {
     let caller;
@@ -135,7 +181,7 @@ function held(module, part, callers) {
 
 const [folder, from, to] = process.argv.slice(2);
 const { default: binaryen } = await import(pathToFileURL(`${folder}/index.js`));
-const module = binaryen.readBinary(without_lists(without_powers(without_sources(readFileSync(from)))));
+let module = binaryen.readBinary(without_lists(without_powers(without_sources(readFileSync(from)))));
 held(module, READER, FACES);
 const root = module.f64.sqrt(module.local.get(0, binaryen.f64));
 for (const part of [...PANICS, ...OTHER_FACES, READER, ROOT]) {
@@ -156,6 +202,7 @@ binaryen.setDebugInfo(false);
 // Zeros between the pieces of memory pack to nothing; more pieces don't.
 binaryen.addPassToSkip('memory-packing');
 module.optimize();
-// What does alike is called alike, and packs better side by side: 12 kB as gzip.
-module.runPasses(['reorder-functions-by-name', 'strip-debug', 'strip-producers', 'strip-target-features']);
+module.runPasses(['strip-debug', 'strip-producers', 'strip-target-features']);
+module = binaryen.readBinary(named(Buffer.from(module.emitBinary())));
+module.runPasses(['reorder-functions-by-name', 'strip-debug']);
 writeFileSync(to, module.emitBinary());

@@ -4,6 +4,7 @@
 //! *θ*. Everything else is upright words, spelled as the scene spells it, in scripts too: v with the script
 //! bullet.
 
+use crate::geometry::small;
 use crate::typeset::{as_markup, escaped, plain};
 
 /// Letters of a script at most: a longer one is wider than what it stands at, and is cut in its middle. Names
@@ -96,11 +97,10 @@ impl<'n> Name<'n> {
         }
     }
 
-    /// The small letter of a symbol, in LaTeX. Letter by letter: it is one, and the rules for words have
-    /// tables.
+    /// The small letter of a symbol, in LaTeX.
     #[must_use]
     pub(crate) fn small(self) -> String {
-        self.term().chars().flat_map(char::to_lowercase).collect()
+        self.term().chars().map(small).collect()
     }
 
     /// A numbered point of the body, in LaTeX: the small letter of a symbol, `a_1` for A; for words the

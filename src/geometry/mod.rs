@@ -5,6 +5,7 @@
 
 mod body;
 mod hull;
+mod letters;
 mod names;
 pub(crate) mod number;
 mod rotation;
@@ -15,10 +16,12 @@ mod unit_vector;
 pub use body::{Body, Pose, perp};
 pub use glam::DVec2;
 pub use hull::Hull;
+pub(crate) use letters::{begun, small};
 pub use names::Names;
 pub use number::Angle;
 pub(crate) use number::{
-    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, read, taming_power, two_product, two_sum,
+    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, power_of_ten, read, taming_power, two_product,
+    two_sum,
 };
 pub use rotation::Rotation;
 pub use shape::Shape;

@@ -7,7 +7,7 @@ use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
 use crate::figure::touching::{Touching, touching};
-use crate::geometry::{Body, DVec2, Names, Side, perp};
+use crate::geometry::{Body, DVec2, Names, Side, begun, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
 
@@ -303,8 +303,7 @@ fn sentence_of(names: [&str; 2], told: &Account) -> String {
     if text.starts_with(&format!("{} ", names[0])) {
         return text;
     }
-    let mut letters = text.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+    begun(&text)
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 //! are one number, and half a digit is rounded away from 0, as at school: else 2.125, known to sixteen
 //! digits, would have two, as its ends lie on two sides of a half.
 
-use crate::geometry::read;
+use crate::geometry::{power_of_ten, read};
 use crate::trace::{TOLD, USUAL, WHOLE};
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
@@ -113,7 +113,7 @@ impl Digits {
             Self::Usual => exponent(value) + 1 - exponent_of(usual(value)),
             Self::Decimals(digits) => -exponent_of(digits.min(decimals_within(value.abs()))),
         };
-        let beyond = value + side * HALF * libm::exp10(f64::from(last));
+        let beyond = value + side * HALF * power_of_ten(f64::from(last));
         self.of(beyond, beyond)
     }
 

@@ -21,4 +21,4 @@ pub(crate) use degrees::Turn;
 pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_product, two_sum};
 pub(crate) use exact::Exact;
 pub(crate) use length::length;
-pub(crate) use read::read;
+pub(crate) use read::{power_of_ten, read};

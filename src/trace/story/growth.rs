@@ -4,7 +4,7 @@
 use super::phrases::BOTH;
 use super::phrases::steps::{ADD, AROUND, BEGIN_AT, BEGIN_WITH, DROP, NONE_BEYOND, NOTHING_NEW};
 use super::words::Voice;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, begun};
 use crate::trace::Event;
 use crate::trace::tongue::Phrase;
 
@@ -55,11 +55,7 @@ fn changed(last: &[DVec2], now: &[DVec2], voice: Voice) -> String {
     let parts: Vec<String> =
         said(&ADD, lacks(last, now)).into_iter().chain(said(&DROP, lacks(now, last))).collect();
     let text = parts.join(", ");
-    let mut letters = text.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => voice.word(&NOTHING_NEW),
-    }
+    if text.is_empty() { voice.word(&NOTHING_NEW) } else { begun(&text) }
 }
 
 #[cfg(test)]

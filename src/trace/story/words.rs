@@ -5,7 +5,7 @@ use super::phrases::{
     AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
 };
 use super::place::place;
-use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
+use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, power_of_ten};
 use crate::trace::tongue::{Phrase, Tongue};
 use crate::trace::{Moment, SupportVertex};
 
@@ -150,7 +150,7 @@ impl<'n> Voice<'n> {
         if x == 0.0 || x.abs() >= NOTHING * self.size {
             return self.number(x);
         }
-        let above = libm::exp10(libm::floor(libm::log10(x.abs())) + 1.0);
+        let above = power_of_ten(libm::floor(libm::log10(x.abs())) + 1.0);
         self.say(&LESS, &[&self.number(above)])
     }
 
