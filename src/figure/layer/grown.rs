@@ -140,8 +140,8 @@ fn edges(sketch: &mut Sketch, found: &Difference, cues: &EdgeCues, turned: impl 
 }
 
 /// Draws B where it touches A with a vertex on the middle of each edge, faintly, and gives the places of its
-/// point then, which are on the grown outline: where it crosses neither the outline's edges that are B's nor the way to
-/// the nearest point, if there are such places.
+/// point then, which are on the grown outline: where it crosses neither the outline's edges that are B's nor
+/// the way to the nearest point, if there are such places.
 fn around(
     sketch: &mut Sketch,
     context: &Context,

@@ -389,8 +389,7 @@ mod tests {
         let text = "shapes.A = { kind = 'box', half_extents = [1, 1] }
             shapes.B = { kind = 'box', half_extents = [1, 1], position = [5, 0] }
             query = { kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }
-            panels = [{ view = [-2, -4, 7, 2],
-                layers = [{ layer = 'projection', axis = 2, joined = true }] }]";
+            panels = [{ view = [-2, -4, 7, 2], layers = [{layer = 'projection', axis = 2, joined = true}] }]";
         let scene = open_text("axes", text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "axes");
