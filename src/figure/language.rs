@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 7;
+const OF_GHOSTS: usize = 8;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -58,6 +58,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
+    ["* pushed farther", "*", "* weiter geschoben", "* repoussé plus loin", "* apartado más lejos"],
     ["turned $*$", "$*$", "um $*$ gedreht", "tourné de $*$", "girado $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
@@ -85,6 +86,21 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["one point", "", "ein Punkt", "un seul point", "un solo punto"],
     ["no hit", "", "kein Treffer", "pas de contact", "sin contacto"],
     ["division by 0", "", "Division durch 0", "division par 0", "división por 0"],
+    [
+        "(the edge faces away)",
+        "",
+        "(die Kante ist abgewandt)",
+        "(l’arête est à l’opposé)",
+        "(la arista mira atrás)",
+    ],
+    [
+        "(less than the distance)",
+        "",
+        "(weniger als der Abstand)",
+        "(moins que la distance)",
+        "(menos que la distancia)",
+    ],
+    ["($*$ turns)", "($*$)", "($*$ Umdrehungen)", "($*$ tours)", "($*$ vueltas)"],
     ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
     ["*, drawn at *", "*, *", "*, gezeichnet zu *", "*, dessiné à *", "*, dibujado a *"],
     ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],

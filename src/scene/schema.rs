@@ -13,10 +13,14 @@ use super::fields::{
 };
 use super::holds::Holds;
 use super::project_fields::{HANDOUT, PROJECT, RENDER};
-use super::{COMPASS, When};
+use super::{COMPASS, Grip, When};
 
 /// The tag of a language: letters, then parts of letters and digits.
 const LANGUAGE: &str = "^[A-Za-z]{2,8}(-[A-Za-z0-9]{1,8})*$";
+
+/// Between which sizes the larger of two numbers lies whose squares add up to 1, as far as a rotation may be
+/// off, and a little more.
+const UNIT: [f64; 2] = [0.706, 1.001];
 
 /// Pairs of keys of a shape that say the same.
 const SAME: [[&str; 2]; 4] = [ANGLES, [ANGLES[0], MATRIX], [ANGLES[1], MATRIX], SPINS];
@@ -74,6 +78,11 @@ fn described(field: &Field) -> Value {
     if field.name == "lang" {
         value["pattern"] = json!(LANGUAGE);
     }
+    if field.name == MATRIX {
+        let [least, most] = UNIT;
+        value["items"] = json!({ "type": "number", "minimum": -most, "maximum": most });
+        value["contains"] = json!({ "anyOf": [{ "minimum": least }, { "maximum": -least }] });
+    }
     if let Value::Object(object) = &mut value {
         object.insert("description".to_owned(), json!(field.about));
     }
@@ -108,7 +117,7 @@ fn holds(field: &Field) -> Value {
                 "minItems": 1, "maxItems": 2, "uniqueItems": true,
             })
         }
-        Holds::Drags => json!({ "type": "array", "items": { "type": "string" } }),
+        Holds::Drags => drags(),
         Holds::Texts(_) => json!({ "anyOf": [
             { "type": "string" },
             { "type": "array", "items": { "type": "string" } },
@@ -146,6 +155,14 @@ fn holds(field: &Field) -> Value {
         }),
         Holds::Anything => json!({}),
     }
+}
+
+/// The schema of what a reader may drag: a shape, or with a dot what it has.
+fn drags() -> Value {
+    let grips = Grip::words().collect::<Vec<_>>().join("|");
+    // A word after the last dot is a grip; a name may have dots before other signs.
+    let pattern = format!(r"^[^.]*$|\.({grips})$|\.[^.]*[^a-z.][^.]*$|\.$");
+    json!({ "type": "array", "items": { "type": "string", "pattern": pattern } })
 }
 
 /// The schemas of all kinds of shape, each with its word.
@@ -215,6 +232,23 @@ fn case(key: &str, word: &str, then: &Value) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_rotation_is_about_one_long_and_what_is_dragged_is_a_grip() {
+        let scene = schema();
+        let drag = &scene["properties"]["live"]["properties"]["drag"]["items"]["pattern"];
+        let words = drag.as_str().unwrap();
+        assert!(Grip::words().all(|word| words.contains(word)), "{words}");
+        let shape = &scene["properties"]["shapes"]["additionalProperties"]["allOf"];
+        let boxed =
+            shape.as_array().unwrap().iter().find(|case| case["if"]["properties"]["kind"]["const"] == "box");
+        let rotation = &boxed.unwrap()["then"]["properties"]["rotation"];
+        assert_eq!(rotation["items"]["maximum"], 1.001);
+        // The larger of cos and sin is at least the root of a half.
+        assert!(
+            rotation["contains"]["anyOf"][0]["minimum"].as_f64().unwrap() < std::f64::consts::FRAC_1_SQRT_2
+        );
+    }
 
     #[test]
     fn every_key_of_every_table_is_in_the_schema() {

@@ -287,7 +287,12 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
     let outside = t.radius + sketch.px(CLEAR);
     let path = Anchor::Arc { center: t.center, radius: outside, start: t.start, sweep: t.sweep };
     let length = if sector { format!(r"$L = \theta\,r = {}$", number(t.arc)) } else { "$L$".to_owned() };
-    sketch.label(Label::new("L", length, path, options.role(Role::Now)));
+    let mut lines = vec![length];
+    // A circle that is gone round three times looks like one.
+    if t.sweep.abs() > TAU {
+        lines.push(format!("(${}$ turns)", number(t.sweep.abs() / TAU)));
+    }
+    sketch.label(Label { lines, ..Label::new("L", "", path, options.role(Role::Now)) });
     if sector {
         let r = format!("$r = {}$", number(t.radius));
         if divided {

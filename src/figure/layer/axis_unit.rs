@@ -4,8 +4,8 @@
 use crate::drawing::{Point, Role};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
-use crate::figure::text::number;
-use crate::geometry::DVec2;
+use crate::figure::text::{number, terms};
+use crate::geometry::{DVec2, Side};
 
 use super::half_extents::beside;
 use super::normal::unit_length;
@@ -100,6 +100,24 @@ pub(super) fn sees(sketch: &Sketch, context: &Context, place: DVec2) -> bool {
     let (lo, hi) = sketch.visible();
     let place = context.in_space(place);
     lo.cmple(place).all() && hi.cmpge(place).all()
+}
+
+/// Writes where A ends and where B begins, each beyond the end of its own interval, `off` page pixels from the
+/// axis on its side; their difference is `gap`.
+pub(super) fn numbers(
+    sketch: &mut Sketch,
+    (measured, gap): ([f64; 2], f64),
+    (n, down, off): (DVec2, DVec2, f64),
+    at: impl Fn(f64, f64) -> DVec2,
+) {
+    let track = sketch.px(off);
+    let ends = [("end.A", Side::A, n - down, -track), ("begin.B", Side::B, down - n, track)];
+    let (texts, _) = terms(measured, gap);
+    for (((key, side, beyond, out), along), text) in ends.into_iter().zip(measured).zip(texts) {
+        let anchor = Anchor::point_toward(at(along, out), beyond);
+        let label = Label::new(key, format!("${text}$"), anchor, side.into());
+        sketch.label(label.rank(Rank::Measure).size(Size::Note));
+    }
 }
 
 /// Marks on the axis from where its numbers are counted, if that is in reach.

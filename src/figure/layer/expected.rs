@@ -22,6 +22,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "A'", about: "the first body at the time expected" },
         LabelKey { key: "B'", about: "the second body at the time expected" },
         LabelKey { key: "expected", about: "the separation and the time expected" },
+        LabelKey { key: "ours", about: "our separation, beside theirs, where no layer `separation` says it" },
         LabelKey { key: "n", about: "our normal" },
         LabelKey { key: "n'", about: "the normal expected" },
     ],
@@ -43,6 +44,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("ours").line(ours.points[0], ours.points[1], Pen::dimension(Role::Translation));
         sketch.part("ours").marker(ours.points[0], Marker::Disc, Role::Translation, MARKER);
         sketch.part("ours").marker(ours.points[1], Marker::Square, Role::Translation, MARKER);
+        // Both numbers stand on the picture, to be compared.
+        if theirs.separation.is_some() && theirs.points.is_some() && !sketch.has_layer("separation") {
+            let anchor = Anchor::Beside { from: ours.points[1], to: ours.points[0], offset: 0.0 };
+            let text = format!("$s = {}$", number(ours.separation));
+            sketch.label(Label::new("ours", text, anchor, Role::Translation));
+        }
     }
     if let Some([p, q]) = theirs.points {
         sketch.part("expected").line(p, q, Pen::dimension(role));
@@ -135,6 +142,7 @@ mod tests {
         let labels = labels(&figure);
         assert!(labels.contains_key("n") && labels.contains_key("n'"), "{labels:?}");
         assert_eq!(labels["expected"].1, 2.25);
+        assert_eq!(labels["ours"].1, 2.0);
         let counts = ["ours", "expected", "normal"].map(|part| paths(&figure.drawing.items, part).len());
         assert!(counts[0] >= 3 && counts[0] == counts[1] && counts[2] >= 2, "{counts:?}");
         let at = figure.panels[0].frame.page(crate::geometry::DVec2::new(1.0, 0.5));

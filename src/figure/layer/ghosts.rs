@@ -134,9 +134,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         match options.word("at", When::HIT) {
             SEPARATED => {
                 let way = separation(context).and_then(|answer| push(&answer));
-                pushed(sketch, context, options, (side, way));
+                pushed(sketch, context, options, (side, way, "pushed out"));
             }
-            RIVAL => pushed(sketch, context, options, (side, rival(context))),
+            RIVAL => pushed(sketch, context, options, (side, rival(context), "pushed farther")),
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }
@@ -151,11 +151,16 @@ fn rival(context: &Context) -> Option<DVec2> {
     Some(-way.edge.normal * way.length)
 }
 
-/// Draws a body parted from the other: B by the way, A against it.
-fn pushed(sketch: &mut Sketch, context: &Context, options: &Options, (side, way): (Side, Option<DVec2>)) {
+/// Draws a body parted from the other: B by the way, A against it; `how` says which way it is.
+fn pushed(
+    sketch: &mut Sketch,
+    context: &Context,
+    options: &Options,
+    (side, way, how): (Side, Option<DVec2>, &str),
+) {
     let (Some(way), Some(outline)) = (way, context.outline(side, context.time)) else { return };
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
-    let text = format!("{} pushed out", context.named(side).primed(0));
+    let text = format!("{} {how}", context.named(side).primed(0));
     if way.length() < sketch.px(UNSEEN) {
         return;
     }

@@ -15,7 +15,7 @@ use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::axis_unit::{light, on_axis, sees, units, written, zero};
+use super::axis_unit::{light, numbers, on_axis, sees, units, written, zero};
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
@@ -218,23 +218,11 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
     let role = if is_asked { Role::Ink } else { Role::Translation };
     let pen = if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) };
-    measure(sketch, t, (values, pen, low), at);
+    let distance = context.separation_at(context.time).and_then(|run| run.separation().map(|s| s.separation));
+    measure(sketch, t, ((values, distance), pen, low), at);
     if values {
-        numbers(sketch, t, down, at);
+        numbers(sketch, ([t.a.hi, t.b.lo], t.gap), (t.n, down, TRACK), at);
         zero(sketch, (first, last), down, at);
-    }
-}
-
-/// Writes where A ends and where B begins, each beyond the end of its own interval, on its side of the axis.
-fn numbers(sketch: &mut Sketch, t: &Tested, down: DVec2, at: impl Fn(f64, f64) -> DVec2) {
-    let track = sketch.px(TRACK);
-    let ends = [("end.A", Side::A, t.a.hi, t.n - down), ("begin.B", Side::B, t.b.lo, down - t.n)];
-    let (texts, _) = terms([t.a.hi, t.b.lo], t.gap);
-    for ((key, side, along, beyond), text) in ends.into_iter().zip(texts) {
-        let text = format!("${text}$");
-        let out = if side == Side::A { -track } else { track };
-        let anchor = Anchor::point_toward(at(along, out), beyond);
-        sketch.label(Label::new(key, text, anchor, side.into()).rank(Rank::Measure).size(Size::Note));
     }
 }
 
@@ -289,7 +277,7 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
 fn measure(
     sketch: &mut Sketch,
     t: &Tested,
-    (values, pen, track): (bool, Pen, f64),
+    ((values, distance), pen, track): ((bool, Option<f64>), Pen, f64),
     at: impl Fn(f64, f64) -> DVec2,
 ) {
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
@@ -309,6 +297,9 @@ fn measure(
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
+    } else if t.gap > 0.0 && distance.is_some_and(|distance| distance - t.gap > TIED * distance) {
+        // The gap of an axis is not how far apart the bodies are.
+        lines.push("(less than the distance)".to_owned());
     }
     let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), pen.role) };
     sketch.label(label.rank(Rank::Measure));

@@ -151,10 +151,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         [p, q] => 0.5 * (p.point + q.point),
         _ => vertices.first().map_or(DVec2::ZERO, |v| v.point),
     };
-    for (&SupportVertex { point, .. }, number) in vertices.iter().zip(1..=2) {
+    for (&SupportVertex { point, index }, nth) in vertices.iter().zip(0..2) {
         let anchor = Anchor::point_toward(point, point - middle);
         let role = if lengths { options.role(side.into()) } else { role };
-        mark(sketch, context, role, Marked { side, number, point }, anchor);
+        mark(sketch, context, role, Marked { side, nth, index, point }, anchor);
     }
 }
 
@@ -184,23 +184,24 @@ fn shared(context: &Context) -> Option<[DVec2; 2]> {
 struct Marked {
     /// The body that it is of.
     side: Side,
-    /// Its number on the edge that faces the other body, from 1.
-    number: usize,
+    /// Whether it is the first or the second on the edge that faces the other body, from 0.
+    nth: usize,
+    /// Its number in the scene.
+    index: usize,
     /// Its place in the world.
     point: DVec2,
 }
 
 /// Marks a vertex and names it.
 fn mark(sketch: &mut Sketch, context: &Context, role: Role, vertex: Marked, anchor: Anchor) {
-    let Marked { side, number, point } = vertex;
+    let Marked { side, nth, index, point } = vertex;
     let (marker, keys) = match side {
         Side::A => (Marker::HollowDisc, ["a_1", "a_2"]),
         Side::B => (Marker::HollowSquare, ["b_1", "b_2"]),
     };
     sketch.part("support").marker(point, marker, role, LARGE_MARKER);
-    let key = if number == 1 { keys[0] } else { keys[1] };
-    let text = format!("${}$", context.named(side).point(number));
-    sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
+    let text = format!("${}$", context.named(side).point(index));
+    sketch.label(Label::new(keys[nth.min(1)], text, anchor, role).rank(Rank::Point));
 }
 
 /// Names where the parts of the nearest edge join, and its ends, by the vertices whose differences they are.
@@ -215,7 +216,7 @@ fn name(sketch: &mut Sketch, context: &Context, role: Role) {
     for (key, place, role) in [("joint", joint, role)].into_iter().chain(beyond) {
         let pairs = a.into_iter().flat_map(|p| b.map(|q| [p, q]));
         let nearest = pairs.min_by(|one, other| gap(one, place).total_cmp(&gap(other, place)));
-        let Some([p, q]) = nearest.map(|[p, q]| [q, p].map(|v| context.named(v.side).point(v.number))) else {
+        let Some([p, q]) = nearest.map(|[p, q]| [q, p].map(|v| context.named(v.side).point(v.index))) else {
             continue;
         };
         let anchor = Anchor::point(place + context.estimate());
@@ -229,8 +230,9 @@ fn ends(context: &Context, found: &Difference, side: Side) -> Option<[Marked; 2]
     let mut ends = context.body(side)?.shape.edge_ends(edge.index)?;
     // A tie of supporting vertices is told in the order of their numbers.
     ends.sort_unstable();
+    let [i, j] = ends;
     let [p, q] = ends.map(|k| context.vertex(side, k, context.time));
-    Some([(1, p?), (2, q?)].map(|(number, point)| Marked { side, number, point }))
+    Some([(0, i, p?), (1, j, q?)].map(|(nth, index, point)| Marked { side, nth, index, point }))
 }
 
 /// Draws the edges that face each other, one of each body, with their lengths: in the world where they are,
@@ -316,6 +318,20 @@ mod tests {
             let Contour::Circle { center, .. } = &disc.contour else { panic!("a disc") };
             assert!((*center - frame.page(DVec2::new(x, 2.0))).length() < 1e-6, "{center:?} is not at {x}");
         }
+    }
+
+    #[test]
+    fn a_vertex_is_called_by_its_number_in_the_scene() {
+        let text = "shapes.A = { kind = 'box', half_extents = [4, 2] }
+            shapes.tip = { kind = 'polygon', vertices = [[-1, 2], [1, 2], [0, 0]], position = [0, 3] }
+            query = { kind = 'separation', of = ['A', 'tip'] }
+            panels = [{ layers = ['shapes', 'support'] }]";
+        let scene = open_text("support", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "support");
+        let label = figure.panels[0].placed.iter().find(|label| label.key == "b_1").unwrap();
+        let written = &label.lines[0].1.markup;
+        assert!(written.contains(",2}"), "{written}");
     }
 
     #[test]

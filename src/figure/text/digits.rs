@@ -108,6 +108,11 @@ impl Digits {
         if !lacks(&nearest) {
             return nearest;
         }
+        // Beside what it bounds, 20.9, a bound of 20.944 would look larger as 21.0.
+        let more = (usual(value) + 1..=WHOLE).map(|digits| in_digits(value, digits, Zeros::Kept));
+        if let Some(alike) = more.filter(|_| self == Self::Usual).find(|text| !lacks(text)) {
+            return alike;
+        }
         let last = match self {
             Self::Significant(digits) => exponent(value) + 1 - exponent_of(digits.min(MOST)),
             Self::Usual => exponent(value) + 1 - exponent_of(usual(value)),
@@ -268,6 +273,8 @@ mod tests {
             assert_eq!(Digits::Usual.of(value, value), text, "{value}");
             assert_eq!(Digits::Significant(3).of(130.5, 130.5), "131", "three are asked for");
         }
+        assert_eq!(Digits::Usual.at_least(20.943_95), "20.944", "as what it bounds, 20.9");
+        assert_eq!(Digits::Usual.at_least(4.0 / 3.0), "1.34", "no more digits bound it");
         let bounds = (Digits::Usual.at_least(8.125), Digits::Usual.at_most(8.125));
         assert_eq!(bounds, ("8.125".into(), "8.125".into()));
     }

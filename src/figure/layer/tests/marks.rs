@@ -124,7 +124,7 @@ fn the_rival_of_a_push_runs_from_the_deepest_vertex_to_another_edge() {
         let ghost = points(paths(&figure.drawing.items, "ghost-B")[0]);
         let to = frame.page(DVec2::from(pushed));
         assert!(ghost.iter().any(|&q| (q - to).length() < 0.5), "{ghost:?}");
-        assert_eq!(labels(&figure)["B'"].0, "$B$ pushed out");
+        assert_eq!(labels(&figure)["B'"].0, "$B$ pushed farther", "the shortest push has another ghost");
     }
 }
 

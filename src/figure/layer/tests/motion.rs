@@ -114,7 +114,12 @@ fn the_joint_of_two_parts_is_the_difference_of_the_vertices_that_are_named() {
         let homes = |panel: usize, key: &str| -> Vec<(String, DVec2)> {
             let panel = &figure.panels[panel];
             let (origin, corner) = (panel.frame.page(DVec2::ZERO), panel.frame.panel);
-            let of_key = panel.placed.iter().filter(|label| label.key == key);
+            // A vertex by what it is called, all else by its key.
+            let called = format!("${key}$");
+            let is_it = |label: &&Placed| {
+                if key.contains('_') { label.lines[0].1.markup == called } else { label.key == key }
+            };
+            let of_key = panel.placed.iter().filter(is_it);
             let place = |label: &Placed| {
                 let (x, y) = (label.home.dx + corner.x0 - origin.x, label.home.dy + corner.y0 - origin.y);
                 (label.lines[0].1.markup.clone(), DVec2::new(x, y) / panel.frame.scale)
