@@ -73,7 +73,8 @@ class Knob {
     drag(event) {
         if (!this.off) return;
         const [x, y] = this.figure.pointer(event);
-        // A view that fits what is drawn widens as that moves: by its new scale a way out would grow with itself.
+        // A view that fits what is drawn widens as that moves: by its new scale a way out would grow
+        // with itself.
         const from = this.taken.pull.plane ? this.taken : this.handle;
         const value = followed(from, [x + this.off[0], y + this.off[1]]);
         const step = event.altKey ? 0 : this.figure.snap(from);

@@ -63,7 +63,7 @@ fn is_in((first, last, step): (char, char, u32), capital: char) -> bool {
 mod tests {
     use super::*;
 
-    /// The letters of Latin, Greek, Cyrillic and Armenian that are no pair of one capital and one small letter.
+    /// The letters of these alphabets that are no pair of one capital and one small letter.
     const ALONE: &str = "ßŉıſİςϐϑϕϖϰϱϵͅͰͱͲͳͶͷͻͼͽͿϏϗϘϙϚϛϜϝϞϟϠϡϢϣϤϥϦϧϨϩϪϫϬϭϮϯϲϳϴϷϸϹϺϻϽϾϿΐΰӀӏևµ";
 
     #[test]

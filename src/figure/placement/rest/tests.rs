@@ -78,7 +78,7 @@ struct Count {
     jumps: usize,
     /// Labels that jumped and went back soon.
     flickers: usize,
-    /// Of the jumps those of labels whose thing jumped: the answer went to another edge or vertex.
+    /// Labels that jumped with their thing: the answer went to another edge or vertex.
     followed: usize,
     /// Faults of labels in all frames.
     faults: usize,
