@@ -105,7 +105,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
     let view = [-6.2, -3.1, 6.2, 3.5];
-    let after = [-6.4, -2.65, 6.0, 3.95];
+    let after = [-6.4, -2.45, 6.0, 4.15];
     let (w, then) = (look(&f, 0, view), look(&f, 1, after));
     let shape_a = [(1.0, -1.6), (1.0, 1.4), (-0.4, 2.2), (-2.2, 1.0), (-1.8, -2.4)];
     let shape_b = [(-2.0, 0.3), (-1.0, -1.7), (2.0, -1.5), (1.9, 0.9), (0.0, 1.8)];
@@ -204,7 +204,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
         one.along(A, (-2.25, 3.25), (2.25, -3.25)),
         one.marker(Ink, (-0.62, 0.34)),
         f.says("$A$ at $t = 0$") && f.says("first touch, $t = 0.3$"),
-        f.says("frame 2, $t = 1$,") && f.says("untested"),
+        f.says("without the test,") && f.says("$t = 1$"),
         // The way's head is at its end, where A would be.
         one.head(A, (2.25, -3.25)),
     ];
@@ -217,7 +217,7 @@ fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
         two.marker(Ink, (-0.62, 0.34)),
         two.head(Ink, (-0.34, -0.62)),
         two.text_near("$p$", (-0.62, 0.34), 40.0),
-        f.says("$A$ at $t = 0.3$") && f.says("$n$"),
+        f.says("$A$, stopped at $t = 0.3$") && f.says("$n$"),
     ];
 }
 

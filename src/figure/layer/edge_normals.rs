@@ -109,10 +109,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Where the ray from O at the panel's moment enters later.
+/// Where the ray enters after the panel's moment, when it is at O or a sweep's estimate.
 fn hit(context: &Context) -> Option<DVec2> {
-    let ahead = context.hit_time()?.lo - context.difference_time();
-    (ahead > 0.0).then(|| context.closing_velocity() * ahead)
+    let ahead = context.hit_time()?.lo - context.time;
+    (ahead > 0.0).then(|| context.estimate() + context.closing_velocity() * ahead)
 }
 
 /// Where a normal stands on its edge: in its middle, or where something else is nearer than `clear` to that,
