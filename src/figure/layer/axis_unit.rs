@@ -102,8 +102,8 @@ pub(super) fn sees(sketch: &Sketch, context: &Context, place: DVec2) -> bool {
     lo.cmple(place).all() && hi.cmpge(place).all()
 }
 
-/// Writes where A ends and where B begins, each beyond the end of its own interval, `off` page pixels from the
-/// axis on its side; their difference is `gap`.
+/// Writes where A ends and where B begins, each beyond the end of its own interval, `off` page pixels from
+/// the axis on its side; their difference is `gap`.
 pub(super) fn numbers(
     sketch: &mut Sketch,
     (measured, gap): ([f64; 2], f64),
