@@ -35,8 +35,9 @@ const SPILL: f64 = 1.0;
 const THIN: f64 = 1.0;
 /// From one line to the next of those by which labels keep off an inset, page pixels: no letter fits between.
 const CLOSE: f64 = 6.0;
-/// How much of a line an inset may hide for a marker or an arrowhead, page pixels.
-const POINT: f64 = 40.0;
+/// How much of a line an inset may hide for a marker or an arrowhead, page pixels: more than one of ours may
+/// hide at all, as an arrow without its head is another line.
+const POINT: f64 = 80.0;
 /// How much less it counts to hide what is not the subject.
 const BACKGROUND: f64 = 0.1;
 

@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 8;
+const OF_GHOSTS: usize = 9;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -54,6 +54,7 @@ pub(crate) const fn rows<const N: usize>(all: [[&'static str; 5]; N]) -> [Row; N
 pub(crate) static WORDS: &[Row] = &rows([
     ["expected at $t*", "$t*", "erwartet bei $t*", "attendu à $t*", "esperado en $t*"],
     ["* expected at $t*", "*: $t*", "* erwartet bei $t*", "* attendu à $t*", "* esperado en $t*"],
+    ["expected $*", "$*", "erwartet $*", "attendu $*", "esperado $*"],
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
@@ -65,7 +66,6 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["distance $=*", "$d =*", "Abstand $=*", "distance $=*", "distancia $=*"],
     ["gap $=*", "$*", "Lücke $=*", "écart $=*", "hueco $=*"],
     ["overlap $=*", "$*", "Überlappung $=*", "recouvrement $=*", "solapamiento $=*"],
-    ["expected $*", "$*", "erwartet $*", "attendu $*", "esperado $*"],
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],

@@ -35,12 +35,14 @@ use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::collision::{Answer, Outcome};
+use crate::geometry::read;
 use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When, panels_of_text};
 use crate::trace::Event;
 
 use super::fault::Problem;
 use super::language::Language;
 use super::runs::{Run, Runs};
+use super::text::rounded_down;
 
 /// A row of the table of pictures.
 pub struct Picture {
@@ -187,21 +189,21 @@ fn of_the_table<'s>(scene: &'s Scene, runs: &Runs, problems: &mut Vec<Problem>) 
     let case = Case { scene, run: &run };
     let suiting = PICTURES.iter().filter(|picture| (picture.fits)(&case));
     if scene.panels.is_empty() {
-        let panels = suiting.take(1).flat_map(|picture| panels(picture, scene, &scene.query.span));
+        let panels = suiting.take(1).flat_map(|picture| of_case(picture, &case, &scene.query.span));
         return panels.map(|panel| Sheet { panel: Cow::Owned(panel), ours: true }).collect();
     }
     let rows: Vec<&Picture> = suiting.collect();
-    scene.panels.iter().map(|panel| filled(panel, scene, &rows, problems)).collect()
+    scene.panels.iter().map(|panel| filled(panel, &case, &rows, problems)).collect()
 }
 
 /// A panel of the scene with the layers of the first picture that has some for its space.
-fn filled<'s>(panel: &'s Panel, scene: &Scene, rows: &[&Picture], problems: &mut Vec<Problem>) -> Sheet<'s> {
+fn filled<'s>(panel: &'s Panel, case: &Case, rows: &[&Picture], problems: &mut Vec<Problem>) -> Sheet<'s> {
     if panel.layers.is_some() {
         return Sheet { panel: Cow::Borrowed(panel), ours: false };
     }
     let configuration = |space: &Space| *space == Space::Configuration;
     let same = |other: &Panel| configuration(&other.space) == configuration(&panel.space);
-    let layers = rows.iter().find_map(|row| panels(row, scene, &panel.span).into_iter().find(same)?.layers);
+    let layers = rows.iter().find_map(|row| of_case(row, case, &panel.span).into_iter().find(same)?.layers);
     if layers.is_none() {
         let fault = scene::Fault::MissingKey {
             key: "layers".to_owned(),
@@ -211,6 +213,15 @@ fn filled<'s>(panel: &'s Panel, scene: &Scene, rows: &[&Picture], problems: &mut
         problems.push(Problem::new(fault.into(), panel.span.clone()));
     }
     Sheet { panel: Cow::Owned(Panel { layers, ..panel.clone() }), ours: true }
+}
+
+/// The panels of a picture for the answer of a case.
+fn of_case(picture: &Picture, case: &Case, at: &Range<usize>) -> Vec<Panel> {
+    let mut panels = panels(picture, case.scene, at);
+    for layer in panels.iter_mut().filter_map(|panel| panel.layers.as_mut()).flatten() {
+        until_undecided(layer, case);
+    }
+    panels
 }
 
 /// The panels of a picture for the bodies of a scene, their titles in its language; what goes wrong with
@@ -236,6 +247,22 @@ pub(crate) fn layers_of_all(scene: &Scene) -> Vec<(Space, LayerSpec)> {
         panel.layers.unwrap_or_default().into_iter().map(move |layer| (space.clone(), layer))
     };
     PICTURES.iter().flat_map(|row| panels(row, scene, &scene.query.span)).flat_map(of_panel).collect()
+}
+
+/// Shows an undecided motion where it is no longer proved to be free, in the place of its end: that is what
+/// the caption tells of, and a body that turns may end where it began.
+fn until_undecided(layer: &mut LayerSpec, case: &Case) {
+    let Some(Outcome::Unresolved { free_until, .. }) = case.outcome() else { return };
+    // As the caption writes it.
+    let Some(time) = read(&rounded_down(*free_until)).filter(|time| (f64::MIN_POSITIVE..1.0).contains(time))
+    else {
+        return;
+    };
+    for (_, value) in layer.options.iter_mut().filter(|(key, _)| key.value == "at") {
+        if value.value == Value::Text(When::END.to_owned()) {
+            value.value = Value::Number(time);
+        }
+    }
 }
 
 /// Puts the name of a body of the query in the place of `A` or `B` in a layer's option `of`.

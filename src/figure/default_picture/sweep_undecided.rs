@@ -1,4 +1,5 @@
-//! A sweep without turning of which nobody knows whether it touches: where the bodies begin and end.
+//! A sweep without turning of which nobody knows whether it touches: where the bodies begin, and where the
+//! proof ends.
 
 use crate::collision::Outcome;
 

@@ -74,6 +74,21 @@ fn picked(scene: &Scene) -> &'static Picture {
 }
 
 #[test]
+fn an_undecided_motion_is_shown_where_the_proof_ends() {
+    // Half a turn leaves the blade where it was.
+    let text = "shapes.blade = { kind = 'box', half_extents = [1, 0.1], angular_velocity_deg = 180 }
+        shapes.ceiling = { kind = 'aabb', half_extents = [3, 0.2], position = [0, 1.204987562112089] }
+        query = { kind = 'time-of-impact', of = ['blade', 'ceiling'] }";
+    let scene = open_text("s.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "s");
+    let ghost = figure.panels[0].placed.iter().find(|label| label.key == "A'").unwrap();
+    let said: String = ghost.lines.iter().map(|(_, line)| line.markup.clone()).collect();
+    assert!(said.contains("t = 0.468"), "{said}");
+    assert!(figure.drawing.desc.contains("0.468"), "{}", figure.drawing.desc);
+}
+
+#[test]
 fn every_answer_has_a_picture_and_every_row_and_layer_an_answer() {
     let mut fed: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     let (mut figures, mut faults) = (0.0, Vec::new());

@@ -1,4 +1,4 @@
-//! Bodies that turn and of which nobody knows whether they meet: where they begin and end.
+//! Bodies that turn and of which nobody knows whether they meet: where they begin, and where the proof ends.
 
 use crate::collision::Outcome;
 

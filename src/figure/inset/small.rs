@@ -12,10 +12,10 @@ use crate::geometry::DVec2;
 use super::{Inset, MARGIN, factors, hidden};
 
 /// The length below which a detail is enlarged, page pixels: markers and ticks are 7 – 9 wide, so less than
-/// that is left between those at its ends.
-const SEEN: f64 = 16.0;
+/// half of that is left between those at its ends. At 16 what everyone sees was shown twice.
+const SEEN: f64 = 12.0;
 /// The length below which it stays enlarged from the frame before on, so that an inset does not come and go.
-const STILL_SEEN: f64 = 22.0;
+const STILL_SEEN: f64 = 17.0;
 /// The least length of what is enlarged in its inset, page pixels: less is no wider than a line.
 const LEAST: f64 = 8.0;
 /// How far from its detail anything may come to lie by being enlarged, page pixels: half of how far a place

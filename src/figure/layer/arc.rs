@@ -96,7 +96,13 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
     fed: |context, options| {
-        Fed::by_the_frame(turn(context, options).is_some(), context, "the panel's frame moves")
+        let Some(t) = turn(context, options) else {
+            return Fed::by_the_frame(false, context, "the panel's frame moves");
+        };
+        if options.counts("nearer").is_some() && nearer(context, options, &t).is_none() {
+            return Fed::Without { option: "nearer", why: "that vertex is as far as p, or the origin" };
+        }
+        Fed::Yes
     },
     draw,
 };
@@ -193,7 +199,8 @@ fn nearer(context: &Context, options: &Options, t: &Turn) -> Option<DVec2> {
     let (begin, vertex) = (context.pose(t.side, 0.0)?.position, context.vertex(t.side, index, 0.0)?);
     let core = vertex - begin;
     let arm = core + core.normalize_or_zero() * context.body(t.side)?.shape.radius;
-    (arm.length() > 0.0).then_some(arm)
+    let is_nearer = arm.length() < t.radius * (1.0 - ON_THE_WAY);
+    (arm.length() > 0.0 && is_nearer).then_some(arm)
 }
 
 /// Draws the turn of a nearer vertex: at its place, or with the sector in the direction of the extreme point,
@@ -324,11 +331,7 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "arc");
             let circle = paths(&figure.drawing.items, "way-around");
-            assert_eq!(
-                !circle.is_empty(),
-                drawn,
-                "{spin}: what its own arc has gone over is not drawn twice"
-            );
+            assert_eq!(!circle.is_empty(), drawn, "{spin}: what its own arc has gone over is there already");
             if let Some(bounds) = circle.first().and_then(|path| path.contour.bounds()) {
                 // (3, 4) is 5 out, and most of the circle is left.
                 let frame = &figure.panels[0].frame;

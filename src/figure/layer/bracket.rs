@@ -140,7 +140,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if found.most - found.least <= CLOSED * found.most {
         let tick = up * sketch.px(MET);
         sketch.part("bracket").line(at(found.most) - tick, at(found.most) + tick, Pen::highlighted(role));
-        let text = format!("$= {}$", number(found.most));
+        let text = format!("distance $= {}$", number(found.most));
         let label = Label::new("met", text, Anchor::point_toward(at(found.most), below(0.0)), role);
         sketch.label(label.rank(Rank::Measure));
         return;
@@ -200,7 +200,7 @@ mod tests {
         let scene = open_text("gjk", &scene("[0, 0]", 4)).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "gjk");
-        assert_eq!(labels(&figure)["met"].1, 3.0);
+        assert_eq!(labels(&figure)["met"], ("distance $= 3$".to_owned(), 3.0));
     }
 
     #[test]

@@ -63,7 +63,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
         }
     }
-    let lines = words(&theirs, shown);
+    let lines = if shown { Vec::new() } else { words(&theirs) };
     if lines.is_empty() {
         return;
     }
@@ -79,10 +79,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Expected) -> bool {
     let Some(time) = theirs.time.filter(|time| (0.0..=1.0).contains(time)) else { return false };
     let mut shown = false;
+    let mut separation = separation_in_words(theirs);
     for side in context.sides() {
         let elsewhere = context.pose(side, time) != context.pose(side, context.time);
         if let Some(outline) = context.outline(side, time).filter(|_| elsewhere) {
-            ghost(sketch, options, side, &outline, at_expected(context, side, time));
+            let mut lines = at_expected(context, side, time);
+            lines.extend(separation.take());
+            ghost(sketch, options, side, &outline, lines);
             shown = true;
         }
     }
@@ -112,11 +115,15 @@ fn normal(sketch: &mut Sketch, from: DVec2, n: DVec2, (key, text, role): (&'stat
     unit_vector(sketch, (from, n), None, Label::new(key, text, Anchor::point(from), role));
 }
 
-/// What is expected in lines of a label; the time only where no body is shown at it.
-fn words(theirs: &Expected, shown: bool) -> Vec<String> {
-    let separation = theirs.separation.map(|s| format!("expected $s = {}$", number(s)));
-    let time = theirs.time.filter(|_| !shown).map(|t| format!("expected $t = {}$", number(t)));
-    separation.into_iter().chain(time).collect()
+/// What is expected in lines of a label, where no body is shown at the time.
+fn words(theirs: &Expected) -> Vec<String> {
+    let time = theirs.time.map(|t| format!("expected $t = {}$", number(t)));
+    separation_in_words(theirs).into_iter().chain(time).collect()
+}
+
+/// The separation that is expected, as a line of a label.
+fn separation_in_words(theirs: &Expected) -> Option<String> {
+    theirs.separation.map(|s| format!("expected $s = {}$", number(s)))
 }
 
 #[cfg(test)]
@@ -158,6 +165,7 @@ mod tests {
             ("separation = 0.01", "expected $s = 0.01$"),
             ("time = 0.8", "$A$ expected at $t = 0.8$"),
             ("time = 1.5", "expected $t = 1.5$"),
+            ("separation = 0.01, time = 0.8", "$A$ expected at $t = 0.8$"),
         ] {
             let text = format!(
                 "[shapes.A]\nkind = 'circle'\nradius = 1\nvelocity = [4, 0]\n[shapes.B]\nkind = 'circle'\n\
@@ -173,6 +181,11 @@ mod tests {
             let contact = panel.frame.page(crate::geometry::DVec2::new(3.0, 0.0));
             let off = label.bounds.center() - contact;
             assert!(off.length() > 60.0, "{given}: {off:?}");
+            // At the pose that it is about, where one is drawn.
+            let beside = panel.placed.iter().filter(|label| label.key == "expected").count();
+            assert_eq!(beside, usize::from(!says.starts_with("$A$")), "{given}");
+            let separation = label.lines.iter().any(|(_, line)| line.markup == "expected $s = 0.01$");
+            assert_eq!(separation, given.contains("separation"), "{given}");
         }
     }
 }

@@ -15,6 +15,9 @@ const METHOD: &str = "method";
 /// Opacity of the fill of a body that is where a method says.
 const FAINT: f64 = 0.08;
 
+/// What a claim moves a body by without anyone seeing it, page pixels: less than the width of its outline.
+const UNSEEN: f64 = 2.0;
+
 pub(super) const LAYER: Layer = Layer {
     name: "naive",
     about: "what a method claims that looks right and is wrong on some pairs: bodies where it would have \
@@ -65,8 +68,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let Some(outline) = context.outline(side, at) else { continue };
         // Parted or brought together by the claim, B would just touch A.
         let outline = by.filter(|_| side == Side::B).map_or(outline.clone(), |by| outline.moved(by));
-        let is_elsewhere = by.is_some_and(|by| by != by * 0.0) && side == Side::B
-            || context.pose(side, at) != context.pose(side, context.time);
+        let is_elsewhere =
+            by.is_some() && side == Side::B || context.pose(side, at) != context.pose(side, context.time);
         if is_elsewhere {
             let pen = Some(Pen::ghost(role));
             let wash = Some(Wash::faint(role, FAINT));
@@ -77,7 +80,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     let Some(outline) = named else { return };
-    label(sketch, method, &said, Anchor::inside(&outline), role);
+    let unmoved = by.is_some_and(|by| by.length() < sketch.px(UNSEEN));
+    let gap = context.separation_at(context.time).filter(|_| unmoved);
+    let gap = gap.and_then(|run| run.separation().map(|s| s.points));
+    // What moves nothing says so where it should have been.
+    let anchor = gap.map_or_else(|| Anchor::inside(&outline), |[p, q]| Anchor::middle(p, q));
+    label(sketch, method, &said, anchor, role);
 }
 
 /// Draws the one point at which a method would have the bodies touch.
@@ -119,6 +127,19 @@ mod tests {
         assert!(text.contains("largest gap") && text.contains("-0.1"), "{text}");
         assert_eq!(paths(&figure.drawing.items, "claimed-B").len(), 1);
         assert!(paths(&figure.drawing.items, "claimed-A").is_empty());
+    }
+
+    #[test]
+    fn a_claim_that_moves_nothing_stands_at_the_gap() {
+        let far = |x: f64| format!("{BOX}, position = [{x}, 0]");
+        let method = "{ layer = 'naive', method = 'single-precision' }";
+        let drawn = figure(&far(16_777_216.0), &far(16_777_218.7), "separation", method).unwrap();
+        assert_eq!(labels(&drawn)["naive"].1, 0.0);
+        assert_eq!(paths(&drawn.drawing.items, "claimed-B").len(), 1, "where B is");
+        let at = drawn.panels[0].frame.page(crate::geometry::DVec2::new(16_777_217.35, 0.0));
+        let label = drawn.panels[0].placed.iter().find(|placed| placed.key == "naive").unwrap();
+        let off = label.bounds.center() - at;
+        assert!(off.length() < 0.5 * drawn.panels[0].frame.scale, "{off:?}");
     }
 
     #[test]

@@ -196,7 +196,11 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
-    let d = format!("$d{left} = {}$", number(step.distance));
+    // Before the last step it is only a bound of the depth.
+    let d = match step.beyond {
+        Some(_) => format!("at least ${}$", number(step.distance)),
+        None => format!("$d{left} = {}$", number(step.distance)),
+    };
     sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));
     let tip = foot + step.normal * 1.0_f64.max(least).min(most);
@@ -293,6 +297,7 @@ mod tests {
             assert!((drawn - labels["d"].1).abs() < 0.005, "step {k}: {drawn} is not {:?}", labels["d"]);
             assert_eq!(labels.contains_key("stop"), k == steps, "step {k}");
             assert_eq!(labels.contains_key("w"), k < steps, "step {k}");
+            assert_eq!(labels["d"].0.starts_with("at least"), k < steps, "only the last one is the depth");
             assert_eq!(paths(&figure.drawing.items, "vertices").len(), k + 2);
         }
     }

@@ -68,12 +68,19 @@ pub(super) const LAYER: Layer = Layer {
 
 /// Two vertices that face each other, or nothing at all where the bodies' distance is not measured from an
 /// edge, leave nothing to mark.
-fn fed(context: &Context, _: &Options) -> Fed {
+fn fed(context: &Context, options: &Options) -> Fed {
     let edges = |side| context.body(side).is_some_and(|body| body.shape.core.len() > 1);
     if context.separation_at(context.time).is_none() || !context.sides().into_iter().any(edges) {
         return Fed::Never;
     }
-    if supports(context).is_some() { Fed::Yes } else { Fed::NotHere(NO_EDGE) }
+    let aligned = || difference(context, context.time).and_then(|found| found.aligned()).is_some();
+    match supports(context) {
+        None => Fed::NotHere(NO_EDGE),
+        Some(_) if options.flag("lengths", false) && !aligned() => {
+            Fed::Without { option: "lengths", why: "no edges face each other" }
+        }
+        Some(_) => Fed::Yes,
+    }
 }
 
 /// The body and its vertices that support the nearest edge: a tie first, then B's.
@@ -301,6 +308,17 @@ mod tests {
         keys.retain(|key| key.contains('_'));
         keys.sort_unstable();
         keys
+    }
+
+    #[test]
+    fn lengths_of_edges_that_do_not_face_each_other_are_told_to_be_none() {
+        let text = "shapes.A = { kind = 'box', half_extents = [1, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [3, 0], angle_deg = 30 }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ layers = ['shapes', { layer = 'support', lengths = true }] }]";
+        let scene = open_text("support", text).unwrap().scene;
+        let told: Vec<String> = plan(&scene).unwrap().warnings.iter().map(|w| w.fault.to_string()).collect();
+        assert_eq!(told, ["`lengths` of `support` draws nothing: no edges face each other"]);
     }
 
     #[test]

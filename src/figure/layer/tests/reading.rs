@@ -7,7 +7,7 @@ use crate::figure::{Figure, draw, plan};
 use crate::geometry::DVec2;
 use crate::scene::{Explain, open_text};
 
-use super::{last_number, lines, paths};
+use super::{labels, last_number, lines, paths};
 
 /// How far apart a thing may be drawn, page pixels.
 const NEAR: f64 = 1e-6;
@@ -207,4 +207,23 @@ fn what_is_not_there_is_refused() {
     ] {
         assert_eq!(codes(panel), expected, "{panel}");
     }
+}
+
+#[test]
+fn a_vertex_that_is_as_far_as_p_has_no_shorter_arc() {
+    let told = |vertex: usize| {
+        let text = format!(
+            "shapes.door = {{ kind = 'polygon', vertices = [[0, 0], [2, 0], [2, 1]],
+                angular_velocity_deg = 75 }}
+             query = {{ kind = 'motion-bound', of = ['door'] }}
+             panels = [{{ layers = ['shapes', {{ layer = 'arc', sector = true, nearer = {vertex} }}] }}]"
+        );
+        let scene = open_text("door", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let drawn = labels(&draw(&plan, plan.theme, "door")).contains_key("q");
+        (drawn, plan.warnings.iter().map(|w| w.fault.to_string()).collect::<Vec<_>>())
+    };
+    assert_eq!(told(1), (true, vec![]));
+    let none = "`nearer` of `arc` draws nothing: that vertex is as far as p, or the origin";
+    assert_eq!(told(2), (false, vec![none.to_owned()]));
 }
