@@ -131,7 +131,7 @@ pub(crate) const ROOMS: &[Row] = &[
     // From the ground floor up: what others stand on comes first.
     ("figure/limits", &["scene"]),
     ("figure/question", &["collision"]),
-    ("figure/name", &["typeset"]),
+    ("figure/name", &["geometry", "typeset"]),
     ("figure/called", &["geometry", "scene", "typeset", "figure/name"]),
     ("figure/language", &["trace", "scene"]),
     ("figure/standing", &["collision"]),
