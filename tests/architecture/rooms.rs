@@ -308,6 +308,7 @@ pub(crate) const ROOMS: &[Row] = &[
     (
         "figure/narrow",
         &[
+            "drawing",
             "scene",
             "typeset",
             "figure/layer",
