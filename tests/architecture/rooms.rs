@@ -262,7 +262,16 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     (
         "figure/default_picture",
-        &["trace", "collision", "scene", "figure/fault", "figure/language", "figure/runs"],
+        &[
+            "geometry",
+            "trace",
+            "collision",
+            "scene",
+            "figure/fault",
+            "figure/language",
+            "figure/runs",
+            "figure/text",
+        ],
     ),
     (
         "figure/exercise",

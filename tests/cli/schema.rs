@@ -89,7 +89,7 @@ fn is_of_type(name: &Value, value: &Value) -> bool {
 }
 
 /// Whether a text is as a pattern of the schemas wants it: of theme files, of markup, of languages, of
-/// colours.
+/// what is dragged, of colours.
 fn fits(pattern: &str, text: &str) -> bool {
     if pattern == r"\.toml(#dark)?$" {
         return Path::new(text.trim_end_matches("#dark")).extension().is_some_and(|end| end == "toml");
@@ -99,6 +99,9 @@ fn fits(pattern: &str, text: &str) -> bool {
     }
     if pattern.starts_with("^[A-Za-z]{2,8}") {
         return is_tag(text);
+    }
+    if let Some(grips) = pattern.strip_prefix(r"^[^.]*$|\.(").and_then(|rest| rest.split_once(')')) {
+        return is_held(grips.0, text);
     }
     let (_, digits) = COLORS.iter().find(|(known, _)| *known == pattern).expect("a known pattern");
     text.strip_prefix('#')
@@ -119,6 +122,14 @@ fn is_tag(text: &str) -> bool {
     let mut parts = text.split('-');
     parts.next().is_some_and(|p| (2..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphabetic()))
         && parts.all(|p| (1..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphanumeric()))
+}
+
+/// Whether a text is a name, with a grip behind a point or with what no grip is, as the pattern has it.
+fn is_held(grips: &str, text: &str) -> bool {
+    text.rsplit_once('.').is_none_or(|(_, grip)| {
+        let is_word = !grip.is_empty() && grip.bytes().all(|b| b.is_ascii_lowercase());
+        !is_word || grips.split('|').any(|known| known == grip)
+    })
 }
 
 /// Whether a text is markup as the pattern of the schema has it, which names the roles and values.
@@ -190,6 +201,10 @@ fn holds(keyword: &str, rule: &Value, value: &Value) -> bool {
         "maximum" => number(f64::le),
         "minItems" => length(u64::ge),
         "maxItems" => length(u64::le),
+        "contains" => {
+            let items = value.as_array();
+            items.is_none_or(|items| items.iter().any(|item| faults(rule, item, "").is_empty()))
+        }
         "anyOf" => fitting() > 0,
         "not" => !faults(rule, value, "").is_empty(),
         "uniqueItems" => {

@@ -152,7 +152,7 @@ fn own_place(table: &Table, name: &str, house: &[(PathBuf, Strings)]) -> Result<
 }
 
 /// What says which row is meant by a word of another tool, as `circle` by `disc`.
-const WORDS_OF_OTHERS: &str = "scene/suggest.rs";
+const WORDS_OF_OTHERS: [&str; 2] = ["scene/meant.rs", "scene/suggest.rs"];
 
 /// Strings that name a row outside its own place.
 fn strangers(table: &Table, house: &[(PathBuf, Strings)]) -> Vec<String> {
@@ -169,7 +169,11 @@ fn strangers(table: &Table, house: &[(PathBuf, Strings)]) -> Vec<String> {
         for (path, strings) in house {
             let listed = table.row.is_none() && *path == in_table;
             let other = table.other_meanings.iter().any(|(n, file, _)| n == name && path.starts_with(file));
-            if path.starts_with(&own) || listed || other || path == Path::new(WORDS_OF_OTHERS) {
+            if path.starts_with(&own)
+                || listed
+                || other
+                || WORDS_OF_OTHERS.iter().any(|of| path == Path::new(of))
+            {
                 continue;
             }
             for (line, text) in strings.found.iter().filter(|(_, text)| (table.finds)(text, name)) {
