@@ -57,23 +57,11 @@ fn off(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{Contour, Group, Item, Path};
+    use crate::drawing::Contour;
+    use crate::figure::layer::tests::paths;
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
-
-    /// The first path of the innermost group of a name.
-    fn path<'d>(items: &'d [Item], name: &str) -> Option<&'d Path> {
-        items.iter().find_map(|item| match item {
-            Item::Group(Group { name: own, items, .. }) => {
-                path(items, name).or_else(|| match items.first() {
-                    Some(Item::Path(path)) if own == name => Some(path),
-                    _ => None,
-                })
-            }
-            _ => None,
-        })
-    }
 
     #[test]
     fn the_disc_of_the_depth_is_drawn_where_it_lies_within_the_other_body() {
@@ -88,7 +76,7 @@ mod tests {
             let scene = open_text("s.toml", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "s");
-            let disc = path(&figure.drawing.items, "disc");
+            let disc = paths(&figure.drawing.items, "disc").into_iter().next();
             assert_eq!(disc.is_some(), drawn, "{high}");
             let Some(Contour::Circle { center, radius }) = disc.map(|disc| &disc.contour) else { continue };
             let frame = &figure.panels[0].frame;

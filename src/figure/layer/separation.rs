@@ -300,7 +300,8 @@ fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{Contour, Group, Item, Path, Segment};
+    use crate::drawing::{Contour, Segment};
+    use crate::figure::layer::tests::paths;
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
@@ -322,19 +323,6 @@ mod tests {
         [canvas]
     "#;
 
-    /// The first path of the innermost group of a name.
-    fn path<'d>(items: &'d [Item], name: &str) -> Option<&'d Path> {
-        items.iter().find_map(|item| match item {
-            Item::Group(Group { name: own, items, .. }) => {
-                path(items, name).or_else(|| match items.first() {
-                    Some(Item::Path(path)) if own == name => Some(path),
-                    _ => None,
-                })
-            }
-            _ => None,
-        })
-    }
-
     #[test]
     fn an_offset_shrinks_with_a_small_page() {
         // Lines shrink with the root of the page: a third of it has lines of 0.577.
@@ -343,7 +331,7 @@ mod tests {
             let scene = open_text("s.toml", &format!("{SCENE}{size}")).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "s");
-            let Contour::Segments(bar) = &path(&figure.drawing.items, "separation").unwrap().contour else {
+            let Contour::Segments(bar) = &paths(&figure.drawing.items, "separation")[0].contour else {
                 panic!("a line")
             };
             let Segment::Move(from) = bar[0] else { panic!("a line begins") };
