@@ -9,12 +9,11 @@ use super::plan::Plan;
 use super::text::Across;
 use super::theme::Theme;
 
-/// The title over a panel, in the middle.
+/// The title over a panel, from its left edge on, as the headline and the captions are set.
 pub(super) fn title(text: &Lettering, plan: &Plan, panel: &Labelled, theme: &Theme) -> Item {
     let lines = text.of(theme);
     let mut group = Group::new("title");
-    for (line, at) in lines.iter().zip(plan.page.title_baselines(&panel.frame.panel, lines.len())) {
-        let origin = Point::new(at.x - 0.5 * line.width, at.y);
+    for (line, origin) in lines.iter().zip(plan.page.title_baselines(&panel.frame.panel, lines.len())) {
         group.items.extend(lettered(line, origin, Role::Ink, (theme, None)));
     }
     Item::Group(group)
@@ -94,6 +93,23 @@ mod tests {
         }
         assert!(lines.len() > 1 && warnings == 0, "{lines:?}");
         assert_eq!(panel.y1, figure.panels[1].frame.panel.y1, "panels of a row are as high");
+    }
+
+    #[test]
+    fn titles_and_captions_of_a_panel_begin_at_its_left_edge() {
+        let (figure, _) = drawn("columns = 2", "A ball.'\ntitle = 'A title");
+        let left = figure.panels[0].frame.panel.x0;
+        let of = |name: &str| {
+            let group = figure.drawing.items.iter().find_map(|item| match item {
+                Item::Group(group) if group.name == name && !group.items.is_empty() => Some(group),
+                _ => None,
+            });
+            let Some(Item::Text(text)) = group.and_then(|group| group.items.first()) else {
+                panic!("{name}")
+            };
+            text.origin.x
+        };
+        assert_eq!((of("title"), of("caption")), (left, left));
     }
 
     #[test]

@@ -177,10 +177,10 @@ impl Page {
         (0_u32..).map(move |below| Point::new(left, first + step * f64::from(below)))
     }
 
-    /// Middles of the baselines of a title of so many lines over a panel, page pixels, from the top.
+    /// Left ends of the baselines of a title of so many lines over a panel, page pixels, from the top.
     pub(crate) fn title_baselines(&self, cell: &Rect, lines: usize) -> impl Iterator<Item = Point> {
-        let (middle, last, step) = (cell.center().x, cell.y0 - self.title_drop, self.title_step);
-        (0..lines).rev().map(move |above| Point::new(middle, last - step * count(above)))
+        let (left, last, step) = (cell.x0, cell.y0 - self.title_drop, self.title_step);
+        (0..lines).rev().map(move |above| Point::new(left, last - step * count(above)))
     }
 }
 
