@@ -13,6 +13,7 @@ mod digits;
 mod fill;
 mod fold;
 mod givers;
+mod letters;
 mod number;
 mod outcome;
 mod overrides;

@@ -16,6 +16,7 @@ use crate::typeset::{self, Style, TypesetError};
 use super::decimal::Decimal;
 use super::fill::fill;
 use super::fold::{chain, difference, folds, wordy};
+use super::letters::letters;
 use super::overrides::{IsKey, overridden};
 
 /// Sets the labels of one panel.
@@ -57,7 +58,8 @@ impl Wording<'_> {
         if lines.iter().all(String::is_empty) {
             return Ok(None);
         }
-        let style = Style::regular((self.type_size)(label.size));
+        let size = if is_given { letters(label.size, lines) } else { label.size };
+        let style = Style::regular((self.type_size)(size));
         let decimal = Decimal::of(self.context.scene);
         // The same words may stand in several labels: the key tells which one it is.
         let of_label = |error: TypesetError, markup| {
