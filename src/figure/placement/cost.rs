@@ -194,13 +194,13 @@ pub(super) fn own_reach(sought: &Sought, scene: &Surroundings) -> f64 {
     scene.obstacles.iter().filter_map(reach).fold(0.0, f64::max)
 }
 
-/// What reaching over the panel's edge costs.
+/// What standing near the panel's edge costs, and reaching over it.
 fn edge(rect: &Rect, panel: &Rect, w: &Costs) -> f64 {
     let over = (panel.x0 - rect.x0).max(rect.x1 - panel.x1).max(panel.y0 - rect.y0).max(rect.y1 - panel.y1);
     match over {
         _ if over > w.spill => w.edge + w.edge_px * over,
-        _ if over > 0.0 => w.spilled + w.spilled_px * over,
-        _ => 0.0,
+        _ if over > 0.0 => w.rim + w.spilled_px * over,
+        _ => w.rim * (1.0 + over / w.rim_reach).max(0.0),
     }
 }
 

@@ -51,12 +51,16 @@ super::numbers! {
         /// Twice: 0 + 23 labels, 15 faults more; half: 4 + 24 labels, two faults more. A label that reaches
         /// farther than it does as tuned is a fault, so most of those at twice are of this number's making.
         spill: f64 = 6.0;
-        /// Reaching over the panel's edge into that gap.
-        /// Twice: 2 + 8 labels; half: 1 + 8 labels.
-        spilled: f64 = 1.5;
+        /// A label right at the panel's edge, falling to nothing at `rim_reach` within it: words that press
+        /// on a frame look as if they had no room.
+        /// Twice: 6 + 37 labels; half: 6 + 28 labels.
+        rim: f64 = 3.0;
+        /// How far from the panel's edge a label stands well, page pixels.
+        /// Twice: 16 + 58 labels; half: 5 + 37 labels.
+        rim_reach: f64 = 6.0;
         /// Each page pixel of reaching into that gap.
-        /// Twice: 2 + 9 labels; half: 1 + 4 labels.
-        spilled_px: f64 = 0.3;
+        /// Twice: 0 + 6 labels; half: 2 + 10 labels.
+        spilled_px: f64 = 0.6;
         /// Reaching farther over the panel's edge than `spill`.
         /// Twice and half: nothing.
         edge: f64 = 60.0;
