@@ -186,39 +186,42 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 }
 
 #[test]
-fn frames_continuous_tests_the_whole_band_and_stops_a_where_it_touches() {
+fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-5.2, -4.45, 5.1, 4.6];
-    let b = [(-5.1, -3.05), (4.5, -0.25), (4.9, 1.95), (-4.7, -0.85)];
+    let view = [-5.8, -2.85, 5.4, 2.85];
+    let b = super::overlap::WALL;
     let one = look(&f, 0, view);
-    // The band's edges are 1 from the way, square to (4.5, -6.5): by (13, 9)/√250.
-    let (x, y) = (13.0 / 250.0_f64.sqrt(), 9.0 / 250.0_f64.sqrt());
-    // After 0.3 of the way the centre (-0.9, 1.3) is 1 from the line 7x - 24y = -12.5, at (-0.62, 0.34).
+    let (start, end) = ((-4.2125, 1.1), (3.7875, -0.9));
+    // The band's edges are 1 from the way, square to (8, -2): by (1, 4)/√17.
+    let (x, y) = (1.0 / 17.0_f64.sqrt(), 4.0 / 17.0_f64.sqrt());
+    // After 0.3 of the way the centre (-1.8125, 0.5) is 1 from the line 24x + 7y = -15, at (-0.8525, 0.78).
+    let (hit, contact) = ((-1.8125, 0.5), (-0.8525, 0.78));
     shows![
-        one.circle(A, (-2.25, 3.25), 1.0).is_some_and(|p| p.fill.is_some()),
+        one.circle(A, start, 1.0).is_some_and(|p| p.fill.is_some()),
         one.polygon(B, &b).is_some(),
-        one.circle(Now, (-0.9, 1.3), 1.0).is_some_and(dashed),
-        one.circle(A, (2.25, -3.25), 1.0).is_some_and(dashed),
-        one.any_line((-2.25 + x, 3.25 + y), (2.25 + x, -3.25 + y)),
-        one.any_line((-2.25 - x, 3.25 - y), (2.25 - x, -3.25 - y)),
-        one.along(A, (-2.25, 3.25), (2.25, -3.25)),
-        one.marker(Ink, (-0.62, 0.34)),
+        one.circle(Now, hit, 1.0).is_some_and(dashed),
+        one.circle(A, end, 1.0).is_some_and(dashed),
+        one.any_line((start.0 + x, start.1 + y), (end.0 + x, end.1 + y)),
+        one.any_line((start.0 - x, start.1 - y), (end.0 - x, end.1 - y)),
+        one.along(A, start, end),
+        one.marker(Ink, contact),
         f.says("$A$ at $t = 0$") && f.says("first touch, $t = 0.3$"),
-        f.says("without the test,") && f.says("$t = 1$"),
+        f.says("$t = 1$, without the test"),
         // The way's head is at its end, where A would be.
-        one.head(A, (2.25, -3.25)),
+        one.head(A, end),
     ];
-    let two = look(&f, 1, view);
+    let two = look(&f, 1, [-5.8, -2.85, 1.5, 2.85]);
     shows![
-        two.circle(A, (-0.9, 1.3), 1.0).is_some_and(|p| p.fill.is_some()),
-        two.circle(A, (-2.25, 3.25), 1.0).is_some_and(dashed),
-        // The radius that is square to the edge.
-        two.along(A, (-0.9, 1.3), (-0.62, 0.34)),
-        two.marker(Ink, (-0.62, 0.34)),
-        two.head(Ink, (-0.34, -0.62)),
-        two.text_near("$p$", (-0.62, 0.34), 40.0),
-        f.says("$A$, stopped at $t = 0.3$") && f.says("$n$"),
+        two.circle(A, hit, 1.0).is_some_and(|p| p.fill.is_some()),
+        two.circle(A, start, 1.0).is_some_and(dashed),
+        two.along(A, start, hit) && two.head(A, hit),
+        two.polygon(B, &b).is_some(),
+        two.marker(Ink, contact),
+        two.text_near("$p$", contact, 40.0),
     ];
+    let unit =
+        |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
+    assert!((unit(&one) - unit(&two)).abs() < 0.01, "{} and {}", unit(&one), unit(&two));
 }
 
 #[test]
@@ -278,41 +281,36 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 }
 
 #[test]
-fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
+fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_two_steps() {
     let f = figure("demo-angular-sweep");
-    let b = [(3.0, -5.09), (4.5, -5.3), (5.6, -3.8), (4.95, -2.49)];
-    // A's vertices at t = 0, 4.05 / 9 and 2.455 / 9 later, where n is that of B's edge, (0.8, -0.6); the
-    // closest points.
-    let steps: [([P; 4], [P; 2], &str); 3] = [
+    let b = [(3.822, -2.929), (4.8, -3.4), (5.5, -2.4), (4.842, -1.569)];
+    // A's vertices at t = 0 and 4.4 / 8 later, where n is that of B's edge, (0.8, -0.6); the closest points.
+    let steps: [([P; 4], [P; 2], &str); 2] = [
         (
-            [(-1.44, -0.42), (1.44, -0.42), (1.44, 0.42), (-1.44, 0.42)],
-            [(1.44, -0.42), (4.68, -2.85)],
-            "$d = 4.05$",
+            [
+                (-0.503_229_577, -1.144_228_995),
+                (1.039_460_687, 0.694_277_668),
+                (0.503_229_577, 1.144_228_995),
+                (-1.039_460_687, -0.694_277_668),
+            ],
+            [(1.039_460_687, 0.694_277_668), (4.559_459_128, -1.945_721_163)],
+            "$d = 4.40$",
         ),
         (
             [
-                (1.444_434_180_873, -3.072_024_443_849),
-                (2.075_173_439_701, -0.261_941_173_309),
-                (1.255_565_819_127, -0.077_975_556_151),
-                (0.624_826_560_299, -2.888_058_826_691),
+                (1.089_490_713, -1.995_535_687),
+                (3.427_739_967, -2.536_451_973),
+                (3.585_507_217, -1.854_462_608),
+                (1.247_257_963, -1.313_546_322),
             ],
-            [(1.444_434_181, -3.072_024_444), (3.408_624_572, -4.545_167_237)],
-            "$d = 2.46$",
-        ),
-        (
-            [
-                (3.325_867_831_304, -3.483_909_912_023),
-                (1.705_368_011_553, -1.103_073_854_21),
-                (1.010_957_494_69, -1.575_719_634_97),
-                (2.631_457_314_442, -3.956_555_692_784),
-            ],
-            [(3.325_867_831, -3.483_909_912), (3.888_235_661, -3.905_685_785)],
-            "$d = 0.703$",
+            [(3.427_739_967, -2.536_451_973), (3.868_489_441, -2.867_014_079)],
+            "$d = 0.55$",
         ),
     ];
+    let view = [-1.6, -4.1, 6.3, 1.9];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
-        let world = look(&f, i, [-2.5, -5.85, 6.5, 1.75]);
-        let conf = look(&f, 3 + i, [-1.75, -6.0, 7.25, 2.0]);
+        let world = look(&f, 2 * i, view);
+        let conf = look(&f, 2 * i + 1, [-1.15, -4.76, 6.75, 1.24]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -327,13 +325,12 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_three_steps() {
     }
     let start = steps[0].0;
     shows![
-        // Where it started, dotted beside where it is.
-        look(&f, 2, [-2.5, -5.85, 6.5, 1.75]).polygon(A, &start).is_some_and(dashed),
-        // (3, -3.5) · (0.8, -0.6), and 1.5 · 3.
-        f.texts.iter().any(|(text, _)| text.contains("4.5")),
-        ["0", "0.45", "0.723"]
-            .iter()
-            .all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
+        // Where it started, dotted beside where it is, and the way there: 0.55 of (4.25, -3.5).
+        look(&f, 2, view).polygon(A, &start).is_some_and(dashed),
+        look(&f, 2, view).along(A, (0.0, 0.0), (2.337_499, -1.924_999)),
+        // (4.25, -3.5) · (0.8, -0.6), and 1.25 · 2; 4.4 / 8.
+        ["5.5", "2.5"].iter().all(|number| f.texts.iter().any(|(text, _)| text.contains(number))),
+        ["0", "0.55"].iter().all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
     ];
 }
 

@@ -181,69 +181,77 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-4.4, -3.75, 4.6, 7.0];
-    let vertices = [(-2.4, -2.2), (2.4, -2.2), (2.4, 2.2), (-2.4, 2.2)];
+    let view = [-4.0, -3.25, 3.4, 5.75];
+    let vertices = [(-2.6, -1.5), (2.6, -1.5), (2.6, 1.5), (-2.6, 1.5)];
     let tilted = vertices.map(turned);
-    // (-1.5, 5) in the world.
-    let center = turned((1.8, 4.9));
+    // (-1.12, 4.16) in the world.
+    let center = turned((1.6, 4.0));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (-1.5, 5.0), 1.5).is_some(),
-        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-1.5, 5)$"),
-        world.arrow(Muted, (0.0, 0.0), turned((4.3, 0.0))),
-        world.any_line((0.0, 0.0), (4.3, 0.0)),
-        f.says("$-36.9°$"),
+        world.circle(B, (-1.12, 4.16), 1.2).is_some(),
+        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-1.12, 4.16)$"),
+        world.arrow(Muted, (0.0, 0.0), turned((3.1, 0.0))) && f.says("$x$ axis"),
+        world.any_line((0.0, 0.0), (3.1, 0.0)),
+        f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-5.2, -3.95, 3.8, 6.8]);
+    let body = look(&f, 1, [-4.35, -2.85, 3.05, 6.15]);
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (1.8, 4.9), 1.5).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (1.8, 4.9)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.9)),
+        body.circle(B, (1.6, 4.0), 1.2).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (1.6, 4.0)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
         // V_y is cut, V_x stays.
-        body.line(A, (0.0, 0.0), (1.8, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 2.2)).is_some_and(thick),
-        body.marker(A, (1.8, 2.2)),
-        f.says("$h_x = 2.4$") && f.says("$h_y = 2.2$"),
+        body.line(A, (0.0, 0.0), (1.6, 0.0)).is_some_and(thick),
+        body.line(A, (0.0, 0.0), (0.0, 1.5)).is_some_and(thick),
+        body.marker(A, (1.6, 1.5)),
+        f.says("$h_x = 2.6$") && f.says("$h_y = 1.5$"),
     ];
     let back = look(&f, 2, view);
-    // Of D = (0, 2.7) the circle takes 1.5.
-    let (closest, rim) = (turned((1.8, 2.2)), turned((1.8, 3.4)));
+    // Of D = (0, 2.5) the circle takes 1.2.
+    let closest = turned((1.6, 1.5));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
-        back.line(Translation, closest, rim).is_some_and(thick),
         back.arrow_toward(Translation, closest, center),
-        back.line(B, center, (center.0 - 1.5, center.1)).is_some(),
-        f.says("$V$") && f.says("$V_x = 1.8$") && f.says("$V_y = 4.9$"),
-        f.says("cut to $2.2$") && f.says("$B_c$"),
+        f.says("$V$") && f.says("$V_x = 1.6$") && f.says("$V_y = 4$"),
+        f.says("cut to $1.5$") && f.says("$B_c$"),
         f.says("$r$"),
-        f.says(r"$\|D\| = 2.7$") && f.says("$1.2$"),
+        f.says(r"$\|D\| = 2.5$") && f.says("$1.3$"),
     ];
+    // Beside D its two parts: 1.3 up to the circle, and r.
+    let unit = super::seen::distance(back.panel.page((0.0, 0.0)), back.panel.page((1.0, 0.0)));
+    for (role, part) in [(Translation, 1.3), (B, 1.2)] {
+        let along = back.lengths(role, (back.panel.page(closest), back.panel.page(center)));
+        assert!(along.iter().any(|&x| (x - part * unit).abs() < 0.25), "{part} of {role:?}: {along:?}");
+    }
 }
+
+/// The vertices of the wall B of both figures of frames: ±0.6 along (24, 7)/25, ±2.5 along (-7, 24)/25.
+pub(crate) const WALL: [(f64, f64); 4] = [(0.124, -2.568), (1.276, -2.232), (-0.124, 2.568), (-1.276, 2.232)];
 
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let view = [-5.2, -4.45, 5.1, 4.6];
-    let b = [(-5.1, -3.05), (4.5, -0.25), (4.9, 1.95), (-4.7, -0.85)];
-    let [late, never] = [0, 1].map(|i| look(&f, i, view));
+    let late = look(&f, 0, [-5.8, -2.85, 1.5, 2.85]);
+    let never = look(&f, 1, [-5.8, -2.85, 5.4, 2.85]);
     let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
     let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
-    // B's long edges lie on 7x - 24y = -12.5 and 37.5. Along (7, -24)/25, A's rim touches the one at t = 0.3,
-    // is 1.5 beyond it at 0.5, and has left the other 1.25 behind at 1.
+    // The wall's long edges lie on 24x + 7y = ±15. Along (24, 7)/25, the rim of A touches the one at t = 0.3,
+    // is 1.424 beyond it at 0.5, and has left the other 1.784 behind at 1.
+    let (start, middle, end) = ((-4.2125, 1.1), (-0.2125, 0.1), (3.7875, -0.9));
     shows![
-        late.polygon(B, &b).is_some() && never.polygon(B, &b).is_some(),
+        late.polygon(B, &WALL).is_some() && never.polygon(B, &WALL).is_some(),
         // Frames that are tested are solid, moments that are not are dotted.
-        solid(&late, (-2.25, 3.25)) && solid(&late, (0.0, 0.0)) && dotted(&late, (-0.9, 1.3)),
-        late.head(A, (0.0, 0.0)) && never.head(A, (2.25, -3.25)),
-        f.says("not tested: first touch,") && f.says("$t = 0.3$"),
-        solid(&never, (-2.25, 3.25)) && solid(&never, (2.25, -3.25)) && dotted(&never, (0.0, 0.0)),
-        f.says("not tested: the") && f.says("overlap at $t = 0.5$"),
-        f.says("$A$ in frame 1, $t = 0$"),
-        f.says("$A$ in frame 2, $t = 0.5$,") && f.says("overlaps $B$"),
-        f.says("$A$ in frame 2, $t = 1$,") && f.says("is apart from $B$"),
+        solid(&late, start) && solid(&late, middle),
+        late.head(A, middle) && never.head(A, end),
+        solid(&never, start) && solid(&never, end) && dotted(&never, middle),
+        f.texts.iter().filter(|(t, _)| t == "$A$ in frame 1, $t = 0$").count() == 2,
+        f.says("$A$ in frame 2, $t = 0.5$") && f.says("$A$ in frame 2, $t = 1$"),
+        f.says("not tested,") && f.says("$t = 0.5$"),
     ];
+    let unit =
+        |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
+    assert!((unit(&late) - unit(&never)).abs() < 0.01, "{} and {}", unit(&late), unit(&never));
 }
 
 fn dotted(path: &tracefig::drawing::Path) -> bool {

@@ -134,7 +134,14 @@ fn a_pinned_label_stands_where_the_scene_says_and_a_hidden_one_nowhere() {
 
 #[test]
 fn the_panels_of_a_series_keep_the_places_of_their_labels() {
-    let (_, scene) = committed().into_iter().find(|(name, _)| name == "frames-discrete").unwrap();
+    let text = "shapes.A = { kind = 'circle', radius = 1, position = [-2.25, 3.25], velocity = [4.5, -6.5] }
+        shapes.B = { kind = 'polygon', vertices = [[-5.1, -3.05], [4.5, -0.25], [4.9, 1.95], [-4.7, -0.85]] }
+        query = { kind = 'linear-sweep', of = ['A', 'B'] }
+        panels = [
+            { time = 0.5, view = [-5.2, -4.45, 5.1, 4.6], layers = ['shapes'] },
+            { time = 1, view = [-5.2, -4.45, 5.1, 4.6], layers = ['shapes'] },
+        ]";
+    let scene = read(&Source::new("series", text)).unwrap();
     let plan = plan(&scene).unwrap();
     let figure = draw(&plan, plan.theme, "series");
     let place = |panel: usize| {
